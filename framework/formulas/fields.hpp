@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// The fields of the plain types, by name and in order. Sending, comparing, printing and checking a value for NaN all walk
+// this one list: a new field is one more name here.
+#pragma once
+
+#include "formulas/types.hpp"
+
+#include <string_view>
+
+namespace rigor {
+
+/// `Fields<Body>::each(body, visit)` calls visit(name, field) for each field. Listed below, one row a struct.
+template <class T> struct Fields;
+
+/// A struct whose fields are listed here.
+template <class T>
+concept Plain = requires { typename Fields<std::remove_cvref_t<T>>::listed; };
+
+#define RIGOR_FIELD(name) visit(std::string_view(#name), value.name);
+#define RIGOR_FIELDS(Type, ...)                                                                    \
+    template <> struct Fields<Type> {                                                              \
+        using listed = void;                                                                       \
+        template <class Value, class Visit> static void each(Value& value, Visit&& visit)          \
+        {                                                                                          \
+            RIGOR_EACH(RIGOR_FIELD, __VA_ARGS__)                                                   \
+        }                                                                                          \
+    };
+
+// The preprocessor's way to do something for each of up to 256 arguments.
+#define RIGOR_PARENTHESES ()
+#define RIGOR_EXPAND(...) RIGOR_EXPAND_3(RIGOR_EXPAND_3(RIGOR_EXPAND_3(__VA_ARGS__)))
+#define RIGOR_EXPAND_3(...) RIGOR_EXPAND_2(RIGOR_EXPAND_2(RIGOR_EXPAND_2(__VA_ARGS__)))
+#define RIGOR_EXPAND_2(...) RIGOR_EXPAND_1(RIGOR_EXPAND_1(RIGOR_EXPAND_1(__VA_ARGS__)))
+#define RIGOR_EXPAND_1(...) __VA_ARGS__
+#define RIGOR_EACH(macro, ...) __VA_OPT__(RIGOR_EXPAND(RIGOR_EACH_NEXT(macro, __VA_ARGS__)))
+#define RIGOR_EACH_NEXT(macro, first, ...)                                                         \
+    macro(first) __VA_OPT__(RIGOR_EACH_AGAIN RIGOR_PARENTHESES(macro, __VA_ARGS__))
+#define RIGOR_EACH_AGAIN() RIGOR_EACH_NEXT
+
+RIGOR_FIELDS(Quaternion, s, v)
+RIGOR_FIELDS(Particle, mass, position)
+RIGOR_FIELDS(PointForce, force, point)
+RIGOR_FIELDS(Wrench, force, torque)
+RIGOR_FIELDS(MassProperties, mass, center_of_mass, inertia)
+RIGOR_FIELDS(PrincipalAxes, rotation, moments)
+RIGOR_FIELDS(DensitySample, position, density)
+RIGOR_FIELDS(TriangleMesh, vertices, triangles)
+RIGOR_FIELDS(MatrixState, position, rotation, velocity, angular_momentum)
+RIGOR_FIELDS(MatrixStateRate, position_rate, rotation_rate, velocity_rate, angular_momentum_rate)
+RIGOR_FIELDS(RigidState, position, orientation, velocity, angular_momentum)
+RIGOR_FIELDS(BodyInertia, inverse_mass, inverse_inertia)
+RIGOR_FIELDS(Body, inverse_mass, inverse_inertia, position, velocity, angular_velocity,
+             angular_momentum)
+RIGOR_FIELDS(ContactPoint, point, normal, depth, relative_velocity)
+RIGOR_FIELDS(LevelSet, origin, cell_size, size, distances)
+
+} // namespace rigor

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+// The plain data that formulas take and return. Numbers, fixed-size Eigen types and vectors of them: nothing that could
+// not be sent to another process.
+//
+// Conventions, for every topic:
+//   * SI units. World space is right-handed, y points up.
+//   * X, V, L are the position of the center of mass, its velocity and the angular momentum about it, in world space.
+//   * R and the unit quaternion q rotate object space into world space: x = R p + X.
+//   * Bodies 1 and 2: the unit normal n points from 2 to 1, v = v1 - v2, body 1 receives +j and body 2 -j;
+//     v.n < 0 is approaching.
+//   * A static body has inverse mass 0 and inverse inertia 0. Nothing divides by its mass.
+//   * Every formula is total: for finite input it returns a finite result.
+#pragma once
+
+#include <Eigen/Dense>
+
+#include <array>
+#include <optional>
+#include <vector>
+
+namespace rigor {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+using Matrix36d = Eigen::Matrix<double, 3, 6>;
+using Matrix6d = Eigen::Matrix<double, 6, 6>;
+
+/// A quaternion s + v.x i + v.y j + v.z k, scalar first. It has no operators: its algebra is an assignment.
+struct Quaternion {
+    double s = 1;
+    Vector3d v = Vector3d::Zero();
+};
+
+/// A point mass.
+struct Particle {
+    double mass = 0;                     // [kg]
+    Vector3d position = Vector3d::Zero(); // [m]
+};
+
+/// A force and the world-space point it acts at.
+struct PointForce {
+    Vector3d force = Vector3d::Zero(); // [N]
+    Vector3d point = Vector3d::Zero(); // [m]
+};
+
+/// Net force, and net torque about the center of mass.
+struct Wrench {
+    Vector3d force = Vector3d::Zero();  // [N]
+    Vector3d torque = Vector3d::Zero(); // [N m]
+};
+
+/// What a body's matter amounts to.
+struct MassProperties {
+    double mass = 0;                           // [kg]
+    Vector3d center_of_mass = Vector3d::Zero(); // [m]
+    Matrix3d inertia = Matrix3d::Zero();        // about the center of mass [kg m²]
+};
+
+/// The principal frame of an inertia tensor, I = Q diag(moments) Qᵀ.
+struct PrincipalAxes {
+    Matrix3d rotation = Matrix3d::Identity(); // Q, determinant +1; its columns are the axes
+    Vector3d moments = Vector3d::Zero();      // ascending [kg m²]
+};
+
+/// Density at a point of object space.
+struct DensitySample {
+    Vector3d position = Vector3d::Zero(); // [m]
+    double density = 0;                   // [kg/m³]
+};
+
+/// A surface of triangles, counter-clockwise seen from outside.
+struct TriangleMesh {
+    std::vector<Vector3d> vertices;            // [m]
+    std::vector<std::array<int, 3>> triangles; // indices into vertices
+};
+
+/// The state of a rigid body with its orientation as a rotation matrix (lecture "Rigid bodies").
+struct MatrixState {
+    Vector3d position = Vector3d::Zero();         // X [m]
+    Matrix3d rotation = Matrix3d::Identity();     // R
+    Vector3d velocity = Vector3d::Zero();         // V [m/s]
+    Vector3d angular_momentum = Vector3d::Zero(); // L [kg m²/s]
+};
+
+/// The time derivative of a MatrixState.
+struct MatrixStateRate {
+    Vector3d position_rate = Vector3d::Zero();         // Ẋ [m/s]
+    Matrix3d rotation_rate = Matrix3d::Zero();         // Ṙ [1/s]
+    Vector3d velocity_rate = Vector3d::Zero();         // V̇ [m/s²]
+    Vector3d angular_momentum_rate = Vector3d::Zero(); // L̇ [N m]
+};
+
+/// The state of a rigid body with its orientation as a unit quaternion.
+struct RigidState {
+    Vector3d position = Vector3d::Zero();         // X [m]
+    Quaternion orientation;                       // q, unit
+    Vector3d velocity = Vector3d::Zero();         // V [m/s]
+    Vector3d angular_momentum = Vector3d::Zero(); // L [kg m²/s]
+};
+
+/// What of a body's matter its motion depends on.
+struct BodyInertia {
+    double inverse_mass = 0;                       // 1/M [1/kg], 0 if static
+    Matrix3d inverse_inertia = Matrix3d::Zero();   // I_body⁻¹, object space [1/(kg m²)], 0 if static
+};
+
+/// A rigid body at the moment of a collision, all of it in world space.
+struct Body {
+    double inverse_mass = 0;                      // 1/M [1/kg], 0 if static
+    Matrix3d inverse_inertia = Matrix3d::Zero();  // I(t)⁻¹ = R I_body⁻¹ Rᵀ [1/(kg m²)], 0 if static
+    Vector3d position = Vector3d::Zero();         // X [m]
+    Vector3d velocity = Vector3d::Zero();         // V [m/s]
+    Vector3d angular_velocity = Vector3d::Zero(); // ω [rad/s]
+    Vector3d angular_momentum = Vector3d::Zero(); // L [kg m²/s]
+
+    bool is_static() const { return inverse_mass == 0; }
+};
+
+/// A point where body 1 penetrates body 2.
+struct ContactPoint {
+    Vector3d point = Vector3d::Zero();             // x, world space [m]
+    Vector3d normal = Vector3d::UnitY();           // n, unit, from body 2 to body 1
+    double depth = 0;                              // penetration, positive inside [m]
+    Vector3d relative_velocity = Vector3d::Zero(); // v = v1 - v2 at x [m/s]
+};
+
+/// Signed distance to a surface, negative inside, sampled at the nodes of a grid.
+/// Node (i, j, k) lies at origin + cell_size (i, j, k); its value is distances[i + size[0] (j + size[1] k)].
+struct LevelSet {
+    Vector3d origin = Vector3d::Zero(); // position of node (0, 0, 0) [m]
+    double cell_size = 1;               // [m]
+    std::array<int, 3> size = {0, 0, 0}; // nodes along x, y, z; at least 2 each
+    std::vector<double> distances;      // [m]
+};
+
+} // namespace rigor

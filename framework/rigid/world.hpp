@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+// Bodies, forces and settings: all that a time step reads, and nothing that it could derive.
+#pragma once
+
+#include "formulas/types.hpp"
+#include "geometry/shape.hpp"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace rigor {
+
+struct Material {
+    double restitution = 0.5; // ε, 0 … 1; of a pair: the smaller
+    double friction = 0.5;    // μ ≥ 0; of a pair: the geometric mean
+};
+
+/// A rigid body. Object space has its origin at the center of mass and the axes of the scene file.
+struct RigidBody {
+    std::string name;
+    std::vector<Part> parts; // in object space
+    Material material;
+    bool is_static = false;
+    double mass = 0;                      // [kg]; 0 if static
+    Matrix3d inertia = Matrix3d::Zero();  // I_body, about the center of mass [kg m²]
+    BodyInertia inverse;                  // computed once, through the principal axes; zero if static
+    bool is_isotropic = false;            // I_body = i δ: then I(t)⁻¹ = I_body⁻¹
+    RigidState state;
+};
+
+/// A spring between two points, fixed in bodies or (body = -1) in the world.
+struct Spring {
+    int body1 = -1, body2 = -1;
+    Vector3d point1 = Vector3d::Zero(), point2 = Vector3d::Zero(); // object space, or world space [m]
+    double stiffness = 0;   // [N/m]
+    double damping = 0;     // along the spring [N s/m]
+    double rest_length = 0; // [m]
+};
+
+/// A constant world-space force on a point of a body, for a while.
+struct AppliedForce {
+    int body = 0;
+    Vector3d force = Vector3d::Zero(); // [N]
+    Vector3d point = Vector3d::Zero(); // object space [m]
+    double start = 0, end = 1e300;     // [s]
+};
+
+/// How free flight is integrated.
+enum class Integrator {
+    matrix,      ///< Runge–Kutta 4 on (X, R, V, L) through `equations_of_motion`; R drifts
+    linear,      ///< `step_symplectic_euler`
+    exponential, ///< symplectic Euler with `advance_exact`
+    buss,        ///< `step_buss`
+    runge_kutta, ///< fourth order on (X, q, V, L), the default
+};
+
+/// What was done, and what was skipped because the scene did not need it.
+struct Counters {
+    std::uint64_t steps = 0, substeps = 0;
+    std::uint64_t pairs_possible = 0, pairs_tested = 0, contacts = 0;
+    std::uint64_t collision_impulses = 0, contact_impulses = 0;
+    std::uint64_t isotropic_shortcuts = 0, free_flights = 0, static_skipped = 0;
+};
+
+struct World {
+    std::vector<RigidBody> bodies;
+    std::vector<Spring> springs;
+    std::vector<AppliedForce> forces;
+    Vector3d gravity = Vector3d::Zero(); // g [m/s²]
+    Integrator integrator = Integrator::runge_kutta;
+    double time = 0; // [s]
+    Counters counters;
+};
+
+/// A contact as it was resolved in a step.
+struct ContactRecord {
+    int body1 = 0, body2 = 0;
+    Vector3d point = Vector3d::Zero();   // [m]
+    Vector3d normal = Vector3d::UnitY(); // from body 2 to body 1
+    double depth = 0;                    // [m]
+    Vector3d impulse = Vector3d::Zero(); // on body 1, the sum over the step [N s]
+};
+
+/// One time step in the order of Guendelman, Bridson and Fedkiw (2003): collisions, velocities, contact, positions.
+/// A pure function of (world, time_step): no state is hidden elsewhere.
+/// @return the contacts that got an impulse
+std::vector<ContactRecord> step(World& world, double time_step);
+
+} // namespace rigor

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+// A scene as its file describes it: nothing computed yet, no formula called.
+#pragma once
+
+#include "geometry/shape.hpp"
+#include "rigid/world.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace rigor {
+
+/// Something is wrong with a file or an argument that the user gave. Its text is one line that says where, what was
+/// expected and what was found. Commands print it and exit with status 2.
+struct InputError : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+struct BodyDescription {
+    std::string name;
+    std::vector<Part> parts; // in the body's own frame, as written
+    Material material;
+    bool is_static = false;
+    std::optional<double> mass;      // given instead of densities [kg]
+    std::optional<Matrix3d> inertia; // given with mass, about the center of mass (the frame's origin) [kg m²]
+    Vector3d position = Vector3d::Zero(); // of the frame's origin [m]
+    Quaternion orientation;
+    Vector3d velocity = Vector3d::Zero();         // of the center of mass [m/s]
+    Vector3d angular_velocity = Vector3d::Zero(); // world space [rad/s]
+    std::optional<Vector3d> color;                // red, green, blue in 0 … 1
+};
+
+struct Camera {
+    Vector3d position = Vector3d(4, 3, 6);
+    Vector3d target = Vector3d::Zero();
+    double field_of_view = 40; // vertical [degrees]
+};
+
+/// What to draw besides the bodies.
+struct Overlays {
+    bool axes = false, angular_velocity = false, angular_momentum = false, contacts = false,
+         labels = false, grid = true;
+};
+
+struct Scene {
+    std::string name;        // of the file, without its ending
+    std::string description; // one sentence: what to see
+    std::string text;        // the file itself
+    std::vector<BodyDescription> bodies;
+    std::vector<Spring> springs;
+    std::vector<AppliedForce> forces;
+    Vector3d gravity = Vector3d(0, -9.81, 0); // [m/s²]
+    Integrator integrator = Integrator::runge_kutta;
+    double time_step = 0.01; // [s]
+    double end = 1;          // [s]
+    double frames_per_second = 30;
+    Camera camera;
+    Overlays overlays;
+};
+
+/// @throws InputError `file:line: expected …, found …`
+Scene load_scene(const std::filesystem::path& file);
+Scene parse_scene(const std::string& text, const std::string& file_name);
+
+/// Shapes to bodies: calls the formulas of topic `inertia` where the scene gives densities.
+World make_world(const Scene& scene);
+
+} // namespace rigor
