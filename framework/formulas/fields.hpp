@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The fields of the plain types, by name and in order. Sending, comparing, printing and checking a value for NaN all walk
-// this one list: a new field is one more name here.
+// The fields of the plain types, by name and in order. Sending, comparing, printing and checking a
+// value for NaN all walk this one list: a new field is one more name here.
 #pragma once
 
 #include "formulas/types.hpp"
@@ -9,18 +9,22 @@
 
 namespace rigor {
 
-/// `Fields<Body>::each(body, visit)` calls visit(name, field) for each field. Listed below, one row a struct.
+/// `Fields<Body>::each(body, visit)` calls visit(name, field) for each field. Listed below, one row
+/// a struct.
 template <class T> struct Fields;
 
 /// A struct whose fields are listed here.
 template <class T>
-concept Plain = requires { typename Fields<std::remove_cvref_t<T>>::listed; };
+concept Plain = requires
+{
+    typename Fields<std::remove_cvref_t<T>>::listed;
+};
 
 #define RIGOR_FIELD(name) visit(std::string_view(#name), value.name);
 #define RIGOR_FIELDS(Type, ...)                                                                    \
     template <> struct Fields<Type> {                                                              \
         using listed = void;                                                                       \
-        template <class Value, class Visit> static void each(Value& value, Visit&& visit)          \
+        template <class Value, class Visit> static void each(Value &value, Visit &&visit)          \
         {                                                                                          \
             RIGOR_EACH(RIGOR_FIELD, __VA_ARGS__)                                                   \
         }                                                                                          \

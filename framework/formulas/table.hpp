@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Every formula once: tag, topic, function, the names of its arguments. The worker's dispatch, the proxy, `rigor list`
-// and every message about a formula follow from this table; the types follow from the function's own declaration.
+// Every formula once: tag, topic, function, the names of its arguments. The worker's dispatch, the
+// proxy, `rigor list` and every message about a formula follow from this table; the types follow
+// from the function's own declaration.
 #pragma once
 
 #include "formulas/collision.hpp"

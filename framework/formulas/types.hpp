@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
-// The plain data that formulas take and return. Numbers, fixed-size Eigen types and vectors of them: nothing that could
-// not be sent to another process.
+// The plain data that formulas take and return. Numbers, fixed-size Eigen types and vectors of
+// them: nothing that could not be sent to another process.
 //
 // Conventions, for every topic:
 //   * SI units. World space is right-handed, y points up.
-//   * X, V, L are the position of the center of mass, its velocity and the angular momentum about it, in world space.
+//   * X, V, L are the position of the center of mass, its velocity and the angular momentum about
+//   it, in world space.
 //   * R and the unit quaternion q rotate object space into world space: x = R p + X.
-//   * Bodies 1 and 2: the unit normal n points from 2 to 1, v = v1 - v2, body 1 receives +j and body 2 -j;
+//   * Bodies 1 and 2: the unit normal n points from 2 to 1, v = v1 - v2, body 1 receives +j and
+//   body 2 -j;
 //     v.n < 0 is approaching.
 //   * A static body has inverse mass 0 and inverse inertia 0. Nothing divides by its mass.
 //   * Every formula is total: for finite input it returns a finite result.
@@ -25,7 +27,8 @@ using Eigen::Vector3d;
 using Matrix36d = Eigen::Matrix<double, 3, 6>;
 using Matrix6d = Eigen::Matrix<double, 6, 6>;
 
-/// A quaternion s + v.x i + v.y j + v.z k, scalar first. It has no operators: its algebra is an assignment.
+/// A quaternion s + v.x i + v.y j + v.z k, scalar first. It has no operators: its algebra is an
+/// assignment.
 struct Quaternion {
     double s = 1;
     Vector3d v = Vector3d::Zero();
@@ -33,7 +36,7 @@ struct Quaternion {
 
 /// A point mass.
 struct Particle {
-    double mass = 0;                     // [kg]
+    double mass = 0;                      // [kg]
     Vector3d position = Vector3d::Zero(); // [m]
 };
 
@@ -51,7 +54,7 @@ struct Wrench {
 
 /// What a body's matter amounts to.
 struct MassProperties {
-    double mass = 0;                           // [kg]
+    double mass = 0;                            // [kg]
     Vector3d center_of_mass = Vector3d::Zero(); // [m]
     Matrix3d inertia = Matrix3d::Zero();        // about the center of mass [kg m²]
 };
@@ -100,14 +103,14 @@ struct RigidState {
 
 /// What of a body's matter its motion depends on.
 struct BodyInertia {
-    double inverse_mass = 0;                       // 1/M [1/kg], 0 if static
-    Matrix3d inverse_inertia = Matrix3d::Zero();   // I_body⁻¹, object space [1/(kg m²)], 0 if static
+    double inverse_mass = 0;                     // 1/M [1/kg], 0 if static
+    Matrix3d inverse_inertia = Matrix3d::Zero(); // I_body⁻¹, object space [1/(kg m²)], 0 if static
 };
 
 /// A rigid body at the moment of a collision, all of it in world space.
 struct Body {
-    double inverse_mass = 0;                      // 1/M [1/kg], 0 if static
-    Matrix3d inverse_inertia = Matrix3d::Zero();  // I(t)⁻¹ = R I_body⁻¹ Rᵀ [1/(kg m²)], 0 if static
+    double inverse_mass = 0;                     // 1/M [1/kg], 0 if static
+    Matrix3d inverse_inertia = Matrix3d::Zero(); // I(t)⁻¹ = R I_body⁻¹ Rᵀ [1/(kg m²)], 0 if static
     Vector3d position = Vector3d::Zero();         // X [m]
     Vector3d velocity = Vector3d::Zero();         // V [m/s]
     Vector3d angular_velocity = Vector3d::Zero(); // ω [rad/s]
@@ -125,12 +128,13 @@ struct ContactPoint {
 };
 
 /// Signed distance to a surface, negative inside, sampled at the nodes of a grid.
-/// Node (i, j, k) lies at origin + cell_size (i, j, k); its value is distances[i + size[0] (j + size[1] k)].
+/// Node (i, j, k) lies at origin + cell_size (i, j, k); its value is distances[i + size[0] (j +
+/// size[1] k)].
 struct LevelSet {
-    Vector3d origin = Vector3d::Zero(); // position of node (0, 0, 0) [m]
-    double cell_size = 1;               // [m]
+    Vector3d origin = Vector3d::Zero();  // position of node (0, 0, 0) [m]
+    double cell_size = 1;                // [m]
     std::array<int, 3> size = {0, 0, 0}; // nodes along x, y, z; at least 2 each
-    std::vector<double> distances;      // [m]
+    std::vector<double> distances;       // [m]
 };
 
 } // namespace rigor

@@ -22,20 +22,21 @@ struct RigidBody {
     std::vector<Part> parts; // in object space
     Material material;
     bool is_static = false;
-    double mass = 0;                      // [kg]; 0 if static
-    Matrix3d inertia = Matrix3d::Zero();  // I_body, about the center of mass [kg m²]
-    BodyInertia inverse;                  // computed once, through the principal axes; zero if static
-    bool is_isotropic = false;            // I_body = i δ: then I(t)⁻¹ = I_body⁻¹
+    double mass = 0;                     // [kg]; 0 if static
+    Matrix3d inertia = Matrix3d::Zero(); // I_body, about the center of mass [kg m²]
+    BodyInertia inverse;       // computed once, through the principal axes; zero if static
+    bool is_isotropic = false; // I_body = i δ: then I(t)⁻¹ = I_body⁻¹
     RigidState state;
 };
 
 /// A spring between two points, fixed in bodies or (body = -1) in the world.
 struct Spring {
     int body1 = -1, body2 = -1;
-    Vector3d point1 = Vector3d::Zero(), point2 = Vector3d::Zero(); // object space, or world space [m]
-    double stiffness = 0;   // [N/m]
-    double damping = 0;     // along the spring [N s/m]
-    double rest_length = 0; // [m]
+    Vector3d point1 = Vector3d::Zero(),
+             point2 = Vector3d::Zero(); // object space, or world space [m]
+    double stiffness = 0;               // [N/m]
+    double damping = 0;                 // along the spring [N s/m]
+    double rest_length = 0;             // [m]
 };
 
 /// A constant world-space force on a point of a body, for a while.
@@ -48,8 +49,9 @@ struct AppliedForce {
 
 /// How free flight is integrated.
 enum class Integrator {
-    matrix,      ///< Runge–Kutta 4 on (X, R, V, L) through `equations_of_motion`; R drifts
-    linear,      ///< `step_symplectic_euler`
+    matrix, ///< Runge–Kutta 4 on (X, R, V, L) through `equations_of_motion`, R made a rotation
+            ///< again after the step
+    linear, ///< `step_symplectic_euler`
     exponential, ///< symplectic Euler with `advance_exact`
     buss,        ///< `step_buss`
     runge_kutta, ///< fourth order on (X, q, V, L), the default
@@ -82,9 +84,9 @@ struct ContactRecord {
     Vector3d impulse = Vector3d::Zero(); // on body 1, the sum over the step [N s]
 };
 
-/// One time step in the order of Guendelman, Bridson and Fedkiw (2003): collisions, velocities, contact, positions.
-/// A pure function of (world, time_step): no state is hidden elsewhere.
+/// One time step in the order of Guendelman, Bridson and Fedkiw (2003): collisions, velocities,
+/// contact, positions. A pure function of (world, time_step): no state is hidden elsewhere.
 /// @return the contacts that got an impulse
-std::vector<ContactRecord> step(World& world, double time_step);
+std::vector<ContactRecord> step(World &world, double time_step);
 
 } // namespace rigor

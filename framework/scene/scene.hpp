@@ -13,8 +13,8 @@
 
 namespace rigor {
 
-/// Something is wrong with a file or an argument that the user gave. Its text is one line that says where, what was
-/// expected and what was found. Commands print it and exit with status 2.
+/// Something is wrong with a file or an argument that the user gave. Its text is one line that says
+/// where, what was expected and what was found. Commands print it and exit with status 2.
 struct InputError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
@@ -24,8 +24,9 @@ struct BodyDescription {
     std::vector<Part> parts; // in the body's own frame, as written
     Material material;
     bool is_static = false;
-    std::optional<double> mass;      // given instead of densities [kg]
-    std::optional<Matrix3d> inertia; // given with mass, about the center of mass (the frame's origin) [kg m²]
+    std::optional<double> mass; // given instead of densities [kg]
+    std::optional<Matrix3d>
+        inertia; // given with mass, about the center of mass (the frame's origin) [kg m²]
     Vector3d position = Vector3d::Zero(); // of the frame's origin [m]
     Quaternion orientation;
     Vector3d velocity = Vector3d::Zero();         // of the center of mass [m/s]
@@ -62,10 +63,10 @@ struct Scene {
 };
 
 /// @throws InputError `file:line: expected …, found …`
-Scene load_scene(const std::filesystem::path& file);
-Scene parse_scene(const std::string& text, const std::string& file_name);
+Scene load_scene(const std::filesystem::path &file);
+Scene parse_scene(const std::string &text, const std::string &file_name);
 
 /// Shapes to bodies: calls the formulas of topic `inertia` where the scene gives densities.
-World make_world(const Scene& scene);
+World make_world(const Scene &scene);
 
 } // namespace rigor

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// The recorded motion of a scene: written by a worker, streamed, stored, read while it is being written.
+// The recorded motion of a scene: written by a worker, streamed, stored, read while it is being
+// written.
 //
 // Little-endian binary:
 //     "RIGORTRJ"  u32 version = 1
 //     u32 bytes, scene file as text
-//     u32 bodies, each: u8 is_static, f64 mass, 9 f64 inertia (I_body by columns)
-//     then records until the end:
-//     'F'  i64 step, f64 time, bodies × 13 f64 (X, q = s x y z, V, L),
+//     u32 bodies, each: u8 is_static, f64 mass, 3 f64 center of mass, 9 f64 inertia (I_body by
+//     columns) then records until the end: 'F'  i64 step, f64 time, bodies × 13 f64 (X, q = s x y
+//     z, V, L),
 //          u32 contacts, each: i32 body1, i32 body2, f64 depth, 9 f64 (point, normal, impulse)
 //     'E'  u32 counters, each u64 in the order of Counters: the run is complete
 // A file that stops before 'E' holds the run up to there.
@@ -35,8 +36,9 @@ struct Frame {
 /// Mass and inertia of a body as the worker computed them.
 struct RecordedBody {
     bool is_static = false;
-    double mass = 0;                     // [kg]
-    Matrix3d inertia = Matrix3d::Zero(); // I_body [kg m²]
+    double mass = 0;                            // [kg]
+    Vector3d center_of_mass = Vector3d::Zero(); // in the body's frame as the scene file has it [m]
+    Matrix3d inertia = Matrix3d::Zero();        // I_body [kg m²]
 };
 
 struct Trajectory {
@@ -51,17 +53,18 @@ struct Trajectory {
 enum class Record { frames, every_step };
 
 /// Runs a scene and hands the bytes of its trajectory to `write`, a record at a time.
-void run_scene(const Scene& scene, Record record,
-               const std::function<void(std::span<const std::byte>)>& write);
+void run_scene(const Scene &scene, Record record,
+               const std::function<void(std::span<const std::byte>)> &write);
 
-/// Takes the bytes of a trajectory as they come, in pieces of any size, and calls back for each whole record. The bytes
-/// may be hostile: every count is checked before it is believed, every number is finite.
+/// Takes the bytes of a trajectory as they come, in pieces of any size, and calls back for each
+/// whole record. The bytes may be hostile: every count is checked before it is believed, every
+/// number is finite.
 class TrajectoryReader {
 public:
     struct Handlers {
-        std::function<void(const Scene&, const std::vector<RecordedBody>&)> on_start;
+        std::function<void(const Scene &, const std::vector<RecordedBody> &)> on_start;
         std::function<void(Frame)> on_frame;
-        std::function<void(const Counters&)> on_end;
+        std::function<void(const Counters &)> on_end;
     };
     explicit TrajectoryReader(Handlers handlers);
 
@@ -78,6 +81,6 @@ private:
 };
 
 /// A whole trajectory from a file. @throws InputError
-Trajectory load_trajectory(const std::filesystem::path& file);
+Trajectory load_trajectory(const std::filesystem::path &file);
 
 } // namespace rigor
