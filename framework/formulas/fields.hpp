@@ -24,7 +24,7 @@ concept Plain = requires
 #define RIGOR_FIELDS(Type, ...)                                                                    \
     template <> struct Fields<Type> {                                                              \
         using listed = void;                                                                       \
-        template <class Value, class Visit> static void each(Value &value, Visit &&visit)          \
+        template <class Value, class Visit> static void each(Value& value, Visit&& visit)          \
         {                                                                                          \
             RIGOR_EACH(RIGOR_FIELD, __VA_ARGS__)                                                   \
         }                                                                                          \

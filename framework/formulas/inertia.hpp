@@ -13,14 +13,14 @@ namespace rigor {
 ///     M = Σ mᵢ    X = Σ mᵢ pᵢ / M    I = Σ mᵢ (dᵢᵀdᵢ δ - dᵢ dᵢᵀ),  dᵢ = pᵢ - X
 ///
 /// No mass: all zero, center at the origin.
-MassProperties particle_mass_properties(const std::vector<Particle> &particles);
+MassProperties particle_mass_properties(const std::vector<Particle>& particles);
 
 /// A2.2 Inertia in world space, I(t) = R I_body Rᵀ [kg m²] (lecture "Inertia tensor simplified 2").
-Matrix3d world_inertia(const Matrix3d &R, const Matrix3d &I_body);
+Matrix3d world_inertia(const Matrix3d& R, const Matrix3d& I_body);
 
 /// A2.3 Inverse inertia in world space, I(t)⁻¹ = R I_body⁻¹ Rᵀ [1/(kg m²)], from the inverse
 /// computed once.
-Matrix3d world_inverse_inertia(const Matrix3d &R, const Matrix3d &I_body_inverse);
+Matrix3d world_inverse_inertia(const Matrix3d& R, const Matrix3d& I_body_inverse);
 
 /// A2.4 Principal axes: a rotation Q (det +1) and ascending moments with I = Q diag(moments) Qᵀ.
 ///
@@ -28,7 +28,7 @@ Matrix3d world_inverse_inertia(const Matrix3d &R, const Matrix3d &I_body_inverse
 /// equation.
 ///
 /// @param I  symmetric, positive semi-definite [kg m²]
-PrincipalAxes principal_axes(const Matrix3d &I);
+PrincipalAxes principal_axes(const Matrix3d& I);
 
 /// A2.5 Inverse of principal moments, 1/mᵢ, but 0 where mᵢ is 0 (lecture "Degenerate inertia
 /// tensors").
@@ -37,7 +37,7 @@ PrincipalAxes principal_axes(const Matrix3d &I);
 /// moment counts as 0 when mᵢ ≤ 1e-12 max(m), so that rounding is not inverted. All zero: zero.
 ///
 /// @param moments  each ≥ 0 [kg m²]
-Vector3d invert_moments(const Vector3d &moments);
+Vector3d invert_moments(const Vector3d& moments);
 
 /// A2.6 A solid sphere about its center: M = ρ 4/3 π r³, I = 2/5 M r² δ.
 ///
@@ -51,7 +51,7 @@ MassProperties solid_sphere(double density, double radius);
 /// c²), and so on.
 ///
 /// @param size  full edge lengths, each ≥ 0 [m]
-MassProperties solid_box(double density, const Vector3d &size);
+MassProperties solid_box(double density, const Vector3d& size);
 
 /// A2.8 A solid cylinder about its center, its axis along y:
 /// M = ρ π r² h, Iyy = ½ M r², Ixx = Izz = M/12 (3 r² + h²).
@@ -61,7 +61,7 @@ MassProperties solid_cylinder(double density, double radius, double height);
 /// c²), and so on.
 ///
 /// @param radii  semi-axes, each ≥ 0 [m]
-MassProperties solid_ellipsoid(double density, const Vector3d &radii);
+MassProperties solid_ellipsoid(double density, const Vector3d& radii);
 
 /// A2.10 A thin rod about its center, along y: M = λ l, Ixx = Izz = M l²/12, Iyy = 0.
 ///
@@ -76,7 +76,7 @@ MassProperties thin_rod(double line_density, double length);
 ///
 /// @param samples    the density at the centers of the cells
 /// @param cell_size  h [m]
-MassProperties grid_mass_properties(const std::vector<DensitySample> &samples, double cell_size);
+MassProperties grid_mass_properties(const std::vector<DensitySample>& samples, double cell_size);
 
 /// A2.12 Monte Carlo approach: N random samples, uniform in a region of known volume; each stands
 /// for V/N of it.
@@ -84,7 +84,7 @@ MassProperties grid_mass_properties(const std::vector<DensitySample> &samples, d
 /// The error falls as N^(-½). No sample, or no mass: all zero.
 ///
 /// @param volume  V of the region the samples were drawn from [m³]
-MassProperties sampled_mass_properties(const std::vector<DensitySample> &samples, double volume);
+MassProperties sampled_mass_properties(const std::vector<DensitySample>& samples, double volume);
 
 /// A2.13 The solid enclosed by a triangle mesh, exactly.
 ///
@@ -95,7 +95,7 @@ MassProperties sampled_mass_properties(const std::vector<DensitySample> &samples
 /// mass properties"). Open mesh: what the sum over its triangles gives. No volume: all zero.
 ///
 /// @param density  ρ [kg/m³]
-MassProperties mesh_mass_properties(const TriangleMesh &mesh, double density);
+MassProperties mesh_mass_properties(const TriangleMesh& mesh, double density);
 
 /// A2.14 The union of two bodies, in one frame (lecture "Combined inertia tensor"): both moved to
 /// the common center.
@@ -104,6 +104,6 @@ MassProperties mesh_mass_properties(const TriangleMesh &mesh, double density);
 ///     I₂
 ///
 /// One of zero mass: the other one. Both: all zero.
-MassProperties combine(const MassProperties &a, const MassProperties &b);
+MassProperties combine(const MassProperties& a, const MassProperties& b);
 
 } // namespace rigor

@@ -10,7 +10,7 @@ namespace rigor {
 /// yet", not "wrong".
 struct NotImplemented : std::logic_error {
     /// @param formula  `<topic>::<formula>`
-    explicit NotImplemented(const std::string &formula) : std::logic_error(formula) {}
+    explicit NotImplemented(const std::string& formula) : std::logic_error(formula) {}
 };
 
 } // namespace rigor

@@ -16,7 +16,7 @@ namespace rigor {
 /// @param velocity          V of the center of mass [m/s]
 /// @param inertia           I about the center of mass, in the frame of ω [kg m²]
 /// @param angular_velocity  ω [rad/s]
-double kinetic_energy(double mass, const Vector3d &velocity, const Matrix3d &inertia,
-                      const Vector3d &angular_velocity);
+double kinetic_energy(double mass, const Vector3d& velocity, const Matrix3d& inertia,
+                      const Vector3d& angular_velocity);
 
 } // namespace rigor

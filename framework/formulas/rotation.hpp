@@ -11,7 +11,7 @@ namespace rigor {
 
 /// A3.1 R + Δt ω* R, the naive update (lecture "Numerical integration"). It drifts from a rotation:
 /// kept to show that.
-Matrix3d advance_matrix(const Matrix3d &R, const Vector3d &omega, double time_step);
+Matrix3d advance_matrix(const Matrix3d& R, const Vector3d& omega, double time_step);
 
 /// A3.2 Gram–Schmidt on the columns of R, from the first to the last: expensive and biased, kept to
 /// show that.
@@ -19,61 +19,61 @@ Matrix3d advance_matrix(const Matrix3d &R, const Vector3d &omega, double time_st
 /// The first column keeps its direction, the second gives up its part along the first, the third
 /// follows from both, so the result is a rotation (orthonormal, det +1). A column that is zero, or
 /// that depends on those before it: any completion to a rotation.
-Matrix3d gram_schmidt(const Matrix3d &R);
+Matrix3d gram_schmidt(const Matrix3d& R);
 
 /// A3.3 Rotation matrix of Euler angles (φ, θ, ψ): R = R_z(ψ) R_y(θ) R_x(φ), so x is turned first.
 ///
 /// @param angles  (φ, θ, ψ): roll about x, pitch about y, yaw about z [rad]
-Matrix3d euler_to_matrix(const Vector3d &angles);
+Matrix3d euler_to_matrix(const Vector3d& angles);
 
 /// A3.4 Rates (φ̇, θ̇, ψ̇) [rad/s] of these Euler angles under the world-space angular velocity ω.
 ///
 ///     ω = ψ̇ e_z + R_z(ψ) (θ̇ e_y + R_y(θ) φ̇ e_x)
 ///
 /// At gimbal lock, |cos θ| < 1e-12, they do not exist: empty.
-std::optional<Vector3d> euler_rates(const Vector3d &angles, const Vector3d &omega);
+std::optional<Vector3d> euler_rates(const Vector3d& angles, const Vector3d& omega);
 
 /// A3.5 Quaternion product a b = (s_a s_b - v_a·v_b,  s_a v_b + s_b v_a + v_a × v_b). It does not
 /// commute.
-Quaternion multiply(const Quaternion &a, const Quaternion &b);
+Quaternion multiply(const Quaternion& a, const Quaternion& b);
 
 /// A3.6 Conjugate q̄ = (s, -v), the inverse of a unit quaternion.
-Quaternion conjugate(const Quaternion &q);
+Quaternion conjugate(const Quaternion& q);
 
 /// A3.7 q / |q|. The zero quaternion: the identity. The sign of q is kept.
-Quaternion normalize(const Quaternion &q);
+Quaternion normalize(const Quaternion& q);
 
 /// A3.8 Rotated vector, q (0, p) q̄ (lecture "Rotating with quaternions").
 ///
 /// @param q  unit
-Vector3d rotate(const Quaternion &q, const Vector3d &p);
+Vector3d rotate(const Quaternion& q, const Vector3d& p);
 
 /// A3.9 Rotation matrix of a unit quaternion; its columns are the rotated axes (lecture "Converting
 /// q to R").
-Matrix3d to_matrix(const Quaternion &q);
+Matrix3d to_matrix(const Quaternion& q);
 
 /// A3.10 q̇ = ½ (0, ω) q [1/s] (lecture "Rotating with quaternions").
-Quaternion quaternion_rate(const Quaternion &q, const Vector3d &omega);
+Quaternion quaternion_rate(const Quaternion& q, const Vector3d& omega);
 
 /// A3.11 Exact update for constant ω: (cos|Δt ω/2|, sin|Δt ω/2| ω/|ω|) q.
 ///
 /// As ω → 0 it goes smoothly to q, with no 0/0, down to denormal numbers.
-Quaternion advance_exact(const Quaternion &q, const Vector3d &omega, double time_step);
+Quaternion advance_exact(const Quaternion& q, const Vector3d& omega, double time_step);
 
 /// A3.12 Linear update, q + Δt/2 (0, ω) q, renormalized. About a fixed axis it turns by 2
 /// atan(|ω|Δt/2).
-Quaternion advance_linear(const Quaternion &q, const Vector3d &omega, double time_step);
+Quaternion advance_linear(const Quaternion& q, const Vector3d& omega, double time_step);
 
 /// A3.13 Longest step [s] that turns by no more than a quarter turn, (π/2)/|ω| (lecture
 /// "Integrating rotation").
 ///
 /// ω = 0: infinity, the one result that need not be finite.
-double max_time_step(const Vector3d &omega);
+double max_time_step(const Vector3d& omega);
 
 /// A3.14 Gravity on a rigid body: the force M g and no torque (lecture "Gravity").
 ///
 /// @param gravity  g [m/s²]
-Wrench gravity_wrench(double mass, const Vector3d &gravity);
+Wrench gravity_wrench(double mass, const Vector3d& gravity);
 
 /// A3.15 One step of symplectic Euler (lecture "Integrating rotation").
 ///
@@ -82,8 +82,8 @@ Wrench gravity_wrench(double mass, const Vector3d &gravity);
 /// with ω = R(q) I_body⁻¹ R(q)ᵀ L', from the new L and the old q. Static body: unchanged.
 ///
 /// @param wrench  in world space, constant over the step
-RigidState step_symplectic_euler(const RigidState &state, const BodyInertia &body,
-                                 const Wrench &wrench, double time_step);
+RigidState step_symplectic_euler(const RigidState& state, const BodyInertia& body,
+                                 const Wrench& wrench, double time_step);
 
 /// A3.16 One step of Buss's augmented second-order method (Buss 2000, "Accurate and efficient
 /// simulation of rigid-body rotations", J. Comput. Phys. 164).
@@ -94,7 +94,7 @@ RigidState step_symplectic_euler(const RigidState &state, const BodyInertia &bod
 ///
 /// The sign of the last term of Ω belongs to world-space rates; it flips for rates in the body's
 /// frame. Second order. Static body: unchanged.
-RigidState step_buss(const RigidState &state, const BodyInertia &body, const Wrench &wrench,
+RigidState step_buss(const RigidState& state, const BodyInertia& body, const Wrench& wrench,
                      double time_step);
 
 } // namespace rigor

@@ -87,6 +87,6 @@ struct ContactRecord {
 /// One time step in the order of Guendelman, Bridson and Fedkiw (2003): collisions, velocities,
 /// contact, positions. A pure function of (world, time_step): no state is hidden elsewhere.
 /// @return the contacts that got an impulse
-std::vector<ContactRecord> step(World &world, double time_step);
+std::vector<ContactRecord> step(World& world, double time_step);
 
 } // namespace rigor

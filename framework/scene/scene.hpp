@@ -63,10 +63,10 @@ struct Scene {
 };
 
 /// @throws InputError `file:line: expected …, found …`
-Scene load_scene(const std::filesystem::path &file);
-Scene parse_scene(const std::string &text, const std::string &file_name);
+Scene load_scene(const std::filesystem::path& file);
+Scene parse_scene(const std::string& text, const std::string& file_name);
 
 /// Shapes to bodies: calls the formulas of topic `inertia` where the scene gives densities.
-World make_world(const Scene &scene);
+World make_world(const Scene& scene);
 
 } // namespace rigor

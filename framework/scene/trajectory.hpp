@@ -53,8 +53,8 @@ struct Trajectory {
 enum class Record { frames, every_step };
 
 /// Runs a scene and hands the bytes of its trajectory to `write`, a record at a time.
-void run_scene(const Scene &scene, Record record,
-               const std::function<void(std::span<const std::byte>)> &write);
+void run_scene(const Scene& scene, Record record,
+               const std::function<void(std::span<const std::byte>)>& write);
 
 /// Takes the bytes of a trajectory as they come, in pieces of any size, and calls back for each
 /// whole record. The bytes may be hostile: every count is checked before it is believed, every
@@ -62,9 +62,9 @@ void run_scene(const Scene &scene, Record record,
 class TrajectoryReader {
 public:
     struct Handlers {
-        std::function<void(const Scene &, const std::vector<RecordedBody> &)> on_start;
+        std::function<void(const Scene&, const std::vector<RecordedBody>&)> on_start;
         std::function<void(Frame)> on_frame;
-        std::function<void(const Counters &)> on_end;
+        std::function<void(const Counters&)> on_end;
     };
     explicit TrajectoryReader(Handlers handlers);
 
@@ -81,6 +81,6 @@ private:
 };
 
 /// A whole trajectory from a file. @throws InputError
-Trajectory load_trajectory(const std::filesystem::path &file);
+Trajectory load_trajectory(const std::filesystem::path& file);
 
 } // namespace rigor
