@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// Seeded random cases, the same bits on every platform (the standard library's distributions are not).
+#pragma once
+
+#include "formulas/types.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace rigor::testing {
+
+class Random {
+public:
+    explicit Random(unsigned seed);
+
+    std::uint64_t bits();                    // SplitMix64
+    double uniform(double low, double high); // in [low, high)
+    Vector3d vector();                       // components in [-1, 1)
+    Vector3d unit_vector();                  // uniform on the sphere
+    Eigen::Quaterniond eigen_quaternion();   // unit, uniform over the rotations
+    Quaternion quaternion();                 // the same as the contract's type
+    Matrix3d rotation();                     // uniform over the rotations
+    double mass();                           // 0.1 … 10 kg, log-uniform
+    Matrix3d inertia();           // of a real body: each moment at most the other two's sum
+    Matrix3d positive_definite(); // symmetric, eigenvalues 0.1 … 10
+    std::vector<Particle> particles(int n);
+    Body body(); // L = I ω holds
+
+private:
+    std::uint64_t state_;
+};
+
+} // namespace rigor::testing
