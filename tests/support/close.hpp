@@ -52,6 +52,7 @@ struct Components {
     std::vector<Component> numbers;
     std::string
         shape; // sizes of vectors, presence of optionals: must agree before numbers are compared
+    std::string text; // for people: vectors as (1, 2, 3), matrices by rows (1 2; 3 4)
     void add(const std::string& place, const double* data, int rows, int columns);
 };
 
