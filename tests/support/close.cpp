@@ -36,7 +36,7 @@ void note(const std::string& status, const std::string& expected, const std::str
 std::string with_component(const Components& value, const Component& component)
 {
     if (value.numbers.size() == 1) return number(component.value);
-    return fmt::format("{}, there {}", value.text, number(component.value));
+    return fmt::format("{}; {}: {}", value.text, component.place, number(component.value));
 }
 
 constexpr double infinity = std::numeric_limits<double>::infinity();

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+// The main function of every test program, and the stream of verdicts that grading reads.
+#define CATCH_CONFIG_RUNNER
+#define CATCH_CONFIG_EXTERNAL_INTERFACES
+#include "support/catch.hpp"
+
+#include "support/run.hpp"
+#include "support/verdict.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <unistd.h>
+
+namespace rigor::testing {
+
+namespace {
+
+RunOptions options;
+
+void send(const nlohmann::ordered_json& line)
+{
+    if (options.verdicts < 0) return;
+    std::string text = line.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+    for (std::size_t sent = 0; sent < text.size();) {
+        const ssize_t n = write(options.verdicts, text.data() + sent, text.size() - sent);
+        if (n <= 0) std::_Exit(3); // nobody reads the verdicts any more
+        sent += static_cast<std::size_t>(n);
+    }
+}
+
+// The task tag, "A2.14", of "[A2.14][inertia]".
+std::string task_tag(const std::string& tags)
+{
+    for (std::size_t at = tags.find("[A"); at != std::string::npos; at = tags.find("[A", at + 1))
+        if (std::isdigit(static_cast<unsigned char>(tags[at + 2])))
+            return tags.substr(at + 1, tags.find(']', at) - at - 1);
+    return "";
+}
+
+#ifdef RIGOR_CATCH_3
+using ListenerBase = Catch::EventListenerBase;
+using AssertionDone = void;
+#else
+using ListenerBase = Catch::TestEventListenerBase;
+using AssertionDone = bool;
+#endif
+
+// One JSON line a test case, in the form that framework/grading reads.
+class VerdictStream : public ListenerBase {
+public:
+    using ListenerBase::ListenerBase;
+
+    void testCaseStarting(const Catch::TestCaseInfo& info) override
+    {
+        verdict() = {};
+        message_.clear();
+        assertions_ = 0;
+        start_ = std::chrono::steady_clock::now();
+        name_ = info.name;
+        tags_ = info.tagsAsString();
+        send({{"begin", name_}, {"tag", task_tag(tags_)}});
+        begin_test_case();
+    }
+
+    AssertionDone assertionEnded(const Catch::AssertionStats& stats) override
+    {
+        ++assertions_;
+        const Catch::AssertionResult& result = stats.assertionResult;
+        if (!result.isOk() && message_.empty()) note_failure(result, stats.infoMessages);
+        return AssertionDone();
+    }
+
+    void testCaseEnded(const Catch::TestCaseStats& stats) override
+    {
+        Verdict& v = verdict();
+        const bool failed = stats.totals.assertions.failed > 0;
+        if (!failed) {
+            v = Verdict();
+            v.status = assertions_ > 0 ? "passed" : "vacuous"; // nothing was checked: our fault
+        }
+        if (v.status.empty()) v.status = "failed";
+        const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start_;
+        send({{"tag", task_tag(tags_)},
+              {"name", name_},
+              {"status", v.status},
+              {"message", message_},
+              {"expected", v.expected},
+              {"actual", v.actual},
+              {"error", v.error},
+              {"tolerance", v.tolerance},
+              {"class", v.tolerance_class},
+              {"place", v.place},
+              {"seed", v.seed},
+              {"hidden", tags_.find("[hidden]") != std::string::npos},
+              {"seconds", seconds.count()}});
+    }
+
+private:
+    void note_failure(const Catch::AssertionResult& result,
+                      const std::vector<Catch::MessageInfo>& infos)
+    {
+        if (result.hasMessage())
+            message_ = std::string(result.getMessage());
+        else
+            message_ = std::string(result.getExpression());
+        if (verdict().expected.empty() && result.hasExpandedExpression())
+            verdict().actual = result.getExpandedExpression();
+        for (const Catch::MessageInfo& info : infos)
+            if (info.message != message_) message_ += "\n" + info.message;
+    }
+
+    std::string name_, tags_, message_;
+    int assertions_ = 0;
+    std::chrono::steady_clock::time_point start_;
+};
+
+// Takes `--name value` out of the arguments; empty if it is not there.
+std::string take(std::vector<char*>& arguments, const char* name)
+{
+    for (std::size_t i = 1; i + 1 < arguments.size(); ++i)
+        if (std::strcmp(arguments[i], name) == 0) {
+            const std::string value = arguments[i + 1];
+            arguments.erase(arguments.begin() + static_cast<long>(i),
+                            arguments.begin() + static_cast<long>(i) + 2);
+            return value;
+        }
+    return "";
+}
+
+} // namespace
+
+} // namespace rigor::testing
+
+#ifdef RIGOR_CATCH_3
+CATCH_REGISTER_LISTENER(rigor::testing::VerdictStream)
+#else
+using rigor::testing::VerdictStream;
+CATCH_REGISTER_LISTENER(VerdictStream)
+#endif
+
+int main(int count, char** values)
+{
+    using namespace rigor::testing;
+    std::vector<char*> arguments(values, values + count);
+    options.worker = take(arguments, "--worker");
+    options.oracle = take(arguments, "--oracle");
+    const std::string verdicts = take(arguments, "--verdicts");
+    const std::string seed = take(arguments, "--seed");
+    if (!verdicts.empty()) options.verdicts = std::atoi(verdicts.c_str());
+    if (!seed.empty())
+        set_base_seed(static_cast<unsigned>(std::strtoul(seed.c_str(), nullptr, 10)));
+    try {
+        prepare(options);
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "%s\n", error.what());
+        return 2;
+    }
+    return Catch::Session().run(static_cast<int>(arguments.size()), arguments.data());
+}
