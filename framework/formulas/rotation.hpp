@@ -88,9 +88,9 @@ RigidState step_symplectic_euler(const RigidState& state, const BodyInertia& bod
 /// A3.16 One step of Buss's augmented second-order method (Buss 2000, "Accurate and efficient
 /// simulation of rigid-body rotations", J. Comput. Phys. 164).
 ///
-///     V' = V + Δt F/M                      X' = X + Δt V + ½ Δt² F/M
-///     ω  = I⁻¹ L                           ω̇ = I⁻¹ (τ - ω × L)         with I⁻¹ = R(q) I_body⁻¹
-///     R(q)ᵀ Ω  = ω + Δt/2 ω̇ + Δt²/12 (ω̇ × ω)     q' = advance_exact(q, Ω, Δt)   L' = L + Δt τ
+///     V' = V + Δt F/M                   X' = X + Δt V + ½ Δt² F/M
+///     ω  = I⁻¹ L                        ω̇  = I⁻¹ (τ - ω × L)        I⁻¹ = R(q) I_body⁻¹ R(q)ᵀ
+///     Ω  = ω + Δt/2 ω̇ + Δt²/12 (ω̇ × ω)  q' = advance_exact(q, Ω, Δt)  L' = L + Δt τ
 ///
 /// The sign of the last term of Ω belongs to world-space rates; it flips for rates in the body's
 /// frame. Second order. Static body: unchanged.
