@@ -60,9 +60,10 @@ bool inside_friction_cone(const Vector3d& j, const Vector3d& n, double friction)
 ///
 ///     T = (v - vₙ n)/|v - vₙ n|    jₙ = -(1 + ε) vₙ / (nᵀ K (n - μ T))    j = jₙ n - μ jₙ T
 ///
-/// No tangential velocity: the frictionless impulse. Both bodies static: zero. nᵀ K (n - μ T) ≤ 0,
-/// where friction jams the contact: the static impulse with its tangential part j_T shortened to
-/// |j_T| = μ jₙ (zero if that pulls).
+/// No tangential velocity (|v - vₙ n| ≤ 1e-12 |v|: what rounding left has no direction): the
+/// frictionless impulse. Both bodies static: zero. nᵀ K (n - μ T) ≤ 0, where friction jams the
+/// contact: the static impulse, its tangential part j_T shortened to |j_T| = μ jₙ where it is longer
+/// (zero if that pulls).
 Vector3d sliding_friction_impulse(const Matrix3d& K, const Vector3d& v, const Vector3d& n,
                                   double restitution, double friction);
 
