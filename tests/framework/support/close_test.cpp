@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+// The judge is judged: what the matchers must refuse, and what they must say.
+#include "support/close.hpp"
+
+#include <cmath>
+#include <limits>
+
+using namespace rigor;
+using namespace rigor::testing;
+
+namespace {
+
+const double nan_value = std::numeric_limits<double>::quiet_NaN();
+const double infinity = std::numeric_limits<double>::infinity();
+
+template <class T> bool close(const T& actual, const T& expected, const Tolerance& tolerance)
+{
+    verdict() = {};
+    const bool result = IsClose(expected, tolerance).match(actual);
+    return result;
+}
+
+} // namespace
+
+TEST_CASE("close: NaN is close to nothing", "[support]")
+{
+    CHECK_FALSE(close(nan_value, 1.0, Rounding(1e300, 1)));
+    CHECK(verdict().status == "not_finite");
+    CHECK_FALSE(close(nan_value, nan_value, Rounding(8, 1)));
+    CHECK_FALSE(close(infinity, 1.0, Rounding(1e300, 1)));
+    CHECK(close(infinity, infinity, Rounding(8, 1)));
+
+    Body body;
+    body.angular_momentum.y() = nan_value;
+    CHECK_FALSE(close(body, Body(), Rounding(1e300, 1)));
+    CHECK(verdict().place == "angular_momentum(1)");
+}
+
+TEST_CASE("close: the bound is k eps times the scale", "[support]")
+{
+    const double eps = std::numeric_limits<double>::epsilon();
+    CHECK(close(1 + 8 * eps, 1.0, Rounding(8, 1)));
+    CHECK_FALSE(close(1 + 9 * eps, 1.0, Rounding(8, 1)));
+    CHECK(close(Vector3d(1000, 0, 1000 * eps), Vector3d(1000, 0, 0), Rounding(2)));
+    CHECK_FALSE(close(Vector3d(1, 0, 1e-300), Vector3d(1, 0, 0), Exactly()));
+    CHECK_FALSE(close(1e-300, 0.0, Rounding(8))); // an expected 0 has no norm to be relative to
+    CHECK(close(0.1, 0.0, Statistical(0.2, 100)));
+    CHECK_FALSE(close(0.11, 0.0, Statistical(0.2, 100)));
+}
+
+TEST_CASE("close: the worst component is named with both its values", "[support]")
+{
+    const Matrix3d expected = Matrix3d::Identity();
+    Matrix3d actual = expected;
+    actual(0, 2) = 1e-3;
+    actual(1, 0) = 0.5;
+    CHECK_FALSE(close(actual, expected, Rounding(8, 1)));
+    CHECK(verdict().place == "(1, 0)");
+    CHECK(verdict().error == 0.5);
+    CHECK(verdict().expected == "(1 0 0; 0 1 0; 0 0 1); (1, 0): 0");
+    CHECK(verdict().actual == "(1 0 0.001; 0.5 1 0; 0 0 1); (1, 0): 0.5");
+    CHECK(verdict().tolerance_class == "R");
+}
+
+TEST_CASE("close: sizes and empty optionals are compared before numbers", "[support]")
+{
+    CHECK_FALSE(close(std::optional<int>(), std::optional<int>(0), Exactly()));
+    CHECK_FALSE(close(std::optional<int>(0), std::optional<int>(), Exactly()));
+    CHECK(close(std::optional<int>(), std::optional<int>(), Exactly()));
+    CHECK_FALSE(close(std::vector<double>{1}, std::vector<double>{1, 2}, Exactly()));
+    CHECK(close(std::vector<double>{1, 2}, std::vector<double>{1, 2}, Exactly()));
+}
+
+TEST_CASE("close: the first failure of a test case is the one reported", "[support]")
+{
+    verdict() = {};
+    CHECK_FALSE(IsClose(1.0, Rounding(8, 1)).match(2.0));
+    CHECK_FALSE(IsClose(1.0, Rounding(8, 1)).match(7.0));
+    CHECK(verdict().actual == "2");
+}
+
+TEST_CASE("close: a reflection is no rotation", "[support]")
+{
+    CHECK(IsRotation().match(Matrix3d::Identity()));
+    CHECK_FALSE(IsRotation().match(-Matrix3d::Identity()));
+    CHECK_FALSE(IsRotation().match(2 * Matrix3d::Identity()));
+    CHECK_FALSE(IsRotation().match(Matrix3d::Constant(nan_value)));
+}
