@@ -10,6 +10,7 @@
 #include "formulas/pipeline.hpp"
 #include "formulas/rotation.hpp"
 
+#include <string>
 #include <string_view>
 
 // clang-format off
@@ -87,5 +88,18 @@ enum class FormulaIndex : unsigned { RIGOR_FORMULAS(RIGOR_ROW) };
 #undef RIGOR_ROW
 
 inline constexpr unsigned formula_count = std::size(formulas);
+
+/// The sentence about a stub: `A4.10 apply_impulse is not implemented yet (student/collision.cpp)`.
+inline std::string describe(const NotImplemented& stub)
+{
+    const std::string_view thrown = stub.what();
+    for (const Formula& formula : formulas) {
+        const std::string topic(formula.topic), name(formula.name);
+        if (thrown == topic + "::" + name)
+            return std::string(formula.tag) + " " + name + " is not implemented yet (student/" +
+                   topic + ".cpp)";
+    }
+    return std::string(thrown) + " is not implemented yet";
+}
 
 } // namespace rigor

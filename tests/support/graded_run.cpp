@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+// The graded tests ask a worker; what it does instead of answering becomes the verdict.
+#include "formulas/table.hpp"
+#include "support/catch.hpp"
+#include "support/run.hpp"
+#include "support/verdict.hpp"
+#include "worker/failure.hpp"
+#include "worker/proxy.hpp"
+
+#include <optional>
+#include <stdexcept>
+
+namespace rigor::testing {
+
+void prepare(const RunOptions& options)
+{
+    if (options.worker.empty())
+        throw std::runtime_error("graded_tests: expected --worker FILE, the program to be tested");
+    std::optional<std::filesystem::path> oracle;
+    if (!options.oracle.empty()) oracle = options.oracle;
+    use_worker(options.worker, oracle);
+}
+
+/// A clean process a test case: nothing that one test did to it can reach the next.
+void begin_test_case()
+{
+    renew_worker();
+}
+
+namespace {
+
+std::string note(std::string_view status, const std::string& text)
+{
+    verdict().status = status; // what happened last ended the test case
+    verdict().expected = verdict().actual = "";
+    return text;
+}
+
+} // namespace
+
+} // namespace rigor::testing
+
+CATCH_TRANSLATE_EXCEPTION(const rigor::NotImplemented& stub)
+{
+    return rigor::testing::note("not_implemented", rigor::describe(stub));
+}
+
+CATCH_TRANSLATE_EXCEPTION(const rigor::WorkerFailure& failure)
+{
+    std::string text = failure.what();
+    if (!failure.output.empty()) text += "\nIt printed: " + failure.output;
+    return rigor::testing::note(failure.status(), text);
+}
+
+CATCH_TRANSLATE_EXCEPTION(const rigor::NotFinite& failure)
+{
+    return rigor::testing::note("not_finite", failure.what());
+}

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+#include "support/scene_run.hpp"
+
+#include "worker/client.hpp"
+#include "worker/proxy.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+namespace rigor::testing {
+
+namespace {
+
+Eigen::Quaterniond to_eigen(const Quaternion& q)
+{
+    return {q.s, q.v.x(), q.v.y(), q.v.z()};
+}
+
+Scene shipped_scene(const std::string& name)
+{
+    const std::size_t slash = name.find('/');
+    const std::filesystem::path file = std::filesystem::path(RIGOR_SOURCE_DIR) / "assignments" /
+                                       name.substr(0, slash) / "scenes" /
+                                       (name.substr(slash + 1) + ".json");
+    return load_scene(file);
+}
+
+// q and -q are the same rotation: the one nearer to `other`.
+Quaternion same_sign(const Quaternion& q, const Quaternion& other)
+{
+    const double dot = q.s * other.s + q.v.dot(other.v);
+    return dot < 0 ? Quaternion{-q.s, -q.v} : q;
+}
+
+} // namespace
+
+Trajectory run_scene(const std::string& name)
+{
+    Trajectory trajectory;
+    trajectory.scene = shipped_scene(name);
+    TrajectoryReader reader({
+        .on_start = [&](const Scene&,
+                        const std::vector<RecordedBody>& bodies) { trajectory.bodies = bodies; },
+        .on_frame = [&](Frame frame) { trajectory.frames.push_back(std::move(frame)); },
+        .on_end = [&](const Counters& counters) { trajectory.counters = counters; },
+    });
+    worker().run_scene(trajectory.scene.text, trajectory.scene.name, Record::every_step,
+                       [&](std::span<const std::byte> bytes) { reader.feed(bytes); });
+    trajectory.complete = reader.complete();
+    INFO("the run of scene " + name + " ended early");
+    REQUIRE(trajectory.complete);
+    REQUIRE(trajectory.frames.size() >= 2);
+    return trajectory;
+}
+
+int body_index(const Trajectory& trajectory, const std::string& name)
+{
+    const auto& bodies = trajectory.scene.bodies;
+    for (std::size_t i = 0; i < bodies.size(); ++i)
+        if (bodies[i].name == name) return static_cast<int>(i);
+    throw std::out_of_range("scene " + trajectory.scene.name + " has no body " + name);
+}
+
+const RigidState& last_state(const Trajectory& trajectory, const std::string& name)
+{
+    const auto i = static_cast<std::size_t>(body_index(trajectory, name));
+    return trajectory.frames.back().bodies[i];
+}
+
+double angle_between(const Quaternion& a, const Quaternion& b)
+{
+    const Eigen::Quaterniond difference = to_eigen(a) * to_eigen(b).conjugate();
+    return 2 * std::atan2(difference.vec().norm(), std::abs(difference.w()));
+}
+
+Vector3d angular_velocity_of(const Trajectory& trajectory, int body, const RigidState& state)
+{
+    const Matrix3d R = to_eigen(state.orientation).toRotationMatrix();
+    const Matrix3d& I_body = trajectory.bodies[static_cast<std::size_t>(body)].inertia;
+    return R * I_body.inverse() * R.transpose() * state.angular_momentum; // ω = R I_body⁻¹ Rᵀ L
+}
+
+void check_every_step(const std::string& scene_name)
+{
+    REQUIRE(oracle() != nullptr);
+    const Trajectory run = run_scene(scene_name);
+    std::vector<Worker::Start> starts;
+    for (std::size_t n = 0; n + 1 < run.frames.size(); ++n)
+        starts.emplace_back(run.frames[n].time, run.frames[n].bodies);
+    const auto expected = oracle()->advance(run.scene.text, run.scene.name, starts, 1);
+    REQUIRE(expected.size() == starts.size());
+
+    // A step adds and multiplies some hundred numbers of the state's own size: 1e4 eps of that size bounds the rounding
+    // of any way to write the formulas, and no wrong formula is that close.
+    constexpr double k = 1e4;
+    for (std::size_t n = 0; n < starts.size(); ++n)
+        for (std::size_t i = 0; i < run.bodies.size(); ++i) {
+            if (run.bodies[i].is_static) continue;
+            const RigidState& found = run.frames[n + 1].bodies[i];
+            const RigidState& wanted = expected[n][i];
+            const RigidState& before = starts[n].second[i];
+            const double h = run.scene.time_step;
+            const double V = wanted.velocity.norm() + before.velocity.norm();
+            const double L = wanted.angular_momentum.norm() + before.angular_momentum.norm();
+            const double X = wanted.position.norm() + h * V + 1;
+            INFO(fmt::format("scene {}, step {} (t = {:.6g} s), body '{}'", scene_name, n + 1,
+                             run.frames[n + 1].time, run.scene.bodies[i].name));
+            REQUIRE_THAT(found.position, IsClose(wanted.position, Rounding(k, X)));
+            REQUIRE_THAT(same_sign(found.orientation, wanted.orientation),
+                         IsClose(wanted.orientation, Rounding(k, 1)));
+            REQUIRE_THAT(found.velocity, IsClose(wanted.velocity, Rounding(k, V + 1)));
+            REQUIRE_THAT(found.angular_momentum,
+                         IsClose(wanted.angular_momentum, Rounding(k, L + run.bodies[i].mass)));
+        }
+}
+
+} // namespace rigor::testing

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// Runs of whole scenes in the worker under test.
+#pragma once
+
+#include "scene/trajectory.hpp"
+#include "support/close.hpp"
+
+#include <string>
+
+namespace rigor::testing {
+
+/// The trajectory of a shipped scene, `a4-collision/rod_tip`, every step of it.
+/// @throws as Worker::run_scene; NotFinite if a recorded number is not finite
+Trajectory run_scene(const std::string& name);
+
+/// Index of a body by its name. Throws std::out_of_range with the name if there is none.
+int body_index(const Trajectory& trajectory, const std::string& name);
+
+/// The state of a body at the end of the run.
+const RigidState& last_state(const Trajectory& trajectory, const std::string& name);
+
+/// Rotation by which two orientations differ [rad], 0 … π, exact near 0 (atan2, not acos).
+double angle_between(const Quaternion& a, const Quaternion& b);
+
+/// Angular velocity of a body in world space, from L and the recorded inertia [rad/s].
+Vector3d angular_velocity_of(const Trajectory& trajectory, int body, const RigidState& state);
+
+/// Every step of a run, judged from the state before it: the worker under test and the oracle both take that one step.
+/// One wrong step is one wrong step, and chaos does not matter. Compares X, q (up to sign), V and L of every body, class
+/// R, and names step, body and quantity. Needs an oracle.
+void check_every_step(const std::string& scene_name);
+
+} // namespace rigor::testing
