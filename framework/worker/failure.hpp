@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// How an implementation can fail without giving an answer. With `NotImplemented`, these are all that
+// a call through a worker throws because of what a student wrote. Anything else is a fault of ours.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace rigor {
+
+/// No answer: what() is a sentence, `A4.10 apply_impulse crashed: segmentation fault`.
+struct WorkerFailure : std::runtime_error {
+    enum Cause {
+        crashed,   // a signal ended or stopped the process
+        exited,    // the process ended itself
+        timed_out, // no answer within the limit
+        flooded,   // more output than anyone would read
+        malformed, // bytes that are not an answer
+        threw,     // an exception left the formula
+    };
+
+    WorkerFailure(Cause why, const std::string& about, const std::string& what_happened)
+        : std::runtime_error(about + " " + what_happened), cause(why), subject(about)
+    {
+    }
+
+    /// The status of a test that ended so.
+    std::string_view status() const { return cause == timed_out ? "timed_out" : "crashed"; }
+
+    Cause cause;
+    std::string subject; // "A4.10 apply_impulse", "scene bounce", "the start of the program"
+    std::string output;  // the beginning of what the implementation printed
+};
+
+/// An answer with NaN or infinity in it: `A4.10 apply_impulse: angular_momentum.y is NaN`.
+struct NotFinite : std::runtime_error {
+    NotFinite(const std::string& about, const std::string& which)
+        : std::runtime_error(about + ": " + which), subject(about), quantity(which)
+    {
+    }
+    std::string subject, quantity;
+};
+
+} // namespace rigor

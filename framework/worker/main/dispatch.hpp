@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+// The worker's side of the table: one formula by its index.
+#pragma once
+
+#include "worker/wire.hpp"
+
+namespace rigor {
+
+/// Calls the formula on encoded arguments. @return its encoded result
+/// @throws wire::Malformed, what the formula throws
+wire::Bytes call_formula(unsigned index, std::span<const std::byte> arguments);
+
+} // namespace rigor

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: MIT
+#include "worker/process.hpp"
+
+#include <array>
+#include <csignal>
+#include <cstring>
+#include <fcntl.h>
+#include <new>
+#include <spawn.h>
+#include <sys/mman.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <system_error>
+#include <unistd.h>
+#include <utility>
+
+namespace rigor {
+
+namespace {
+
+[[noreturn]] void throw_errno(int error, const std::string& what)
+{
+    throw std::system_error(error, std::generic_category(), what);
+}
+
+int checked(int result, const char* what)
+{
+    if (result < 0) throw_errno(errno, what);
+    return result;
+}
+
+/// A descriptor that closes itself, above those that a worker gets: none is overwritten when the
+/// child's are put in place.
+class Descriptor {
+public:
+    explicit Descriptor(int low) : fd_(checked(fcntl(low, F_DUPFD_CLOEXEC, 10), "descriptor"))
+    {
+        close(low);
+    }
+    ~Descriptor()
+    {
+        if (fd_ >= 0) close(fd_);
+    }
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+    operator int() const { return fd_; }
+    int release() { return std::exchange(fd_, -1); }
+
+private:
+    int fd_;
+};
+
+/// Memory that nobody can shrink, so that reading it never fails.
+int shared_memory()
+{
+    const int fd = checked(memfd_create("worker", MFD_CLOEXEC | MFD_ALLOW_SEALING), "memfd_create");
+    checked(ftruncate(fd, sizeof(Channel)), "ftruncate");
+    checked(fcntl(fd, F_ADD_SEALS, F_SEAL_SHRINK | F_SEAL_GROW | F_SEAL_SEAL), "seal");
+    return fd;
+}
+
+/// What happens between fork and exec: descriptors 0 to 3 and no other, default signals, a new
+/// session.
+class SpawnPlan {
+public:
+    SpawnPlan(int output, int memory)
+    {
+        posix_spawn_file_actions_init(&actions_);
+        posix_spawn_file_actions_addopen(&actions_, 0, "/dev/null", O_RDONLY, 0);
+        posix_spawn_file_actions_adddup2(&actions_, output, 1);
+        posix_spawn_file_actions_adddup2(&actions_, output, 2);
+        posix_spawn_file_actions_adddup2(&actions_, memory, 3);
+        posix_spawn_file_actions_addclosefrom_np(&actions_, 4);
+
+        sigset_t none, all;
+        sigemptyset(&none);
+        sigfillset(&all);
+        posix_spawnattr_init(&attributes_);
+        posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETSID | POSIX_SPAWN_SETSIGMASK |
+                                                   POSIX_SPAWN_SETSIGDEF);
+        posix_spawnattr_setsigmask(&attributes_, &none);
+        posix_spawnattr_setsigdefault(&attributes_, &all);
+    }
+    ~SpawnPlan()
+    {
+        posix_spawn_file_actions_destroy(&actions_);
+        posix_spawnattr_destroy(&attributes_);
+    }
+    SpawnPlan(const SpawnPlan&) = delete;
+    SpawnPlan& operator=(const SpawnPlan&) = delete;
+
+    int run(const std::string& executable) const
+    {
+        // Its parent's identity lets a worker notice that it came too late to be told of its death.
+        std::string program = executable, parent = std::to_string(getpid());
+        std::array<char*, 3> arguments = {program.data(), parent.data(), nullptr};
+        // A sanitizer's report ends the process by SIGABRT; a signal stays what it is.
+        std::string path = "PATH=/usr/bin:/bin", language = "LANG=C.UTF-8",
+                    address = "ASAN_OPTIONS=abort_on_error=1:handle_segv=0:handle_sigbus=0:"
+                              "handle_abort=0:handle_sigfpe=0:handle_sigill=0:detect_leaks=0:"
+                              "allocator_may_return_null=1",
+                    undefined = "UBSAN_OPTIONS=abort_on_error=1:print_stacktrace=1";
+        std::array<char*, 5> environment = {path.data(), language.data(), address.data(),
+                                            undefined.data(), nullptr};
+        pid_t pid = -1;
+        const int error = posix_spawn(&pid, executable.c_str(), &actions_, &attributes_,
+                                      arguments.data(), environment.data());
+        if (error != 0) throw_errno(error, "cannot start " + executable);
+        return pid;
+    }
+
+private:
+    posix_spawn_file_actions_t actions_{};
+    posix_spawnattr_t attributes_{};
+};
+
+void limit(int pid, __rlimit_resource resource, std::size_t most)
+{
+    const rlimit both = {most, most};
+    prlimit(pid, resource, &both, nullptr); // of a process that has ended already: nothing to limit
+}
+
+std::string signal_name(int signal)
+{
+    switch (signal) {
+    case SIGSEGV:
+        return "segmentation fault";
+    case SIGABRT:
+        return "aborted";
+    case SIGFPE:
+        return "arithmetic exception, such as an integer divided by zero";
+    case SIGILL:
+        return "illegal instruction, such as a function that returns no value";
+    case SIGBUS:
+        return "bus error";
+    case SIGKILL:
+        return "killed, perhaps out of memory";
+    default:
+        break;
+    }
+    const char* name = sigabbrev_np(signal);
+    return name ? "signal SIG" + std::string(name) : "signal " + std::to_string(signal);
+}
+
+} // namespace
+
+Process::Process(const std::filesystem::path& executable, const Limits& limits)
+{
+    const Descriptor memory(shared_memory());
+    std::array<int, 2> ends{};
+    checked(pipe2(ends.data(), O_CLOEXEC), "pipe");
+    Descriptor ours(ends[0]);
+    const Descriptor theirs(ends[1]);
+    checked(fcntl(ours, F_SETFL, O_NONBLOCK), "pipe");
+
+    void* address = mmap(nullptr, sizeof(Channel), PROT_READ | PROT_WRITE, MAP_SHARED, memory, 0);
+    if (address == MAP_FAILED) throw_errno(errno, "mmap");
+    try {
+        pid_ = SpawnPlan(theirs, memory).run(executable);
+    } catch (...) {
+        munmap(address, sizeof(Channel));
+        throw;
+    }
+    channel_ = static_cast<Channel*>(address);
+    output_ = ours.release();
+
+    limit(pid_, RLIMIT_CORE, 0);
+#ifndef RIGOR_SANITIZED
+    limit(pid_, RLIMIT_AS, limits.memory); // a sanitizer reserves terabytes that it never touches
+#else
+    (void)limits;
+#endif
+}
+
+Process::~Process()
+{
+    kill(-pid_, SIGKILL); // its group first, while the leader still holds the group's number
+    kill(pid_, SIGKILL);
+    while (waitpid(pid_, nullptr, 0) < 0 && errno == EINTR) {
+    }
+    munmap(channel_, sizeof(Channel));
+    close(output_);
+}
+
+std::optional<Process::Ending> Process::ending() const
+{
+    siginfo_t info{};
+    // WNOWAIT leaves a zombie: its number stays its own until the destructor has killed its group.
+    if (waitid(P_PID, pid_, &info, WEXITED | WSTOPPED | WNOHANG | WNOWAIT) != 0)
+        return Ending{WorkerFailure::crashed, "disappeared"};
+    if (info.si_pid == 0) return {};
+    switch (info.si_code) {
+    case CLD_EXITED:
+        return Ending{WorkerFailure::exited,
+                      "ended the program: exit status " + std::to_string(info.si_status)};
+    case CLD_STOPPED:
+    case CLD_TRAPPED:
+        return Ending{WorkerFailure::crashed, "stopped itself: " + signal_name(info.si_status)};
+    default:
+        return Ending{WorkerFailure::crashed, "crashed: " + signal_name(info.si_status)};
+    }
+}
+
+std::size_t Process::drain(std::string& kept, std::size_t keep)
+{
+    std::array<char, 65536> buffer;
+    const ssize_t n = read(output_, buffer.data(), buffer.size());
+    if (n <= 0) return 0; // nothing now, or all its ends are closed
+    if (kept.size() < keep)
+        kept.append(buffer.data(), std::min<std::size_t>(n, keep - kept.size()));
+    return n;
+}
+
+} // namespace rigor
