@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+#include "cli/commands.hpp"
+#include "cli/options.hpp"
+#include "scene/keys.hpp"
+#include "scene/scene.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+#include <exception>
+
+namespace rigor {
+
+void Options::flag(const std::string& name, bool& value, const std::string& meaning)
+{
+    app_.add_flag(name, value, meaning);
+}
+
+void Options::option(const std::string& name, const std::string& value_name, std::string& value,
+                     const std::string& meaning)
+{
+    app_.add_option(name, value, meaning)->type_name(value_name);
+}
+
+void Options::option(const std::string& name, const std::string& value_name, std::uint32_t& value,
+                     const std::string& meaning)
+{
+    app_.add_option(name, value, meaning)->type_name(value_name);
+}
+
+void Options::words(const std::string& value_name, std::vector<std::string>& values,
+                    const std::string& meaning)
+{
+    app_.add_option(value_name, values, meaning)->type_name("");
+}
+
+void Options::word(const std::string& value_name, std::string& value, const std::string& meaning)
+{
+    app_.add_option(value_name, value, meaning)->type_name("")->required();
+}
+
+void Options::examples(const std::vector<std::string>& lines)
+{
+    std::string text = "Examples:";
+    for (const std::string& line : lines)
+        text += "\n  ./rigor " + line;
+    app_.footer(text);
+}
+
+namespace {
+
+int complain(const std::string& what, int status)
+{
+    std::fprintf(stderr, "rigor: %s\n", what.c_str());
+    return status;
+}
+
+// The first word that is no option, if no command has that name.
+int unknown_command(const std::string& word)
+{
+    std::vector<std::string_view> names;
+    for (const CommandEntry& command : commands())
+        names.push_back(command.name);
+    const std::string near(nearest(word, names));
+    return complain(
+        "unknown command '" + word + "'" +
+            (near.empty() ? "; `rigor --help` lists them" : "; did you mean '" + near + "'?"),
+        exit_input);
+}
+
+bool is_command(const std::string& word)
+{
+    for (const CommandEntry& command : commands())
+        if (word == command.name) return true;
+    return false;
+}
+
+// CLI11's own sentence, on one line.
+std::string one_line(std::string text)
+{
+    for (char& c : text)
+        if (c == '\n') c = ' ';
+    return text;
+}
+
+int run_action(const Action& action)
+{
+    try {
+        return action();
+    } catch (const InputError& error) {
+        return complain(error.what(), exit_input);
+    } catch (const std::exception& error) {
+        return complain(error.what(), exit_fault);
+    }
+}
+
+} // namespace
+
+int run_command_line(int argc, char** argv)
+{
+    CLI::App app("Rigor: rigid-body animation, assignments and their grading.", "rigor");
+    app.set_version_flag("--version", RIGOR_VERSION);
+    app.require_subcommand(1);
+    app.footer("`rigor COMMAND --help` shows a command's options and examples.\n"
+               "Exit status: 0 done, 1 what was checked is wrong, 2 bad usage or input, 3 a fault "
+               "of Rigor's own.");
+    app.get_formatter()->column_width(34);
+
+    std::vector<std::pair<CLI::App*, Action>> actions;
+    for (const CommandEntry& command : commands()) {
+        CLI::App* subcommand = app.add_subcommand(command.name, command.summary);
+        Options options(*subcommand);
+        actions.emplace_back(subcommand, command.declare(options));
+    }
+    if (argc > 1 && argv[1][0] != '-' && !is_command(argv[1])) return unknown_command(argv[1]);
+    if (argc == 1) {
+        std::fputs(app.help().c_str(), stderr);
+        return complain("expected a command", exit_input);
+    }
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::Success& asked) { // --help, --version
+        return app.exit(asked);
+    } catch (const CLI::ParseError& error) {
+        return complain(one_line(error.what()), exit_input);
+    }
+    for (const auto& [subcommand, action] : actions)
+        if (subcommand->parsed()) return run_action(action);
+    return complain("expected a command", exit_input);
+}
+
+} // namespace rigor

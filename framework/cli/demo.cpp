@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: MIT
+#include "cli/commands.hpp"
+
+namespace rigor {
+
+Action declare_demo(Options&)
+{
+    return [] { return 0; };
+}
+
+} // namespace rigor

@@ -1,0 +1,7 @@
+// SPDX-License-Identifier: MIT
+#include "cli/commands.hpp"
+
+int main(int argc, char** argv)
+{
+    return rigor::run_command_line(argc, argv);
+}

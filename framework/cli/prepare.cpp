@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#include "cli/prepare.hpp"
+
+#include "cli/progress.hpp"
+#include "grading/places.hpp"
+#include "scene/keys.hpp"
+#include "scene/scene.hpp"
+
+#include <algorithm>
+
+namespace rigor {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+OnBuildStep on_step(Progress& progress)
+{
+    return [&progress](int done, int total, const std::string& step) {
+        progress.update(static_cast<double>(done) / total, step.substr(step.rfind('/') + 1));
+    };
+}
+
+} // namespace
+
+Implementation prepared_implementation(const std::string& with)
+{
+    Progress progress("building");
+    return build_implementation(with, on_step(progress));
+}
+
+Implementation working_implementation(const std::string& with)
+{
+    Implementation result = prepared_implementation(with);
+    if (!result.built()) throw InputError(with + " does not compile:\n" + result.compile_error);
+    return result;
+}
+
+void prepare_targets(const std::vector<std::string>& targets)
+{
+    Progress progress("building");
+    build_targets(targets, on_step(progress));
+}
+
+std::vector<SceneFile> shipped_scenes()
+{
+    std::vector<SceneFile> result;
+    std::error_code error;
+    for (const auto& assignment : fs::directory_iterator(places().assignments(), error))
+        for (const auto& scene : fs::directory_iterator(assignment.path() / "scenes", error))
+            if (scene.path().extension() == ".json")
+                result.push_back({scene.path(), assignment.path().filename().string() + "/" +
+                                                    scene.path().stem().string()});
+    std::sort(result.begin(), result.end(),
+              [](const SceneFile& a, const SceneFile& b) { return a.name < b.name; });
+    return result;
+}
+
+fs::path find_scene(const std::string& text)
+{
+    if (fs::is_regular_file(text)) return text;
+    std::vector<SceneFile> found;
+    const std::vector<SceneFile> all = shipped_scenes();
+    std::vector<std::string> names;
+    for (const SceneFile& scene : all) {
+        const std::string base = scene.file.stem().string();
+        if (text == scene.name || text == base || text == base + ".json") found.push_back(scene);
+        names.insert(names.end(), {base, scene.name});
+    }
+    if (found.size() == 1) return found[0].file;
+    if (found.size() > 1)
+        throw InputError("the scene '" + text + "' is in " + found[0].name + " and in " +
+                         found[1].name + ": expected one of these names");
+    const std::vector<std::string_view> views(names.begin(), names.end());
+    const std::string near(nearest(text, views));
+    throw InputError(
+        "no scene '" + text + "'" +
+        (near.empty() ? "; `rigor list --scenes` names them" : "; did you mean '" + near + "'?"));
+}
+
+} // namespace rigor

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#include "cli/scene_run.hpp"
+
+#include "cli/commands.hpp"
+#include "formulas/not_implemented.hpp"
+#include "worker/client.hpp"
+
+#include <chrono>
+#include <cstdio>
+#include <stdexcept>
+
+namespace rigor {
+
+namespace {
+
+// Our reader refuses what is no trajectory: then it is the worker that wrote it wrongly.
+struct Malformed : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+} // namespace
+
+RunOutcome run_in_worker(const Implementation& implementation, const Scene& scene,
+                         const SceneRun& run)
+{
+    TrajectoryReader::Handlers handlers;
+    handlers.on_start =
+        run.on_start ? run.on_start : [](const Scene&, const std::vector<RecordedBody>&) {};
+    handlers.on_frame = [&](Frame frame) {
+        if (run.on_frame) run.on_frame(frame);
+    };
+    handlers.on_end = run.on_end ? run.on_end : [](const Counters&) {};
+    TrajectoryReader reader(handlers);
+    RunOutcome outcome;
+    const auto start = std::chrono::steady_clock::now();
+    Limits limits;
+    limits.scene = std::chrono::duration<double>(3600); // somebody is watching: they may end it
+    try {
+        Worker worker(implementation.worker, limits);
+        worker.run_scene(scene.text, scene.name, run.record, [&](std::span<const std::byte> bytes) {
+            try {
+                reader.feed(bytes);
+            } catch (const InputError& error) {
+                throw Malformed(error.what());
+            }
+            if (run.on_bytes) run.on_bytes(bytes);
+        });
+        if (!reader.complete()) outcome.failure = "the run stopped before its end";
+    } catch (const NotImplemented& stub) {
+        outcome.failure = describe(stub);
+        outcome.not_implemented = true;
+    } catch (const WorkerFailure& failure) {
+        outcome.failure = failure.what();
+    } catch (const NotFinite& failure) {
+        outcome.failure = failure.what();
+    } catch (const Malformed& failure) {
+        outcome.failure = failure.what();
+    }
+    outcome.seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return outcome;
+}
+
+int report_outcome(const RunOutcome& outcome, const Implementation& implementation)
+{
+    if (outcome.failure.empty()) return exit_done;
+    std::fprintf(stderr, "rigor: %s: %s\n", implementation.name.c_str(), outcome.failure.c_str());
+    return exit_wrong;
+}
+
+} // namespace rigor

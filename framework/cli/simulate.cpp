@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: MIT
+#include "cli/commands.hpp"
+#include "cli/options.hpp"
+#include "cli/prepare.hpp"
+#include "cli/progress.hpp"
+#include "cli/scene_run.hpp"
+#include "scene/statistics.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+namespace rigor {
+
+namespace {
+
+struct SimulateOptions {
+    std::string scene, with = "student", out;
+    bool stats = false, json = false, every_step = false;
+};
+
+// What --stats tells, gathered frame by frame.
+struct Summary {
+    FrameStatistics first, last;
+    double largest_energy = 0, deepest = 0;
+    std::int64_t frames = 0;
+    Counters counters;
+
+    void take(const FrameStatistics& now)
+    {
+        if (frames++ == 0) {
+            first = now;
+            largest_energy = now.total_energy();
+        }
+        last = now;
+        largest_energy = std::max(largest_energy, now.total_energy());
+        deepest = std::max(deepest, now.deepest_penetration);
+    }
+};
+
+using Counted = std::pair<const char*, std::uint64_t>;
+
+std::vector<Counted> counted(const Counters& c)
+{
+    return {{"steps", c.steps},
+            {"substeps", c.substeps},
+            {"pairs_possible", c.pairs_possible},
+            {"pairs_tested", c.pairs_tested},
+            {"contacts", c.contacts},
+            {"collision_impulses", c.collision_impulses},
+            {"contact_impulses", c.contact_impulses},
+            {"isotropic_shortcuts", c.isotropic_shortcuts},
+            {"free_flights", c.free_flights},
+            {"static_skipped", c.static_skipped}};
+}
+
+nlohmann::ordered_json numbers(const Vector3d& v)
+{
+    return {v.x(), v.y(), v.z()};
+}
+
+void print_json(const std::string& scene, const SimulateOptions& options, const Summary& summary,
+                double seconds)
+{
+    const auto moment = [](const FrameStatistics& s) -> nlohmann::ordered_json {
+        return {{"time", s.time},
+                {"kinetic_energy", s.kinetic_energy},
+                {"potential_energy", s.potential_energy},
+                {"momentum", numbers(s.momentum)},
+                {"angular_momentum", numbers(s.angular_momentum)}};
+    };
+    nlohmann::ordered_json counters;
+    for (const auto& [name, count] : counted(summary.counters))
+        counters[name] = count;
+    const nlohmann::ordered_json value = {
+        {"scene", scene},
+        {"with", options.with},
+        {"frames", summary.frames},
+        {"first", moment(summary.first)},
+        {"last", moment(summary.last)},
+        {"largest_energy", summary.largest_energy},
+        {"deepest_penetration", summary.deepest},
+        {"seconds", seconds},
+        {"steps_per_second", static_cast<double>(summary.counters.steps) / seconds},
+        {"counters", counters}};
+    fmt::print("{}\n", value.dump(2));
+}
+
+std::string vector_text(const Vector3d& v)
+{
+    return fmt::format("({:.6g}, {:.6g}, {:.6g})", v.x(), v.y(), v.z());
+}
+
+void print_stats(const Summary& summary, double seconds)
+{
+    const auto line = [](const char* what, const std::string& start, const std::string& end) {
+        fmt::print("  {:<32} {:<22} {}\n", what, start, end);
+    };
+    const auto number = [](double x) { return fmt::format("{:.8g}", x); };
+    line("", "at the start", "at the end");
+    line("time [s]", number(summary.first.time), number(summary.last.time));
+    line("kinetic energy [J]", number(summary.first.kinetic_energy),
+         number(summary.last.kinetic_energy));
+    line("potential energy [J]", number(summary.first.potential_energy),
+         number(summary.last.potential_energy));
+    line("total energy [J]", number(summary.first.total_energy()),
+         number(summary.last.total_energy()));
+    fmt::print("  {:<32} {}\n  {:<32} {}\n", "momentum [kg m/s]",
+               vector_text(summary.first.momentum), "", vector_text(summary.last.momentum));
+    fmt::print("  {:<32} {}\n  {:<32} {}\n", "angular momentum [kg m²/s]",
+               vector_text(summary.first.angular_momentum), "",
+               vector_text(summary.last.angular_momentum));
+    fmt::print("  {:<32} {:.8g}\n", "largest total energy [J]", summary.largest_energy);
+    fmt::print("  {:<32} {:.3g}\n", "deepest penetration [m]", summary.deepest);
+    fmt::print("  {:<32} {:.4g}\n", "steps a second",
+               static_cast<double>(summary.counters.steps) / seconds);
+    for (const auto& [name, count] : counted(summary.counters)) {
+        std::string words = name;
+        std::replace(words.begin(), words.end(), '_', ' ');
+        fmt::print("  {:<32} {}\n", words, count);
+    }
+}
+
+int simulate(const SimulateOptions& options)
+{
+    const Scene scene = load_scene(find_scene(options.scene));
+    const Implementation implementation = working_implementation(options.with);
+    std::ofstream file;
+    if (!options.out.empty()) {
+        file.open(options.out, std::ios::binary);
+        if (!file) throw InputError(options.out + ": cannot be written");
+    }
+    Summary summary;
+    std::optional<Statistics> statistics;
+    Progress progress(scene.name);
+    SceneRun run;
+    run.record = options.every_step ? Record::every_step : Record::frames;
+    run.on_bytes = [&](std::span<const std::byte> bytes) {
+        if (file.is_open())
+            file.write(reinterpret_cast<const char*>(bytes.data()),
+                       static_cast<long>(bytes.size()));
+    };
+    run.on_start = [&](const Scene& started, const std::vector<RecordedBody>& bodies) {
+        statistics.emplace(started, bodies);
+    };
+    run.on_frame = [&](const Frame& frame) {
+        summary.take(statistics->of(frame));
+        progress.update(frame.time / scene.end,
+                        fmt::format("{:.2f} s of {:g} s", frame.time, scene.end));
+    };
+    run.on_end = [&](const Counters& counters) { summary.counters = counters; };
+    const RunOutcome outcome = run_in_worker(implementation, scene, run);
+    progress.clear();
+    file.close();
+    if (!file && !options.out.empty()) throw InputError(options.out + ": cannot be written whole");
+
+    if (options.json)
+        print_json(scene.name, options, summary, outcome.seconds);
+    else if (summary.frames > 0) {
+        fmt::print("{}: {} frames to t = {:g} s in {:.2f} s{}\n", scene.name, summary.frames,
+                   summary.last.time, outcome.seconds,
+                   options.out.empty() ? "" : ", stored in " + options.out);
+        if (options.stats) print_stats(summary, outcome.seconds);
+    }
+    return report_outcome(outcome, implementation);
+}
+
+} // namespace
+
+Action declare_simulate(Options& options)
+{
+    const auto chosen = std::make_shared<SimulateOptions>();
+    options.word("SCENE", chosen->scene,
+                 "A scene file, or the name of one that ships: a4-collision/hundred_boxes");
+    options.option("--with", "WHO", chosen->with, "student (the default), reference, or a folder");
+    options.option("--out", "FILE", chosen->out, "Store the trajectory");
+    options.flag("--every-step", chosen->every_step, "Record every step, not only the frames");
+    options.flag("--stats", chosen->stats,
+                 "Print energy, momentum, penetration, steps a second, and what was skipped");
+    options.flag("--json", chosen->json, "Print those figures as JSON");
+    options.examples({"simulate spinning_box --stats",
+                      "simulate hundred_boxes --with reference --out boxes.trajectory"});
+    return [chosen] { return simulate(*chosen); };
+}
+
+} // namespace rigor

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// What assignments/<name>/assignment.json says: the tasks of an assignment, their points and hints.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace rigor {
+
+struct Task {
+    std::string tag;     // "A2.14"
+    std::string formula; // "combine"; empty for a task about scenes
+    std::string title;   // what the task is called where it is no formula
+    double points = 0;
+    bool is_hidden = false;             // its tests compare with the reference
+    std::string hint;                   // for a student whose solution fails
+    std::vector<std::string> builds_on; // tags of the tasks whose formulas its tests call too
+    std::vector<std::string> scenes;    // files of the scenes it is judged by
+
+    const std::string& name() const { return formula.empty() ? title : formula; }
+};
+
+struct Assignment {
+    std::string name;                // "a2-inertia", the folder's
+    std::string title;               // "Inertia tensors"
+    std::string topic;               // "inertia"
+    std::vector<std::string> submit; // the files a student hands in
+    std::vector<Task> tasks;         // in the order of their tags
+    std::vector<std::string> scenes; // files in scenes/
+    std::filesystem::path folder;
+
+    std::string label() const { return name.substr(0, name.find('-')); } // "a2"
+    const Task* task(std::string_view tag) const;
+    double points() const;
+};
+
+/// One assignment.json, checked against the table of formulas: each formula of the topic has exactly one task, of its
+/// tag. @throws InputError that names the file, the place in it, what was expected and what was found
+Assignment load_assignment(const std::filesystem::path& file);
+
+/// All of them, `folder`/*/assignment.json, by name. @throws InputError also if there is none
+std::vector<Assignment> load_assignments(const std::filesystem::path& folder);
+
+/// A part of an assignment: some of its tasks.
+struct Selection {
+    Assignment assignment;
+    std::vector<std::string> tags;
+};
+
+/// What the words name: an assignment (`a2-inertia`, `A2`), its topic (`inertia`), a task's tag (`A2.14`) or its
+/// formula (`combine`), whatever the case. No word: everything. @throws InputError with the nearest name
+std::vector<Selection> select_tasks(const std::vector<Assignment>& assignments,
+                                    const std::vector<std::string>& words);
+
+} // namespace rigor

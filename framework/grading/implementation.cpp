@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+#include "grading/implementation.hpp"
+
+#include "formulas/table.hpp"
+#include "grading/ninja.hpp"
+#include "grading/places.hpp"
+#include "grading/submission_build.hpp"
+#include "scene/scene.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <stdexcept>
+
+namespace rigor {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+void say_waiting()
+{
+    std::fputs("rigor: another rigor is building; waiting for it\n", stderr);
+}
+
+void replace_all(std::string& text, const std::string& what, const std::string& by)
+{
+    for (std::size_t at = 0; (at = text.find(what, at)) != std::string::npos; at += by.size())
+        text.replace(at, what.size(), by);
+}
+
+// What a student reads: paths as they know them.
+std::string shortened(std::string errors, const Implementation& implementation)
+{
+    const std::string folder = implementation.folder.string() + "/";
+    replace_all(errors, folder, implementation.name + "/");
+    replace_all(errors, places().source.string() + "/", "");
+    return errors;
+}
+
+void take_over(Implementation& implementation, const NinjaRun& run)
+{
+    implementation.build_steps.insert(implementation.build_steps.end(), run.steps.begin(),
+                                      run.steps.end());
+    implementation.build_seconds += run.seconds;
+}
+
+// Ours, or the student's? What is made from the student's files has `marker` in its path; the worker is linked last.
+bool is_theirs(const NinjaRun& run, const std::string& marker, const std::string& worker)
+{
+    if (run.failed.empty()) return run.timed_out;
+    return std::any_of(run.failed.begin(), run.failed.end(), [&](const std::string& output) {
+        return output.find(marker) != std::string::npos || output == worker;
+    });
+}
+
+void judge(Implementation& implementation, const NinjaRun& run, const std::string& marker,
+           const std::string& worker)
+{
+    take_over(implementation, run);
+    if (run.ok) return;
+    if (!is_theirs(run, marker, worker) || implementation.name == "reference")
+        throw std::runtime_error("code of the framework does not compile:\n" + run.errors);
+    implementation.compile_error = shortened(run.errors, implementation);
+    if (run.timed_out)
+        implementation.compile_error += "a file took longer than " +
+                                        std::to_string(static_cast<int>(compile_limit)) +
+                                        " s to compile\n";
+}
+
+Implementation build_own(const std::string& name, const OnBuildStep& on_step)
+{
+    Implementation result;
+    result.name = name;
+    result.folder = places().source / name;
+    result.worker = places().program(("worker_" + name).c_str());
+    const NinjaRun run = run_ninja({"-k", "0", "worker_" + name}, on_step);
+    judge(result, run, "formulas_" + name + ".dir/", "bin/worker_" + name);
+    return result;
+}
+
+Implementation build_folder(const std::string& name, const fs::path& folder,
+                            const OnBuildStep& on_step)
+{
+    Implementation result;
+    result.name = name;
+    result.folder = folder;
+    const SubmissionBuild build = prepare_submission_build(folder);
+    result.worker = places().build / build.worker;
+    result.borrowed = build.borrowed;
+
+    // What the worker needs besides the folder's files; ours, but for the topics that it lacks.
+    const NinjaRun needed = run_ninja(build.needed_targets, on_step);
+    judge(result, needed, "formulas_student.dir/", "");
+    if (!result.built()) return result;
+    judge(result, run_ninja({"-k", "0", "-f", build.ninja_file, build.worker}, on_step),
+          build.folder, build.worker);
+    return result;
+}
+
+} // namespace
+
+std::string Implementation::shown_file(const std::string& topic) const
+{
+    const bool is_borrowed = std::find(borrowed.begin(), borrowed.end(), topic) != borrowed.end();
+    return (fs::path(is_borrowed ? "student" : name) / (topic + ".cpp")).string();
+}
+
+fs::path Implementation::file(const std::string& topic) const
+{
+    const bool is_borrowed = std::find(borrowed.begin(), borrowed.end(), topic) != borrowed.end();
+    return (is_borrowed ? places().source / "student" : folder) / (topic + ".cpp");
+}
+
+std::vector<std::string> topics()
+{
+    std::vector<std::string> result;
+    for (const Formula& row : formulas)
+        if (result.empty() || result.back() != row.topic) result.emplace_back(row.topic);
+    return result;
+}
+
+Implementation build_implementation(const std::string& name, const OnBuildStep& on_step)
+{
+    const BuildLock lock(say_waiting);
+    if (name == "student" || name == "reference") {
+        if (!fs::is_directory(places().source / name))
+            throw InputError("this tree has no " + name + "/: it cannot be run with it");
+        return build_own(name, on_step);
+    }
+    std::error_code error;
+    const fs::path folder = fs::canonical(name, error);
+    if (error || !fs::is_directory(folder))
+        throw InputError("--with: expected student, reference or a folder, found '" + name + "'");
+    return build_folder(name, folder, on_step);
+}
+
+void build_targets(const std::vector<std::string>& targets, const OnBuildStep& on_step)
+{
+    const BuildLock lock(say_waiting);
+    const NinjaRun run = run_ninja(targets, on_step);
+    if (!run.ok) throw std::runtime_error("the build failed:\n" + run.errors);
+}
+
+} // namespace rigor

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#include "grading/places.hpp"
+
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <stdexcept>
+#include <string>
+#include <sys/file.h>
+#include <unistd.h>
+
+namespace rigor {
+
+const Places& places()
+{
+    static const Places built = {RIGOR_SOURCE_DIR, RIGOR_BINARY_DIR};
+    return built;
+}
+
+BuildLock::BuildLock(void (*on_wait)())
+{
+    const std::filesystem::path file = places().build / "build.lock";
+    descriptor_ = open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
+    if (descriptor_ < 0) throw std::runtime_error(file.string() + ": " + std::strerror(errno));
+    if (flock(descriptor_, LOCK_EX | LOCK_NB) == 0) return;
+    if (on_wait) on_wait();
+    while (flock(descriptor_, LOCK_EX) != 0 && errno == EINTR) {
+    }
+}
+
+BuildLock::~BuildLock()
+{
+    close(descriptor_);
+}
+
+} // namespace rigor

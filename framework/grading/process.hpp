@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// A program run to its end, its output taken line by line, within limits.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rigor {
+
+/// What to run.
+struct Command {
+    std::vector<std::string> arguments;   // the program first; looked up in PATH
+    std::filesystem::path folder;         // to run in; empty: the current one
+    double silence = 0;                   // longest time without a line [s]; 0: no limit
+    std::uint64_t memory = 0;             // address space [bytes]; 0: no limit
+    std::vector<std::string> environment; // "NAME=value", added to ours
+};
+
+/// How it ended.
+struct Ended {
+    int status = 0;         // of its exit
+    int signal = 0;         // that killed it, or 0
+    bool timed_out = false; // killed by us: it was silent for too long
+    double seconds = 0;     // from start to end
+
+    bool ok() const { return status == 0 && signal == 0 && !timed_out; }
+};
+
+using OnLine = std::function<void(std::string_view line)>;
+
+/// Runs a program with stdin empty; each line of its stdout and stderr goes to `on_output`, each line that it writes to
+/// the descriptor `message_descriptor` to `on_message`. The program is ended when we are.
+///
+/// A line longer than 1 MiB is handed over in pieces. @throws std::runtime_error if the program cannot be started
+Ended run(const Command& command, const OnLine& on_output, const OnLine& on_message = {});
+
+/// The descriptor that a program run with `on_message` writes its messages to.
+inline constexpr int message_descriptor = 3;
+
+} // namespace rigor

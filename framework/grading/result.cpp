@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#include "grading/result.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace rigor {
+
+namespace {
+
+constexpr std::array<std::string_view, 7> statuses = {
+    "passed", "skipped", "not_implemented", "failed", "not_finite", "timed_out", "crashed"};
+constexpr std::array<std::string_view, 4> submission_statuses = {"graded", "compile_error",
+                                                                 "rejected", "internal_error"};
+
+} // namespace
+
+std::string_view to_string(Status status)
+{
+    return statuses.at(static_cast<std::size_t>(status));
+}
+
+std::string_view to_string(SubmissionStatus status)
+{
+    return submission_statuses.at(static_cast<std::size_t>(status));
+}
+
+std::optional<Status> status_of(std::string_view text)
+{
+    const auto found = std::find(statuses.begin(), statuses.end(), text);
+    if (found == statuses.end()) return {};
+    return static_cast<Status>(found - statuses.begin());
+}
+
+const TestCase* TaskResult::first_failure() const
+{
+    const auto worst =
+        std::max_element(tests.begin(), tests.end(),
+                         [](const TestCase& a, const TestCase& b) { return a.status < b.status; });
+    return worst == tests.end() || worst->status == Status::passed ? nullptr : &*worst;
+}
+
+TaskResult score_task(const Task& task, std::vector<TestCase> tests)
+{
+    TaskResult result = {task, Status::skipped, 0, 0, std::move(tests)};
+    if (result.tests.empty()) return result;
+    const TestCase* failure = result.first_failure();
+    result.status = failure ? failure->status : Status::passed;
+    if (result.status == Status::skipped) return result;
+    result.max_score = task.points;
+    if (result.status == Status::passed) result.score = task.points;
+    return result;
+}
+
+double Result::score() const
+{
+    double sum = 0;
+    for (const TaskResult& task : tasks)
+        sum += task.score;
+    return sum;
+}
+
+double Result::max_score() const
+{
+    double sum = 0;
+    for (const TaskResult& task : tasks)
+        sum += task.max_score;
+    return sum;
+}
+
+} // namespace rigor

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+// What grading found out: the content of result.json.
+#pragma once
+
+#include "grading/assignment.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rigor {
+
+/// How a test case or a task went, the better first: a task is as bad as the worst of its test cases.
+///
+/// A crash comes before a wrong value, since it hides what would have been found after it; `failed` before
+/// `not_implemented`, since a task that fails on its own is not excused by a stub it calls as well.
+enum class Status { passed, skipped, not_implemented, failed, not_finite, timed_out, crashed };
+
+std::string_view to_string(Status status);
+/// Empty if it is no status.
+std::optional<Status> status_of(std::string_view text);
+
+/// A test case's verdict, as the test program sent it.
+struct TestCase {
+    std::string name; // "inertia: the union of two hemispheres is a sphere"
+    Status status = Status::passed;
+    std::string message, hint;                                       // in the test's own words
+    std::string expected, actual, error, tolerance, tolerance_class; // empty where there is none
+    std::string place;                                               // the field that is wrong
+    std::optional<std::int64_t> seed;                                // of the counterexample
+    bool is_hidden = false;
+    double seconds = 0;
+};
+
+struct TaskResult {
+    Task task;
+    Status status = Status::skipped;
+    double score = 0, max_score = 0; // a task that is not run counts 0 of 0
+    std::vector<TestCase> tests;
+
+    /// The first of the worst test cases; none if all is well.
+    const TestCase* first_failure() const;
+};
+
+enum class SubmissionStatus { graded, compile_error, rejected, internal_error };
+std::string_view to_string(SubmissionStatus status);
+
+struct Result {
+    Assignment assignment;
+    std::string submission; // "student", "reference" or a folder
+    SubmissionStatus status = SubmissionStatus::graded;
+    std::string message; // what a status other than graded is about
+    std::uint32_t seed = 0;
+    std::vector<TaskResult> tasks;
+    double build_seconds = 0, test_seconds = 0;
+
+    double score() const;
+    double max_score() const;
+    bool all_points() const { return status == SubmissionStatus::graded && score() == max_score(); }
+};
+
+/// A task's result from its test cases: its points whole if there are test cases and all of them passed, else none.
+TaskResult score_task(const Task& task, std::vector<TestCase> tests);
+
+} // namespace rigor

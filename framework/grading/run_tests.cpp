@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+#include "grading/run_tests.hpp"
+
+#include "grading/places.hpp"
+#include "grading/process.hpp"
+#include "grading/verdicts.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <set>
+
+namespace rigor {
+
+namespace {
+
+// The tasks that this run can judge.
+std::vector<std::string> runnable(const Selection& selection, bool has_oracle)
+{
+    std::vector<std::string> tags;
+    for (const std::string& tag : selection.tags)
+        if (has_oracle || !selection.assignment.task(tag)->is_hidden) tags.push_back(tag);
+    return tags;
+}
+
+// Catch2's test specification for these tags.
+std::string specification(const std::vector<std::string>& tags, bool has_oracle)
+{
+    std::string result;
+    for (const std::string& tag : tags)
+        result += (result.empty() ? "[" : ",[") + tag + "]" + (has_oracle ? "" : "~[hidden]");
+    return result;
+}
+
+Command test_command(const GradingRun& run, const Implementation& implementation,
+                     const std::vector<std::string>& tags)
+{
+    Command command;
+    command.arguments = {run.test_program.string(), "--worker", implementation.worker.string()};
+    if (run.oracle)
+        command.arguments.insert(command.arguments.end(), {"--oracle", run.oracle->string()});
+    command.arguments.insert(command.arguments.end(),
+                             {"--verdicts", std::to_string(message_descriptor), "--seed",
+                              std::to_string(run.seed),
+                              specification(tags, run.oracle.has_value())});
+    command.silence = run.silence;
+    return command;
+}
+
+// Why a run cannot be believed; empty if it can.
+std::string fault_of(const Ended& ended, const Verdicts& verdicts,
+                     const std::vector<std::string>& tags)
+{
+    if (!verdicts.fault().empty()) return verdicts.fault();
+    if (ended.timed_out) return fmt::format("the test program hung in '{}'", verdicts.open());
+    if (ended.signal)
+        return fmt::format("the test program died of signal {} in '{}'", ended.signal,
+                           verdicts.open());
+    if (!verdicts.open().empty())
+        return fmt::format("the test program gave up in '{}'", verdicts.open());
+    for (const std::string& tag : tags)
+        if (verdicts.of(tag).empty()) return fmt::format("no test of {} ran", tag);
+    return "";
+}
+
+} // namespace
+
+Result grade(const Selection& selection, const Implementation& implementation,
+             const GradingRun& run)
+{
+    Result result;
+    result.assignment = selection.assignment;
+    result.submission = implementation.name;
+    result.seed = run.seed;
+    result.build_seconds = implementation.build_seconds;
+    const std::vector<std::string> tags = runnable(selection, run.oracle.has_value());
+    if (!implementation.built()) {
+        result.status = SubmissionStatus::compile_error;
+        result.message = implementation.compile_error;
+        for (const std::string& tag : selection.tags) { // nothing ran, and nothing is excused
+            const Task& task = *selection.assignment.task(tag);
+            const bool counts = std::find(tags.begin(), tags.end(), tag) != tags.end();
+            result.tasks.push_back({task, Status::skipped, 0, counts ? task.points : 0, {}});
+        }
+        return result;
+    }
+    Verdicts verdicts;
+    std::set<std::string> begun;
+    std::string last_words;
+    const auto on_message = [&](std::string_view line) {
+        verdicts.take(line);
+        if (run.on_task && begun.insert(verdicts.current_tag()).second)
+            run.on_task(static_cast<int>(begun.size()), static_cast<int>(tags.size()),
+                        verdicts.current_tag());
+    };
+    const auto on_output = [&](std::string_view line) {
+        if (!line.empty()) last_words = line.substr(0, 200);
+    };
+    std::string fault;
+    if (!tags.empty()) { // else all that was asked for is hidden
+        const Ended ended =
+            rigor::run(test_command(run, implementation, tags), on_output, on_message);
+        result.test_seconds = ended.seconds;
+        fault = fault_of(ended, verdicts, tags);
+    }
+    for (const std::string& tag : selection.tags)
+        result.tasks.push_back(score_task(*selection.assignment.task(tag), verdicts.of(tag)));
+    if (!fault.empty()) {
+        result.status = SubmissionStatus::internal_error;
+        result.message = fault + (last_words.empty() ? "" : "; its last words: " + last_words);
+    }
+    return result;
+}
+
+GradingRun own_grading_run(const OnBuildStep& on_step)
+{
+    GradingRun run;
+    run.test_program = places().program("graded_tests");
+    std::vector<std::string> targets = {"graded_tests"};
+    if (places().has_reference()) {
+        run.oracle = places().program("worker_reference");
+        targets.emplace_back("worker_reference");
+    }
+    const bool there = std::filesystem::exists(run.test_program) &&
+                       (!run.oracle || std::filesystem::exists(*run.oracle));
+    if (!there) build_targets(targets, on_step); // the launcher keeps them up to date
+    return run;
+}
+
+} // namespace rigor

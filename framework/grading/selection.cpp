@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#include "grading/assignment.hpp"
+
+#include "scene/keys.hpp"
+#include "scene/scene.hpp"
+
+#include <algorithm>
+#include <cctype>
+
+namespace rigor {
+
+namespace {
+
+std::string lower(std::string text)
+{
+    std::transform(text.begin(), text.end(), text.begin(),
+                   [](unsigned char c) { return std::tolower(c); });
+    return text;
+}
+
+bool names(const std::string& word, const Assignment& assignment)
+{
+    return word == assignment.name || word == assignment.label() || word == assignment.topic;
+}
+
+// Marks the tasks that a word names. @return whether there are any
+bool mark(const std::string& word, const std::vector<Assignment>& assignments,
+          std::vector<std::vector<bool>>& marked)
+{
+    bool found = false;
+    for (std::size_t a = 0; a < assignments.size(); ++a)
+        for (std::size_t t = 0; t < assignments[a].tasks.size(); ++t) {
+            const Task& task = assignments[a].tasks[t];
+            const bool named = names(word, assignments[a]) || word == lower(task.tag) ||
+                               word == lower(task.formula);
+            if (named) found = marked[a][t] = true;
+        }
+    return found;
+}
+
+// "; did you mean 'inertia'?", or nothing.
+std::string suggestion(const std::string& word, const std::vector<Assignment>& assignments)
+{
+    std::vector<std::string> known;
+    for (const Assignment& assignment : assignments) {
+        known.insert(known.end(), {assignment.topic, assignment.name});
+        for (const Task& task : assignment.tasks) {
+            known.push_back(lower(task.tag));
+            if (!task.formula.empty()) known.push_back(task.formula);
+        }
+    }
+    const std::vector<std::string_view> views(known.begin(), known.end());
+    const std::string_view near = nearest(word, views);
+    return near.empty() ? "" : "; did you mean '" + std::string(near) + "'?";
+}
+
+} // namespace
+
+std::vector<Selection> select_tasks(const std::vector<Assignment>& assignments,
+                                    const std::vector<std::string>& words)
+{
+    std::vector<std::vector<bool>> marked;
+    for (const Assignment& assignment : assignments)
+        marked.emplace_back(assignment.tasks.size(), words.empty());
+    for (const std::string& word : words)
+        if (word.empty() || !mark(lower(word), assignments, marked))
+            throw InputError("expected an assignment, a topic, a task's tag or a formula, found '" +
+                             word + "'" + suggestion(lower(word), assignments));
+
+    std::vector<Selection> result;
+    for (std::size_t a = 0; a < assignments.size(); ++a) {
+        Selection selection = {assignments[a], {}};
+        for (std::size_t t = 0; t < assignments[a].tasks.size(); ++t)
+            if (marked[a][t]) selection.tags.push_back(assignments[a].tasks[t].tag);
+        if (!selection.tags.empty()) result.push_back(selection);
+    }
+    return result;
+}
+
+} // namespace rigor

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// How a folder of topic files becomes a worker: student/'s own commands, with other files.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace rigor {
+
+/// A private build of a folder. Paths are relative to the build folder.
+struct SubmissionBuild {
+    std::string folder;     // "submissions/<name>-<hash>/"
+    std::string ninja_file; // the rules
+    std::string worker;     // the executable
+    std::vector<std::string>
+        needed_targets;                // of the main build: what the worker is linked with besides
+    std::vector<std::string> borrowed; // topics taken from student/
+};
+
+/// Writes the rules, if they changed. @throws InputError if the folder holds no topic's file
+SubmissionBuild prepare_submission_build(const std::filesystem::path& folder);
+
+} // namespace rigor

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#include "grading/verdicts.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace rigor {
+
+namespace {
+
+using nlohmann::json;
+
+std::string text_of(const json& line, const char* key)
+{
+    const auto found = line.find(key);
+    if (found == line.end() || found->is_null()) return "";
+    if (found->is_string()) return found->get<std::string>();
+    if (found->is_number_float()) return fmt::format("{:.3g}", found->get<double>());
+    return found->dump();
+}
+
+TestCase test_case(const json& line)
+{
+    TestCase result;
+    result.name = line.at("name").get<std::string>();
+    const std::string status = line.at("status").get<std::string>();
+    if (status == "vacuous")
+        throw std::runtime_error("the test case '" + result.name + "' checked nothing");
+    if (status == "internal_error")
+        throw std::runtime_error("in '" + result.name + "': " + text_of(line, "message"));
+    if (!status_of(status)) throw std::runtime_error("'" + status + "' is no status");
+    result.status = *status_of(status);
+    result.message = text_of(line, "message");
+    result.hint = text_of(line, "hint");
+    result.is_hidden = line.at("hidden").get<bool>();
+    result.seconds = line.at("seconds").get<double>();
+    result.expected = text_of(line, "expected");
+    result.actual = text_of(line, "actual");
+    result.place = text_of(line, "place");
+    result.tolerance_class = text_of(line, "class");
+    if (!result.expected.empty()) { // numbers were compared
+        result.error = text_of(line, "error");
+        result.tolerance = text_of(line, "tolerance");
+    }
+    const auto seed = line.find("seed");
+    if (seed != line.end() && seed->is_number_integer() && seed->get<std::int64_t>() >= 0)
+        result.seed = seed->get<std::int64_t>();
+    return result;
+}
+
+} // namespace
+
+void Verdicts::take(std::string_view text)
+{
+    if (!fault_.empty()) return;
+    try {
+        const json line = json::parse(text);
+        tag_ = line.at("tag").get<std::string>();
+        if (line.contains("begin")) {
+            open_ = line.at("begin").get<std::string>();
+            return;
+        }
+        tests_[tag_].push_back(test_case(line));
+        open_.clear();
+    } catch (const json::exception& error) {
+        fault_ = fmt::format("not a verdict: {:.200}", text);
+    } catch (const std::runtime_error& error) {
+        fault_ = error.what();
+    }
+}
+
+const std::vector<TestCase>& Verdicts::of(const std::string& tag) const
+{
+    static const std::vector<TestCase> none;
+    const auto found = tests_.find(tag);
+    return found == tests_.end() ? none : found->second;
+}
+
+} // namespace rigor

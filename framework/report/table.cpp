@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: MIT
+#include "report/table.hpp"
+
+#include "report/terminal.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <fmt/format.h>
+#include <fstream>
+
+namespace rigor {
+
+namespace {
+
+constexpr std::size_t width = 80, label_width = 13;
+
+struct Look {
+    Color color;
+    std::string_view words;
+};
+
+Look look_of(Status status)
+{
+    switch (status) {
+    case Status::passed:
+        return {Color::green, "passed"};
+    case Status::skipped:
+        return {Color::dim, "skipped"};
+    case Status::not_implemented:
+        return {Color::yellow, "not implemented yet"};
+    case Status::failed:
+        return {Color::red, "failed"};
+    case Status::not_finite:
+        return {Color::red, "not finite"};
+    case Status::timed_out:
+        return {Color::red, "timed out"};
+    case Status::crashed:
+        return {Color::red, "crashed"};
+    }
+    return {Color::red, "?"};
+}
+
+bool is_wrong(const TaskResult& task)
+{
+    return task.status >= Status::failed;
+}
+
+// The law that a test case states, without the topic before it.
+std::string law_of(const std::string& name)
+{
+    const std::size_t colon = name.find(": ");
+    return colon == std::string::npos ? name : name.substr(colon + 2);
+}
+
+std::string row(const std::string& label, const std::string& text)
+{
+    if (text.empty()) return "";
+    const std::size_t indent = 2 + label_width;
+    return "  " + padded(label, label_width) + wrapped(text, width - indent, indent) + "\n";
+}
+
+std::string handout(const Result& result, const TaskResult& task)
+{
+    return fmt::format("assignments/{}/README.md, {}", result.assignment.name, task.task.tag);
+}
+
+// A value longer than this says no more than its beginning.
+std::string shortened(const std::string& text)
+{
+    constexpr std::size_t longest = 400;
+    if (text.size() <= longest) return text;
+    std::size_t end = longest;
+    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80)
+        --end; // not inside a character
+    return text.substr(0, end) + " …";
+}
+
+std::string difference(const TestCase& test)
+{
+    if (test.error.empty()) return "";
+    const std::string kind = test.tolerance_class.empty() ? "" : ", class " + test.tolerance_class;
+    return test.error + "; allowed " + test.tolerance + kind;
+}
+
+std::string failure_text(const Result& result, const TaskResult& task,
+                         const Implementation& implementation, bool color)
+{
+    const TestCase& test = *task.first_failure();
+    const Look look = look_of(task.status);
+    const bool compared = !test.expected.empty();
+    std::string text = "\n" + colored(task.task.tag + " " + task.task.name(), Color::bold, color) +
+                       "  " + colored(look.words, look.color, color) + "\n";
+    text += row("the law", law_of(test.name));
+    if (!compared) text += row("what happened", shortened(test.message));
+    text += row("where in it", compared ? test.place : "");
+    text += row("expected", shortened(test.expected));
+    text += row("actual", compared ? shortened(test.actual) : "");
+    text += row("error", difference(test));
+    if (test.seed)
+        text +=
+            row("try again", fmt::format("./rigor check {} --seed {}", task.task.tag, *test.seed));
+    text += row("hint", test.hint.empty() ? task.task.hint : test.hint);
+    text += row("your code",
+                task.task.formula.empty()
+                    ? implementation.shown_file(result.assignment.topic)
+                    : place_of(implementation, result.assignment.topic, task.task.formula));
+    return text + row("to read", handout(result, task));
+}
+
+std::string task_row(const TaskResult& task, bool color)
+{
+    const Look look = look_of(task.status);
+    std::string words(look.words);
+    if (task.status == Status::skipped && task.task.is_hidden) words = "hidden, run by the course";
+    const auto wrong =
+        std::count_if(task.tests.begin(), task.tests.end(),
+                      [](const TestCase& test) { return test.status != Status::passed; });
+    if (is_wrong(task) && task.tests.size() > 1)
+        words += fmt::format(", {} of {} laws", wrong, task.tests.size());
+    return fmt::format("  {:<6} {} {:>5} {}\n", task.task.tag, padded(task.task.name(), 32),
+                       fmt::format("{:g}/{:g}", task.score, task.max_score),
+                       "  " + colored(words, look.color, color));
+}
+
+// What a student does first: the first stub that waits for nothing before it, else the first stub.
+std::string next_step(const Result& result, const Implementation& implementation, bool color)
+{
+    const TaskResult* next = nullptr;
+    int stubs = 0;
+    for (const TaskResult& task : result.tasks) {
+        if (task.status != Status::not_implemented) continue;
+        ++stubs;
+        if (!next && !task.task.formula.empty()) next = &task;
+    }
+    if (!next) return "";
+    return "\n" +
+           colored(fmt::format("Next: {} {}", next->task.tag, next->task.name()), Color::bold,
+                   color) +
+           (stubs > 1 ? fmt::format(" ({} tasks are not implemented yet)", stubs) : "") + "\n" +
+           row("your code", place_of(implementation, result.assignment.topic, next->task.formula)) +
+           row("to read", handout(result, *next));
+}
+
+std::string total(const Result& result, bool color)
+{
+    const Color of = result.all_points() ? Color::green : Color::none;
+    std::string text =
+        colored(fmt::format("{:g} of {:g} points", result.score(), result.max_score()), of, color);
+    double elsewhere = 0;
+    for (const TaskResult& task : result.tasks)
+        if (task.max_score == 0) elsewhere += task.task.points;
+    if (elsewhere > 0) text += fmt::format("; {:g} more are judged by the course", elsewhere);
+    return text;
+}
+
+std::string ungraded(const Result& result, bool color)
+{
+    const char* words = result.status == SubmissionStatus::compile_error ? "does not compile"
+                        : result.status == SubmissionStatus::rejected
+                            ? "cannot be graded"
+                            : "a fault of the framework, not of the solution";
+    return colored(fmt::format("{}: {}", to_string(result.status), words), Color::red, color) +
+           "\n" + result.message + (result.message.ends_with('\n') ? "" : "\n");
+}
+
+} // namespace
+
+std::string place_of(const Implementation& implementation, const std::string& topic,
+                     const std::string& formula)
+{
+    const std::string shown = implementation.shown_file(topic);
+    std::ifstream file(implementation.file(topic));
+    int number = 0;
+    for (std::string line; std::getline(file, line);) {
+        ++number;
+        const std::size_t at = line.find(formula + "(");
+        const bool begins = at != std::string::npos && at > 0 && line[at - 1] == ' ';
+        const bool is_definition =
+            begins && std::isalpha(static_cast<unsigned char>(line[0])) &&
+            line.find(';') == std::string::npos; // a declaration or a call inside a function
+        if (is_definition) return fmt::format("{}:{}", shown, number);
+    }
+    return shown;
+}
+
+std::string points_table(const Result& result, const Implementation& implementation, bool color)
+{
+    const Assignment& assignment = result.assignment;
+    std::string label = assignment.label();
+    std::transform(label.begin(), label.end(), label.begin(),
+                   [](unsigned char c) { return std::toupper(c); });
+    std::string text = colored(fmt::format("{} {}: {}", label, assignment.topic, assignment.title),
+                               Color::bold, color);
+    text += "\n";
+    if (result.status != SubmissionStatus::graded) return text + ungraded(result, color);
+    for (const TaskResult& task : result.tasks)
+        text += task_row(task, color);
+    text += "  " + total(result, color) + "\n";
+    for (const TaskResult& task : result.tasks)
+        if (is_wrong(task)) text += failure_text(result, task, implementation, color);
+    return text + next_step(result, implementation, color);
+}
+
+std::string summary(const std::vector<Result>& results, bool color)
+{
+    std::string text;
+    double score = 0, max_score = 0;
+    for (const Result& result : results) {
+        const bool graded = result.status == SubmissionStatus::graded;
+        text += fmt::format("  {} {}\n", padded(result.assignment.name, 40),
+                            graded ? fmt::format("{:>7}", fmt::format("{:g}/{:g}", result.score(),
+                                                                      result.max_score()))
+                                   : colored(to_string(result.status), Color::red, color));
+        score += result.score();
+        max_score += result.max_score();
+    }
+    return text + fmt::format("  {} {:>7}\n", padded("all", 40),
+                              fmt::format("{:g}/{:g}", score, max_score));
+}
+
+} // namespace rigor
