@@ -25,8 +25,8 @@ struct BodyDescription {
     Material material;
     bool is_static = false;
     std::optional<double> mass; // given instead of densities [kg]
-    std::optional<Matrix3d>
-        inertia; // given with mass, about the center of mass (the frame's origin) [kg m²]
+    // given with mass, about the center of mass, which is the frame's origin [kg m²]
+    std::optional<Matrix3d> inertia;
     Vector3d position = Vector3d::Zero(); // of the frame's origin [m]
     Quaternion orientation;
     Vector3d velocity = Vector3d::Zero();         // of the center of mass [m/s]
@@ -51,8 +51,8 @@ struct Scene {
     std::string description; // one sentence: what to see
     std::string text;        // the file itself
     std::vector<BodyDescription> bodies;
-    std::vector<Spring> springs;
-    std::vector<AppliedForce> forces;
+    std::vector<Spring> springs;              // their points in the bodies' frames, as written
+    std::vector<AppliedForce> forces;         // likewise
     Vector3d gravity = Vector3d(0, -9.81, 0); // [m/s²]
     Integrator integrator = Integrator::runge_kutta;
     double time_step = 0.01; // [s]
@@ -65,6 +65,13 @@ struct Scene {
 /// @throws InputError `file:line: expected …, found …`
 Scene load_scene(const std::filesystem::path& file);
 Scene parse_scene(const std::string& text, const std::string& file_name);
+
+/// How many time steps lead to the end of the scene.
+std::int64_t step_count(const Scene& scene);
+
+/// How many frames it has, with the first at time 0; and the step nearest to the time of a frame.
+std::int64_t frame_count(const Scene& scene);
+std::int64_t frame_step(const Scene& scene, std::int64_t frame);
 
 /// Shapes to bodies: calls the formulas of topic `inertia` where the scene gives densities.
 World make_world(const Scene& scene);

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// The scene language, in pieces: bodies, forces, and the scene that holds them.
+#pragma once
+
+#include "scene/keys.hpp"
+#include "scene/scene.hpp"
+
+namespace rigor {
+
+constexpr std::size_t most_bodies = 100'000, most_shapes = 200'000;
+
+/// Appends the body of an entry of "bodies", or all bodies of its grid.
+/// @throws Mistake
+void read_body(const Value& value, std::vector<BodyDescription>& bodies);
+
+/// Copies of a body along a grid: {"count": [5, 4, 5], "spacing": [1.1, 1.1, 1.1], …}.
+/// @throws Mistake
+void read_grid(const Value& value, const BodyDescription& body,
+               std::vector<BodyDescription>& bodies);
+
+/// Springs and forces. Their points are in the frames of the bodies as written.
+/// @throws Mistake
+std::vector<Spring> read_springs(const Value& value, const std::vector<BodyDescription>& bodies);
+std::vector<AppliedForce> read_forces(const Value& value,
+                                      const std::vector<BodyDescription>& bodies);
+
+/// Every key of the language, object by object, for the documentation and its test.
+std::vector<KeyMeaning> scene_language();
+
+void orientation_meanings(std::vector<KeyMeaning>& meanings);
+void body_meanings(std::vector<KeyMeaning>& meanings);
+void grid_meanings(std::vector<KeyMeaning>& meanings);
+void force_meanings(std::vector<KeyMeaning>& meanings);
+
+template <class T>
+void add_meanings(std::string_view object, Keys<T> keys, std::vector<KeyMeaning>& meanings)
+{
+    for (const Key<T>& key : keys)
+        meanings.push_back({object, key.name, key.meaning});
+}
+
+} // namespace rigor

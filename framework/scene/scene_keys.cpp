@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: MIT
+#include "scene/grammar.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <set>
+
+namespace rigor {
+
+namespace {
+
+constexpr std::uintmax_t most_bytes = 16'000'000;
+constexpr double most_steps = 10'000'000;
+
+struct SceneDraft {
+    Scene scene;
+    const Value *bodies = nullptr, *springs = nullptr, *forces = nullptr, *time_step = nullptr,
+                *end = nullptr, *frames_per_second = nullptr;
+};
+
+constexpr Key<Camera> camera_keys[] = {
+    {"position", "of the eye, default [4, 3, 6] [m]",
+     [](Camera& c, const Value& v) { c.position = vector3(v); }},
+    {"target", "what it looks at, default [0, 0, 0] [m]",
+     [](Camera& c, const Value& v) { c.target = vector3(v); }},
+    {"field_of_view", "vertical, from 1 to 170, default 40 [degrees]",
+     [](Camera& c, const Value& v) { c.field_of_view = in_range(v, "a field of view", 1, 170); }},
+};
+
+constexpr Key<Overlays> overlay_keys[] = {
+    {"axes", "the axes of each body's frame, default false",
+     [](Overlays& o, const Value& v) { o.axes = boolean(v); }},
+    {"angular_velocity", "ω of each body, default false",
+     [](Overlays& o, const Value& v) { o.angular_velocity = boolean(v); }},
+    {"angular_momentum", "L of each body, default false",
+     [](Overlays& o, const Value& v) { o.angular_momentum = boolean(v); }},
+    {"contacts", "contact points and impulses, default false",
+     [](Overlays& o, const Value& v) { o.contacts = boolean(v); }},
+    {"labels", "the names of the bodies, default false",
+     [](Overlays& o, const Value& v) { o.labels = boolean(v); }},
+    {"grid", "the grid of the ground, default true",
+     [](Overlays& o, const Value& v) { o.grid = boolean(v); }},
+};
+
+void read_camera(SceneDraft& draft, const Value& value)
+{
+    Camera& camera = draft.scene.camera;
+    read_object<Camera>(value, "a camera {\"position\": …, \"target\": …}", camera_keys, camera);
+    if (!((camera.position - camera.target).norm() > 1e-9))
+        expected("a camera whose position is not its target", value);
+}
+
+constexpr std::string_view integrators[] = {"matrix", "linear", "exponential", "buss",
+                                            "runge_kutta"};
+
+constexpr Key<SceneDraft> scene_keys[] = {
+    {"description", "one sentence: what to see",
+     [](SceneDraft& d, const Value& v) { d.scene.description = line_of_text(v, "a sentence"); }},
+    {"gravity", "default [0, -9.81, 0] [m/s²]",
+     [](SceneDraft& d, const Value& v) { d.scene.gravity = vector3(v); }},
+    {"time_step", "> 0, default 0.01 [s]", [](SceneDraft& d, const Value& v) { d.time_step = &v; }},
+    {"end", "when the scene ends, at least one time step, default 1 [s]",
+     [](SceneDraft& d, const Value& v) { d.end = &v; }},
+    {"frames_per_second",
+     "> 0, at most one a step, default 30 or one a step; a frame shows the nearest step",
+     [](SceneDraft& d, const Value& v) { d.frames_per_second = &v; }},
+    {"integrator",
+     "of free flight: \"matrix\", \"linear\", \"exponential\", \"buss\" or \"runge_kutta\", "
+     "default the last",
+     [](SceneDraft& d, const Value& v) {
+         d.scene.integrator = static_cast<Integrator>(one_of(v, integrators));
+     }},
+    {"bodies", "needed: a list of at least one body",
+     [](SceneDraft& d, const Value& v) { d.bodies = &v; }},
+    {"springs", "a list of springs", [](SceneDraft& d, const Value& v) { d.springs = &v; }},
+    {"forces", "a list of forces", [](SceneDraft& d, const Value& v) { d.forces = &v; }},
+    {"camera", "where to look from", [](SceneDraft& d, const Value& v) { read_camera(d, v); }},
+    {"draw", "what to draw besides the bodies",
+     [](SceneDraft& d, const Value& v) {
+         read_object<Overlays>(v, "what to draw {\"axes\": true}", overlay_keys, d.scene.overlays);
+     }},
+};
+
+void read_times(SceneDraft& draft)
+{
+    Scene& scene = draft.scene;
+    if (draft.time_step) scene.time_step = positive(*draft.time_step, "a time step");
+    if (draft.end) scene.end = positive(*draft.end, "an end");
+    const Value* blamed = draft.end ? draft.end : draft.time_step;
+    if (scene.end < scene.time_step)
+        throw Mistake{blamed->line,
+                      fmt::format("expected an end of at least one time step ({} s), found {}",
+                                  scene.time_step, scene.end)};
+    if (scene.end / scene.time_step > most_steps)
+        throw Mistake{blamed->line, fmt::format("expected at most {} steps, found {:.4g}",
+                                                most_steps, scene.end / scene.time_step)};
+    const double one_a_step = 1 / scene.time_step;
+    scene.frames_per_second = std::min(scene.frames_per_second, one_a_step);
+    if (!draft.frames_per_second) return;
+    scene.frames_per_second = positive(*draft.frames_per_second, "a number of frames per second");
+    if (scene.frames_per_second > one_a_step * (1 + 1e-9))
+        expected(fmt::format("at most one frame a step ({:.6g} per second)", one_a_step),
+                 *draft.frames_per_second);
+}
+
+void read_bodies(SceneDraft& draft, const Value& root)
+{
+    if (!draft.bodies) throw Mistake{root.line, "expected \"bodies\" in the scene, found none"};
+    std::vector<BodyDescription>& bodies = draft.scene.bodies;
+    std::set<std::string_view> names;
+    std::size_t shapes = 0, done = 0;
+    for (const Value& item : array(*draft.bodies, "a list of bodies")) {
+        read_body(item, bodies);
+        for (; done < bodies.size(); ++done)
+            shapes += bodies[done].parts.size();
+        if (bodies.size() > most_bodies || shapes > most_shapes)
+            throw Mistake{item.line, fmt::format("expected at most {} bodies of {} shapes, found "
+                                                 "more",
+                                                 most_bodies, most_shapes)};
+    }
+    if (bodies.empty()) expected("at least one body", *draft.bodies);
+    for (const BodyDescription& body : bodies)
+        if (!names.insert(body.name).second) {
+            const Value* second = &draft.bodies->items.back();
+            for (const Value& item : draft.bodies->items)
+                if (find(item, "name")->text == body.name) second = &item;
+            throw Mistake{find(*second, "name")->line,
+                          fmt::format("expected a name of its own for each body, found {} twice",
+                                      in_quotes(body.name))};
+        }
+}
+
+Scene read_scene(const std::string& text)
+{
+    const Value root = parse_json(text);
+    SceneDraft draft;
+    read_object<SceneDraft>(root, "a scene {\"bodies\": […], …}", scene_keys, draft);
+    read_times(draft);
+    read_bodies(draft, root);
+    if (draft.springs) draft.scene.springs = read_springs(*draft.springs, draft.scene.bodies);
+    if (draft.forces) draft.scene.forces = read_forces(*draft.forces, draft.scene.bodies);
+    return std::move(draft.scene);
+}
+
+} // namespace
+
+Scene parse_scene(const std::string& text, const std::string& file_name)
+{
+    if (text.size() > most_bytes)
+        throw InputError(fmt::format("{}: expected a scene of at most {} bytes, found {}",
+                                     file_name, most_bytes, text.size()));
+    try {
+        Scene scene = read_scene(text);
+        scene.name = std::filesystem::path(file_name).filename().string();
+        if (scene.name.ends_with(".json")) scene.name.resize(scene.name.size() - 5);
+        scene.text = text;
+        return scene;
+    } catch (const Mistake& mistake) {
+        throw InputError(fmt::format("{}:{}: {}", file_name, mistake.line, mistake.message));
+    }
+}
+
+Scene load_scene(const std::filesystem::path& file)
+{
+    std::error_code error;
+    const std::filesystem::file_status status = std::filesystem::status(file, error);
+    if (!std::filesystem::is_regular_file(status))
+        throw InputError(
+            fmt::format("{}: expected a scene file, found {}", file.string(),
+                        std::filesystem::exists(status) ? "something else" : "nothing"));
+    if (const std::uintmax_t size = std::filesystem::file_size(file, error);
+        !error && size > most_bytes)
+        throw InputError(fmt::format("{}: expected a scene of at most {} bytes, found {}",
+                                     file.string(), most_bytes, size));
+    std::ifstream stream(file, std::ios::binary);
+    std::string text{std::istreambuf_iterator<char>(stream), {}};
+    if (!stream)
+        throw InputError(
+            fmt::format("{}: expected a readable file, found it unreadable", file.string()));
+    return parse_scene(text, file.string());
+}
+
+std::int64_t step_count(const Scene& scene)
+{
+    return std::llround(scene.end / scene.time_step);
+}
+
+std::int64_t frame_step(const Scene& scene, std::int64_t frame)
+{
+    return std::llround(static_cast<double>(frame) / (scene.frames_per_second * scene.time_step));
+}
+
+std::int64_t frame_count(const Scene& scene)
+{
+    std::int64_t last = std::llround(scene.end * scene.frames_per_second) + 1;
+    while (last > 0 && frame_step(scene, last) > step_count(scene))
+        --last;
+    return last + 1;
+}
+
+std::vector<KeyMeaning> scene_language()
+{
+    std::vector<KeyMeaning> meanings;
+    add_meanings<SceneDraft>("scene", scene_keys, meanings);
+    body_meanings(meanings);
+    orientation_meanings(meanings);
+    grid_meanings(meanings);
+    force_meanings(meanings);
+    add_meanings<Camera>("camera", camera_keys, meanings);
+    add_meanings<Overlays>("draw", overlay_keys, meanings);
+    return meanings;
+}
+
+} // namespace rigor
