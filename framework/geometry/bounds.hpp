@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// Axis-aligned bounding boxes.
+#pragma once
+
+#include "geometry/pose.hpp"
+
+#include <limits>
+
+namespace rigor {
+
+/// An axis-aligned box; as constructed it holds nothing.
+struct Bounds {
+    Vector3d low = Vector3d::Constant(std::numeric_limits<double>::infinity());   // [m]
+    Vector3d high = Vector3d::Constant(-std::numeric_limits<double>::infinity()); // [m]
+
+    void include(const Bounds& other)
+    {
+        low = low.cwiseMin(other.low);
+        high = high.cwiseMax(other.high);
+    }
+    void grow(double margin)
+    {
+        low.array() -= margin;
+        high.array() += margin;
+    }
+    bool overlaps(const Bounds& other) const
+    {
+        return (low.array() <= other.high.array()).all() &&
+               (other.low.array() <= high.array()).all();
+    }
+};
+
+/// Bounds of a shape at a pose. A plane's are infinite.
+Bounds bounds_of(const Shape& shape, const Pose& pose);
+
+/// Radius of the ball about the origin of object space that holds the part [m]. A plane's is
+/// infinite.
+double bounding_radius(const Part& part);
+
+/// Whether a part is a plane.
+inline bool is_plane(const Part& part)
+{
+    return std::holds_alternative<Plane>(part.shape);
+}
+
+} // namespace rigor

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// Free flight: how bodies move between contacts, by the world's integrator.
+//
+// The default integrator, `runge_kutta`, has two ways of fourth order. A body that only gravity acts on
+// takes gravity_flight.hpp's. Bodies that springs or applied forces pull at take the Runge–Kutta
+// method of Munthe-Kaas (1999, "High order Runge–Kutta methods on manifolds", Appl. Numer. Math. 29)
+// with the two commutators of Munthe-Kaas and Owren (1999, "Computations in a free Lie algebra",
+// Phil. Trans. R. Soc. A 357): the orientation only ever changes by `advance_exact`, so it stays a
+// rotation, and a steady spin is exact. With ωᵢ at stage i and exp(u) = advance_exact(q, u, h):
+//
+//     stage 2 at exp(½ω₁)   stage 3 at exp(½ω₂ - ⅛h ω₁×ω₂)   stage 4 at exp(ω₃)
+//     q' = exp((ω₁ + 2ω₂ + 2ω₃ + ω₄)/6 - h/12 ω₁×ω₄)
+//
+// X, V, L take the classical Runge–Kutta 4 with the same stages.
+#pragma once
+
+#include "rigid/world.hpp"
+
+namespace rigor {
+
+/// Rotation matrix of a body: by `to_matrix`, but by Eigen for the integrator `matrix`, whose
+/// assignment comes first.
+Matrix3d body_rotation(Integrator integrator, const RigidState& state);
+
+/// I(t)⁻¹ = R I_body⁻¹ Rᵀ by `world_inverse_inertia`; an isotropic body's needs no R.
+Matrix3d inverse_inertia(Integrator integrator, const RigidBody& body, const RigidState& state);
+
+/// The state of one body that gravity alone acts on, after a time step; without gravity if `drifts`.
+///
+/// A body that would turn by more than a quarter turn takes equal substeps that do not
+/// (`max_time_step`). Those do not: an isotropic body with an integrator that turns it exactly, and
+/// the integrator `matrix`, which comes before that formula.
+RigidState fly(const World& world, const RigidBody& body, RigidState state, double time_step,
+               Counters& counters, bool drifts = false);
+
+/// The states of all bodies after a time step without contacts: bodies that springs or applied
+/// forces pull at fly together, all the others one by one. Static bodies stay.
+///
+/// @param pulled  see `pulled_bodies`
+std::vector<RigidState> fly_all(const World& world, const std::vector<bool>& pulled,
+                                double time_step, Counters& counters);
+
+} // namespace rigor

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#include "rigid/gravity_flight.hpp"
+
+#include "formulas/rotation.hpp"
+#include "rigid/flight.hpp"
+
+namespace rigor {
+
+namespace {
+
+// Ω: the constant angular velocity that turns as far as the changing one does.
+Vector3d mean_angular_velocity(const Matrix3d& J, const Vector3d& L, const Vector3d& torque,
+                               double h)
+{
+    const Vector3d w = J * L;
+    const auto J_dot = [&J](const Vector3d& spin, const Vector3d& x) -> Vector3d {
+        return spin.cross(J * x) - J * spin.cross(x);
+    };
+    // ω̇ = -J a,  a = ω × L - τ,  and its derivatives, L̇ = τ
+    const Vector3d a = w.cross(L) - torque;
+    const Vector3d w1 = -J * a;
+    const Vector3d a1 = w1.cross(L) + w.cross(torque);
+    const Vector3d w2 = -J_dot(w, a) - J * a1;
+    const Vector3d a2 = w2.cross(L) + 2 * w1.cross(torque);
+    // J̈ = ω̇* J - J ω̇* + ω* J̇ - J̇ ω*
+    const Vector3d J_ddot_a = J_dot(w1, a) + w.cross(J_dot(w, a)) - J_dot(w, w.cross(a));
+    const Vector3d w3 = -J_ddot_a - 2 * J_dot(w, a1) - J * a2;
+
+    return w + h / 2 * w1 + h * h / 6 * w2 + h * h * h / 24 * w3 + h * h / 12 * w1.cross(w) +
+           h * h * h / 24 * w2.cross(w);
+}
+
+} // namespace
+
+RigidState step_under_constant_wrench(const RigidBody& body, const RigidState& state,
+                                      const Wrench& wrench, double time_step)
+{
+    const double h = time_step;
+    const Vector3d A = body.inverse.inverse_mass * wrench.force;
+    const Vector3d& L = state.angular_momentum;
+    const Matrix3d J = inverse_inertia(Integrator::runge_kutta, body, state);
+    const bool is_steady = body.is_isotropic && wrench.torque.isZero(0);
+    const Vector3d w = is_steady ? J * L : mean_angular_velocity(J, L, wrench.torque, h);
+
+    RigidState next = state;
+    next.position += h * state.velocity + h * h / 2 * A;
+    next.velocity += h * A;
+    next.angular_momentum += h * wrench.torque;
+    next.orientation = advance_exact(state.orientation, w, h);
+    return next;
+}
+
+} // namespace rigor

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "rigid/world.hpp"
+
+namespace rigor {
+
+/// A step of fourth order under a wrench that is constant over it: Buss's augmented fourth-order
+/// method (Buss 2000, "Accurate and efficient simulation of rigid-body rotations", J. Comput. Phys.
+/// 164), which continues A3.16 by two more derivatives of ω. With J = I(t)⁻¹:
+///
+///     ω = J L    ω̇ = J (τ - ω × L)    J̇ = ω* J - J ω*,  from which ω̈ and ω⃛ follow
+///     Ω = ω + h/2 ω̇ + h²/6 ω̈ + h³/24 ω⃛ + h²/12 ω̇ × ω + h³/24 ω̈ × ω
+///     q' = advance_exact(q, Ω, h)    L' = L + h τ    V' = V + h F/M    X' = X + h V + h²/2 F/M
+///
+/// The cross products are what the order of rotations costs (Magnus 1954, "On the exponential
+/// solution of differential equations for a linear operator", Comm. Pure Appl. Math. 7). One
+/// `to_matrix`, one `world_inverse_inertia` and one `advance_exact` a step: of the methods measured
+/// the most accurate for its time, 3 times closer than Munthe-Kaas's at 0.4 of its cost
+/// (`bench spin`). Isotropic inertia without torque: one exact turn of any size, no matrix at all.
+RigidState step_under_constant_wrench(const RigidBody& body, const RigidState& state,
+                                      const Wrench& wrench, double time_step);
+
+} // namespace rigor

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// From the parts of a body to its mass, inertia and inverse inertia: once a body, never in a step.
+#pragma once
+
+#include "rigid/world.hpp"
+
+namespace rigor {
+
+/// Mass properties of parts, each of its own density, in the frame they are written in.
+///
+/// Calls `solid_sphere` and `solid_box`, `world_inertia` only for a part whose inertia a rotation
+/// changes, and `combine` only for several parts.
+MassProperties mass_properties(const std::vector<Part>& parts);
+
+/// Whether I = i δ, to 64 roundings: cubes and spheres are, however they are turned. Zero is.
+bool is_isotropic(const Matrix3d& inertia);
+
+/// 1/M and I_body⁻¹ = Q diag(1/m) Qᵀ, by `principal_axes` and `invert_moments`. An isotropic
+/// inertia takes the short way: 1/i δ, and no formula is called.
+BodyInertia inverse_mass_properties(double mass, const Matrix3d& inertia);
+
+/// Gives a body its mass from its parts' densities, and moves the parts so that object space has its
+/// origin at the center of mass. A static body is left alone: its origin stays.
+///
+/// @return  the center of mass in the frame the parts were written in [m]
+/// @throws NonFiniteState if a formula did not return a number
+Vector3d set_mass_from_parts(RigidBody& body);
+
+/// Gives a body this mass and inertia about the origin of object space, its center of mass.
+///
+/// @throws NonFiniteState if a formula did not return a number
+void set_mass(RigidBody& body, double mass, const Matrix3d& inertia);
+
+} // namespace rigor
