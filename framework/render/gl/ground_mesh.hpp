@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// A ground in two pieces: where shadows can fall, and the rest, which need not look for them.
+#pragma once
+
+#include "render/gl/shaders.hpp"
+#include "render/picture.hpp"
+
+#include <vector>
+
+namespace rigor {
+
+using Spot = Eigen::Vector2f; // on a ground, along its x and z, from its middle [m]
+
+struct GroundPieces {
+    std::vector<Spot> shaded, plain; // triangles, counter-clockwise seen from above
+};
+
+/// @param origin  the middle of the piece of ground that is drawn
+/// @param half    of its side [m]
+GroundPieces ground_pieces(const Ground& ground, const Vector3f& origin, float half,
+                           const View& view, bool shadows);
+
+} // namespace rigor

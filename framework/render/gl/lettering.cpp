@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+#include "render/gl/lettering.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace rigor {
+namespace {
+
+constexpr std::size_t longest = 160; // letters of a line; names may be anything
+
+/// The sRGB encoding of linear light, near enough for a letter.
+float encoded(float linear)
+{
+    return std::pow(std::clamp(linear, 0.0F, 1.0F), 1 / 2.2F);
+}
+
+} // namespace
+
+Lettering::Lettering(int width, int height)
+    : width_(width), height_(height), small_(std::clamp(height / 42, 10, 48)),
+      large_(std::clamp(height / 32, 12, 64)), program_(Look::text, "")
+{
+    glBindTexture(GL_TEXTURE_2D, atlas_);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_R8, Font::side, Font::side, 0, GL_RED, GL_UNSIGNED_BYTE,
+                 nullptr);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glBindVertexArray(arrays_);
+    glBindBuffer(GL_ARRAY_BUFFER, buffer_);
+    for (const GLuint index : {0U, 1U}) {
+        glEnableVertexAttribArray(index);
+        glVertexAttribPointer(index, 4, GL_FLOAT, GL_FALSE, sizeof(Corner),
+                              reinterpret_cast<const void*>(index * offsetof(Corner, color)));
+    }
+}
+
+float Lettering::width_of(const Text& text, int size)
+{
+    float width = 0;
+    for (const char32_t letter : letters(text.text).substr(0, longest))
+        width += font_.glyph(letter, size).advance;
+    return width;
+}
+
+void Lettering::add_line(const Text& text, int size, float x, float y)
+{
+    for (const char32_t letter : letters(text.text).substr(0, longest)) {
+        const Glyph& glyph = font_.glyph(letter, size);
+        // whole pixels, and one more on each side for the rim
+        const auto place = [&](int u, int v) {
+            Corner corner{std::round(x) + static_cast<float>(glyph.left - 1 + u),
+                          std::round(y) + static_cast<float>(glyph.top - 1 + v),
+                          static_cast<float>(glyph.x - 1 + u),
+                          static_cast<float>(glyph.y - 1 + v),
+                          {}};
+            for (int i = 0; i < 3; ++i)
+                corner.color[i] = encoded(text.color[i]);
+            corner.color[3] = text.color[3];
+            return corner;
+        };
+        if (glyph.width > 0) {
+            const int w = glyph.width + 2, h = glyph.height + 2;
+            corners_.insert(corners_.end(), {place(0, 0), place(w, 0), place(w, h), place(0, 0),
+                                             place(w, h), place(0, h)});
+        }
+        x += glyph.advance;
+    }
+}
+
+void Lettering::add_label(const Text& text, const View& view)
+{
+    const Eigen::Map<const Eigen::Matrix4f> to_clip(view.to_clip);
+    const Vector4f p = to_clip * text.point->homogeneous();
+    if (!(p.w() > 0) || !p.allFinite()) return; // behind the camera
+    const float x = (0.5F + 0.5F * p.x() / p.w()) * static_cast<float>(width_);
+    const float y = (0.5F + 0.5F * p.y() / p.w()) * static_cast<float>(height_);
+    if (!(std::abs(x) < 4.0F * static_cast<float>(width_)) ||
+        !(std::abs(y) < 4.0F * static_cast<float>(height_)))
+        return;
+    const int size = size_of(text);
+    add_line(text, size, x - width_of(text, size) / 2, y - 0.25F * static_cast<float>(size));
+}
+
+void Lettering::upload()
+{
+    glBindTexture(GL_TEXTURE_2D, atlas_);
+    if (uploaded_ == font_.painted()) return;
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, Font::side, Font::side, GL_RED, GL_UNSIGNED_BYTE,
+                    font_.atlas().data());
+    uploaded_ = font_.painted();
+}
+
+void Lettering::draw(const Picture& picture, const View& view)
+{
+    corners_.clear();
+    const float margin = 0.8F * static_cast<float>(large_);
+    float y = margin;
+    for (const Text& text : picture.texts) {
+        if (text.point) {
+            add_label(text, view);
+            continue;
+        }
+        const int size = size_of(text);
+        add_line(text, size, margin, y + 0.8F * static_cast<float>(size));
+        y += 1.3F * static_cast<float>(size);
+    }
+    if (corners_.empty()) return;
+    upload();
+    glBindVertexArray(arrays_);
+    glBindBuffer(GL_ARRAY_BUFFER, buffer_);
+    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(corners_.size() * sizeof(Corner)),
+                 corners_.data(), GL_STREAM_DRAW);
+    program_.use();
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_CULL_FACE);
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(corners_.size()));
+}
+
+} // namespace rigor

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// The texts of a picture, pixel by pixel on the finished picture.
+#pragma once
+
+#include "render/gl/font.hpp"
+#include "render/gl/gl.hpp"
+#include "render/gl/shaders.hpp"
+#include "render/picture.hpp"
+
+#include <vector>
+
+namespace rigor {
+
+class Lettering {
+public:
+    Lettering(int width, int height);
+    void draw(const Picture& picture, const View& view);
+
+private:
+    struct Corner { // of a letter's rectangle
+        float x, y, u, v;
+        float color[4];
+    };
+    void add_line(const Text& text, int size, float x, float y);
+    void add_label(const Text& text, const View& view);
+    float width_of(const Text& text, int size);
+    int size_of(const Text& text) const { return text.large ? large_ : small_; }
+    void upload();
+
+    int width_, height_;
+    int small_, large_; // heights of letters [pixels]
+    Font font_;
+    std::size_t uploaded_ = 0;
+    Program program_;
+    GlTexture atlas_;
+    GlArrays arrays_;
+    GlBuffer buffer_;
+    std::vector<Corner> corners_;
+};
+
+} // namespace rigor

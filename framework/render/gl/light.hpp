@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// Where the camera and the sun stand.
+#pragma once
+
+#include "render/gl/shaders.hpp"
+#include "render/picture.hpp"
+
+namespace rigor {
+
+constexpr int shadow_side = 2048; // of the shadow map [pixels]
+
+/// All that the shaders share about a picture of this size.
+View view_of(const Picture& picture, int width, int height);
+
+/// Distance from the camera to what it looks at, never 0 [m].
+float camera_distance(const Picture& picture);
+
+} // namespace rigor

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+#include "render/gl/mesh.hpp"
+
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+
+namespace rigor {
+namespace {
+
+// The attributes of the shaders: 0 position, 1 normal; 2 3 4 axes, 5 place, 6 color an instance.
+void attribute(GLuint index, int size, std::size_t stride, std::size_t offset, GLuint divisor)
+{
+    glEnableVertexAttribArray(index);
+    glVertexAttribPointer(index, size, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(stride),
+                          reinterpret_cast<const void*>(offset));
+    glVertexAttribDivisor(index, divisor);
+}
+
+void add_flat(std::vector<MeshVertex>& mesh, const Vector3f& a, const Vector3f& b,
+              const Vector3f& c)
+{
+    const Vector3f normal = (b - a).cross(c - a).normalized();
+    for (const Vector3f& corner : {a, b, c})
+        mesh.push_back({corner, normal});
+}
+
+void add_round(std::vector<MeshVertex>& mesh, const Vector3f& a, const Vector3f& b,
+               const Vector3f& c, int levels)
+{
+    if (levels == 0) {
+        for (const Vector3f& corner : {a, b, c})
+            mesh.push_back({corner, corner});
+        return;
+    }
+    const Vector3f ab = (a + b).normalized(), bc = (b + c).normalized(), ca = (c + a).normalized();
+    add_round(mesh, a, ab, ca, levels - 1);
+    add_round(mesh, ab, b, bc, levels - 1);
+    add_round(mesh, ca, bc, c, levels - 1);
+    add_round(mesh, ab, bc, ca, levels - 1);
+}
+
+} // namespace
+
+std::vector<MeshVertex> cube_mesh()
+{
+    std::vector<MeshVertex> mesh;
+    for (int axis = 0; axis < 3; ++axis) {
+        for (const float side : {-1.0F, 1.0F}) {
+            const Vector3f n = side * Vector3f::Unit(axis), u = Vector3f::Unit((axis + 1) % 3);
+            const Vector3f v = n.cross(u);
+            add_flat(mesh, n - u - v, n + u - v, n + u + v);
+            add_flat(mesh, n - u - v, n + u + v, n - u + v);
+        }
+    }
+    return mesh;
+}
+
+std::vector<MeshVertex> ball_mesh(int levels)
+{
+    std::vector<MeshVertex> mesh;
+    for (const float x : {-1.0F, 1.0F}) {
+        for (const float y : {-1.0F, 1.0F}) {
+            for (const float z : {-1.0F, 1.0F}) {
+                const Vector3f a = x * Vector3f::UnitX(), b = y * Vector3f::UnitY(),
+                               c = z * Vector3f::UnitZ();
+                if (x * y * z > 0)
+                    add_round(mesh, a, b, c, levels);
+                else
+                    add_round(mesh, a, c, b, levels);
+            }
+        }
+    }
+    return mesh;
+}
+
+std::vector<MeshVertex> rod_mesh(bool pointed)
+{
+    constexpr int sides = 16;
+    const Vector3f top = Vector3f::UnitZ();
+    std::vector<MeshVertex> mesh;
+    const auto rim = [](int side) {
+        const float angle = 2 * std::numbers::pi_v<float> * static_cast<float>(side) / sides;
+        return Vector3f(std::cos(angle), std::sin(angle), 0);
+    };
+    for (int side = 0; side < sides; ++side) {
+        const Vector3f a = rim(side), b = rim(side + 1);
+        const Vector3f up = pointed ? top : Vector3f::Zero(); // a cone's normals lean to its tip
+        const Vector3f n_a = (a + up).normalized(), n_b = (b + up).normalized();
+        add_flat(mesh, Vector3f::Zero(), b, a);
+        mesh.insert(mesh.end(), {{a, n_a}, {b, n_b}, {pointed ? top : b + top, n_b}});
+        if (pointed) continue;
+        mesh.insert(mesh.end(), {{a, n_a}, {b + top, n_b}, {a + top, n_a}});
+        add_flat(mesh, top, a + top, b + top);
+    }
+    return mesh;
+}
+
+Mesh::Mesh(const std::vector<MeshVertex>& triangles)
+    : count_(static_cast<GLsizei>(triangles.size()))
+{
+    glBindVertexArray(arrays_);
+    glBindBuffer(GL_ARRAY_BUFFER, vertices_);
+    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(triangles.size() * sizeof(MeshVertex)),
+                 triangles.data(), GL_STATIC_DRAW);
+    attribute(0, 3, sizeof(MeshVertex), offsetof(MeshVertex, position), 0);
+    attribute(1, 3, sizeof(MeshVertex), offsetof(MeshVertex, normal), 0);
+    glBindBuffer(GL_ARRAY_BUFFER, instances_);
+    for (GLuint column = 0; column < 3; ++column)
+        attribute(2 + column, 3, sizeof(Instance), 3 * sizeof(float) * column, 1);
+    attribute(5, 3, sizeof(Instance), 9 * sizeof(float), 1);
+    attribute(6, 4, sizeof(Instance), 12 * sizeof(float), 1);
+}
+
+void Mesh::draw(std::span<const Instance> instances)
+{
+    static_assert(sizeof(Instance) == 16 * sizeof(float));
+    glBindVertexArray(arrays_);
+    glBindBuffer(GL_ARRAY_BUFFER, instances_);
+    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(instances.size_bytes()), instances.data(),
+                 GL_STREAM_DRAW);
+    glDrawArraysInstanced(GL_TRIANGLES, 0, count_, static_cast<GLsizei>(instances.size()));
+}
+
+FlatMesh::FlatMesh()
+{
+    glBindVertexArray(arrays_);
+    glBindBuffer(GL_ARRAY_BUFFER, vertices_);
+    attribute(0, 2, sizeof(Eigen::Vector2f), 0, 0);
+}
+
+void FlatMesh::draw(std::span<const Eigen::Vector2f> triangles)
+{
+    glBindVertexArray(arrays_);
+    glBindBuffer(GL_ARRAY_BUFFER, vertices_);
+    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(triangles.size_bytes()), triangles.data(),
+                 GL_STREAM_DRAW);
+    glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(triangles.size()));
+}
+
+} // namespace rigor

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// The unit solids, and how many of one are drawn at once.
+#pragma once
+
+#include "render/gl/gl.hpp"
+#include "render/picture.hpp"
+
+#include <span>
+#include <vector>
+
+namespace rigor {
+
+struct MeshVertex {
+    Vector3f position, normal;
+};
+
+/// A cube from -1 to 1 with flat faces.
+std::vector<MeshVertex> cube_mesh();
+
+/// A ball of radius 1: an octahedron whose edges are halved `levels` times.
+std::vector<MeshVertex> ball_mesh(int levels);
+
+/// A cylinder or a cone of radius 1 about z, from 0 to 1, with its base.
+std::vector<MeshVertex> rod_mesh(bool pointed);
+
+/// A mesh on the graphics side, drawn once an instance.
+class Mesh {
+public:
+    explicit Mesh(const std::vector<MeshVertex>& triangles);
+    void draw(std::span<const Instance> instances);
+
+private:
+    GlArrays arrays_;
+    GlBuffer vertices_, instances_;
+    GLsizei count_;
+};
+
+/// Triangles on a ground, sent anew for each picture.
+class FlatMesh {
+public:
+    FlatMesh();
+    void draw(std::span<const Eigen::Vector2f> triangles);
+
+private:
+    GlArrays arrays_;
+    GlBuffer vertices_;
+};
+
+} // namespace rigor

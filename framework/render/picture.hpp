@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+// What to draw: plain lists of solids, arrows and texts. It knows no OpenGL and no physics.
+#pragma once
+
+#include <Eigen/Dense>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace rigor {
+
+using Eigen::Matrix3f;
+using Eigen::Vector3f;
+using Eigen::Vector4f;
+
+/// A unit solid put somewhere: its point p goes to axes p + position. The columns of `axes` are
+/// orthogonal and carry the size: half edges of a box, the radius of a ball.
+struct Instance {
+    Matrix3f axes = Matrix3f::Identity();
+    Vector3f position = Vector3f::Zero(); // [m]
+    Vector4f color = Vector4f::Ones();    // linear red, green, blue, opacity
+};
+
+/// A plane through `position`, its normal the y axis, with a grid of lines.
+struct Ground {
+    Matrix3f axes = Matrix3f::Identity(); // a rotation
+    Vector3f position = Vector3f::Zero(); // [m]
+    bool solid = true;                    // or only its lines, for a scene with nothing to land on
+    bool grid = true;
+};
+
+/// A line of text, by a point of the scene or in the corner at the top left.
+struct Text {
+    std::string text; // UTF-8
+    Vector4f color = Vector4f(0, 0, 0, 1);
+    bool large = false;
+    std::optional<Vector3f> point; // centered above it; without it the next line in the corner
+};
+
+struct Picture {
+    Vector3f eye = Vector3f(4, 3, 6), target = Vector3f::Zero(); // [m]
+    float field_of_view = 40;                                    // vertical [degrees]
+    float grid_spacing = 1;                                      // [m]
+    bool shadows = true;
+
+    std::vector<Instance> boxes, balls;             // the bodies; they cast shadows
+    std::vector<Instance> ghost_boxes, ghost_balls; // translucent
+    std::vector<Instance> rods, cones, dots; // overlays: cylinders and cones with base 0 and tip z
+                                             // = 1, small balls; they shine through the bodies
+    std::vector<Ground> grounds;
+    std::vector<Text> texts;
+};
+
+/// Linear light of an sRGB color, opaque unless said.
+Vector4f linear_color(double red, double green, double blue, double opacity = 1);
+
+/// A rod of this radius between two points.
+void add_rod(Picture& picture, const Vector3f& from, const Vector3f& to, float radius,
+             const Vector4f& color);
+
+/// An arrow from `from` to `to`: a rod and a cone. Nothing if it has no length.
+void add_arrow(Picture& picture, const Vector3f& from, const Vector3f& to, float radius,
+               const Vector4f& color);
+
+} // namespace rigor

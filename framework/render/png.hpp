@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// Pictures as PNG files: red, green, blue, one byte each; opacity is left out.
+#pragma once
+
+#include "render/image.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <vector>
+
+namespace rigor {
+
+std::vector<std::uint8_t> png_bytes(const Image& image);
+
+/// Writes a file whole or not at all: under a temporary name beside it, renamed when complete.
+/// @throws InputError that names the file and the reason, such as a full disk
+void write_whole(const std::filesystem::path& file, std::span<const std::uint8_t> bytes);
+
+} // namespace rigor

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// From a scene and its recorded states to pictures.
+#pragma once
+
+#include "render/picture.hpp"
+#include "scene/scene.hpp"
+#include "scene/trajectory.hpp"
+
+#include <string>
+#include <vector>
+
+namespace rigor {
+
+/// What stays the same from frame to frame of a run. Colors are chosen so that neighbors differ
+/// also for the color-blind.
+class Stage {
+public:
+    /// @throws InputError if scene and record have not the same bodies
+    Stage(const Scene& scene, const std::vector<RecordedBody>& bodies, const Overlays& overlays);
+
+    Picture picture(const Frame& frame) const;
+
+    /// Two runs of the scene at one moment in one picture: `frame` as usual, of `other` the bodies
+    /// that lie apart as ghosts, and a line from center to center. The legend names both.
+    Picture comparison(const Frame& frame, const Frame& other, const std::string& name,
+                       const std::string& other_name) const;
+
+private:
+    struct Placed { // a part about the center of mass
+        Part part;
+        Vector3d position;
+        Matrix3d rotation;
+    };
+    struct Actor {
+        std::string name;
+        bool is_static = false;
+        std::vector<Placed> parts;
+        Matrix3d inverse_inertia = Matrix3d::Zero(); // I_body⁻¹ [1/(kg m²)]
+        double mass = 0, mean_inertia = 0;           // [kg], [kg m²]
+        double radius = 0;                           // around the center of mass [m]
+        Vector4f color;
+    };
+
+    Picture empty_picture(const Frame& frame) const;
+    void add_body(Picture& picture, const Actor& actor, const RigidState& state, bool ghost) const;
+    void add_arrows(Picture& picture, const Actor& actor, const RigidState& state) const;
+    void add_contacts(Picture& picture, const Frame& frame) const;
+    void add_springs(Picture& picture, const Frame& frame) const;
+    void add_legend(Picture& picture, const Frame& frame) const;
+    bool shows_text() const;
+
+    Scene scene_;
+    Overlays overlays_;
+    std::vector<Actor> actors_;
+    Picture start_;           // camera and, where the scene has no plane, lines to see motion by
+    float thickness_ = 0.01F; // of a rod [m]
+};
+
+} // namespace rigor
