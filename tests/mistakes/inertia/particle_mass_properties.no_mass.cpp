@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// Without any mass the center is 0/0: there the answer is all zero.
+#include "formulas/inertia.hpp"
+
+namespace rigor {
+
+MassProperties particle_mass_properties(const std::vector<Particle>& particles)
+{
+    MassProperties result;
+    for (const auto& [m, p] : particles) {
+        result.mass += m;
+        result.center_of_mass += m * p;
+    }
+    result.center_of_mass /= result.mass;
+    for (const auto& [m, p] : particles) {
+        const Vector3d d = p - result.center_of_mass;
+        result.inertia += m * (d.squaredNorm() * Matrix3d::Identity() - d * d.transpose());
+    }
+    return result;
+}
+
+} // namespace rigor

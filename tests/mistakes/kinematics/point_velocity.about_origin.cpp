@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+// The body turns about its center of mass X, not about the origin: ω × (x - X).
+#include "formulas/kinematics.hpp"
+
+namespace rigor {
+
+Vector3d point_velocity(const Vector3d& V, const Vector3d& omega, const Vector3d& X,
+                        const Vector3d& x)
+{
+    return omega.cross(x) + V;
+}
+
+} // namespace rigor

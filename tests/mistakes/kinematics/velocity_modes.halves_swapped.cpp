@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// The coefficients are (V, ω) in this order: the halves of S are swapped.
+#include "formulas/kinematics.hpp"
+
+namespace rigor {
+
+Matrix36d velocity_modes(const Vector3d& X, const Vector3d& x)
+{
+    Matrix36d S;
+    S << cross_matrix(X - x), Matrix3d::Identity();
+    return S;
+}
+
+} // namespace rigor

