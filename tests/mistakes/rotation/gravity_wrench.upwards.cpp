@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+// The force is -M g: g already points down.
+#include "formulas/rotation.hpp"
+
+namespace rigor {
+
+Wrench gravity_wrench(double mass, const Vector3d& gravity)
+{
+    return {-mass * gravity, Vector3d::Zero()};
+}
+
+} // namespace rigor

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// It takes the largest component of ω for its length.
+#include "formulas/rotation.hpp"
+
+#include <numbers>
+
+namespace rigor {
+
+double max_time_step(const Vector3d& omega)
+{
+    return std::numbers::pi / 2 / omega.cwiseAbs().maxCoeff();
+}
+
+} // namespace rigor

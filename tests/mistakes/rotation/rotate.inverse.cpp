@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+// This is q̄ (0, p) q, the inverse rotation.
+#include "formulas/rotation.hpp"
+
+namespace rigor {
+
+Vector3d rotate(const Quaternion& q, const Vector3d& p)
+{
+    return multiply(multiply(conjugate(q), {0, p}), q).v;
+}
+
+} // namespace rigor

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// I_body⁻¹ is not turned to world space.
+#include "formulas/rotation.hpp"
+
+namespace rigor {
+
+RigidState step_buss(const RigidState& state, const BodyInertia& body, const Wrench& wrench,
+                     double time_step)
+{
+    if (body.inverse_mass == 0) return state;
+    const double h = time_step;
+    const Matrix3d I_inv = body.inverse_inertia;
+    const Vector3d L = state.angular_momentum;
+    const Vector3d w = I_inv * L;
+    const Vector3d w_dot = I_inv * (wrench.torque - w.cross(L));
+    const Vector3d W = w + h / 2 * w_dot + h * h / 12 * w_dot.cross(w);
+    return {state.position + h * state.velocity + h * h / 2 * body.inverse_mass * wrench.force,
+            advance_exact(state.orientation, W, h),
+            state.velocity + h * body.inverse_mass * wrench.force,
+            state.angular_momentum + h * wrench.torque};
+}
+
+} // namespace rigor
