@@ -118,7 +118,7 @@ Difference compare(const Components& actual, const Components& expected, const T
             return difference;
         }
         const double error = a == e ? 0 : std::abs(a - e);
-        if (error <= bound) continue;
+        if (error == 0 || error <= bound) continue; // ∞ meets ∞, whatever 0 × ∞ is
         const double excess = bound > 0 ? error / bound : infinity;
         if (worst.any && (excess < worst_excess || error <= worst.error)) continue;
         worst = {true, found[i].place, error, bound};
