@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+// Two bodies that slide on each other: when, how much it matters, and the laws of the impulse.
+#pragma once
+
+#include "colliding_pair.hpp"
+#include "support/close.hpp"
+
+#include <numbers>
+
+namespace rigor::testing {
+
+inline const Vector3d up(0, 1, 0);
+
+/// v without its part along n.
+inline Vector3d tangential(const Vector3d& v, const Vector3d& n)
+{
+    return v - v.dot(n) * n;
+}
+
+inline Matrix3d turn(double degrees, const Vector3d& axis)
+{
+    return Eigen::AngleAxisd(degrees * std::numbers::pi / 180, axis).toRotationMatrix();
+}
+
+/// nᵀ K (n - μ T) over nᵀ K n: 1 without friction, 0 where it jams.
+inline double ease(const CollidingPair& pair, double friction)
+{
+    const Vector3d T = tangential(pair.v, pair.n).normalized();
+    const Vector3d Kn = pair.K * pair.n;
+    return 1 - friction * Kn.dot(T) / Kn.dot(pair.n);
+}
+
+/// How far the static impulse is from the border of the friction cone, relative to its size; inside
+/// it is positive.
+inline double margin(const CollidingPair& pair, double friction)
+{
+    const double v_n = pair.v.dot(pair.n);
+    const Vector3d j = pair.K.inverse() * (-pair.v - pair.restitution * v_n * pair.n);
+    return (friction * j.dot(pair.n) - tangential(j, pair.n).norm()) / j.norm();
+}
+
+/// Far from jamming, so that the division magnifies nobody's rounding by more than 2.
+inline bool slides_easily(const CollidingPair& pair, double friction)
+{
+    return ease(pair, friction) > 0.5;
+}
+
+inline double impulse_scale(const CollidingPair& pair)
+{
+    return pair.size * pair.condition * pair.condition;
+}
+
+/// The laws that determine a sliding impulse.
+inline void check_sliding(const CollidingPair& pair, double friction, const Vector3d& j)
+{
+    const auto& [body1, body2, x, n, K, v, restitution, size, condition] = pair;
+    const Vector3d T = tangential(v, n).normalized();
+    const double scale = impulse_scale(pair);
+    {
+        INFO("n.(v + K j) is -ε v.n");
+        REQUIRE_THAT((v + K * j).dot(n),
+                     IsClose(-restitution * v.dot(n), Rounding(64, scale * K.norm())));
+    }
+    {
+        INFO("the tangential part is -μ jₙ T");
+        REQUIRE_THAT(tangential(j, n), IsClose(-friction * j.dot(n) * T, Rounding(64, scale)));
+    }
+    check_at_most(0, j.dot(n), "0 against jₙ", scale);
+}
+
+/// A contact that friction presses down harder than the push lifts it, once it slides along x with
+/// μ ≥ 2.
+/// From v = (2, -2, 0) with ε = 0.5 the static impulse is (-4, 2, 3).
+inline Matrix3d jamming_contact()
+{
+    Matrix3d K;
+    K << 3, 2, 2, //
+        2, 4, 1,  //
+        2, 1, 2;
+    return K;
+}
+
+} // namespace rigor::testing

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+// Bodies that separate already are left alone: nothing must pull them back.
+#include "formulas/collision.hpp"
+
+namespace rigor {
+
+Vector3d collision_impulse(const Matrix3d& K, const Vector3d& v, const Vector3d& n,
+                           double restitution, double friction)
+{
+    const Vector3d j = static_friction_impulse(K, v, n, restitution);
+    if (inside_friction_cone(j, n, friction)) return j;
+    return sliding_friction_impulse(K, v, n, restitution, friction);
+}
+
+} // namespace rigor

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// A contact whose bodies separate already needs no impulse, however deep it is.
+#include "formulas/collision.hpp"
+
+namespace rigor {
+
+std::optional<int> deepest_approaching_point(const std::vector<ContactPoint>& contacts)
+{
+    std::optional<int> deepest;
+    for (int i = 0; i < static_cast<int>(contacts.size()); ++i) {
+        const ContactPoint& contact = contacts[i];
+        if (!deepest || contact.depth > contacts[*deepest].depth) deepest = i;
+    }
+    return deepest;
+}
+
+} // namespace rigor

