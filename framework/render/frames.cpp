@@ -185,7 +185,8 @@ try {
 
 void FrameSequence::Pipeline::film()
 try {
-    while (const auto drawn = filmed_.pop())
+    std::size_t filmed = 0;
+    for (; const auto drawn = filmed_.pop(); ++filmed)
         video_->add(*drawn->image);
     bool whole = false;
     {
