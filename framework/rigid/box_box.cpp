@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: MIT
+#include "rigid/box_box.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace rigor {
+
+namespace {
+
+// A box at its place; its axes are the columns of R.
+struct Placed {
+    Matrix3d R;
+    Vector3d center, half;
+};
+
+// A separating axis, unit, pointing from box 1 to box 2, with the distance of the boxes along it.
+struct Axis {
+    double separation = -std::numeric_limits<double>::infinity();
+    int axis1 = 0, axis2 = 0;
+    Vector3d direction = Vector3d::Zero();
+};
+
+Vector3d oriented(const Vector3d& axis, const Vector3d& towards)
+{
+    return axis.dot(towards) < 0 ? Vector3d(-axis) : axis;
+}
+
+// The best of the three faces of `a`; the direction points towards b.
+Axis best_face(const Placed& a, const Placed& b)
+{
+    const Vector3d d = b.center - a.center;
+    const Vector3d d_a = a.R.transpose() * d;
+    const Matrix3d C = (a.R.transpose() * b.R).cwiseAbs();
+    const Vector3d separations = d_a.cwiseAbs() - a.half - C * b.half;
+    Axis best;
+    best.separation = separations.maxCoeff(&best.axis1);
+    best.direction = oriented(a.R.col(best.axis1), d);
+    return best;
+}
+
+// The best of the nine pairs of edges. Parallel edges separate no better than a face does.
+Axis best_edges(const Placed& a, const Placed& b)
+{
+    const Vector3d d = b.center - a.center;
+    Axis best;
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) {
+            Vector3d l = a.R.col(i).cross(b.R.col(j));
+            const double length = l.norm();
+            if (length < 1e-3) continue;
+            l /= length;
+            const double separation = std::abs(l.dot(d)) -
+                                      (a.R.transpose() * l).cwiseAbs().dot(a.half) -
+                                      (b.R.transpose() * l).cwiseAbs().dot(b.half);
+            if (separation > best.separation) best = {separation, i, j, oriented(l, d)};
+        }
+    return best;
+}
+
+// A polygon with at most 8 vertices, in the frame of the reference face: the face is |x| ≤ half x,
+// |y| ≤ half y, and z is the height above it.
+struct Polygon {
+    std::array<Vector3d, 8> vertices;
+    int size = 0;
+
+    void add(const Vector3d& v)
+    {
+        if (size < 8) vertices[size++] = v;
+    }
+};
+
+// Keeps what lies on the inner side of sign x[axis] ≤ limit (Sutherland and Hodgman 1974). A vertex
+// within rounding of the border is inside: otherwise aligned boxes get chance vertices.
+Polygon clip(const Polygon& polygon, int axis, double sign, double limit)
+{
+    const double border = limit * (1 + 1e-9);
+    Polygon kept;
+    for (int i = 0; i < polygon.size; ++i) {
+        const Vector3d& from = polygon.vertices[i];
+        const Vector3d& to = polygon.vertices[(i + 1) % polygon.size];
+        const double a = sign * from[axis], b = sign * to[axis];
+        if (a <= border) kept.add(from);
+        if ((a <= border) != (b <= border)) kept.add(from + (limit - a) / (b - a) * (to - from));
+    }
+    return kept;
+}
+
+// Up to 4 vertices that span the polygon: the lowest, the farthest from it, and the farthest from
+// their line on either side.
+Polygon spanning(const Polygon& polygon)
+{
+    if (polygon.size <= 4) return polygon;
+    const auto begin = polygon.vertices.begin(), end = begin + polygon.size;
+    const auto best = [&](auto&& value) {
+        return *std::max_element(
+            begin, end, [&](const Vector3d& p, const Vector3d& q) { return value(p) < value(q); });
+    };
+    const Vector3d lowest = best([](const Vector3d& p) { return -p.z(); });
+    const Vector3d far = best([&](const Vector3d& p) { return (p - lowest).head<2>().norm(); });
+    const Vector3d line = far - lowest;
+    const auto side = [&](const Vector3d& p) {
+        return line.x() * (p - lowest).y() - line.y() * (p - lowest).x();
+    };
+    const Vector3d left = best(side);
+    const Vector3d right = best([&](const Vector3d& p) { return -side(p); });
+
+    Polygon result;
+    for (const Vector3d& p : {lowest, far, left, right})
+        if (std::find(result.vertices.begin(), result.vertices.begin() + result.size, p) ==
+            result.vertices.begin() + result.size)
+            result.add(p);
+    return result;
+}
+
+// The face of `box` that looks most against `direction`, in the frame (R, origin).
+Polygon incident_face(const Placed& box, const Vector3d& direction, const Matrix3d& R,
+                      const Vector3d& origin)
+{
+    const Vector3d facing = box.R.transpose() * direction;
+    int k = 0;
+    facing.cwiseAbs().maxCoeff(&k);
+    const int u = (k + 1) % 3, v = (k + 2) % 3;
+    const Vector3d outward = (facing[k] > 0 ? -1 : 1) * box.half[k] * box.R.col(k);
+    const Vector3d e_u = box.half[u] * box.R.col(u), e_v = box.half[v] * box.R.col(v);
+    const Vector3d center = box.center + outward - origin;
+
+    Polygon face;
+    for (const Vector3d& p : {Vector3d(center + e_u + e_v), Vector3d(center - e_u + e_v),
+                              Vector3d(center - e_u - e_v), Vector3d(center + e_u - e_v)})
+        face.add(R.transpose() * p);
+    return face;
+}
+
+// Clips the incident face of `other` against the face of `reference` that `axis` names.
+// @param normal  of the contact, from box 2 to box 1
+void touch_face(const Placed& reference, const Placed& other, const Axis& axis,
+                const Vector3d& normal, double reach, std::vector<Touch>& touches)
+{
+    const int k = axis.axis1, u = (k + 1) % 3, v = (k + 2) % 3;
+    Matrix3d R; // of the face: two edges and the outward normal
+    R << reference.R.col(u), reference.R.col(v), axis.direction;
+    const Vector3d origin = reference.center + reference.half[k] * axis.direction;
+
+    Polygon polygon = incident_face(other, axis.direction, R, origin);
+    for (const double sign : {-1.0, 1.0}) {
+        polygon = clip(polygon, 0, sign, reference.half[u]);
+        polygon = clip(polygon, 1, sign, reference.half[v]);
+    }
+    polygon = spanning(polygon);
+    for (int i = 0; i < polygon.size; ++i) {
+        Vector3d p = polygon.vertices[i];
+        const double gap = p.z();
+        if (gap >= reach) continue;
+        p.z() /= 2; // in the middle of the gap
+        touches.push_back({origin + R * p, normal, gap});
+    }
+}
+
+// Middle of the edge of `box` along its axis `axis` that lies farthest in `direction`.
+Vector3d edge_middle(const Placed& box, int axis, const Vector3d& direction)
+{
+    Vector3d corner = (box.R.transpose() * direction).cwiseSign().cwiseProduct(box.half);
+    corner[axis] = 0;
+    return box.center + box.R * corner;
+}
+
+void touch_edges(const Placed& a, const Placed& b, const Axis& axis, double reach,
+                 std::vector<Touch>& touches)
+{
+    const Vector3d u = a.R.col(axis.axis1), v = b.R.col(axis.axis2);
+    const Vector3d p = edge_middle(a, axis.axis1, axis.direction);
+    const Vector3d q = edge_middle(b, axis.axis2, -axis.direction);
+
+    // closest points p + s u, q + t v of the two lines, held to the edges
+    const double c = u.dot(v), d_u = u.dot(q - p), d_v = v.dot(q - p);
+    const double s = (d_u - c * d_v) / (1 - c * c);
+    const double t = (c * d_u - d_v) / (1 - c * c);
+    const double half_s = a.half[axis.axis1], half_t = b.half[axis.axis2];
+    const Vector3d on_a = p + std::clamp(s, -half_s, half_s) * u;
+    const Vector3d on_b = q + std::clamp(t, -half_t, half_t) * v;
+    if (axis.separation > 0 && (on_b - on_a).norm() >= reach) return; // they pass by each other
+    touches.push_back({(on_a + on_b) / 2, -axis.direction, axis.separation});
+}
+
+double face_area(const Placed& box, int axis)
+{
+    return box.half[(axis + 1) % 3] * box.half[(axis + 2) % 3];
+}
+
+} // namespace
+
+void touch_boxes(const Box& box1, const Pose& pose1, const Box& box2, const Pose& pose2,
+                 double reach, std::vector<Touch>& touches)
+{
+    const Placed a{pose1.R, pose1.X, box1.size / 2}, b{pose2.R, pose2.X, box2.size / 2};
+    const Axis face1 = best_face(a, b);
+    if (face1.separation >= reach) return;
+    const Axis face2 = best_face(b, a); // its direction points from 2 to 1
+    if (face2.separation >= reach) return;
+    const Axis edges = best_edges(a, b);
+    if (edges.separation >= reach) return;
+
+    const double clearly = 0.01 * std::min(a.half.minCoeff(), b.half.minCoeff());
+    if (edges.separation > std::max(face1.separation, face2.separation) + clearly)
+        return touch_edges(a, b, edges, reach, touches);
+
+    const double better = face1.separation - face2.separation;
+    const bool larger = face_area(a, face1.axis1) >= face_area(b, face2.axis1);
+    if (better > clearly || (better >= -clearly && larger))
+        touch_face(a, b, face1, -face1.direction, reach, touches);
+    else
+        touch_face(b, a, face2, face2.direction, reach, touches);
+}
+
+} // namespace rigor

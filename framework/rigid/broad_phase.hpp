@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// Which bodies are near enough to look at closely.
+#pragma once
+
+#include "geometry/bounds.hpp"
+#include "rigid/world.hpp"
+
+namespace rigor {
+
+/// Two bodies, body1 < body2, not both static.
+struct BodyPair {
+    int body1 = 0, body2 = 0;
+
+    bool operator==(const BodyPair&) const = default;
+    auto operator<=>(const BodyPair&) const = default;
+};
+
+/// Pairs of bodies whose bounds overlap, in ascending order.
+///
+/// Sweep and prune along the axis the bodies are spread most on (Baraff 1992, "Dynamic simulation of
+/// non-penetrating rigid bodies"): n log n for the sort, then only neighbours are compared. Bodies
+/// with a plane have no bounds: they are held against each moving body, a distance each.
+///
+/// @param poses   of all bodies
+/// @param bounds  of all bodies over the step; infinite for those with a plane
+std::vector<BodyPair> near_pairs(const World& world, const std::vector<Pose>& poses,
+                                 const std::vector<Bounds>& bounds, Counters& counters);
+
+} // namespace rigor

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: MIT
+#include "rigid/contact_problem.hpp"
+
+#include "formulas/collision.hpp"
+#include "geometry/bounds.hpp"
+#include "rigid/flight.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace rigor {
+
+namespace {
+
+// Penetration heals by a fifth a step, no faster than one radius of the smaller body a second, and not
+// at all within a thousandth of that radius: enough to keep piles apart, too little to see, and
+// bodies that touch to rounding feel nothing of it.
+constexpr double recovered_fraction = 0.2, recovery_rate = 1 /* 1/s */, tolerated_fraction = 1e-3;
+
+double size_of(const RigidBody& body)
+{
+    double radius = 0;
+    for (const Part& part : body.parts)
+        radius = std::max(radius, bounding_radius(part));
+    return radius;
+}
+
+double recovery_speed(const World& world, const Contact& c, double h)
+{
+    const double radius = std::min(size_of(world.bodies[c.body1]), size_of(world.bodies[c.body2]));
+    const double excess = -c.gap - tolerated_fraction * radius;
+    return excess > 0 ? std::min(recovered_fraction * excess / h, recovery_rate * radius) : 0;
+}
+
+Body body_in_world(Integrator integrator, const RigidBody& rigid)
+{
+    const RigidState& s = rigid.state;
+    Body body;
+    body.position = s.position;
+    if (rigid.is_static) return body;
+    body.inverse_mass = rigid.inverse.inverse_mass;
+    body.inverse_inertia = inverse_inertia(integrator, rigid, s);
+    body.velocity = s.velocity;
+    body.angular_momentum = s.angular_momentum;
+    body.angular_velocity = body.inverse_inertia * s.angular_momentum;
+    return body;
+}
+
+// The body as it would be after the step's forces, still at its place.
+Body pushed(Body body, const RigidState& start, const RigidState& flown)
+{
+    if (body.is_static()) return body;
+    const Vector3d dL = flown.angular_momentum - start.angular_momentum;
+    body.velocity += flown.velocity - start.velocity;
+    body.angular_momentum += dL;
+    body.angular_velocity += body.inverse_inertia * dL;
+    return body;
+}
+
+int root(std::vector<int>& parents, int i)
+{
+    while (parents[i] != i)
+        i = parents[i] = parents[parents[i]];
+    return i;
+}
+
+std::vector<ContactPair> pairs_of(const World& world, const std::vector<SolvedContact>& contacts)
+{
+    const double g = world.gravity.norm();
+    const Vector3d up = g > 0 ? Vector3d(-world.gravity / g) : Vector3d::UnitY();
+    std::vector<ContactPair> pairs;
+    for (int i = 0; i < static_cast<int>(contacts.size()); ++i) {
+        const double height = up.dot(contacts[i].point);
+        const bool is_next = i == 0 || contacts[i].body1 != contacts[i - 1].body1 ||
+                             contacts[i].body2 != contacts[i - 1].body2;
+        if (is_next) pairs.push_back({i, i, height});
+        pairs.back().last = i + 1;
+        pairs.back().height = std::min(pairs.back().height, height);
+    }
+    std::stable_sort(pairs.begin(), pairs.end(),
+                     [](const auto& a, const auto& b) { return a.height < b.height; });
+    return pairs;
+}
+
+std::vector<Island> islands_of(const World& world, const ContactProblem& problem)
+{
+    std::vector<int> parents(world.bodies.size());
+    std::iota(parents.begin(), parents.end(), 0);
+    for (const SolvedContact& c : problem.contacts)
+        if (!world.bodies[c.body1].is_static && !world.bodies[c.body2].is_static)
+            parents[root(parents, c.body2)] = root(parents, c.body1);
+
+    std::vector<int> island_of(world.bodies.size(), -1);
+    std::vector<bool> is_active;
+    std::vector<Island> islands;
+    for (const ContactPair& pair : pairs_of(world, problem.contacts)) {
+        const SolvedContact& first = problem.contacts[pair.first];
+        const int moving = world.bodies[first.body1].is_static ? first.body2 : first.body1;
+        int& island = island_of[root(parents, moving)];
+        if (island < 0) {
+            island = static_cast<int>(islands.size());
+            islands.emplace_back();
+            is_active.push_back(false);
+        }
+        islands[island].pairs.push_back(pair);
+        for (int i = pair.first; i < pair.last; ++i) {
+            const SolvedContact& c = problem.contacts[i];
+            const double v_n = problem.velocity_at(c, c.point).dot(c.normal) + c.force_speed;
+            if (problem.predicted_gap(c, v_n) < 0) is_active[island] = true;
+        }
+    }
+    for (int i = 0; i < static_cast<int>(parents.size()); ++i)
+        if (const int r = root(parents, i); island_of[r] >= 0 && !world.bodies[i].is_static)
+            islands[island_of[r]].bodies.push_back(i);
+
+    std::vector<Island> active;
+    for (std::size_t i = 0; i < islands.size(); ++i)
+        if (is_active[i]) active.push_back(std::move(islands[i]));
+    return active;
+}
+
+} // namespace
+
+Vector3d ContactProblem::velocity_at(const SolvedContact& c, const Vector3d& x) const
+{
+    return relative_velocity(bodies[c.body1], bodies[c.body2], x);
+}
+
+Matrix3d ContactProblem::impulse_matrix_at(const SolvedContact& c, const Vector3d& x) const
+{
+    Matrix3d K = Matrix3d::Zero();
+    for (int i : {c.body1, c.body2}) {
+        const Body& body = bodies[i];
+        if (!body.is_static())
+            K += impulse_matrix(body.inverse_mass, body.inverse_inertia, body.position, x);
+    }
+    return K;
+}
+
+void ContactProblem::apply(const SolvedContact& c, const Vector3d& x, const Vector3d& j)
+{
+    Body &body1 = bodies[c.body1], &body2 = bodies[c.body2];
+    if (!body1.is_static()) body1 = apply_impulse(body1, x, j);
+    if (!body2.is_static()) body2 = apply_impulse(body2, x, -j);
+}
+
+ContactProblem contact_problem(const World& world, std::span<const RigidState> flown,
+                               std::span<const double> margins, std::vector<Contact> contacts,
+                               double time_step, Counters& counters)
+{
+    ContactProblem problem;
+    problem.time_step = time_step;
+    problem.counters = &counters;
+    problem.bodies.resize(world.bodies.size());
+    std::vector<Body> after_forces(world.bodies.size());
+    std::vector<bool> is_ready(world.bodies.size(), false);
+    for (const Contact& contact : contacts) {
+        for (int i : {contact.body1, contact.body2}) {
+            if (is_ready[i]) continue;
+            is_ready[i] = true;
+            problem.bodies[i] = body_in_world(world.integrator, world.bodies[i]);
+            after_forces[i] = pushed(problem.bodies[i], world.bodies[i].state, flown[i]);
+        }
+        SolvedContact c{contact};
+        const Vector3d& n = c.normal;
+        const double v_n = problem.velocity_at(c, c.point).dot(n);
+        c.force_speed =
+            relative_velocity(after_forces[c.body1], after_forces[c.body2], c.point).dot(n) - v_n;
+        const double margin = margins[c.body1] + margins[c.body2];
+        if (problem.predicted_gap(c, v_n + c.force_speed) >= margin) continue;
+
+        const Material &a = world.bodies[c.body1].material, &b = world.bodies[c.body2].material;
+        c.restitution = std::min(a.restitution, b.restitution);
+        c.friction = std::sqrt(a.friction * b.friction);
+        c.recovery = recovery_speed(world, c, time_step);
+        problem.contacts.push_back(c);
+    }
+    problem.islands = islands_of(world, problem);
+    for (const Island& island : problem.islands)
+        for (const ContactPair& pair : island.pairs)
+            for (int i = pair.first; i < pair.last; ++i) {
+                SolvedContact& c = problem.contacts[i];
+                c.K = problem.impulse_matrix_at(c, c.point);
+            }
+    return problem;
+}
+
+} // namespace rigor

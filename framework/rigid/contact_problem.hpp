@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+// The bodies and contacts of one time step, and the two stages that change their momentum.
+#pragma once
+
+#include "rigid/narrow_phase.hpp"
+#include "rigid/world.hpp"
+
+#include <span>
+
+namespace rigor {
+
+/// A contact while a step is being solved. All of it belongs to the poses at the step's start: lever
+/// arms and positions then agree, and momentum and angular momentum are kept to rounding.
+struct SolvedContact : Contact {
+    double restitution = 0, friction = 0;
+    double force_speed = 0;             // what forces add to v·n in this step [m/s]
+    double recovery = 0;                // v·n that heals a penetration, see `recovery_speed` [m/s]
+    Matrix3d K = Matrix3d::Zero();      // K₁ + K₂ [1/kg]
+    Vector3d bounce = Vector3d::Zero(); // impulse on body 1 by collisions [N s]
+    Vector3d holding = Vector3d::Zero(); // impulse on body 1 by contact [N s]
+};
+
+/// Contacts of one pair of bodies, contiguous: [first, last).
+struct ContactPair {
+    int first = 0, last = 0;
+    double height = 0; // of the lowest of them, against gravity [m]
+};
+
+/// Bodies that contacts tie together, with nothing static between them.
+struct Island {
+    std::vector<int> bodies;
+    std::vector<ContactPair> pairs; // from the lowest up
+};
+
+/// Everything the stages work on.
+struct ContactProblem {
+    std::vector<Body> bodies; // of the world, in order; those without a contact stay empty
+    std::vector<SolvedContact> contacts;
+    std::vector<Island> islands; // those in which two bodies would penetrate
+    double time_step = 0;        // [s]
+    Counters* counters = nullptr;
+
+    /// Gap at the end of the step if v·n stays [m].
+    double predicted_gap(const SolvedContact& contact, double v_n) const
+    {
+        return contact.gap + time_step * v_n;
+    }
+    /// v₁ - v₂ at a point [m/s].
+    Vector3d velocity_at(const SolvedContact& contact, const Vector3d& x) const;
+    /// K₁ + K₂ at a point [1/kg].
+    Matrix3d impulse_matrix_at(const SolvedContact& contact, const Vector3d& x) const;
+    /// +j on body 1, -j on body 2.
+    void apply(const SolvedContact& contact, const Vector3d& x, const Vector3d& j);
+};
+
+/// The problem of a step: contacts that are near enough to matter, in islands.
+///
+/// @param flown    the states after free flight: what the bodies would do without contacts
+/// @param margins  of each body: contacts that stay farther apart than both bodies' together in free
+///                 flight are dropped [m]
+ContactProblem contact_problem(const World& world, std::span<const RigidState> flown,
+                               std::span<const double> margins, std::vector<Contact> contacts,
+                               double time_step, Counters& counters);
+
+} // namespace rigor

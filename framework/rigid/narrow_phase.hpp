@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// Where two shapes touch, or are about to.
+#pragma once
+
+#include "geometry/pose.hpp"
+#include "rigid/world.hpp"
+
+namespace rigor {
+
+/// A pair of close points of two shapes.
+struct Touch {
+    Vector3d point = Vector3d::Zero();   // between them [m]
+    Vector3d normal = Vector3d::UnitY(); // unit, from shape 2 to shape 1
+    double gap = 0;                      // along the normal; negative where they overlap [m]
+};
+
+/// A touch of two bodies of a world.
+struct Contact : Touch {
+    int body1 = 0, body2 = 0;
+};
+
+/// Appends where shape 1 and shape 2 are closer than `reach`.
+///
+/// A sphere has one touch, on its surface (between two spheres, in the middle of the gap), with the
+/// normal through its center: so an impulse without friction never spins it. A box has its vertices
+/// against a plane; against a box, see box_box.hpp. Two planes never touch.
+void find_touches(const Shape& shape1, const Pose& pose1, const Shape& shape2, const Pose& pose2,
+                  double reach, std::vector<Touch>& touches);
+
+/// Appends the contacts of bodies 1 and 2, part by part.
+///
+/// @param poses  of all bodies
+void find_contacts(const World& world, const std::vector<Pose>& poses, int body1, int body2,
+                   double reach, std::vector<Contact>& contacts);
+
+} // namespace rigor
