@@ -27,7 +27,8 @@ void read_kind(std::optional<Shape>& shape, const Value& value, const Key<T> (&k
 {
     T kind;
     read_object<T>(value, fmt::format("{{\"{}\": …}}", keys[0].name), keys, kind);
-    if (value.items.empty()) expected(fmt::format("\"{}\" in it", keys[0].name), value);
+    if (value.items.empty())
+        expected(fmt::format("a \"{}\" in the {}", keys[0].name, value.key), value);
     shape = kind;
 }
 
@@ -177,7 +178,7 @@ Matrix3d read_inertia(const Value& value)
     // none is larger than the sum of the other two.
     const Matrix3d D = 0.5 * I.trace() * Matrix3d::Identity() - I;
     Eigen::SelfAdjointEigenSolver<Matrix3d> eigen;
-    eigen.computeDirect(D, Eigen::EigenvaluesOnly);
+    eigen.compute(D, Eigen::EigenvaluesOnly);
     if (!(eigen.eigenvalues().minCoeff() >= -rounding))
         throw Mistake{value.line,
                       fmt::format("expected an inertia that matter can have (no moment negative or "

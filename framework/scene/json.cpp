@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <cmath>
+#include <algorithm>
 
 namespace rigor {
 
@@ -184,6 +184,10 @@ Value parse_json(std::string_view text)
 {
     if (text.find_first_not_of(" \t\r\n") == std::string_view::npos)
         throw Mistake{1, "expected a JSON object, found an empty text"};
+    if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos) {
+        const auto lines = std::count(text.begin(), text.begin() + zero, '\n');
+        throw Mistake{static_cast<int>(lines) + 1, "expected text, found a zero byte"};
+    }
     Progress progress;
     TreeBuilder builder(progress);
     nlohmann::json::sax_parse(CountingIterator(text.data(), &progress),
@@ -191,22 +195,39 @@ Value parse_json(std::string_view text)
     return std::move(builder.root);
 }
 
+namespace {
+
+// Bytes of the UTF-8 character at the start of a text; 0 if it is none, or a control character.
+std::size_t character_size(std::string_view text)
+{
+    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+    const std::size_t size = byte(0) < 0x80 ? 1 : byte(0) < 0xE0 ? 2 : byte(0) < 0xF0 ? 3 : 4;
+    if (byte(0) < 0x20 || byte(0) == 0x7F || (byte(0) >= 0x80 && byte(0) < 0xC2)) return 0;
+    if (byte(0) > 0xF4 || text.size() < size) return 0;
+    if (byte(0) == 0xC2 && byte(1) < 0xA0) return 0;
+    for (std::size_t i = 1; i < size; ++i)
+        if ((byte(i) & 0xC0) != 0x80) return 0;
+    return size;
+}
+
+} // namespace
+
 std::string in_quotes(std::string_view text)
 {
     constexpr std::size_t longest = 40;
     std::string shown = "\"";
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const unsigned char c = static_cast<unsigned char>(text[i]);
-        const bool starts_character = (c & 0xC0) != 0x80; // never cut UTF-8 in the middle
-        if (i >= longest && starts_character) return shown + "…\"";
-        if (c == '\n')
+    for (std::size_t i = 0; i < text.size();) {
+        if (i >= longest) return shown + "…\"";
+        const std::size_t size = character_size(text.substr(i));
+        if (text[i] == '\n')
             shown += "\\n";
-        else if (c == '\t')
-            shown += "\\t";
-        else if (c < 0x20 || c == 0x7F)
-            shown += fmt::format("\\u{:04x}", c);
+        else if (text[i] == '"')
+            shown += "\\\"";
+        else if (size == 0)
+            shown += fmt::format("\\x{:02x}", static_cast<unsigned char>(text[i]));
         else
-            shown += text[i];
+            shown += text.substr(i, size);
+        i += std::max<std::size_t>(size, 1);
     }
     return shown + "\"";
 }
@@ -223,12 +244,17 @@ std::string describe(const Value& value)
     case Value::Kind::string:
         return in_quotes(value.text);
     case Value::Kind::array:
-        return value.items.empty() ? "an empty array"
-                                   : fmt::format("an array of {}", value.items.size());
+        break;
     case Value::Kind::object:
         return value.items.empty() ? "{}" : fmt::format("{{{}: …}}", in_quotes(value.items[0].key));
     }
-    return {};
+    if (value.items.size() > 4) return fmt::format("an array of {}", value.items.size());
+    std::string list;
+    for (const Value& item : value.items) {
+        const bool is_list = item.kind == Value::Kind::array;
+        list += (list.empty() ? "" : ", ") + (is_list ? std::string("[…]") : describe(item));
+    }
+    return fmt::format("[{}]", list);
 }
 
 void expected(std::string_view what, const Value& found)

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#include "scene/make_world.hpp"
+
+#include "geometry/pose.hpp"
+#include "rigid/mass.hpp"
+
+namespace rigor {
+
+World make_world(const Scene& scene)
+{
+    return make_recorded_world(scene).world;
+}
+
+RecordedWorld make_recorded_world(const Scene& scene)
+{
+    RecordedWorld made;
+    World& world = made.world;
+    world.gravity = scene.gravity;
+    world.integrator = scene.integrator;
+    world.springs = scene.springs;
+    world.forces = scene.forces;
+    for (const BodyDescription& described : scene.bodies) {
+        RigidBody& body = world.bodies.emplace_back();
+        body.name = described.name;
+        body.parts = described.parts;
+        body.material = described.material;
+        body.is_static = described.is_static;
+        Vector3d center = Vector3d::Zero();
+        if (body.is_static) {
+            // no mass: nothing moves it
+        } else if (described.mass) {
+            set_mass(body, *described.mass, described.inertia.value());
+        } else {
+            center = set_mass_from_parts(body);
+        }
+        const Matrix3d R = rotation_matrix(described.orientation);
+        // L = I(t) ω,  I(t) = R I_body Rᵀ
+        const Vector3d& w = described.angular_velocity;
+        body.state = {described.position + R * center, described.orientation, described.velocity,
+                      R * (body.inertia * (R.transpose() * w))};
+        made.bodies.push_back({body.is_static, body.mass, center, body.inertia});
+    }
+    // From the frames as written to object space, whose origin is the center of mass.
+    const auto shift = [&](int body, Vector3d& point) {
+        if (body >= 0) point -= made.bodies[static_cast<std::size_t>(body)].center_of_mass;
+    };
+    for (Spring& spring : world.springs) {
+        shift(spring.body1, spring.point1);
+        shift(spring.body2, spring.point2);
+    }
+    for (AppliedForce& force : world.forces)
+        shift(force.body, force.point);
+    return made;
+}
+
+} // namespace rigor
