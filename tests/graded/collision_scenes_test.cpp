@@ -15,12 +15,11 @@ std::vector<double> apexes(const Trajectory& run, int body)
     std::vector<double> result;
     const auto i = static_cast<std::size_t>(body);
     const double radius = std::get<Sphere>(run.scene.bodies[i].parts[0].shape).radius;
-    for (std::size_t n = 1; n + 1 < run.frames.size(); ++n) {
-        const double before = run.frames[n].bodies[i].velocity.y();
-        const double after = run.frames[n + 1].bodies[i].velocity.y();
-        const double v = run.frames[n].bodies[i].velocity.y();
-        if (before > 0 && after <= 0 && run.frames[n + 1].contacts.empty())
-            result.push_back(run.frames[n].bodies[i].position.y() - radius + v * v / (2 * 9.81));
+    for (std::size_t n = 0; n + 1 < run.frames.size(); ++n) {
+        const RigidState& state = run.frames[n].bodies[i];
+        const double v = state.velocity.y();
+        const bool at_top = v > 0 && run.frames[n + 1].bodies[i].velocity.y() <= 0;
+        if (at_top) result.push_back(state.position.y() - radius + v * v / (2 * 9.81));
     }
     return result;
 }
@@ -95,6 +94,7 @@ TEST_CASE("collision: a block slides down an incline at g times sine minus frict
         const double a = 9.81 * (std::sin(angle) - mu * std::cos(angle));
         for (const Frame& frame : run.frames) {
             const double n = steps_of(frame);
+            if (n > 150) break; // the fastest comes to the edge of the incline
             CAPTURE(name, n);
             // xₙ = a h² n (n + 1) / 2
             const double x = a * h * h * n * (n + 1) / 2;
@@ -141,16 +141,16 @@ TEST_CASE("collision: a rod that falls on ice drops straight down", "[A4.12][col
     REQUIRE(turned); // it did meet the floor
 }
 
-TEST_CASE("collision: colliding balls never gain kinetic energy", "[A4.12][collision][scene]")
+TEST_CASE("collision: colliding balls never gain energy", "[A4.12][collision][scene]")
 {
     const Trajectory run = run_scene("a4-collision/billiard_break");
     const Statistics statistics(run.scene, run.bodies);
-    const double start = statistics.of(run.frames.front()).kinetic_energy;
+    const double start = statistics.of(run.frames.front()).total_energy();
     double before = start;
     for (const Frame& frame : run.frames) {
-        const double now = statistics.of(frame).kinetic_energy;
+        const double now = statistics.of(frame).total_energy();
         CAPTURE(frame.step);
-        check_at_most(now, before, "kinetic energy [J]", start * 64);
+        check_at_most(now, before, "energy [J]", start * 64);
         before = now;
     }
     REQUIRE(before < 0.9 * start);

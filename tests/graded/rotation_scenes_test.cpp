@@ -62,12 +62,12 @@ TEST_CASE("rotation: quaternions stay unit over a whole run", "[A3.17][rotation]
     }
 }
 
-TEST_CASE("rotation: the tennis racket flips as the exact solution does at fourth order",
+TEST_CASE("rotation: the tennis racket flips as the exact solution does",
           "[A3.17][rotation][scene]")
 {
     std::vector<double> errors;
     int flips = 0;
-    for (const double h : {0.01, 0.005, 0.0025}) {
+    for (const double h : {0.004, 0.002, 0.001}) {
         const Trajectory run = run_scene("a3-rotation/tennis_racket", h);
         const FreeRotor exact(run.bodies[0].inertia.diagonal(),
                               run.scene.bodies[0].angular_velocity);
@@ -88,7 +88,9 @@ TEST_CASE("rotation: the tennis racket flips as the exact solution does at fourt
             before = w;
         }
     }
-    check_order(errors, 4);
+    // Near the separatrix the error is that of the period, which follows from the energy; and that is lost at one order
+    // higher than the method's.
+    check_order(errors, 5);
     REQUIRE(flips >= 2);
 }
 

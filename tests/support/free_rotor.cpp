@@ -111,15 +111,26 @@ double FreeRotor::precession(double t) const
 {
     static const auto rule = gauss_legendre();
     const double I3 = moments_[axis3_], L2 = L_.squaredNorm();
-    const int panels = 1 + static_cast<int>(std::abs(t) / period_ * 16);
-    const double half = t / panels / 2;
-    double sum = 0;
-    for (int panel = 0; panel < panels; ++panel)
-        for (const auto& [x, weight] : rule) {
-            const double w3 = body_angular_velocity(half * (2 * panel + 1 + x))[axis3_];
-            sum += weight * (energy_twice_ - I3 * w3 * w3) / (L2 - I3 * I3 * w3 * w3);
-        }
-    return half * std::sqrt(L2) * sum;
+    const auto quadrature = [&](int panels) {
+        const double half = t / panels / 2;
+        double sum = 0;
+        for (int panel = 0; panel < panels; ++panel)
+            for (const auto& [x, weight] : rule) {
+                const double w3 = body_angular_velocity(half * (2 * panel + 1 + x))[axis3_];
+                sum += weight * (energy_twice_ - I3 * w3 * w3) / (L2 - I3 * I3 * w3 * w3);
+            }
+        return half * std::sqrt(L2) * sum;
+    };
+    // near the separatrix the rate has sharp peaks: as many panels as they ask for
+    int panels = 1 + static_cast<int>(std::abs(t) / period_ * 8);
+    double coarse = quadrature(panels);
+    for (int doubling = 0; doubling < 10; ++doubling) {
+        const double fine = quadrature(panels *= 2);
+        const bool converged = std::abs(fine - coarse) <= 4e-15 * (1 + std::abs(fine));
+        coarse = fine;
+        if (converged) break;
+    }
+    return coarse;
 }
 
 Eigen::Quaterniond FreeRotor::orientation(double t) const

@@ -56,3 +56,9 @@ CATCH_TRANSLATE_EXCEPTION(const rigor::NotFinite& failure)
 {
     return rigor::testing::note("not_finite", failure.what());
 }
+
+// Not the student's fault: grading does not know this status and makes it an internal error.
+CATCH_TRANSLATE_EXCEPTION(const rigor::OracleFailure& failure)
+{
+    return rigor::testing::note("oracle_failure", failure.what());
+}

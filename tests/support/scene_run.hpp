@@ -2,16 +2,19 @@
 // Runs of whole scenes in the worker under test.
 #pragma once
 
+#include "scene/statistics.hpp"
 #include "scene/trajectory.hpp"
 #include "support/close.hpp"
 
+#include <optional>
 #include <string>
 
 namespace rigor::testing {
 
 /// The trajectory of a shipped scene, `a4-collision/rod_tip`, every step of it.
+/// @param time_step  instead of the scene's own [s]; for convergence orders
 /// @throws as Worker::run_scene; NotFinite if a recorded number is not finite
-Trajectory run_scene(const std::string& name);
+Trajectory run_scene(const std::string& name, std::optional<double> time_step = {});
 
 /// Index of a body by its name. Throws std::out_of_range with the name if there is none.
 int body_index(const Trajectory& trajectory, const std::string& name);
@@ -22,8 +25,11 @@ const RigidState& last_state(const Trajectory& trajectory, const std::string& na
 /// Rotation by which two orientations differ [rad], 0 … π, exact near 0 (atan2, not acos).
 double angle_between(const Quaternion& a, const Quaternion& b);
 
-/// Angular velocity of a body in world space, from L and the recorded inertia [rad/s].
-Vector3d angular_velocity_of(const Trajectory& trajectory, int body, const RigidState& state);
+/// The time steps that led to a frame.
+inline double steps_of(const Frame& frame)
+{
+    return static_cast<double>(frame.step);
+}
 
 /// Every step of a run, judged from the state before it: the worker under test and the oracle both take that one step.
 /// One wrong step is one wrong step, and chaos does not matter. Compares X, q (up to sign), V and L of every body, class
