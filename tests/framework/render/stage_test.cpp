@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+#include "pictures.hpp"
+#include "render/stage.hpp"
+#include "support/catch.hpp"
+
+#include <numbers>
+
+using namespace rigor;
+
+TEST_CASE("stage: each part becomes a solid where its body is", "[render]")
+{
+    SmallRun run = small_run();
+    const double half = std::sqrt(0.5);
+    run.frame.bodies[1].orientation = {half, Vector3d(0, 0, half)}; // a quarter turn about z
+    run.bodies[1].center_of_mass = Vector3d(0.25, 0, 0);
+    run.scene.bodies[1].parts[0].position = Vector3d(0.5, 0, 0);
+    const Picture picture = Stage(run.scene, run.bodies, Overlays()).picture(run.frame);
+
+    REQUIRE(picture.boxes.size() == 1);
+    REQUIRE(picture.balls.size() == 1);
+    REQUIRE(picture.grounds.size() == 1);
+    CHECK(picture.grounds[0].solid);
+    CHECK(picture.rods.empty()); // no overlays, no springs
+    CHECK(picture.texts.empty());
+    // X + R (part − c) = (−1, 0.5, 0) + (0, 0.25, 0)
+    CHECK((picture.boxes[0].position - Vector3f(-1, 0.75F, 0)).norm() < 1e-6F);
+    CHECK((picture.boxes[0].axes.col(0) - Vector3f(0, 0.5F, 0)).norm() < 1e-6F);
+    CHECK((picture.balls[0].axes - 0.5F * Matrix3f::Identity()).norm() < 1e-6F);
+    CHECK((picture.boxes[0].color - picture.balls[0].color).norm() > 0.1F);
+}
+
+TEST_CASE("stage: a color that a scene names is taken", "[render]")
+{
+    SmallRun run = small_run();
+    run.scene.bodies[1].color = Vector3d(1, 0, 0);
+    const Picture picture = Stage(run.scene, run.bodies, Overlays()).picture(run.frame);
+    CHECK(picture.boxes[0].color == Vector4f(1, 0, 0, 1));
+}
+
+TEST_CASE("stage: angular velocity and momentum point where they should", "[render]")
+{
+    SmallRun run = small_run();
+    Overlays overlays;
+    overlays.angular_velocity = true;
+    const auto first_cone = [&] {
+        const Picture picture = Stage(run.scene, run.bodies, overlays).picture(run.frame);
+        REQUIRE(picture.cones.size() == 1); // of the box: the ball does not turn
+        return picture.cones[0].axes.col(2).normalized().eval();
+    };
+    // ω = I⁻¹ L = (0.1/0.1, 0.4/0.2, 0)
+    CHECK((first_cone() - Vector3f(1, 2, 0).normalized()).norm() < 1e-5F);
+    overlays.angular_velocity = false;
+    overlays.angular_momentum = true;
+    CHECK((first_cone() - Vector3f(1, 4, 0).normalized()).norm() < 1e-5F);
+}
+
+TEST_CASE("stage: overlays add what they name and a legend", "[render]")
+{
+    SmallRun run = small_run();
+    ContactRecord contact;
+    contact.body1 = 1;
+    contact.point = Vector3d(-1, 0, 0);
+    contact.impulse = Vector3d(0, 2, 0);
+    run.frame.contacts = {contact};
+    run.frame.time = 0.25;
+    Overlays overlays;
+    overlays.axes = overlays.contacts = overlays.labels = true;
+    const Picture picture = Stage(run.scene, run.bodies, overlays).picture(run.frame);
+
+    CHECK(picture.cones.size() == 7); // three axes each of box and ball, an impulse
+    CHECK(picture.dots.size() == 1);
+    std::string all;
+    for (const Text& text : picture.texts)
+        all += text.text + "\n";
+    for (const char* expected : {"small   t = 0.250 s", "x body axis", "impulse", "box", "ball"})
+        CHECK(all.find(expected) != std::string::npos);
+    CHECK(all.find("angular") == std::string::npos);
+    CHECK(all.find("floor") == std::string::npos); // a plane has no place for a name
+}
+
+TEST_CASE("stage: a scene without a plane gets lines to see motion by", "[render]")
+{
+    SmallRun run = small_run();
+    run.scene.bodies[0].parts[0].shape = Box{{1, 1, 1}};
+    Overlays overlays;
+    Picture picture = Stage(run.scene, run.bodies, overlays).picture(run.frame);
+    REQUIRE(picture.grounds.size() == 1);
+    CHECK_FALSE(picture.grounds[0].solid);
+    overlays.grid = false;
+    CHECK(Stage(run.scene, run.bodies, overlays).picture(run.frame).grounds.empty());
+}
+
+TEST_CASE("stage: a comparison draws as ghosts what lies apart", "[render]")
+{
+    const SmallRun run = small_run();
+    const Stage stage(run.scene, run.bodies, Overlays());
+    Frame other = run.frame;
+    const Picture same = stage.comparison(run.frame, other, "student", "reference");
+    CHECK(same.ghost_boxes.empty());
+    CHECK(same.rods.empty());
+    other.bodies[1].position += Vector3d(0, 1, 0);
+    other.bodies[2].orientation = {0, Vector3d(0, 1, 0)}; // half a turn in place
+    const Picture apart = stage.comparison(run.frame, other, "student", "reference");
+    CHECK(apart.ghost_boxes.size() == 1);
+    CHECK(apart.ghost_balls.size() == 1);
+    CHECK(apart.rods.size() == 1);
+    CHECK(apart.boxes.size() == 1);
+    CHECK(apart.texts.back().text == "2 of 3 bodies lie apart");
+}
+
+TEST_CASE("stage: a body that flew off or turned to nonsense is survived", "[render]")
+{
+    SmallRun run = small_run();
+    run.frame.bodies[1].position = Vector3d(1e300, 0, 0);
+    run.frame.bodies[2].orientation = {0, Vector3d::Zero()};
+    run.frame.bodies[2].angular_momentum = Vector3d(1e300, 1e300, 0);
+    Overlays overlays;
+    overlays.angular_velocity = overlays.angular_momentum = overlays.axes = overlays.labels = true;
+    const Picture picture = Stage(run.scene, run.bodies, overlays).picture(run.frame);
+    CHECK(picture.boxes.empty());
+    CHECK(picture.balls.size() == 1);
+    for (const Instance& rod : picture.rods)
+        CHECK(rod.axes.allFinite());
+}
+
+TEST_CASE("stage: a record of other bodies is refused", "[render]")
+{
+    SmallRun run = small_run();
+    run.frame.bodies.pop_back();
+    const Stage stage(run.scene, run.bodies, Overlays());
+    CHECK_THROWS_WITH(stage.picture(run.frame), "small: step 0: expected 3 bodies, found 2");
+    run.bodies.pop_back();
+    CHECK_THROWS_AS(Stage(run.scene, run.bodies, Overlays()), InputError);
+}
