@@ -1,11 +1,84 @@
 // SPDX-License-Identifier: MIT
 #include "cli/commands.hpp"
+#include "cli/options.hpp"
+#include "cli/prepare.hpp"
+#include "grading/ninja.hpp"
+#include "grading/places.hpp"
+#include "grading/process.hpp"
+#include "scene/keys.hpp"
+#include "scene/scene.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <fmt/format.h>
 
 namespace rigor {
 
-Action declare_bench(Options&)
+namespace {
+
+struct BenchOptions {
+    std::vector<std::string> names;
+    bool json = false, list = false;
+};
+
+const std::string& known_name(const std::string& name, const std::vector<std::string>& known)
 {
-    return [] { return 0; };
+    const auto found = std::find(known.begin(), known.end(), name);
+    if (found != known.end()) return *found;
+    const std::vector<std::string_view> views(known.begin(), known.end());
+    const std::string near(nearest(name, views));
+    throw InputError(fmt::format("no benchmark '{}'; {}", name,
+                                 near.empty() ? fmt::format("there are {}", fmt::join(known, ", "))
+                                              : "did you mean '" + near + "'?"));
+}
+
+void run_benchmark(const std::string& name, bool json)
+{
+    Command command;
+    command.arguments = {places().program(("bench_" + name).c_str()).string()};
+    if (json) command.arguments.emplace_back("--json");
+    const Ended ended = run(command, [](std::string_view line) {
+        fmt::print("{}\n", line);
+        std::fflush(stdout);
+    });
+    if (!ended.ok()) throw std::runtime_error("bench " + name + " did not end as it should");
+}
+
+int bench(const BenchOptions& options)
+{
+    const std::vector<std::string> known = ninja_programs("bench_");
+    if (known.empty()) throw std::runtime_error("this build has no benchmarks");
+    if (options.list) {
+        fmt::print("{}\n", fmt::join(known, "\n"));
+        return exit_done;
+    }
+    std::vector<std::string> names, targets;
+    for (const std::string& name : options.names.empty() ? known : options.names) {
+        names.push_back(known_name(name, known));
+        targets.push_back("bench_" + name);
+    }
+    prepare_targets(targets);
+    if (options.json && names.size() > 1) fmt::print("[\n");
+    for (const std::string& name : names) {
+        if (&name != names.data()) fmt::print("{}\n", options.json ? "," : "");
+        run_benchmark(name, options.json);
+    }
+    if (options.json && names.size() > 1) fmt::print("]\n");
+    return exit_done;
+}
+
+} // namespace
+
+Action declare_bench(Options& options)
+{
+    const auto chosen = std::make_shared<BenchOptions>();
+    options.words("NAME", chosen->names, "Benchmarks; without one, all");
+    options.flag("--list", chosen->list, "Name them");
+    options.flag("--json", chosen->json, "Print JSON: one object, or a list of them");
+    options.examples({"bench --list",
+                      "bench spin            run time against error, every integrator",
+                      "bench worker --json"});
+    return [chosen] { return bench(*chosen); };
 }
 
 } // namespace rigor

@@ -37,9 +37,9 @@ int status_of(const std::vector<Result>& results)
 
 void say_what_was_built(const Implementation& implementation)
 {
-    for (const std::string& topic : implementation.borrowed)
-        std::fprintf(stderr, "%s has no %s.cpp: student/%s.cpp takes its place\n",
-                     implementation.name.c_str(), topic.c_str(), topic.c_str());
+    if (!implementation.borrowed.empty())
+        fmt::print(stderr, "{} has no {}.cpp: what student/ has takes their place\n",
+                   implementation.name, fmt::join(implementation.borrowed, ".cpp, "));
     if (!implementation.build_steps.empty())
         std::fprintf(stderr, "built in %.1f s (%zu steps)\n", implementation.build_seconds,
                      implementation.build_steps.size());

@@ -1,11 +1,130 @@
 // SPDX-License-Identifier: MIT
 #include "cli/commands.hpp"
+#include "cli/draw.hpp"
+#include "cli/options.hpp"
+#include "cli/prepare.hpp"
+#include "cli/progress.hpp"
+#include "grading/places.hpp"
+#include "grading/run_tests.hpp"
+#include "report/result_json.hpp"
+#include "report/table.hpp"
+#include "report/terminal.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <map>
+#include <unistd.h>
 
 namespace rigor {
 
-Action declare_demo(Options&)
+namespace {
+
+namespace fs = std::filesystem;
+
+struct DemoOptions {
+    std::string out = "out/demo", size = "1280x720";
+};
+
+// One scene of each assignment on motion and two on collision.
+constexpr const char* scenes[] = {"a2-inertia/hammer", "a3-rotation/tennis_racket",
+                                  "a4-collision/billiard_break", "a4-collision/hundred_boxes"};
+
+// Submissions of assignment A2: one that is complete, one half done with the usual mistakes, one that crashes in one task
+// and never returns from another.
+constexpr const char* samples[] = {"complete", "half_done", "crashing"};
+constexpr const char* sample_assignment = "a2-inertia";
+
+void render_scenes(const fs::path& out, const std::string& size)
 {
-    return [] { return 0; };
+    const Implementation reference = working_implementation("reference");
+    DrawOptions draw;
+    draw.size = size;
+    for (const char* name : scenes) {
+        const Scene scene = load_scene(find_scene(name));
+        fmt::print("{}: {}\n  ", name, scene.description);
+        std::fflush(stdout);
+        if (render_scene(scene, reference, (out / scene.name).string(), draw) != exit_done)
+            throw std::runtime_error(std::string("the reference does not run ") + name);
+    }
+}
+
+Result grade_sample(const std::string& name, const fs::path& out, const Selection& selection)
+{
+    const fs::path folder = places().source / "tests/samples" / name;
+    Implementation implementation = prepared_implementation(folder.string());
+    implementation.name = name; // the folder is nobody's concern
+    GradingRun run = own_grading_run();
+    Progress progress(name);
+    run.on_task = [&](int begun, int tasks, const std::string& tag) {
+        progress.update((begun - 1.0) / tasks, tag);
+    };
+    const Result result = grade(selection, implementation, run);
+    progress.clear();
+    fs::create_directories(out / name);
+    write_whole(out / name / "result.json", to_json({result}));
+    write_whole(out / name / "report.txt", points_table(result, implementation, false));
+    if (result.status == SubmissionStatus::internal_error)
+        throw std::runtime_error(name + ": " + result.message);
+    return result;
+}
+
+void print_points(const std::vector<Result>& results)
+{
+    const bool color = wants_color(STDOUT_FILENO);
+    fmt::print("\n{:<32}", sample_assignment);
+    for (const Result& result : results)
+        fmt::print(" {:>15}", result.submission);
+    fmt::print("\n");
+    for (std::size_t i = 0; i < results[0].tasks.size(); ++i) {
+        const Task& task = results[0].tasks[i].task;
+        fmt::print("{:<6} {}", task.tag, padded(task.name().substr(0, 25), 25));
+        for (const Result& result : results) {
+            const TaskResult& of = result.tasks[i];
+            const bool full = of.status == Status::passed;
+            const std::string cell = full ? fmt::format("{:g}/{:g}", of.score, of.max_score)
+                                          : std::string(to_string(of.status));
+            fmt::print(" {}", colored(fmt::format("{:>15}", cell), full ? Color::green : Color::red,
+                                      color));
+        }
+        fmt::print("\n");
+    }
+    fmt::print("{:<32}", "points");
+    for (const Result& result : results)
+        fmt::print(" {:>15}", fmt::format("{:g} of {:g}", result.score(), result.max_score()));
+    fmt::print("\n");
+}
+
+int demo(const DemoOptions& options)
+{
+    if (!places().has_reference())
+        throw InputError("this tree has no reference/, and the demo shows it");
+    const fs::path out = options.out;
+    render_scenes(out, options.size);
+    const std::vector<Selection> selection =
+        select_tasks(load_assignments(places().assignments()), {sample_assignment});
+    std::vector<Result> results;
+    for (const char* name : samples)
+        results.push_back(grade_sample(name, out / "graded", selection.at(0)));
+    print_points(results);
+
+    fmt::print("\nWhat lies where:\n");
+    for (const char* scene : scenes)
+        fmt::print("  {}/frame_00000.png and so on\n", (out / fs::path(scene).filename()).string());
+    for (const char* name : samples)
+        fmt::print("  {}/result.json, report.txt\n", (out / "graded" / name).string());
+    return exit_done;
+}
+
+} // namespace
+
+Action declare_demo(Options& options)
+{
+    const auto chosen = std::make_shared<DemoOptions>();
+    options.option("--out", "DIR", chosen->out, "Folder for frames and results (out/demo)");
+    options.option("--size", "WxH", chosen->size,
+                   "Width and height of a frame in pixels (1280x720)");
+    options.examples({"demo", "demo --out /tmp/demo --size 640x360"});
+    return [chosen] { return demo(*chosen); };
 }
 
 } // namespace rigor

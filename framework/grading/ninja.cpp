@@ -4,6 +4,7 @@
 #include "grading/places.hpp"
 #include "grading/process.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <stdexcept>
 
@@ -87,6 +88,21 @@ std::vector<std::string> ninja_commands(const std::string& target)
     });
     if (!ended.ok() || result.empty())
         throw std::runtime_error("ninja knows no commands for " + target);
+    return result;
+}
+
+std::vector<std::string> ninja_programs(const std::string& prefix)
+{
+    std::vector<std::string> result;
+    Command command;
+    command.arguments = {"ninja", "-C", places().build.string(), "-t", "targets", "all"};
+    run(command,
+        [&](std::string_view line) { // "bin/bench_spin: CXX_EXECUTABLE_LINKER__bench_spin_Release"
+            if (line.starts_with("bin/" + prefix))
+                result.emplace_back(
+                    line.substr(4 + prefix.size(), line.find(':') - 4 - prefix.size()));
+        });
+    std::sort(result.begin(), result.end());
     return result;
 }
 

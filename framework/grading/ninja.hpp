@@ -28,6 +28,9 @@ NinjaRun run_ninja(const std::vector<std::string>& arguments, const OnBuildStep&
 /// The commands that make a target, in order, one a line.
 std::vector<std::string> ninja_commands(const std::string& target);
 
+/// Names of the programs of the build that begin with `prefix`, without it, sorted.
+std::vector<std::string> ninja_programs(const std::string& prefix);
+
 /// The first errors of a compiler's or linker's output: at most 20 lines, from the first one that speaks of an error.
 std::string first_errors(const std::vector<std::string>& lines);
 

@@ -4,6 +4,9 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <sstream>
+
 namespace rigor {
 
 namespace {
@@ -19,6 +22,18 @@ std::string text_of(const json& line, const char* key)
     return found->dump();
 }
 
+// The message's lines, each once. The seed has a place of its own.
+std::string message_of(const json& line)
+{
+    std::istringstream lines(text_of(line, "message"));
+    std::vector<std::string> kept;
+    for (std::string text; std::getline(lines, text);)
+        if (!text.starts_with("seed := ") &&
+            std::find(kept.begin(), kept.end(), text) == kept.end())
+            kept.push_back(text);
+    return fmt::format("{}", fmt::join(kept, "\n"));
+}
+
 TestCase test_case(const json& line)
 {
     TestCase result;
@@ -30,7 +45,7 @@ TestCase test_case(const json& line)
         throw std::runtime_error("in '" + result.name + "': " + text_of(line, "message"));
     if (!status_of(status)) throw std::runtime_error("'" + status + "' is no status");
     result.status = *status_of(status);
-    result.message = text_of(line, "message");
+    result.message = message_of(line);
     result.hint = text_of(line, "hint");
     result.is_hidden = line.at("hidden").get<bool>();
     result.seconds = line.at("seconds").get<double>();

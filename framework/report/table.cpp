@@ -12,7 +12,7 @@ namespace rigor {
 
 namespace {
 
-constexpr std::size_t width = 80, label_width = 13;
+constexpr std::size_t width = 80, label_width = 14;
 
 struct Look {
     Color color;
@@ -75,11 +75,23 @@ std::string shortened(const std::string& text)
     return text.substr(0, end) + " …";
 }
 
+// Why a tolerance is what it is.
+std::string class_words(const std::string& tolerance_class)
+{
+    constexpr std::pair<const char*, const char*> known[] = {{"R", " (rounding)"},
+                                                             {"O", " (order of convergence)"},
+                                                             {"I", " (invariant)"},
+                                                             {"S", " (statistical, 5 sigma)"},
+                                                             {"B", " (bracket)"}};
+    for (const auto& [letter, words] : known)
+        if (tolerance_class == letter) return words;
+    return "";
+}
+
 std::string difference(const TestCase& test)
 {
     if (test.error.empty()) return "";
-    const std::string kind = test.tolerance_class.empty() ? "" : ", class " + test.tolerance_class;
-    return test.error + "; allowed " + test.tolerance + kind;
+    return test.error + ", allowed " + test.tolerance + class_words(test.tolerance_class);
 }
 
 std::string failure_text(const Result& result, const TaskResult& task,
@@ -107,6 +119,14 @@ std::string failure_text(const Result& result, const TaskResult& task,
     return text + row("to read", handout(result, task));
 }
 
+// Tag of the stub that a task's test called: "A1.9 equations_of_motion is not implemented yet (…)".
+std::string stub_of(const TaskResult& task)
+{
+    if (task.status != Status::not_implemented) return "";
+    const std::string& message = task.first_failure()->message;
+    return message.starts_with("A") ? message.substr(0, message.find(' ')) : "";
+}
+
 std::string task_row(const TaskResult& task, bool color)
 {
     const Look look = look_of(task.status);
@@ -115,6 +135,8 @@ std::string task_row(const TaskResult& task, bool color)
     const auto wrong =
         std::count_if(task.tests.begin(), task.tests.end(),
                       [](const TestCase& test) { return test.status != Status::passed; });
+    const std::string stub = stub_of(task);
+    if (!stub.empty() && stub != task.task.tag) words = "waits for " + stub;
     if (is_wrong(task) && task.tests.size() > 1)
         words += fmt::format(", {} of {} laws", wrong, task.tests.size());
     return fmt::format("  {:<6} {} {:>5} {}\n", task.task.tag, padded(task.task.name(), 32),
