@@ -62,7 +62,7 @@ TEST_CASE("rotation: the exact update keeps the length", "[A3.11][rotation]")
 TEST_CASE("rotation: at rest the exact update changes nothing", "[A3.11][rotation]")
 {
     const Quaternion q = {0.1, {-0.7, 0.5, 0.5}};
-    REQUIRE_THAT(advance_exact(q, {0, 0, 0}, 0.1), IsExactly(q));
+    REQUIRE_THAT(advance_exact(q, {0, 0, 0}, 0.1), IsClose(q, Rounding(8, 1)));
     REQUIRE_THAT(advance_exact(q, {3, -2, 1}, 0), IsClose(q, Rounding(8, 1)));
 }
 
@@ -136,7 +136,7 @@ TEST_CASE("rotation: the linear update gives a unit quaternion", "[A3.12][rotati
     Quaternion q = identity;
     for (int i = 0; i < 1000; ++i) {
         q = advance_linear(q, 20 * random.vector(), 0.05);
-        REQUIRE_THAT(length(q), IsClose(1.0, Rounding(4)));
+        REQUIRE_THAT(length(q), IsClose(1.0, Rounding(8)));
     }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The sign of Δt²/12 (ω̇ × ω) is that for rates in the body's frame; in world space it is plus.
+// The sign of the last term of Ω is wrong: it is + Δt²/12 (ω̇ × ω).
 #include "formulas/rotation.hpp"
 
 namespace rigor {
