@@ -13,8 +13,30 @@ namespace rigor {
 
 namespace {
 
-// A reply to a formula takes under a microsecond; waking a sleeper on another processor takes fifty.
-constexpr std::chrono::microseconds spin_time(20);
+using Clock = std::chrono::steady_clock;
+using Microseconds = std::chrono::duration<double, std::micro>;
+
+// With a processor each, an answer comes in under a microsecond, while waking a sleeper on another
+// processor takes fifty. On one processor, or on busy ones, spinning only keeps the other side from
+// answering: so it is given up as it fails, and tried again from time to time.
+constexpr Microseconds longest_spin(20);
+constexpr int waits_between_tries = 32;
+
+struct Spinning {
+    Microseconds time = longest_spin;
+    int waits_without = 0;
+
+    void succeeded() { time = longest_spin; }
+    void failed() { time = time > Microseconds(4) ? time / 2 : Microseconds(0); }
+    Microseconds next()
+    {
+        if (time > Microseconds(0)) return time;
+        if (++waits_without < waits_between_tries) return Microseconds(0);
+        waits_without = 0;
+        return Microseconds(4);
+    }
+};
+thread_local Spinning spinning;
 
 void pause_processor()
 {
@@ -43,23 +65,32 @@ std::uint64_t contract_fingerprint()
     return hash;
 }
 
+void wake(std::atomic<std::uint32_t>& word)
+{
+    syscall(SYS_futex, &word, FUTEX_WAKE, INT_MAX, nullptr, nullptr, 0);
+}
+
 void post(std::atomic<std::uint32_t>& word, std::uint32_t value)
 {
     word.store(value, std::memory_order_release);
-    syscall(SYS_futex, &word, FUTEX_WAKE, INT_MAX, nullptr, nullptr, 0);
+    wake(word);
 }
 
 std::uint32_t await_change(const std::atomic<std::uint32_t>& word, std::uint32_t old,
                            std::chrono::nanoseconds longest)
 {
-    using Clock = std::chrono::steady_clock;
-    const Clock::time_point start = Clock::now();
-    while (Clock::now() - start < spin_time) {
-        for (int i = 0; i < 32; ++i) {
-            if (const std::uint32_t now = word.load(std::memory_order_acquire); now != old)
-                return now;
-            pause_processor();
-        }
+    if (const Microseconds spin = spinning.next(); spin > Microseconds(0)) {
+        const Clock::time_point start = Clock::now();
+        do {
+            for (int i = 0; i < 32; ++i) {
+                if (const std::uint32_t now = word.load(std::memory_order_acquire); now != old) {
+                    spinning.succeeded();
+                    return now;
+                }
+                pause_processor();
+            }
+        } while (Clock::now() - start < spin);
+        spinning.failed();
     }
     const auto whole = std::chrono::duration_cast<std::chrono::seconds>(longest);
     const timespec timeout = {whole.count(), (longest - whole).count()};

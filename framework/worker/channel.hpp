@@ -4,7 +4,8 @@
 // The client writes a request and raises `request` to the next sequence number; the worker writes
 // the reply over it and raises `reply` to the same number. The client reads what it wrote itself
 // from its own variables, and copies a reply before it looks at it: the worker may write here at any
-// time.
+// time. A trajectory goes through a ring beside it, so that all of it is there even if the worker dies
+// in the next instruction.
 #pragma once
 
 #include <atomic>
@@ -17,15 +18,13 @@ namespace rigor {
 /// What a client asks.
 enum class Request : std::uint32_t {
     call,      // formula `argument` on the encoded arguments in the payload
-    run_scene, // text and name in the payload, `argument` is the Record: many replies of status more
-    proceed,   // the last piece of a trajectory was taken
+    run_scene, // text and name in the payload, `argument` is the Record: the stream, then done
     advance,   // text, name, steps, starts: states
 };
 
 /// What a worker answers.
 enum class Status : std::uint32_t {
     done,            // the payload is the result
-    more,            // the payload is a piece of a trajectory
     not_implemented, // the payload is the text of NotImplemented
     not_finite,      // the payload says which quantity of the scene's is not
     threw,           // the payload says what was thrown
@@ -35,6 +34,7 @@ enum class Status : std::uint32_t {
 struct Channel {
     static constexpr std::size_t capacity = std::size_t{64} << 20; // touched pages only take memory
     static constexpr std::size_t longest_text = 4096;              // of a failure
+    static constexpr std::uint32_t ring = std::uint32_t{4} << 20;  // a power of two
 
     alignas(64) std::atomic<std::uint32_t> request;
     std::atomic<Request> kind;
@@ -43,16 +43,23 @@ struct Channel {
     alignas(64) std::atomic<std::uint32_t> reply;
     std::atomic<Status> status;
     std::atomic<std::uint64_t> reply_size;
-    alignas(64) std::byte payload[capacity];
+    // Bytes of the trajectory written and read since its start, modulo 2^32: byte n is stream[n % ring].
+    alignas(64) std::atomic<std::uint32_t> streamed;
+    alignas(64) std::atomic<std::uint32_t> taken;
+    alignas(64) std::byte stream[ring];
+    std::byte payload[capacity];
 };
 
 /// Differs if the contract or this protocol does: a worker built from another one is refused.
 std::uint64_t contract_fingerprint();
 
+/// Wakes who waits for the word to change.
+void wake(std::atomic<std::uint32_t>& word);
+
 /// Sets the word and wakes who waits for it to change.
 void post(std::atomic<std::uint32_t>& word, std::uint32_t value);
 
-/// Spins for a moment, then sleeps until the word is no longer `old` or the time is over.
+/// Spins for a moment, then sleeps until the word is no longer `old`, or a wake, or the time is over.
 /// @return the word
 std::uint32_t await_change(const std::atomic<std::uint32_t>& word, std::uint32_t old,
                            std::chrono::nanoseconds longest);

@@ -3,15 +3,8 @@
 #pragma once
 
 #include "formulas/table.hpp"
-#include "scene/trajectory.hpp"
 #include "worker/failure.hpp"
-#include "worker/process.hpp"
-
-#include <functional>
-#include <span>
-#include <string>
-#include <utility>
-#include <vector>
+#include "worker/session.hpp"
 
 namespace rigor {
 
@@ -35,8 +28,9 @@ public:
     /// @throws NotImplemented, WorkerFailure
     Bytes call(FormulaIndex formula, std::span<const std::byte> arguments, std::size_t largest);
 
-    /// Runs a scene and hands on its trajectory as it comes. Nothing of it has been checked.
-    /// @throws NotImplemented, WorkerFailure, what `sink` throws
+    /// Runs a scene and hands on its trajectory as it comes, up to the failure if it fails. Nothing
+    /// of it has been checked.
+    /// @throws NotImplemented, WorkerFailure, NotFinite, what `sink` throws
     void run_scene(const std::string& scene_text, const std::string& scene_name, Record record,
                    const ByteSink& sink);
 
@@ -59,29 +53,21 @@ public:
     const std::filesystem::path& executable() const { return executable_; }
 
 private:
-    using Seconds = std::chrono::duration<double>;
-    struct Reply {
-        Status status;
-        Bytes payload;
-    };
-    struct Allowance; // the time limit of a request
+    using Seconds = Allowance::Seconds;
+    using States = std::vector<std::vector<RigidState>>;
 
-    Reply exchange(Request kind, std::uint32_t argument, std::span<const std::byte> payload,
-                   std::size_t largest, Allowance& allowance);
-    Seconds duration(Request kind, std::uint32_t argument, std::span<const std::byte> payload);
-    void await_reply(Allowance& allowance);
-    Reply take_reply(std::size_t largest);
-    void collect_output();
-    [[noreturn]] void fail(WorkerFailure::Cause cause, const std::string& text);
-    [[noreturn]] void fail_as_told(const Reply& reply);
+    Bytes ask(const Question& question, Seconds floor);
+    Reply exchange(const Question& question, Allowance& allowance);
+    Seconds duration(Question question);
+    States advance_some(const std::string& scene_text, const std::string& scene_name,
+                        std::span<const Start> starts, int steps);
+    [[noreturn]] void fail(const Broken& broken, const ByteSink* sink);
 
     std::filesystem::path executable_;
     Limits limits_;
     Worker* oracle_;
-    std::unique_ptr<Process> process_;
-    std::uint32_t sequence_ = 0;
-    std::string subject_;     // of the request under way
-    std::size_t printed_ = 0; // by the request under way [bytes]
+    std::unique_ptr<Session> session_;
+    std::string subject_; // of the request under way
     std::string output_;
     int failed_starts_ = 0;
     std::optional<WorkerFailure> start_failure_;

@@ -182,22 +182,22 @@ Process::~Process()
     close(output_);
 }
 
-std::optional<Process::Ending> Process::ending() const
+std::optional<Broken> Process::ending() const
 {
     siginfo_t info{};
     // WNOWAIT leaves a zombie: its number stays its own until the destructor has killed its group.
     if (waitid(P_PID, pid_, &info, WEXITED | WSTOPPED | WNOHANG | WNOWAIT) != 0)
-        return Ending{WorkerFailure::crashed, "disappeared"};
+        return Broken{WorkerFailure::crashed, "disappeared"};
     if (info.si_pid == 0) return {};
     switch (info.si_code) {
     case CLD_EXITED:
-        return Ending{WorkerFailure::exited,
+        return Broken{WorkerFailure::exited,
                       "ended the program: exit status " + std::to_string(info.si_status)};
     case CLD_STOPPED:
     case CLD_TRAPPED:
-        return Ending{WorkerFailure::crashed, "stopped itself: " + signal_name(info.si_status)};
+        return Broken{WorkerFailure::crashed, "stopped itself: " + signal_name(info.si_status)};
     default:
-        return Ending{WorkerFailure::crashed, "crashed: " + signal_name(info.si_status)};
+        return Broken{WorkerFailure::crashed, "crashed: " + signal_name(info.si_status)};
     }
 }
 

@@ -24,7 +24,14 @@ struct Limits {
     double multiple = 50;
     std::size_t memory = std::size_t{2} << 30; // address space [bytes]; unlimited under a sanitizer
     std::size_t output = std::size_t{1} << 20; // a request may print [bytes]
-    std::size_t output_kept = 4096;            // the beginning of the output, to show [bytes]
+    std::size_t trajectory = std::size_t{1} << 30; // a scene may stream [bytes]
+    std::size_t output_kept = 4096;                // the beginning of the output, to show [bytes]
+};
+
+/// Why a process is of no use any more.
+struct Broken {
+    WorkerFailure::Cause cause;
+    std::string text; // "crashed: segmentation fault"
 };
 
 /// A child process with a `Channel`. It runs in a session of its own, with no descriptor of ours but
@@ -42,12 +49,8 @@ public:
 
     Channel& channel() { return *channel_; }
 
-    struct Ending {
-        WorkerFailure::Cause cause;
-        std::string text; // "crashed: segmentation fault"
-    };
     /// How it ended or stopped; empty: it runs.
-    std::optional<Ending> ending() const;
+    std::optional<Broken> ending() const;
 
     /// Takes what it has printed so far. @return bytes taken
     std::size_t drain(std::string& kept, std::size_t keep);

@@ -11,6 +11,7 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <cxxabi.h>
 #include <limits>
 #include <new>
 #include <sys/mman.h>
@@ -68,7 +69,11 @@ public:
         } catch (const std::bad_alloc&) {
             reply_text(Status::threw, "std::bad_alloc: out of memory");
         } catch (const std::exception& exception) {
-            reply_text(Status::threw, std::string("an exception: ") + exception.what());
+            const char* text = exception.what();
+            reply_text(Status::threw,
+                       text ? std::string("an exception: ") + text : "an exception without a text");
+        } catch (const abi::__forced_unwind&) {
+            throw; // pthread_exit: no exception of anybody's, and it must not be stopped
         } catch (...) {
             reply_text(Status::threw, "something that is no std::exception");
         }
@@ -93,15 +98,12 @@ private:
             return stream_scene(payload);
         case Request::advance:
             return advance_states(payload);
-        case Request::proceed:
-            break;
         }
-        throw wire::Malformed("there is nothing to proceed with");
+        throw wire::Malformed("there is no such request");
     }
 
     wire::Bytes stream_scene(std::span<const std::byte> payload);
-    void hand_over(std::span<const std::byte> record);
-    void hand_over_rest();
+    void stream(std::span<const std::byte> bytes);
 
     void reply(Status status, std::span<const std::byte> payload)
     {
@@ -119,8 +121,7 @@ private:
     }
 
     Channel& channel_;
-    wire::Bytes pending_;        // of a trajectory, not handed over yet
-    bool handed_over_ = false;   // a piece, which the client may still be reading
+    std::uint32_t streamed_ = 0;
     std::uint32_t sequence_ = 1; // of the request being answered; the first is to get ready
 };
 
@@ -132,41 +133,30 @@ wire::Bytes Server::stream_scene(std::span<const std::byte> payload)
     wire::decode(reader, name);
     reader.end();
     const Record record{static_cast<int>(channel_.argument.load())};
-    try {
-        run_scene(parse_scene(text, name), record,
-                  [this](std::span<const std::byte> bytes) { hand_over(bytes); });
-    } catch (...) {
-        hand_over_rest(); // what there is up to the failure
-        throw;
-    }
-    hand_over_rest();
+    streamed_ = 0;
+    run_scene(parse_scene(text, name), record,
+              [this](std::span<const std::byte> bytes) { stream(bytes); });
     return {};
 }
 
-/// The scene goes on while the client reads a piece: a new one is handed over as soon as the last
-/// was taken. Only when much has piled up does the scene wait.
-void Server::hand_over(std::span<const std::byte> record)
+/// Waits only while the ring is full: the scene goes on while the client reads.
+void Server::stream(std::span<const std::byte> bytes)
 {
-    constexpr std::size_t much = std::size_t{1} << 20;
-    pending_.insert(pending_.end(), record.begin(), record.end());
-    const bool taken = channel_.request.load(std::memory_order_acquire) == sequence_ + 1;
-    if (!handed_over_ || taken || pending_.size() >= much) {
-        if (handed_over_) await_request();
-        reply(Status::more, pending_);
-        handed_over_ = true;
-        pending_.clear();
+    while (!bytes.empty()) {
+        const std::uint32_t taken = channel_.taken.load(std::memory_order_acquire);
+        const std::uint32_t room = Channel::ring - (streamed_ - taken);
+        if (room == 0) {
+            await_change(channel_.taken, taken, std::chrono::hours(1));
+            continue;
+        }
+        const std::uint32_t at = streamed_ % Channel::ring;
+        const std::size_t n = std::min<std::size_t>({bytes.size(), room, Channel::ring - at});
+        std::copy_n(bytes.begin(), n, channel_.stream + at);
+        bytes = bytes.subspan(n);
+        streamed_ += static_cast<std::uint32_t>(n);
+        channel_.streamed.store(streamed_, std::memory_order_release);
     }
-}
-
-void Server::hand_over_rest()
-{
-    if (handed_over_) await_request();
-    handed_over_ = false;
-    if (!pending_.empty()) {
-        reply(Status::more, pending_);
-        pending_.clear();
-        await_request();
-    }
+    wake(channel_.reply);
 }
 
 [[noreturn]] void run(const char* client)

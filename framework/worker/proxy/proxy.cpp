@@ -2,10 +2,10 @@
 // Every function of the contract, generated from the table: encode, ask, decode, look for NaN.
 #include "worker/proxy.hpp"
 
+#include "worker/define_formulas.hpp"
 #include "worker/finite.hpp"
 
 #include <memory>
-#include <tuple>
 
 namespace rigor {
 
@@ -43,51 +43,16 @@ template <class Result> Result result_of(FormulaIndex formula, const wire::Bytes
 }
 
 template <class Result, class... Argument>
-Result ask(FormulaIndex formula, const Argument&... arguments)
+Result answer(FormulaIndex formula, const Argument&... arguments)
 {
     wire::Bytes bytes;
     (wire::encode(bytes, arguments), ...);
     return result_of<Result>(formula, bytes);
 }
 
-/// The types of a formula, from its declaration.
-template <class Function> struct Signature;
-template <class R, class... Argument> struct Signature<R (*)(Argument...)> {
-    using Result = R;
-    template <int i> using Parameter = std::tuple_element_t<i, std::tuple<Argument...>>;
-};
-
 } // namespace
 
-// One definition a row: `RIGOR_ROW(A2.14, inertia, combine, a, b)` is
-// `MassProperties combine(const MassProperties& a, const MassProperties& b) { return ask<…>(…, a, b); }`
-#define RIGOR_SIGNATURE(function) Signature<decltype(&rigor::function)>
-#define RIGOR_PARAMETER(function, i, name) RIGOR_SIGNATURE(function)::Parameter<i> name
-#define RIGOR_DEFINE(function, names, ...)                                                         \
-    RIGOR_SIGNATURE(function)::Result function(__VA_ARGS__)                                        \
-    {                                                                                              \
-        return ask<RIGOR_SIGNATURE(function)::Result>(FormulaIndex::function, RIGOR_LIST names);   \
-    }
-#define RIGOR_LIST(...) __VA_ARGS__
-#define RIGOR_DEFINE_1(f, a) RIGOR_DEFINE(f, (a), RIGOR_PARAMETER(f, 0, a))
-#define RIGOR_DEFINE_2(f, a, b)                                                                    \
-    RIGOR_DEFINE(f, (a, b), RIGOR_PARAMETER(f, 0, a), RIGOR_PARAMETER(f, 1, b))
-#define RIGOR_DEFINE_3(f, a, b, c)                                                                 \
-    RIGOR_DEFINE(f, (a, b, c), RIGOR_PARAMETER(f, 0, a), RIGOR_PARAMETER(f, 1, b),                 \
-                 RIGOR_PARAMETER(f, 2, c))
-#define RIGOR_DEFINE_4(f, a, b, c, d)                                                              \
-    RIGOR_DEFINE(f, (a, b, c, d), RIGOR_PARAMETER(f, 0, a), RIGOR_PARAMETER(f, 1, b),              \
-                 RIGOR_PARAMETER(f, 2, c), RIGOR_PARAMETER(f, 3, d))
-#define RIGOR_DEFINE_5(f, a, b, c, d, e)                                                           \
-    RIGOR_DEFINE(f, (a, b, c, d, e), RIGOR_PARAMETER(f, 0, a), RIGOR_PARAMETER(f, 1, b),           \
-                 RIGOR_PARAMETER(f, 2, c), RIGOR_PARAMETER(f, 3, d), RIGOR_PARAMETER(f, 4, e))
-#define RIGOR_SELECT(_1, _2, _3, _4, _5, define, ...) define
-#define RIGOR_ROW(tag, topic, function, ...)                                                       \
-    RIGOR_SELECT(__VA_ARGS__, RIGOR_DEFINE_5, RIGOR_DEFINE_4, RIGOR_DEFINE_3, RIGOR_DEFINE_2,      \
-                 RIGOR_DEFINE_1, )                                                                 \
-    (function, __VA_ARGS__)
-RIGOR_FORMULAS(RIGOR_ROW)
-#undef RIGOR_ROW
+RIGOR_FORMULAS(RIGOR_DEFINE_FORMULA)
 
 void use_worker(const std::filesystem::path& executable,
                 const std::optional<std::filesystem::path>& oracle_executable, const Limits& limits)

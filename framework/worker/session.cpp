@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+#include "worker/session.hpp"
+
+#include "worker/wire.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace rigor {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::size_t pipe_size = 65536;
+
+} // namespace
+
+bool Allowance::used_up()
+{
+    if (waited <= limit) return false;
+    if (reference) {
+        reference_took = std::exchange(reference, nullptr)();
+        limit = std::max(limit, multiple * reference_took);
+    }
+    return waited > limit;
+}
+
+std::string Allowance::verdict() const
+{
+    std::string text = fmt::format("did not return within {:.3g} s", limit.count());
+    if (reference_took.count() > 0)
+        text += fmt::format(" (the reference took {:.2g} s)", reference_took.count());
+    return text;
+}
+
+Session::Session(const std::filesystem::path& executable, const Limits& limits)
+    : limits_(limits), process_(executable, limits)
+{
+}
+
+void Session::await_greeting()
+{
+    Bytes expected;
+    wire::encode(expected, contract_fingerprint());
+    Allowance allowance{limits_.start};
+    await_reply(allowance, nullptr);
+    if (take_reply(expected.size()).payload != expected)
+        throw Broken{WorkerFailure::malformed,
+                     "was built from other headers than this: build it again"};
+}
+
+Reply Session::ask(const Question& question, Allowance& allowance)
+{
+    Channel& channel = process_.channel();
+    if (channel.reply.load(std::memory_order_acquire) != sequence_)
+        throw Broken{WorkerFailure::malformed, "answered before it was asked"};
+    channel.kind = question.kind;
+    channel.argument = question.argument;
+    channel.request_size = question.payload.size();
+    channel.streamed = channel.taken = taken_ = 0;
+    std::copy(question.payload.begin(), question.payload.end(), channel.payload);
+    handed_on_ = printed_ = 0;
+    ++sequence_;
+    post(channel.request, sequence_);
+    await_reply(allowance, question.sink);
+    return take_reply(question.largest);
+}
+
+/// Waits until the reply with our sequence number is there. Looks after the process meanwhile.
+void Session::await_reply(Allowance& allowance, const ByteSink* sink)
+{
+    const std::atomic<std::uint32_t>& reply = process_.channel().reply;
+    std::chrono::milliseconds slice(1);
+    for (;;) {
+        const Clock::time_point start = Clock::now();
+        const std::uint32_t now = await_change(reply, sequence_ - 1, slice);
+        allowance.waited += Clock::now() - start; // what the sink takes is not the worker's fault
+        if (sink) hand_on_stream(*sink);
+        if (now == sequence_) return;
+        if (now != sequence_ - 1) throw Broken{WorkerFailure::malformed, "answered out of turn"};
+        collect_output();
+        if (const auto ending = process_.ending()) {
+            if (reply.load(std::memory_order_acquire) == sequence_) continue; // it answered first
+            throw *ending;
+        }
+        if (allowance.used_up()) throw Broken{WorkerFailure::timed_out, allowance.verdict()};
+        slice = std::min(2 * slice, std::chrono::milliseconds(20));
+    }
+}
+
+Reply Session::take_reply(std::size_t largest)
+{
+    // Each word is read once, the payload is copied: from here on nothing can change under us.
+    Channel& channel = process_.channel();
+    const Status status = channel.status;
+    const std::uint64_t size = channel.reply_size;
+    if (status > Status::last)
+        throw Broken{WorkerFailure::malformed, "sent an answer of no known kind"};
+    const std::size_t most =
+        std::min(status == Status::done ? largest : Channel::longest_text, Channel::capacity);
+    if (size > most)
+        throw Broken{WorkerFailure::malformed,
+                     fmt::format("sent {} bytes where an answer has at most {}", size, most)};
+    return {status, Bytes(channel.payload, channel.payload + size)};
+}
+
+Bytes Session::rest_of_stream()
+{
+    Channel& channel = process_.channel();
+    const std::uint32_t n = channel.streamed.load(std::memory_order_acquire) - taken_;
+    if (n > Channel::ring || handed_on_ + n > limits_.trajectory) return {};
+    const std::uint32_t at = taken_ % Channel::ring;
+    const std::uint32_t first = std::min(n, Channel::ring - at);
+    Bytes bytes(channel.stream + at, channel.stream + at + first);
+    bytes.insert(bytes.end(), channel.stream, channel.stream + (n - first));
+    taken_ += n;
+    handed_on_ += n;
+    post(channel.taken, taken_);
+    return bytes;
+}
+
+void Session::hand_on_stream(const ByteSink& sink)
+{
+    const std::uint32_t streamed = process_.channel().streamed.load(std::memory_order_acquire);
+    if (streamed == taken_) return;
+    if (streamed - taken_ > Channel::ring)
+        throw Broken{WorkerFailure::malformed, "streamed more than there is room for"};
+    const Bytes bytes = rest_of_stream();
+    if (bytes.empty())
+        throw Broken{WorkerFailure::flooded,
+                     fmt::format("streamed more than {} MB", limits_.trajectory >> 20)};
+    sink(bytes);
+}
+
+void Session::collect_output()
+{
+    while (const std::size_t n = process_.drain(output_, limits_.output_kept)) {
+        printed_ += n;
+        if (printed_ > limits_.output)
+            throw Broken{WorkerFailure::flooded,
+                         fmt::format("printed more than {} kB", limits_.output / 1024)};
+    }
+}
+
+std::string Session::take_output()
+{
+    // No more than lies in the pipe: a process that prints without end would never let go.
+    for (std::size_t n = 0; n <= pipe_size;) {
+        const std::size_t more = process_.drain(output_, limits_.output_kept);
+        if (more == 0) break;
+        n += more;
+    }
+    return std::exchange(output_, {});
+}
+
+} // namespace rigor

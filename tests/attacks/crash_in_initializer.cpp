@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: MIT
+// Crashes before main.
+#include <cstdint>
+
+namespace {
+
+const int crash = *reinterpret_cast<volatile int*>(std::uintptr_t{64});
+
+} // namespace

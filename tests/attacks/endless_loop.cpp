@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+// Never returns.
+#include "formulas/kinematics.hpp"
+
+namespace rigor {
+
+Matrix3d cross_matrix(const Vector3d&)
+{
+    for (volatile int i = 0;; i = i + 1) {
+    }
+}
+
+} // namespace rigor

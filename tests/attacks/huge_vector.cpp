@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+// Asks for more memory than there is.
+#include "formulas/kinematics.hpp"
+
+#include <vector>
+
+namespace rigor {
+
+Matrix3d cross_matrix(const Vector3d&)
+{
+    std::vector<double> table(std::size_t{1} << 45, 1.0);
+    return table.back() * Matrix3d::Identity();
+}
+
+} // namespace rigor

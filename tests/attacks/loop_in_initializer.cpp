@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+// Never comes to main.
+namespace {
+
+int loop()
+{
+    for (volatile int i = 0;; i = i + 1) {
+    }
+}
+
+[[maybe_unused]] const int never = loop();
+
+} // namespace

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+// A stub.
+#include "formulas/kinematics.hpp"
+
+namespace rigor {
+
+Matrix3d cross_matrix(const Vector3d&)
+{
+    throw NotImplemented("kinematics::cross_matrix");
+}
+
+} // namespace rigor

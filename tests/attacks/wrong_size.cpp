@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// Announces more bytes than there can be.
+#include "find_channel.hpp"
+#include "formulas/kinematics.hpp"
+
+#include <unistd.h>
+
+namespace rigor {
+
+Matrix3d cross_matrix(const Vector3d&)
+{
+    Channel& channel = find_channel();
+    channel.status = Status::done;
+    channel.reply_size = ~std::uint64_t{0};
+    post(channel.reply, channel.request);
+    for (;;)
+        pause();
+}
+
+} // namespace rigor

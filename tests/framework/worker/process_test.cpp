@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+// The process of a worker: what it inherits, when it dies, how long it may take.
+#include "attack.hpp"
+#include "support/catch.hpp"
+#include "worker/wire.hpp"
+
+#include <sstream>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace rigor {
+
+TEST_CASE("worker: it gets three descriptors and hardly an environment")
+{
+    const int leaked = dup(0); // without close-on-exec
+    setenv("RIGOR_SECRET", "expected values", 1);
+    use_worker(attack("inspect"), {}, tight());
+    attacked();
+    const std::string printed = worker().take_output();
+    close(leaked);
+    std::istringstream lines(printed);
+    for (std::string line; std::getline(lines, line);) {
+        CAPTURE(line);
+        REQUIRE(line.find("RIGOR_SECRET") == std::string::npos);
+        if (line.rfind("descriptor", 0) == 0) REQUIRE(std::stoi(line.substr(10)) <= 2);
+    }
+    REQUIRE(printed.find("descriptor 1\n") != std::string::npos);
+}
+
+TEST_CASE("worker: it dies with its client")
+{
+    int ends[2];
+    REQUIRE(pipe(ends) == 0);
+    const int client = fork();
+    if (client == 0) {
+        Worker orphan(attack("inspect"), tight());
+        wire::Bytes argument;
+        wire::encode(argument, Vector3d(1, 2, 3));
+        orphan.call(FormulaIndex::cross_matrix, argument, 72);
+        const std::string printed = orphan.take_output();
+        const int pid = std::stoi(printed.substr(printed.find(' ')));
+        _exit(write(ends[1], &pid, sizeof pid) == sizeof pid ? 0 : 1);
+    }
+    int pid = 0;
+    REQUIRE(read(ends[0], &pid, sizeof pid) == sizeof pid);
+    waitpid(client, nullptr, 0);
+    close(ends[0]);
+    close(ends[1]);
+    REQUIRE(dies_soon(pid));
+}
+
+TEST_CASE("worker: a slow call may take a multiple of what the oracle takes")
+{
+    use_worker(attack("slow"), {}, tight());
+    REQUIRE_THROWS_AS(attacked(), WorkerFailure);
+    use_worker(attack("slow"), attack("slow"), tight());
+    REQUIRE(attacked() == 7 * Matrix3d::Identity());
+
+    use_worker(attack("endless_loop"), attack("slow"), [] {
+        Limits limits = tight();
+        limits.multiple = 1;
+        return limits;
+    }());
+    try {
+        attacked();
+        FAIL("it was answered");
+    } catch (const WorkerFailure& failure) {
+        const std::string text = failure.what();
+        REQUIRE(text.find("(the reference took 0.8") != std::string::npos);
+    }
+    REQUIRE(next_call_is_answered());
+}
+
+TEST_CASE("worker: an oracle that fails leaves the floor")
+{
+    for (const std::string oracle : {"segmentation_fault", "crash_in_initializer"}) {
+        use_worker(attack("endless_loop"), attack(oracle), tight());
+        REQUIRE_THROWS_WITH(attacked(), "A1.1 cross_matrix did not return within 0.6 s");
+        REQUIRE(next_call_is_answered());
+    }
+}
+
+TEST_CASE("worker: a program that is not there is our fault")
+{
+    use_worker("/nowhere/worker");
+    REQUIRE_THROWS_AS(next_call_is_answered(), std::system_error);
+}
+
+} // namespace rigor
