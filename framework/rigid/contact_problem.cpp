@@ -151,6 +151,7 @@ ContactProblem contact_problem(const World& world, std::span<const RigidState> f
 {
     ContactProblem problem;
     problem.time_step = time_step;
+    problem.gravity = world.gravity;
     problem.counters = &counters;
     problem.bodies.resize(world.bodies.size());
     std::vector<Body> after_forces(world.bodies.size());

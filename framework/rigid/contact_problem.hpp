@@ -36,8 +36,9 @@ struct Island {
 struct ContactProblem {
     std::vector<Body> bodies; // of the world, in order; those without a contact stay empty
     std::vector<SolvedContact> contacts;
-    std::vector<Island> islands; // those in which two bodies would penetrate
-    double time_step = 0;        // [s]
+    std::vector<Island> islands;         // those in which two bodies would penetrate
+    double time_step = 0;                // [s]
+    Vector3d gravity = Vector3d::Zero(); // [m/s²]
     Counters* counters = nullptr;
 
     /// Gap at the end of the step if v·n stays [m].

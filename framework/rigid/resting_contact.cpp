@@ -2,6 +2,7 @@
 #include "rigid/resting_contact.hpp"
 
 #include "formulas/collision.hpp"
+#include "rigid/load_guess.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +12,10 @@ namespace rigor {
 
 namespace {
 
-constexpr int work = 4000, fewest_sweeps = 10, most_sweeps = 500; // contacts × sweeps an island
+// An island of up to `small` contacts converges to rounding. A larger one stops at a thousandth of its
+// largest impulse, or after `work` contacts were visited: what is left is corrected in the next steps.
+constexpr int small = 16, work = 2000, fewest_sweeps = 10, most_sweeps = 500;
+constexpr double rounding = std::numeric_limits<double>::epsilon(), thousandth = 1e-3;
 
 // nᵀKn along the normal and the larger tangential eigenvalue across it.
 struct Stiffness {
@@ -38,24 +42,23 @@ struct Held {
     double speed = 0;              // nᵀKn times the impulse: the unit of convergence
 };
 
-// Corrects one contact's impulse. @return the velocity by which it changed, and all it amounts to
-std::pair<double, double> hold(ContactProblem& problem, const Held& held)
+// Corrects one contact's impulse. @return by how much
+Vector3d hold(ContactProblem& problem, const Held& held)
 {
     SolvedContact& c = problem.contacts[held.contact];
     const Vector3d& n = c.normal;
     Vector3d v = problem.velocity_at(c, c.point) - held.target * n;
     const bool is_idle = c.holding.isZero(0);
-    if (is_idle && v.dot(n) >= 0) return {0, 0};
+    if (is_idle && v.dot(n) >= 0) return Vector3d::Zero();
 
     if (!is_idle) v -= held.K * c.holding;
     const Vector3d j = collision_impulse(held.K, v, n, 0, c.friction);
     const Vector3d change = j - c.holding;
-    if (!change.isZero(0)) {
-        problem.apply(c, c.point, change);
-        c.holding = j;
-        ++problem.counters->contact_impulses;
-    }
-    return {held.speed * change.norm(), held.speed * j.norm()};
+    if (change.isZero(0)) return change;
+    problem.apply(c, c.point, change);
+    c.holding = j;
+    ++problem.counters->contact_impulses;
+    return change;
 }
 
 std::vector<Held> prepare(const ContactProblem& problem, const Island& island)
@@ -72,22 +75,65 @@ std::vector<Held> prepare(const ContactProblem& problem, const Island& island)
     return all;
 }
 
+// What a sweep changed: the largest change and impulse, as velocities, and the squared length of all
+// changes.
+struct Progress {
+    double change = 0, total = 0, squared = 0;
+};
+
+// Visits each contact once. @return in `steps`, what it changed
+Progress sweep(ContactProblem& problem, const std::vector<Held>& all, std::vector<Vector3d>& steps)
+{
+    Progress progress;
+    for (std::size_t k = 0; k < all.size(); ++k) {
+        steps[k] = hold(problem, all[k]);
+        const double speed = all[k].speed;
+        progress.change = std::max(progress.change, speed * steps[k].norm());
+        progress.total =
+            std::max(progress.total, speed * problem.contacts[all[k].contact].holding.norm());
+        progress.squared += speed * steps[k].squaredNorm();
+    }
+    return progress;
+}
+
+// Goes on in the direction of the sweeps before: directions = steps + β directions, impulses += β
+// directions.
+void extrapolate(ContactProblem& problem, const std::vector<Held>& all,
+                 const std::vector<Vector3d>& steps, std::vector<Vector3d>& directions, double beta)
+{
+    for (std::size_t k = 0; k < all.size(); ++k) {
+        const Vector3d more = beta * directions[k];
+        directions[k] = steps[k] + more;
+        if (more.isZero(0)) continue;
+        SolvedContact& c = problem.contacts[all[k].contact];
+        problem.apply(c, c.point, more);
+        c.holding += more;
+    }
+}
+
 } // namespace
 
 void process_contact(ContactProblem& problem, const Island& island)
 {
-    std::vector<Held> all = prepare(problem, island);
+    const std::vector<Held> all = prepare(problem, island);
     if (all.empty()) return;
-    const int sweeps = std::clamp(work / static_cast<int>(all.size()), fewest_sweeps, most_sweeps);
-    for (int sweep = 0; sweep < sweeps; ++sweep) {
-        double change = 0, total = 0;
-        for (const Held& held : all) {
-            const auto [by, of] = hold(problem, held);
-            change = std::max(change, by);
-            total = std::max(total, of);
-        }
-        if (change <= std::numeric_limits<double>::epsilon() * total) return;
-        std::reverse(all.begin(), all.end());
+    std::vector<int> contacts;
+    for (const Held& held : all)
+        contacts.push_back(held.contact);
+    guess_loads(problem, island, contacts);
+
+    const int count = static_cast<int>(all.size());
+    const int sweeps = std::clamp(work / count, fewest_sweeps, most_sweeps);
+    const double tolerance = count <= small ? rounding : thousandth;
+    std::vector<Vector3d> steps(all.size(), Vector3d::Zero()), directions = steps;
+    double before = 0;
+    for (int i = 0; i < sweeps; ++i) {
+        const Progress progress = sweep(problem, all, steps);
+        if (progress.change <= tolerance * progress.total) return;
+        const bool slows_down = before > 0 && progress.squared <= before;
+        const double beta = slows_down ? progress.squared / before : 0; // 0: starts afresh
+        before = progress.squared;
+        if (i + 1 < sweeps) extrapolate(problem, all, steps, directions, beta);
     }
 }
 

@@ -18,8 +18,10 @@ namespace rigor {
 /// the same for sticking; for sliding, friction is then opposite to the velocity at the end of the
 /// step, so that a block on an incline slides with g (sin θ - μ cos θ) to rounding and does not turn.
 ///
-/// Sweeps alternate from the lowest contact up and from the highest down, and stop when nothing
-/// changes any more or when an island had its share of work (a small one converges to rounding).
+/// Sweeps start from `guess_loads`, run from the lowest contact up and are sped up by the nonsmooth
+/// nonlinear conjugate gradient method (Silcowitz-Hansen, Niebe and Erleben 2010, "A nonsmooth nonlinear
+/// conjugate gradient method for interactive contact force problems", Visual Computer 26). A small
+/// island converges to rounding; a large one to a thousandth, or until it had its share of work.
 void process_contact(ContactProblem& problem, const Island& island);
 
 } // namespace rigor
