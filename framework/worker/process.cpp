@@ -114,6 +114,14 @@ private:
     posix_spawnattr_t attributes_{};
 };
 
+/// A program that was started with SIGCHLD ignored would never learn how its children ended.
+void notice_children()
+{
+    struct sigaction now {};
+    if (sigaction(SIGCHLD, nullptr, &now) == 0 && now.sa_handler == SIG_IGN)
+        signal(SIGCHLD, SIG_DFL);
+}
+
 void limit(int pid, __rlimit_resource resource, std::size_t most)
 {
     const rlimit both = {most, most};
@@ -146,6 +154,7 @@ std::string signal_name(int signal)
 
 Process::Process(const std::filesystem::path& executable, const Limits& limits)
 {
+    notice_children();
     const Descriptor memory(shared_memory());
     std::array<int, 2> ends{};
     checked(pipe2(ends.data(), O_CLOEXEC), "pipe");
