@@ -46,8 +46,9 @@ struct Picture {
 
     std::vector<Instance> boxes, balls;             // the bodies; they cast shadows
     std::vector<Instance> ghost_boxes, ghost_balls; // translucent
-    std::vector<Instance> rods, cones, dots; // overlays: cylinders and cones with base 0 and tip z
-                                             // = 1, small balls; they shine through the bodies
+    // Overlays: cylinders and cones with base 0 and tip z = 1, small balls. Their opacity is that of
+    // what lies behind a body; the rest is opaque.
+    std::vector<Instance> rods, cones, dots;
     std::vector<Ground> grounds;
     std::vector<Text> texts;
 };

@@ -26,28 +26,27 @@ public:
                        const std::string& other_name) const;
 
 private:
-    struct Placed { // a part about the center of mass
-        Part part;
-        Vector3d position;
-        Matrix3d rotation;
-    };
     struct Actor {
         std::string name;
         bool is_static = false;
-        std::vector<Placed> parts;
+        std::vector<Part> parts;                     // about the center of mass
         Matrix3d inverse_inertia = Matrix3d::Zero(); // I_body⁻¹ [1/(kg m²)]
         double mass = 0, mean_inertia = 0;           // [kg], [kg m²]
         double radius = 0;                           // around the center of mass [m]
         Vector4f color;
     };
 
+    void add_actor(const BodyDescription& body, const RecordedBody& recorded);
     Picture empty_picture(const Frame& frame) const;
     void add_body(Picture& picture, const Actor& actor, const RigidState& state, bool ghost) const;
+
+    // stage_overlays.cpp
     void add_arrows(Picture& picture, const Actor& actor, const RigidState& state) const;
     void add_contacts(Picture& picture, const Frame& frame) const;
     void add_springs(Picture& picture, const Frame& frame) const;
-    void add_legend(Picture& picture, const Frame& frame) const;
-    bool shows_text() const;
+    void add_title(Picture& picture, const Frame& frame) const;
+    void add_legend(Picture& picture) const;
+    void add_names(Picture& picture, const Frame& frame) const;
 
     Scene scene_;
     Overlays overlays_;
@@ -55,5 +54,8 @@ private:
     Picture start_;           // camera and, where the scene has no plane, lines to see motion by
     float thickness_ = 0.01F; // of a rod [m]
 };
+
+/// Whether a body is drawn there at all: what flies off is left alone.
+bool in_sight(const Vector3d& position);
 
 } // namespace rigor

@@ -116,7 +116,6 @@ View view_of(const Picture& picture, int width, int height)
     view.screen[0] = static_cast<float>(width);
     view.screen[1] = static_cast<float>(height);
     view.screen[2] = 1.0F / shadow_side;
-    view.screen[3] = 0.22F;
     return view;
 }
 

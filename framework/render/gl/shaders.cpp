@@ -90,7 +90,7 @@ constexpr const char* box_fragment = R"(
 void main() {
     vec3 p = local * half_size;
     vec3 inside = half_size - abs(p);
-    float bevel = 0.10 * min(half_size.x, min(half_size.y, half_size.z));
+    float bevel = 0.14 * min(half_size.x, min(half_size.y, half_size.z));
     vec3 q = max(bevel - inside, 0.0) * sign(p);
     vec3 n = normalize(mat3(side_x, side_y, side_z) * q);
     // a face has one zero here; the next smallest is the way to its nearest edge
@@ -100,8 +100,8 @@ void main() {
 #ifdef GHOST
     pixel = vec4(lit(color.rgb, point, n, 0.0), mix(color.a, 1.0, 0.8 * line));
 #else
-    float wide = smoothstep(3.0, 14.0, bevel / 0.05 / max(length(fwidth(p)), 1e-6));
-    pixel = vec4(lit(color.rgb, point, n, 0.10) * (1.0 - 0.45 * line * wide), 1.0);
+    float wide = smoothstep(3.0, 14.0, bevel / 0.07 / max(length(fwidth(p)), 1e-6));
+    pixel = vec4(lit(color.rgb, point, n, 0.16) * (1.0 - 0.45 * line * wide), 1.0);
 #endif
 }
 )";
@@ -127,7 +127,7 @@ void main() {
 constexpr const char* overlay_fragment = R"(
 void main() {
 #ifdef THROUGH
-    pixel = vec4(color.rgb, color.a * screen.w);
+    pixel = color;
 #else
     vec3 n = normalize(normal);
     float facing = 0.5 + 0.5 * dot(n, light.xyz);

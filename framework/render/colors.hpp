@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// What is drawn in which color.
+#pragma once
+
+#include "render/picture.hpp"
+
+#include <cstddef>
+
+namespace rigor::colors {
+
+/// Of the n-th moving body.
+Vector4f palette(std::size_t n);
+
+extern const Vector4f resting; // static bodies
+extern const Vector4f dark;    // letters
+extern const Vector4f ghostly, difference;
+extern const Vector4f axis_x, axis_y, axis_z, angular_velocity, angular_momentum, impulse, touching;
+
+/// Letters are never faint.
+inline Vector4f opaque(const Vector4f& color)
+{
+    return {color.x(), color.y(), color.z(), 1};
+}
+
+} // namespace rigor::colors

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+// What is drawn besides the bodies.
+#include "geometry/bounds.hpp"
+#include "render/colors.hpp"
+#include "render/stage.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace rigor {
+namespace {
+
+/// Grows with `value` and stays below 1: a half at `half`.
+double saturated(double value, double half)
+{
+    return value / (value + half);
+}
+
+/// How high a body reaches [m].
+double top(const std::vector<Part>& parts, const Pose& body)
+{
+    Bounds bounds;
+    for (const Part& part : parts)
+        bounds.include(bounds_of(part.shape, part_pose(body, part)));
+    return bounds.high.y();
+}
+
+} // namespace
+
+void Stage::add_arrows(Picture& picture, const Actor& actor, const RigidState& state) const
+{
+    if (actor.is_static || !in_sight(state.position)) return;
+    const Matrix3d R = rotation_matrix(state.orientation);
+    const Vector3f center = state.position.cast<float>();
+    const auto arrow = [&](const Vector3d& v, float thickness, const Vector4f& color) {
+        add_arrow(picture, center, (state.position + v).cast<float>(), thickness * thickness_,
+                  color);
+    };
+    if (overlays_.axes) {
+        const std::array<Vector4f, 3> color = {colors::axis_x, colors::axis_y, colors::axis_z};
+        for (int i = 0; i < 3; ++i)
+            arrow(1.2 * actor.radius * R.col(i), 0.8F, color[i]);
+    }
+    // Lengths saturate: a slow turn is seen and a fast one stays in the picture. L is measured as
+    // the ω it would be for a body of the mean inertia, and is drawn thinner and longer, so that
+    // both are seen where they are parallel.
+    constexpr double half = 2; // [rad/s]
+    const Vector3d& L = state.angular_momentum;
+    const Vector3d w = R * (actor.inverse_inertia * (R.transpose() * L));
+    if (overlays_.angular_velocity && w.norm() > 0)
+        arrow(w.normalized() * actor.radius * (0.4 + 1.3 * saturated(w.norm(), half)), 1.25F,
+              colors::angular_velocity);
+    if (overlays_.angular_momentum && L.norm() > 0)
+        arrow(L.normalized() * actor.radius *
+                  (0.6 + 1.5 * saturated(L.norm() / actor.mean_inertia, half)),
+              0.8F, colors::angular_momentum);
+}
+
+void Stage::add_contacts(Picture& picture, const Frame& frame) const
+{
+    const float dot = 2.2F * thickness_;
+    for (const ContactRecord& contact : frame.contacts) {
+        if (!in_sight(contact.point)) continue;
+        const Vector3f point = contact.point.cast<float>();
+        picture.dots.push_back({dot * Matrix3f::Identity(), point, colors::touching});
+        const auto count = static_cast<int>(actors_.size());
+        if (contact.body1 < 0 || contact.body1 >= count) continue;
+        const Actor& body = actors_[contact.body1];
+        const double j = contact.impulse.norm();
+        if (!(body.mass > 0) || !(j > 0)) continue;
+        const double length = 60 * thickness_ * saturated(j / body.mass, 1.5); // at 1.5 m/s a half
+        add_arrow(picture, point, (contact.point + contact.impulse / j * length).cast<float>(),
+                  0.9F * thickness_, colors::impulse);
+    }
+}
+
+/// A spring is a coil: the same turns whatever its length.
+void Stage::add_springs(Picture& picture, const Frame& frame) const
+{
+    constexpr int turns = 9, corners = 10 * turns;
+    const auto end = [&](int body, const Vector3d& point) -> Vector3d {
+        if (body < 0 || body >= static_cast<int>(frame.bodies.size())) return point;
+        const RigidState& state = frame.bodies[body];
+        return state.position + rotation_matrix(state.orientation) * point;
+    };
+    for (const Spring& spring : scene_.springs) {
+        const Vector3d from = end(spring.body1, spring.point1),
+                       to = end(spring.body2, spring.point2);
+        const Vector3d way = to - from;
+        if (!(way.norm() > 1e-9) || !in_sight(from) || !in_sight(to)) continue;
+        const Vector3d u = way.unitOrthogonal(), v = way.normalized().cross(u);
+        Vector3d last = from;
+        for (int i = 1; i <= corners; ++i) {
+            const double t = static_cast<double>(i) / corners;
+            const double wide = std::min(1.0, 8 * std::min(t, 1 - t)) * 4 * thickness_;
+            const double angle = 2 * std::numbers::pi * turns * t;
+            const Vector3d next =
+                from + t * way + wide * (std::cos(angle) * u + std::sin(angle) * v);
+            add_rod(picture, last.cast<float>(), next.cast<float>(), 0.6F * thickness_,
+                    colors::touching);
+            last = next;
+        }
+    }
+}
+
+void Stage::add_title(Picture& picture, const Frame& frame) const
+{
+    picture.texts.push_back(
+        {fmt::format("{}   t = {:.3f} s", scene_.name, frame.time), colors::dark, true, {}});
+}
+
+void Stage::add_legend(Picture& picture) const
+{
+    const auto line = [&](const std::string& text, const Vector4f& color) {
+        picture.texts.push_back({text, colors::opaque(color), false, {}});
+    };
+    if (overlays_.axes) {
+        line("→ x body axis", colors::axis_x);
+        line("→ y body axis", colors::axis_y);
+        line("→ z body axis", colors::axis_z);
+    }
+    if (overlays_.angular_velocity) line("→ ω angular velocity", colors::angular_velocity);
+    if (overlays_.angular_momentum) line("→ L angular momentum", colors::angular_momentum);
+    if (overlays_.contacts) {
+        line("● contact", colors::touching);
+        line("→ impulse", colors::impulse);
+    }
+}
+
+void Stage::add_names(Picture& picture, const Frame& frame) const
+{
+    for (std::size_t i = 0; i < actors_.size(); ++i) {
+        const RigidState& state = frame.bodies[i];
+        if (actors_[i].radius == 0 || !in_sight(state.position)) continue;
+        Vector3d above = state.position;
+        above.y() = top(actors_[i].parts, {rotation_matrix(state.orientation), state.position}) +
+                    2.5 * thickness_;
+        if (in_sight(above))
+            picture.texts.push_back({actors_[i].name, colors::dark, false, above.cast<float>()});
+    }
+}
+
+} // namespace rigor
