@@ -40,8 +40,8 @@ Quaternion multiply(const Quaternion& a, const Quaternion& b);
 /// A3.6 Conjugate q̄ = (s, -v), the inverse of a unit quaternion.
 Quaternion conjugate(const Quaternion& q);
 
-/// A3.7 q / |q|. The zero quaternion: the identity. The sign of q is kept, and however small or large
-/// q is, no square under- or overflows.
+/// A3.7 q / |q|. The zero quaternion: the identity. The sign of q is kept. However small or
+/// large q is, no square under- or overflows.
 Quaternion normalize(const Quaternion& q);
 
 /// A3.8 Rotated vector, q (0, p) q̄ (lecture "Rotating with quaternions").
