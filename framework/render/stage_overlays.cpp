@@ -60,21 +60,26 @@ void Stage::add_arrows(Picture& picture, const Actor& actor, const RigidState& s
               0.8F, colors::angular_momentum);
 }
 
+/// A dot at each contact, and the impulse on body 1, or on body 2 if 1 is static.
 void Stage::add_contacts(Picture& picture, const Frame& frame) const
 {
-    const float dot = 2.2F * thickness_;
+    const auto count = static_cast<int>(actors_.size());
     for (const ContactRecord& contact : frame.contacts) {
         if (!in_sight(contact.point)) continue;
         const Vector3f point = contact.point.cast<float>();
-        picture.dots.push_back({dot * Matrix3f::Identity(), point, colors::touching});
-        const auto count = static_cast<int>(actors_.size());
-        if (contact.body1 < 0 || contact.body1 >= count) continue;
-        const Actor& body = actors_[contact.body1];
+        picture.dots.push_back({1.4F * thickness_ * Matrix3f::Identity(), point, colors::touching});
+        if (std::min(contact.body1, contact.body2) < 0 ||
+            std::max(contact.body1, contact.body2) >= count)
+            continue;
+        const bool first = !actors_[contact.body1].is_static;
+        const double mass = actors_[first ? contact.body1 : contact.body2].mass;
         const double j = contact.impulse.norm();
-        if (!(body.mass > 0) || !(j > 0)) continue;
-        const double length = 60 * thickness_ * saturated(j / body.mass, 1.5); // at 1.5 m/s a half
-        add_arrow(picture, point, (contact.point + contact.impulse / j * length).cast<float>(),
-                  0.9F * thickness_, colors::impulse);
+        if (!(mass > 0) || !(j > 0)) continue;
+        // the speed it gives, saturated: resting and hitting are both seen
+        const double length = 50 * thickness_ * saturated(j / mass, 0.8);
+        const Vector3d way = (first ? 1 : -1) * length / j * contact.impulse;
+        add_arrow(picture, point, (contact.point + way).cast<float>(), 0.8F * thickness_,
+                  colors::impulse);
     }
 }
 
@@ -139,6 +144,7 @@ void Stage::add_names(Picture& picture, const Frame& frame) const
         Vector3d above = state.position;
         above.y() = top(actors_[i].parts, {rotation_matrix(state.orientation), state.position}) +
                     2.5 * thickness_;
+        if (actors_[i].is_static) above = state.position; // a wall's or a table's middle
         if (in_sight(above))
             picture.texts.push_back({actors_[i].name, colors::dark, false, above.cast<float>()});
     }

@@ -96,12 +96,12 @@ void main() {
     // a face has one zero here; the next smallest is the way to its nearest edge
     float edge = max(min(inside.x, inside.y), min(max(inside.x, inside.y), inside.z));
     float pixels = edge / max(length(vec2(dFdx(edge), dFdy(edge))), 1e-6);
-    float line = 1.0 - smoothstep(0.5, 1.8, pixels);
+    float line = 1.0 - smoothstep(0.3, 2.2, pixels);
 #ifdef GHOST
     pixel = vec4(lit(color.rgb, point, n, 0.0), mix(color.a, 1.0, 0.8 * line));
 #else
     float wide = smoothstep(3.0, 14.0, bevel / 0.07 / max(length(fwidth(p)), 1e-6));
-    pixel = vec4(lit(color.rgb, point, n, 0.16) * (1.0 - 0.45 * line * wide), 1.0);
+    pixel = vec4(lit(color.rgb, point, n, 0.16) * (1.0 - 0.40 * line * wide), 1.0);
 #endif
 }
 )";
@@ -221,7 +221,7 @@ void main() {
 }
 )";
 
-// Letters with a pale rim, so that they can be read on anything.
+// Letters with a pale rim, to be read on anything.
 constexpr const char* text_fragment = R"(
 uniform sampler2D atlas;
 in vec2 at;

@@ -14,9 +14,8 @@ enum class Look { box, ball, overlay, ground, background, shadow, text, count };
 struct View {
     float to_clip[16], to_light[16]; // by columns
     float eye[4];
-    float light[4]; // towards it; [3]: the shadow's offset along a normal [m]
-    float screen
-        [4]; // width, height [pixels], 1 / side of the shadow map, opacity of what shines through
+    float light[4];  // towards it; [3]: the shadow's offset along a normal [m]
+    float screen[4]; // width, height [pixels], 1 / side of the shadow map
 };
 
 /// A compiled look. `definitions` are names its source asks for: SHADOWS, GHOST, THROUGH.
