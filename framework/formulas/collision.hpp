@@ -26,8 +26,8 @@ double sample_level_set(const LevelSet& grid, const Vector3d& p);
 /// cell. Outside the grid: that gradient at the nearest point of its box. Zero gradient: (0, 1, 0).
 Vector3d level_set_normal(const LevelSet& grid, const Vector3d& p);
 
-/// A4.3 Relative velocity at x, v = v₁ - v₂ with vᵢ = ωᵢ × (x - Xᵢ) + Vᵢ [m/s] (lecture
-/// "Frictionless impulse").
+/// A4.3 Relative velocity at x, v = v₁ - v₂ with vᵢ = ωᵢ × (x - Xᵢ) + Vᵢ [m/s].
+/// Lecture: "Frictionless impulse".
 Vector3d relative_velocity(const Body& body1, const Body& body2, const Vector3d& x);
 
 /// A4.4 Impulse matrix K = δ/M + (x - X)*ᵀ I⁻¹ (x - X)* [1/kg]: an impulse j at x changes the
@@ -37,26 +37,26 @@ Vector3d relative_velocity(const Body& body1, const Body& body2, const Vector3d&
 Matrix3d impulse_matrix(double inverse_mass, const Matrix3d& I_inverse, const Vector3d& X,
                         const Vector3d& x);
 
-/// A4.5 Frictionless impulse j = -(1 + ε) vₙ / (nᵀ K n) n [N s] (lecture "Computing frictionless
-/// impulse").
+/// A4.5 Frictionless impulse j = -(1 + ε) vₙ / (nᵀ K n) n [N s].
+/// Lecture: "Computing frictionless impulse".
 ///
 /// Both bodies static (nᵀ K n = 0): zero.
 Vector3d frictionless_impulse(const Matrix3d& K, const Vector3d& v, const Vector3d& n,
                               double restitution);
 
-/// A4.6 Impulse that stops all tangential motion, j = K⁻¹ (-v - ε vₙ n) (lecture "Computing static
-/// friction").
+/// A4.6 Impulse that stops all tangential motion, j = K⁻¹ (-v - ε vₙ n).
+/// Lecture: "Computing static friction".
 ///
 /// K is symmetric positive definite unless both bodies are static (K = 0): zero.
 Vector3d static_friction_impulse(const Matrix3d& K, const Vector3d& v, const Vector3d& n,
                                  double restitution);
 
-/// A4.7 Whether j lies in the friction cone, |j_T| ≤ μ jₙ, and pushes, jₙ ≥ 0 (lecture "Computing
-/// friction").
+/// A4.7 Whether j lies in the friction cone, |j_T| ≤ μ jₙ, and pushes, jₙ ≥ 0.
+/// Lecture: "Computing friction".
 bool inside_friction_cone(const Vector3d& j, const Vector3d& n, double friction);
 
-/// A4.8 Sliding impulse, its tangential part against the initial sliding (lecture "Computing
-/// sliding friction").
+/// A4.8 Sliding impulse, its tangential part against the initial sliding.
+/// Lecture: "Computing sliding friction".
 ///
 ///     T = (v - vₙ n)/|v - vₙ n|    jₙ = -(1 + ε) vₙ / (nᵀ K (n - μ T))    j = jₙ n - μ jₙ T
 ///
@@ -68,7 +68,8 @@ Vector3d sliding_friction_impulse(const Matrix3d& K, const Vector3d& v, const Ve
                                   double restitution, double friction);
 
 /// A4.9 The impulse of a collision: separating (vₙ ≥ 0), zero; else the static one if it lies in
-/// the friction cone; else the sliding one (lecture "Computing friction").
+/// the friction cone; else the sliding one.
+/// Lecture: "Computing friction".
 Vector3d collision_impulse(const Matrix3d& K, const Vector3d& v, const Vector3d& n,
                            double restitution, double friction);
 
@@ -77,8 +78,8 @@ Vector3d collision_impulse(const Matrix3d& K, const Vector3d& v, const Vector3d&
 /// For body 2 pass -j. Static body: unchanged.
 Body apply_impulse(const Body& body, const Vector3d& x, const Vector3d& j);
 
-/// A4.11 Index of the deepest contact whose bodies still approach there, v·n < 0 (lecture "Rigid
-/// collision algorithms").
+/// A4.11 Index of the deepest contact whose bodies still approach there, v·n < 0.
+/// Lecture: "Rigid collision algorithms".
 ///
 /// None: empty. Equal depths: the first of them.
 std::optional<int> deepest_approaching_point(const std::vector<ContactPoint>& contacts);

@@ -8,21 +8,24 @@
 
 namespace rigor {
 
-/// A1.1 The cross-product matrix w*: w* x = w × x for every x (lecture "The cross-product matrix").
+/// A1.1 The cross-product matrix w*: w* x = w × x for every x.
+/// Lecture: "The cross-product matrix".
 ///
 ///          (   0  -w₂   w₁ )
 ///     w* = (  w₂    0  -w₀ )
 ///          ( -w₁   w₀    0 )
 Matrix3d cross_matrix(const Vector3d& w);
 
-/// A1.2 World-space position of an object-space point, x = R p + X [m]
-/// (lecture "Object space vs. world space").
+/// A1.2 World-space position of an object-space point, x = R p + X [m].
+/// Lecture: "Object space vs. world space".
 Vector3d world_point(const Matrix3d& R, const Vector3d& X, const Vector3d& p);
 
-/// A1.3 Object-space position of a world-space point, p = Rᵀ (x - X) [m] (lecture "Kinematics").
+/// A1.3 Object-space position of a world-space point, p = Rᵀ (x - X) [m].
+/// Lecture: "Kinematics".
 Vector3d object_point(const Matrix3d& R, const Vector3d& X, const Vector3d& x);
 
-/// A1.4 Angular velocity ω [rad/s] of a rotating frame, from Ṙ Rᵀ = ω* (lecture "Skew-symmetry").
+/// A1.4 Angular velocity ω [rad/s] of a rotating frame, from Ṙ Rᵀ = ω*.
+/// Lecture: "Skew-symmetry".
 ///
 /// Where rounding or a finite difference left A = Ṙ Rᵀ not quite skew, ω belongs to its skew part,
 /// ½ (A - Aᵀ).
@@ -34,12 +37,12 @@ Vector3d angular_velocity(const Matrix3d& R_dot, const Matrix3d& R);
 Vector3d point_velocity(const Vector3d& V, const Vector3d& omega, const Vector3d& X,
                         const Vector3d& x);
 
-/// A1.6 Velocity modes: the 3×6 matrix S(x) = ( δ  X* - x* ), so that v(x) = S(x) (V, ω)
-/// (lecture "Velocity modes").
+/// A1.6 Velocity modes: the 3×6 matrix S(x) = ( δ  X* - x* ), so that v(x) = S(x) (V, ω).
+/// Lecture: "Velocity modes".
 Matrix36d velocity_modes(const Vector3d& X, const Vector3d& x);
 
-/// A1.7 Generalized mass, Sᵀ M S = Σ mᵢ S(xᵢ)ᵀ S(xᵢ), a 6×6 matrix (lectures "Constrained
-/// dynamics", "Working it out").
+/// A1.7 Generalized mass, Sᵀ M S = Σ mᵢ S(xᵢ)ᵀ S(xᵢ), a 6×6 matrix.
+/// Lecture: "Constrained dynamics", "Working it out".
 ///
 /// X is any point to rotate about; the off-diagonal blocks vanish exactly when it is the center of
 /// mass. No particle: zero.
@@ -47,13 +50,14 @@ Matrix36d velocity_modes(const Vector3d& X, const Vector3d& x);
 /// @param particles  in world space
 Matrix6d generalized_mass(const std::vector<Particle>& particles, const Vector3d& X);
 
-/// A1.8 Net force F = Σ fᵢ and net torque τ = Σ (xᵢ - X) × fᵢ (lecture "What about the external
-/// forces?").
+/// A1.8 Net force F = Σ fᵢ and net torque τ = Σ (xᵢ - X) × fᵢ.
+/// Lecture: "What about the external forces?".
 ///
 /// It is Sᵀ F_ext; the transpose turns X* - x* into (x - X)*. No force: zero.
 Wrench net_wrench(const std::vector<PointForce>& forces, const Vector3d& X);
 
-/// A1.9 Equations of motion (lecture "Equations of motion").
+/// A1.9 Equations of motion.
+/// Lecture: "Equations of motion".
 ///
 ///     Ẋ = V    Ṙ = ω* R  with  ω = I(t)⁻¹ L    V̇ = F / M    L̇ = τ
 ///

@@ -9,8 +9,8 @@
 
 namespace rigor {
 
-/// A3.1 R + Δt ω* R, the naive update (lecture "Numerical integration"). It drifts from a rotation:
-/// kept to show that.
+/// A3.1 R + Δt ω* R, the naive update.
+/// Lecture: "Numerical integration". It drifts from a rotation: kept to show that.
 Matrix3d advance_matrix(const Matrix3d& R, const Vector3d& omega, double time_step);
 
 /// A3.2 Gram–Schmidt on the columns of R, from the first to the last: expensive and biased, kept to
@@ -44,16 +44,18 @@ Quaternion conjugate(const Quaternion& q);
 /// large q is, no square under- or overflows.
 Quaternion normalize(const Quaternion& q);
 
-/// A3.8 Rotated vector, q (0, p) q̄ (lecture "Rotating with quaternions").
+/// A3.8 Rotated vector, q (0, p) q̄.
+/// Lecture: "Rotating with quaternions".
 ///
 /// @param q  unit
 Vector3d rotate(const Quaternion& q, const Vector3d& p);
 
-/// A3.9 Rotation matrix of a unit quaternion; its columns are the rotated axes (lecture "Converting
-/// q to R").
+/// A3.9 Rotation matrix of a unit quaternion; its columns are the rotated axes.
+/// Lecture: "Converting q to R".
 Matrix3d to_matrix(const Quaternion& q);
 
-/// A3.10 q̇ = ½ (0, ω) q [1/s] (lecture "Rotating with quaternions").
+/// A3.10 q̇ = ½ (0, ω) q [1/s].
+/// Lecture: "Rotating with quaternions".
 Quaternion quaternion_rate(const Quaternion& q, const Vector3d& omega);
 
 /// A3.11 Exact update for constant ω: (cos|Δt ω/2|, sin|Δt ω/2| ω/|ω|) q.
@@ -65,18 +67,20 @@ Quaternion advance_exact(const Quaternion& q, const Vector3d& omega, double time
 /// atan(|ω|Δt/2).
 Quaternion advance_linear(const Quaternion& q, const Vector3d& omega, double time_step);
 
-/// A3.13 Longest step [s] that turns by no more than a quarter turn, (π/2)/|ω| (lecture
-/// "Integrating rotation").
+/// A3.13 Longest step [s] that turns by no more than a quarter turn, (π/2)/|ω|.
+/// Lecture: "Integrating rotation".
 ///
 /// ω = 0: infinity, the one result that need not be finite.
 double max_time_step(const Vector3d& omega);
 
-/// A3.14 Gravity on a rigid body: the force M g and no torque (lecture "Gravity").
+/// A3.14 Gravity on a rigid body: the force M g and no torque.
+/// Lecture: "Gravity".
 ///
 /// @param gravity  g [m/s²]
 Wrench gravity_wrench(double mass, const Vector3d& gravity);
 
-/// A3.15 One step of symplectic Euler (lecture "Integrating rotation").
+/// A3.15 One step of symplectic Euler.
+/// Lecture: "Integrating rotation".
 ///
 ///     V' = V + Δt F/M    X' = X + Δt V'    L' = L + Δt τ    q' = advance_linear(q, ω, Δt)
 ///
