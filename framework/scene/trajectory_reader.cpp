@@ -39,6 +39,20 @@ void check_finite(const Eigen::MatrixBase<Derived>& numbers, const std::string& 
         check_finite(numbers.derived().data()[i], where, quantity);
 }
 
+void check_finite(const RigidState& state, std::int64_t step, const std::string& body)
+{
+    const bool is_finite = state.position.allFinite() && std::isfinite(state.orientation.s) &&
+                           state.orientation.v.allFinite() && state.velocity.allFinite() &&
+                           state.angular_momentum.allFinite();
+    if (is_finite) return; // no text is made for the usual case
+    const std::string where = fmt::format("step {}, body {}", step, in_quotes(body));
+    check_finite(state.position, where, "position");
+    check_finite(state.orientation.s, where, "orientation");
+    check_finite(state.orientation.v, where, "orientation");
+    check_finite(state.velocity, where, "velocity");
+    check_finite(state.angular_momentum, where, "angular momentum");
+}
+
 std::size_t count_of(const std::string& where, std::string_view what, std::size_t count,
                      std::size_t most)
 {
@@ -203,12 +217,7 @@ void TrajectoryReader::read_frame(Cursor& bytes)
         state.orientation.v = bytes.take<Vector3d>();
         state.velocity = bytes.take<Vector3d>();
         state.angular_momentum = bytes.take<Vector3d>();
-        const std::string at = fmt::format("{}, body {}", where, in_quotes(body.name));
-        check_finite(state.position, at, "position");
-        check_finite(state.orientation.s, at, "orientation");
-        check_finite(state.orientation.v, at, "orientation");
-        check_finite(state.velocity, at, "velocity");
-        check_finite(state.angular_momentum, at, "angular momentum");
+        check_finite(state, frame_.step, body.name);
         frame_.bodies.push_back(state);
     }
     const std::size_t contacts =

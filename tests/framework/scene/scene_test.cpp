@@ -23,6 +23,14 @@ std::vector<std::filesystem::path> shipped_scenes()
     return files;
 }
 
+std::string handbook()
+{
+    std::ifstream stream(RIGOR_SOURCE_DIR "/assignments/scenes.md");
+    std::string text{std::istreambuf_iterator<char>(stream), {}};
+    REQUIRE(!text.empty());
+    return text;
+}
+
 Scene scene_of(const std::string& keys)
 {
     return parse_scene("{\"bodies\": [{\"name\": \"b\", \"shape\": {\"box\": {\"size\": [1, 2, 3]}}"
@@ -199,11 +207,22 @@ TEST_CASE("scene: every shipped scene loads and is worth a film")
     }
 }
 
+TEST_CASE("scene: the handbook's examples are what they say")
+{
+    const std::string text = handbook();
+    const auto block = [&](std::size_t from) {
+        const std::size_t start = text.find("```json\n", from) + 8;
+        return text.substr(start, text.find("```", start) - start);
+    };
+    const Scene scene = parse_scene(block(0), "handbook");
+    CHECK(scene.bodies.size() == 3);
+    const std::string hammer = block(text.find("Example of a compound body"));
+    CHECK(parse_scene("{\"bodies\": [" + hammer + "]}", "hammer").bodies.at(0).parts.size() == 2);
+}
+
 TEST_CASE("scene: the handbook explains every key in the words of the table")
 {
-    std::ifstream stream(RIGOR_SOURCE_DIR "/assignments/scenes.md");
-    const std::string handbook{std::istreambuf_iterator<char>(stream), {}};
-    REQUIRE(!handbook.empty());
+    const std::string text = handbook();
     const std::vector<KeyMeaning> language = scene_language();
     REQUIRE(language.size() > 50);
     std::string generated;
@@ -217,6 +236,6 @@ TEST_CASE("scene: the handbook explains every key in the words of the table")
     std::istringstream lines(generated);
     for (std::string line; std::getline(lines, line);) {
         CAPTURE(line);
-        REQUIRE(handbook.find(line + "\n") != std::string::npos);
+        REQUIRE(text.find(line + "\n") != std::string::npos);
     }
 }
