@@ -124,7 +124,11 @@ int run_command_line(int argc, char** argv)
         Options options(*subcommand);
         actions.emplace_back(subcommand, command.declare(options));
     }
-    if (argc > 1 && argv[1][0] != '-' && !is_command(argv[1])) return unknown_command(argv[1]);
+    const std::string first = argc > 1 ? argv[1] : "";
+    const bool is_option = first.starts_with('-');
+    if (is_option && first != "-h" && first != "--help" && first != "--version")
+        return complain("unknown option '" + first + "' before a command", exit_input);
+    if (argc > 1 && !is_option && !is_command(first)) return unknown_command(first);
     if (argc == 1) {
         std::fputs(app.help().c_str(), stderr);
         return complain("expected a command", exit_input);

@@ -96,6 +96,7 @@ bool report_numbers(const Comparison& comparison, const Trajectory& actual, cons
 
 int compare(const CompareOptions& options)
 {
+    check_drawing(options.draw);
     const Scene scene = load_scene(find_scene(options.scene));
     const Implementation reference = working_implementation("reference");
     const Implementation implementation = working_implementation(options.with);
@@ -127,9 +128,8 @@ Action declare_compare(Options& options)
     options.option("--out", "DIR", chosen->out,
                    "Draw both in one picture a frame, the other one as a ghost");
     declare_drawing(options, chosen->draw);
-    options.examples(
-        {"compare spinning_box              the first step that differs, and how it grows",
-         "compare rod_tip --out frames      the same, and what it looks like"});
+    options.examples({"compare rod_tip               the first step that differs",
+                      "compare rod_tip --out frames  the same, and what it looks like"});
     return [chosen] { return compare(*chosen); };
 }
 

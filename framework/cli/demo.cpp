@@ -5,6 +5,7 @@
 #include "cli/prepare.hpp"
 #include "cli/progress.hpp"
 #include "grading/places.hpp"
+#include "grading/process.hpp"
 #include "grading/run_tests.hpp"
 #include "report/result_json.hpp"
 #include "report/table.hpp"
@@ -36,9 +37,11 @@ constexpr const char* sample_assignment = "a2-inertia";
 
 void render_scenes(const fs::path& out, const std::string& size)
 {
-    const Implementation reference = working_implementation("reference");
     DrawOptions draw;
     draw.size = size;
+    check_drawing(draw);
+    const Implementation reference = working_implementation("reference");
+    draw.video = is_installed("ffmpeg");
     for (const char* name : scenes) {
         const Scene scene = load_scene(find_scene(name));
         fmt::print("{}: {}\n  ", name, scene.description);
@@ -109,7 +112,9 @@ int demo(const DemoOptions& options)
 
     fmt::print("\nWhat lies where:\n");
     for (const char* scene : scenes)
-        fmt::print("  {}/frame_00000.png and so on\n", (out / fs::path(scene).filename()).string());
+        fmt::print("  {}/frame_00000.png and so on{}\n",
+                   (out / fs::path(scene).filename()).string(),
+                   is_installed("ffmpeg") ? ", out.mp4" : "");
     for (const char* name : samples)
         fmt::print("  {}/result.json, report.txt\n", (out / "graded" / name).string());
     return exit_done;

@@ -54,6 +54,12 @@ void declare_drawing(Options& options, DrawOptions& draw)
     options.flag("--labels", draw.labels, "Write the bodies' names");
 }
 
+void check_drawing(const DrawOptions& options)
+{
+    size_of(options.size);
+    if (!options.gl.empty()) gl_from_text(options.gl);
+}
+
 Film::Film(const std::string& folder, const Scene& scene, const DrawOptions& options)
     : folder_(folder), overlays_(overlays_of(scene, options)),
       progress_(std::make_unique<Progress>(scene.name)), seconds_at_start_(now())

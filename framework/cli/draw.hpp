@@ -22,6 +22,9 @@ struct DrawOptions {
 
 void declare_drawing(Options& options, DrawOptions& draw);
 
+/// @throws InputError for a size or a way to draw that cannot be; before anything is built or run
+void check_drawing(const DrawOptions& options);
+
 /// Frames of one scene to a folder, with a progress bar.
 class Film {
 public:

@@ -44,6 +44,7 @@ int render(const RenderOptions& options)
 {
     if (options.out.empty())
         throw InputError("--out: expected a folder for the frames, found none");
+    check_drawing(options.draw);
     if (is_trajectory(options.scene)) return render_trajectory(options);
     const Scene scene = load_scene(find_scene(options.scene));
     const Implementation implementation = working_implementation(options.with);
@@ -75,7 +76,7 @@ Action declare_render(Options& options)
     options.option("--out", "DIR", chosen->out, "Folder for frame_00000.png and so on");
     declare_drawing(options, chosen->draw);
     options.examples({"render spinning_box --out frames --axes --omega",
-                      "render a4-collision/hundred_boxes --with reference --out frames --video"});
+                      "render hundred_boxes --with reference --out frames --video"});
     return [chosen] { return render(*chosen); };
 }
 

@@ -6,6 +6,7 @@
 #include "grading/places.hpp"
 #include "grading/process.hpp"
 #include "report/terminal.hpp"
+#include "scene/scene.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -33,11 +34,18 @@ int list_mistakes()
     return ended.status == 0 ? exit_done : exit_wrong;
 }
 
+constexpr std::string_view known_presets[] = {"release", "debug", "clang"};
+
 int test(const TestOptions& options)
 {
     if (options.mistakes) return list_mistakes();
     std::vector<std::string> presets = options.presets;
-    if (presets.empty()) presets = {"release", "debug", "clang"};
+    for (const std::string& preset : presets)
+        if (std::find(std::begin(known_presets), std::end(known_presets), preset) ==
+            std::end(known_presets))
+            throw InputError(fmt::format("expected a build, one of {}, found '{}'",
+                                         fmt::join(known_presets, ", "), preset));
+    if (presets.empty()) presets.assign(std::begin(known_presets), std::end(known_presets));
     if (options.quick) presets = {"release"};
 
     const bool color = wants_color(STDOUT_FILENO);

@@ -10,9 +10,7 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <cstdlib>
 #include <fmt/format.h>
-#include <sstream>
 #include <unistd.h>
 
 namespace rigor {
@@ -20,15 +18,6 @@ namespace rigor {
 namespace fs = std::filesystem;
 
 namespace {
-
-bool is_installed(const std::string& program)
-{
-    const char* path = std::getenv("PATH");
-    std::istringstream folders(path ? path : "");
-    for (std::string folder; std::getline(folders, folder, ':');)
-        if (access((fs::path(folder) / program).c_str(), X_OK) == 0) return true;
-    return false;
-}
 
 SuiteResult tell(const std::string& name, SuiteResult::Verdict verdict, const std::string& detail)
 {

@@ -28,6 +28,12 @@ void replace_all(std::string& text, const std::string& what, const std::string& 
         text.replace(at, what.size(), by);
 }
 
+std::string without_last_newline(std::string text)
+{
+    if (text.ends_with('\n')) text.pop_back();
+    return text;
+}
+
 // What a student reads: paths as they know them.
 std::string shortened(std::string errors, const Implementation& implementation)
 {
@@ -59,7 +65,8 @@ void judge(Implementation& implementation, const NinjaRun& run, const std::strin
     take_over(implementation, run);
     if (run.ok) return;
     if (!is_theirs(run, marker, worker) || implementation.name == "reference")
-        throw std::runtime_error("code of the framework does not compile:\n" + run.errors);
+        throw std::runtime_error("code of the framework does not compile:\n" +
+                                 without_last_newline(run.errors));
     implementation.compile_error = shortened(run.errors, implementation);
     if (run.timed_out)
         implementation.compile_error += "a file took longer than " +
@@ -138,7 +145,7 @@ void build_targets(const std::vector<std::string>& targets, const OnBuildStep& o
 {
     const BuildLock lock(say_waiting);
     const NinjaRun run = run_ninja(targets, on_step);
-    if (!run.ok) throw std::runtime_error("the build failed:\n" + run.errors);
+    if (!run.ok) throw std::runtime_error("the build failed:\n" + without_last_newline(run.errors));
 }
 
 } // namespace rigor

@@ -5,9 +5,11 @@
 #include <cerrno>
 #include <chrono>
 #include <csignal>
+#include <cstdlib>
 #include <cstring>
 #include <fcntl.h>
 #include <poll.h>
+#include <sstream>
 #include <stdexcept>
 #include <sys/prctl.h>
 #include <sys/resource.h>
@@ -200,6 +202,15 @@ Ended run(const Command& command, const OnLine& on_output, const OnLine& on_mess
     Ended ended;
     collect(child, command, output, messages, ended);
     return ended;
+}
+
+bool is_installed(const std::string& program)
+{
+    const char* path = std::getenv("PATH");
+    std::istringstream folders(path ? path : "");
+    for (std::string folder; std::getline(folders, folder, ':');)
+        if (access((std::filesystem::path(folder) / program).c_str(), X_OK) == 0) return true;
+    return false;
 }
 
 } // namespace rigor

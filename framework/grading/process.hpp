@@ -38,6 +38,9 @@ using OnLine = std::function<void(std::string_view line)>;
 /// A line longer than 1 MiB is handed over in pieces. @throws std::runtime_error if the program cannot be started
 Ended run(const Command& command, const OnLine& on_output, const OnLine& on_message = {});
 
+/// Whether a program of this name is in PATH.
+bool is_installed(const std::string& program);
+
 /// The descriptor that a program run with `on_message` writes its messages to.
 inline constexpr int message_descriptor = 3;
 

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+// The program as its users meet it: exit statuses and one clear line for whatever is wrong.
+#include "../grading/files.hpp"
+#include "grading/process.hpp"
+#include "report/terminal.hpp"
+#include "support/catch.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace rigor::testing {
+
+namespace {
+
+struct Run {
+    int status = 0;
+    std::string output;
+};
+
+Run rigor(const std::vector<std::string>& arguments)
+{
+    Run result;
+    Command command;
+    command.arguments = {std::string(RIGOR_BINARY_DIR) + "/bin/rigor"};
+    command.arguments.insert(command.arguments.end(), arguments.begin(), arguments.end());
+    const Ended ended =
+        run(command, [&](std::string_view line) { result.output += std::string(line) + "\n"; });
+    REQUIRE(ended.signal == 0);
+    result.status = ended.status;
+    return result;
+}
+
+void require_one_line(const std::vector<std::string>& arguments, const std::string& words)
+{
+    const Run result = rigor(arguments);
+    CAPTURE(result.output, words);
+    REQUIRE(result.status == 2);
+    REQUIRE(result.output.starts_with("rigor: "));
+    REQUIRE(std::count(result.output.begin(), result.output.end(), '\n') == 1);
+    REQUIRE(result.output.find(words) != std::string::npos);
+}
+
+const std::vector<std::string> names = {"demo",     "test",   "list",    "check",
+                                        "simulate", "render", "compare", "bench"};
+
+} // namespace
+
+TEST_CASE("command line: bad usage is one line and status 2", "[cli]")
+{
+    require_one_line({"chekc"}, "did you mean 'check'?");
+    require_one_line({"frobnicate"}, "unknown command 'frobnicate'");
+    require_one_line({"--frobnicate"}, "--frobnicate");
+    require_one_line({"check", "--frobnicate"}, "--frobnicate");
+    require_one_line({"check", "--seed", "minus"}, "--seed");
+    require_one_line({"check", "iertia"}, "did you mean 'inertia'?");
+    require_one_line({"check", "--with", "/no/such/folder"}, "/no/such/folder");
+    require_one_line({"simulate"}, "SCENE");
+    require_one_line({"simulate", "spining_box"}, "did you mean 'spinning_box'?");
+    require_one_line({"simulate", "spinning_box"},
+                     "a2-inertia/spinning_box and in a3-rotation/spinning_box");
+    require_one_line({"render", "rod_tip"}, "--out");
+    require_one_line(
+        {"render", "rod_tip", "--with", "reference", "--out", "/tmp/x", "--size", "big"},
+        "WIDTHxHEIGHT");
+    require_one_line({"bench", "spim"}, "no benchmark 'spim'");
+    require_one_line({"test", "fast"}, "fast");
+}
+
+TEST_CASE("command line: no command shows the help", "[cli]")
+{
+    const Run result = rigor({});
+    REQUIRE(result.status == 2);
+    for (const std::string& name : names)
+        REQUIRE(result.output.find("\n  " + name) != std::string::npos);
+}
+
+TEST_CASE("command line: every command explains itself with examples", "[cli]")
+{
+    REQUIRE(rigor({"--help"}).status == 0);
+    for (const std::string& name : names) {
+        CAPTURE(name);
+        const Run help = rigor({name, "--help"});
+        REQUIRE(help.status == 0);
+        REQUIRE(help.output.find("./rigor " + name) != std::string::npos);
+        std::istringstream lines(help.output);
+        for (std::string line; std::getline(lines, line);) {
+            CAPTURE(line);
+            REQUIRE(columns(line) <= 80);
+        }
+    }
+}
+
+TEST_CASE("command line: the list is readable by programs", "[cli]")
+{
+    const Run result = rigor({"list", "--json"});
+    REQUIRE(result.status == 0);
+    const nlohmann::json value = nlohmann::json::parse(result.output);
+    REQUIRE(value.size() >= 5);
+    REQUIRE(value[0]["assignment"] == "a0-pipeline");
+    REQUIRE(value[0]["tasks"][0]["formula"] == "kinetic_energy");
+}
+
+TEST_CASE("command line: a broken scene is named with its line", "[cli]")
+{
+    const TemporaryFolder folder;
+    const auto scene = folder.write("broken.json", "{\n \"gravty\": [0, -9.81, 0]\n}\n");
+    require_one_line({"simulate", scene.string()}, "broken.json:2: ");
+}
+
+} // namespace rigor::testing

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+// Whole submissions, from their folder to result.json: those of the demo, and those that do not compile.
+#include "../grading/files.hpp"
+#include "grading/process.hpp"
+#include "support/catch.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <map>
+#include <sstream>
+
+namespace rigor::testing {
+
+namespace {
+
+using nlohmann::json;
+
+struct Checked {
+    int status = 0;
+    json result;
+};
+
+Checked check(const std::string& what, const std::filesystem::path& folder)
+{
+    const TemporaryFolder results;
+    const auto file = results.path() / "result.json";
+    Command command;
+    command.arguments = {std::string(RIGOR_BINARY_DIR) + "/bin/rigor",
+                         "check",
+                         what,
+                         "--with",
+                         folder.string(),
+                         "--out",
+                         file.string()};
+    std::string output;
+    const Ended ended =
+        run(command, [&](std::string_view line) { output += std::string(line) + "\n"; });
+    CAPTURE(output);
+    REQUIRE(std::filesystem::exists(file));
+    std::stringstream text;
+    text << std::ifstream(file).rdbuf();
+    return {ended.status, json::parse(text.str())};
+}
+
+std::filesystem::path sample(const std::string& name)
+{
+    return std::filesystem::path(RIGOR_SOURCE_DIR) / "tests/samples" / name;
+}
+
+// Tags of the tasks that did not pass, with their statuses.
+std::map<std::string, std::string> not_passed(const json& result)
+{
+    std::map<std::string, std::string> statuses;
+    for (const json& test : result["tests"])
+        if (test["status"] != "passed") statuses[test["tag"]] = test["status"];
+    return statuses;
+}
+
+using Statuses = std::map<std::string, std::string>;
+
+const std::string combine_start =
+    "#include \"formulas/inertia.hpp\"\nnamespace rigor {\n"
+    "MassProperties combine(const MassProperties& a, const MassProperties& b)\n";
+
+} // namespace
+
+TEST_CASE("submission: the complete sample has every point", "[cli][submission]")
+{
+    const Checked checked = check("a2-inertia", sample("complete"));
+    REQUIRE(not_passed(checked.result) == Statuses());
+    REQUIRE(checked.result["score"] == checked.result["max_score"]);
+    REQUIRE(checked.status == 0);
+}
+
+TEST_CASE("submission: the half done sample fails where its mistakes are", "[cli][submission]")
+{
+    const Checked checked = check("a2-inertia", sample("half_done"));
+    REQUIRE(not_passed(checked.result) == Statuses{{"A2.2", "failed"},
+                                                   {"A2.4", "not_implemented"},
+                                                   {"A2.5", "not_finite"},
+                                                   {"A2.8", "failed"},
+                                                   {"A2.11", "not_implemented"},
+                                                   {"A2.12", "not_implemented"},
+                                                   {"A2.13", "not_implemented"},
+                                                   {"A2.14", "failed"},
+                                                   {"A2.15", "not_implemented"},
+                                                   {"A2.16", "not_implemented"}});
+    REQUIRE(checked.status == 1);
+}
+
+TEST_CASE("submission: a crash and an endless loop cost their own tasks only", "[cli][submission]")
+{
+    const Checked checked = check("a2-inertia", sample("crashing"));
+    REQUIRE(not_passed(checked.result) == Statuses{{"A2.4", "timed_out"},
+                                                   {"A2.11", "crashed"},
+                                                   {"A2.13", "not_implemented"},
+                                                   {"A2.15", "not_implemented"},
+                                                   {"A2.16", "not_implemented"}});
+    REQUIRE(checked.status == 1);
+}
+
+TEST_CASE("submission: a syntax error is told with file and line", "[cli][submission]")
+{
+    const TemporaryFolder folder;
+    folder.write("inertia.cpp", combine_start + "{\n    return a\n}\n}\n");
+    const Checked checked = check("A2.14", folder.path());
+    REQUIRE(checked.status == 1);
+    REQUIRE(checked.result["status"] == "compile_error");
+    const std::string message = checked.result["message"];
+    CAPTURE(message);
+    REQUIRE(message.find("inertia.cpp:5:") != std::string::npos);
+    REQUIRE(message.find("error: expected") != std::string::npos);
+    REQUIRE(checked.result["score"] == 0);
+    REQUIRE(checked.result["max_score"] > 0);
+}
+
+TEST_CASE("submission: a function that is not there is a compile error", "[cli][submission]")
+{
+    const TemporaryFolder folder;
+    folder.write("inertia.cpp", combine_start + "{\n    return a.mass > 0 ? a : b;\n}\n}\n");
+    const Checked checked = check("A2.14", folder.path());
+    REQUIRE(checked.status == 1);
+    REQUIRE(checked.result["status"] == "compile_error");
+    REQUIRE(checked.result["message"].get<std::string>().find("world_inertia") !=
+            std::string::npos);
+}
+
+} // namespace rigor::testing

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: MIT
+// How test cases become points, with a shell script in the place of the test program.
+#include "files.hpp"
+#include "grading/run_tests.hpp"
+#include "grading/verdicts.hpp"
+#include "support/catch.hpp"
+
+namespace rigor::testing {
+
+namespace {
+
+Task task_worth(double points, const std::string& tag = "A2.1", bool is_hidden = false)
+{
+    Task task;
+    task.tag = tag;
+    task.formula = "f";
+    task.points = points;
+    task.is_hidden = is_hidden;
+    return task;
+}
+
+std::vector<TestCase> tests_with(const std::vector<Status>& statuses)
+{
+    std::vector<TestCase> tests;
+    for (const Status status : statuses) {
+        tests.emplace_back();
+        tests.back().status = status;
+    }
+    return tests;
+}
+
+std::string line_of(const std::string& tag, const std::string& status)
+{
+    return R"({"tag":")" + tag + R"(","name":"topic: a law","status":")" + status +
+           R"(","message":"m","expected":"","actual":"","error":0,"tolerance":0,"class":"","seed":-1,"hidden":false,)" +
+           R"("seconds":0.1})";
+}
+
+std::string begin_of(const std::string& tag)
+{
+    return R"({"begin":"topic: a law","tag":")" + tag + R"("})";
+}
+
+std::string verdict_of(const std::string& tag, const std::string& status)
+{
+    return begin_of(tag) + "\n" + line_of(tag, status) + "\n";
+}
+
+// A test program that writes these lines on the descriptor of its verdicts and ends as told.
+Result graded(const std::string& lines, const std::string& ending, bool oracle = false)
+{
+    const TemporaryFolder folder;
+    folder.write("lines", lines);
+    const auto script = folder.write(
+        "tests", "#!/bin/sh\necho \"$@\" >" + (folder.path() / "asked").string() + "\ncat " +
+                     (folder.path() / "lines").string() + " >&3\n" + ending + "\n");
+    std::filesystem::permissions(script, std::filesystem::perms::owner_all);
+    Selection selection;
+    selection.assignment.name = "a2-inertia";
+    selection.assignment.tasks = {task_worth(2, "A2.1"), task_worth(3, "A2.2"),
+                                  task_worth(5, "A2.3", true)};
+    selection.tags = {"A2.1", "A2.2", "A2.3"};
+    GradingRun run;
+    run.test_program = script;
+    run.silence = 1;
+    if (oracle) run.oracle = "oracle";
+    return grade(selection, Implementation(), run);
+}
+
+} // namespace
+
+TEST_CASE("scoring: points are earned whole", "[scoring]")
+{
+    using enum Status;
+    REQUIRE(score_task(task_worth(3), tests_with({passed, passed})).score == 3);
+    const TaskResult one_wrong = score_task(task_worth(3), tests_with({passed, failed, passed}));
+    REQUIRE(one_wrong.score == 0);
+    REQUIRE(one_wrong.max_score == 3);
+    REQUIRE(one_wrong.status == failed);
+}
+
+TEST_CASE("scoring: a task without a test earns nothing and counts nothing", "[scoring]")
+{
+    const TaskResult result = score_task(task_worth(3), {});
+    REQUIRE(result.status == Status::skipped);
+    REQUIRE(result.score == 0);
+    REQUIRE(result.max_score == 0);
+}
+
+TEST_CASE("scoring: a task is as bad as its worst test", "[scoring]")
+{
+    using enum Status;
+    const std::vector<Status> from_good_to_bad = {passed,     skipped,   not_implemented, failed,
+                                                  not_finite, timed_out, crashed};
+    for (std::size_t bad = 1; bad < from_good_to_bad.size(); ++bad)
+        for (std::size_t good = 0; good < bad; ++good) {
+            const Status b = from_good_to_bad[bad], g = from_good_to_bad[good];
+            REQUIRE(score_task(task_worth(1), tests_with({g, b, g})).status == b);
+            REQUIRE(score_task(task_worth(1), tests_with({b, g})).first_failure()->status == b);
+            REQUIRE(score_task(task_worth(1), tests_with({b, g})).score == 0);
+        }
+}
+
+TEST_CASE("scoring: what the test program says is the score", "[scoring]")
+{
+    const Result result = graded(verdict_of("A2.1", "passed") + verdict_of("A2.2", "failed") +
+                                     verdict_of("A2.1", "passed") + verdict_of("A2.3", "passed"),
+                                 "exit 1", true);
+    REQUIRE(result.message == "");
+    REQUIRE(result.status == SubmissionStatus::graded);
+    REQUIRE(result.score() == 7);
+    REQUIRE(result.max_score() == 10);
+    REQUIRE_FALSE(result.all_points());
+}
+
+TEST_CASE("scoring: hidden tasks count only where the reference is", "[scoring]")
+{
+    const Result result =
+        graded(verdict_of("A2.1", "passed") + verdict_of("A2.2", "passed"), "exit 0");
+    REQUIRE(result.status == SubmissionStatus::graded);
+    REQUIRE(result.tasks[2].status == Status::skipped);
+    REQUIRE(result.max_score() == 5);
+    REQUIRE(result.all_points());
+}
+
+TEST_CASE("scoring: a fault of the tests is nobody's zero", "[scoring]")
+{
+    const std::string good = verdict_of("A2.1", "passed") + verdict_of("A2.2", "passed");
+    const auto is_fault = [](const Result& result, const std::string& words) {
+        CAPTURE(result.message, words);
+        REQUIRE(result.status == SubmissionStatus::internal_error);
+        REQUIRE(result.message.find(words) != std::string::npos);
+        REQUIRE_FALSE(result.all_points());
+    };
+    is_fault(graded("", "exit 0"), "no test of A2.1 ran");
+    is_fault(graded(verdict_of("A2.1", "passed"), "exit 0"), "no test of A2.2 ran");
+    is_fault(graded(good + begin_of("A2.2") + "\n", "kill -9 $$"), "died of signal 9");
+    is_fault(graded(good, "kill -11 $$"), "died of signal 11");
+    is_fault(graded(good + begin_of("A2.2") + "\n", "exit 3"), "gave up in 'topic: a law'");
+    is_fault(graded(good + "{\n", "exit 0"), "not a verdict");
+    is_fault(graded(verdict_of("A2.1", "vacuous"), "exit 0"), "checked nothing");
+    is_fault(graded(verdict_of("A2.1", "splendid"), "exit 0"), "is no status");
+    is_fault(graded(good, "exec sleep 60"), "hung");
+    is_fault(graded(good, "echo no such worker >&2; exit 2", true),
+             "its last words: no such worker");
+}
+
+TEST_CASE("scoring: code that does not compile has the points of nothing", "[scoring]")
+{
+    Selection selection;
+    selection.assignment.tasks = {task_worth(2, "A2.1"), task_worth(5, "A2.3", true)};
+    selection.tags = {"A2.1", "A2.3"};
+    Implementation broken;
+    broken.compile_error = "student/inertia.cpp:3: error: expected ';'";
+    const Result result = grade(selection, broken, {});
+    REQUIRE(result.status == SubmissionStatus::compile_error);
+    REQUIRE(result.score() == 0);
+    REQUIRE(result.max_score() == 2);
+    REQUIRE_FALSE(result.all_points());
+}
+
+TEST_CASE("scoring: a verdict keeps numbers and seed and says each line once", "[scoring]")
+{
+    Verdicts verdicts;
+    verdicts.take(begin_of("A2.1"));
+    REQUIRE(verdicts.open() == "topic: a law");
+    verdicts.take(
+        R"({"tag":"A2.1","name":"topic: a law","status":"failed","message":"a\nseed := 7\na\nb",)"
+        R"("expected":"1","actual":"2","error":1.0,"tolerance":1e-15,"class":"R","place":"","seed":7,)"
+        R"("hidden":true,"seconds":0.5})");
+    REQUIRE(verdicts.fault() == "");
+    REQUIRE(verdicts.open() == "");
+    const TestCase& test = verdicts.of("A2.1").at(0);
+    REQUIRE(test.message == "a\nb");
+    REQUIRE(test.seed == 7);
+    REQUIRE(test.error == "1");
+    REQUIRE(test.tolerance == "1e-15");
+    REQUIRE(test.is_hidden);
+    REQUIRE(verdicts.of("A2.2").empty());
+}
+
+} // namespace rigor::testing
