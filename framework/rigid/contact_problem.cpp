@@ -4,10 +4,10 @@
 #include "formulas/collision.hpp"
 #include "geometry/bounds.hpp"
 #include "rigid/flight.hpp"
+#include "rigid/groups.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace rigor {
 
@@ -58,13 +58,6 @@ Body pushed(Body body, const RigidState& start, const RigidState& flown)
     return body;
 }
 
-int root(std::vector<int>& parents, int i)
-{
-    while (parents[i] != i)
-        i = parents[i] = parents[parents[i]];
-    return i;
-}
-
 std::vector<ContactPair> pairs_of(const World& world, const std::vector<SolvedContact>& contacts)
 {
     const double g = world.gravity.norm();
@@ -85,11 +78,10 @@ std::vector<ContactPair> pairs_of(const World& world, const std::vector<SolvedCo
 
 std::vector<Island> islands_of(const World& world, const ContactProblem& problem)
 {
-    std::vector<int> parents(world.bodies.size());
-    std::iota(parents.begin(), parents.end(), 0);
+    Groups groups(world.bodies.size());
     for (const SolvedContact& c : problem.contacts)
         if (!world.bodies[c.body1].is_static && !world.bodies[c.body2].is_static)
-            parents[root(parents, c.body2)] = root(parents, c.body1);
+            groups.join(c.body1, c.body2);
 
     std::vector<int> island_of(world.bodies.size(), -1);
     std::vector<bool> is_active;
@@ -97,7 +89,7 @@ std::vector<Island> islands_of(const World& world, const ContactProblem& problem
     for (const ContactPair& pair : pairs_of(world, problem.contacts)) {
         const SolvedContact& first = problem.contacts[pair.first];
         const int moving = world.bodies[first.body1].is_static ? first.body2 : first.body1;
-        int& island = island_of[root(parents, moving)];
+        int& island = island_of[groups.of(moving)];
         if (island < 0) {
             island = static_cast<int>(islands.size());
             islands.emplace_back();
@@ -110,9 +102,9 @@ std::vector<Island> islands_of(const World& world, const ContactProblem& problem
             if (problem.predicted_gap(c, v_n) < 0) is_active[island] = true;
         }
     }
-    for (int i = 0; i < static_cast<int>(parents.size()); ++i)
-        if (const int r = root(parents, i); island_of[r] >= 0 && !world.bodies[i].is_static)
-            islands[island_of[r]].bodies.push_back(i);
+    for (int i = 0; i < static_cast<int>(world.bodies.size()); ++i)
+        if (const int island = island_of[groups.of(i)]; island >= 0 && !world.bodies[i].is_static)
+            islands[island].bodies.push_back(i);
 
     std::vector<Island> active;
     for (std::size_t i = 0; i < islands.size(); ++i)

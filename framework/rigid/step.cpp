@@ -4,6 +4,7 @@
 #include "rigid/contact_problem.hpp"
 #include "rigid/flight.hpp"
 #include "rigid/forces.hpp"
+#include "rigid/groups.hpp"
 #include "rigid/non_finite.hpp"
 #include "rigid/resting_contact.hpp"
 #include "rigid/world.hpp"
@@ -44,47 +45,58 @@ double travel(const RigidState& from, const RigidState& to, double radius)
     return (to.position - from.position).norm() + 2 * std::sqrt(std::min(same, opposite)) * radius;
 }
 
-// How near a body's neighbours are looked at [m]. A body at rest may be hit in this step, and then move
-// as fast as whatever moves fastest; more than half its radius is never needed.
-struct Reach {
-    std::vector<double> travels, margins;
+// Contacts to look at, and how far apart bodies may be predicted to stay and still matter [m].
+struct Neighbourhood {
+    std::vector<Contact> contacts;
+    std::vector<double> margins; // of each body
 };
 
-Reach reach_of(const World& world, std::span<const RigidState> flown)
+// A body at rest may be hit in this step, and then move as fast as whatever moves fastest among those
+// it could be hit by, hand to hand; but looking farther than half its radius is never needed.
+std::vector<double> margins_of(const World& world, const std::vector<BodyPair>& pairs,
+                               const std::vector<double>& travels, const std::vector<double>& radii)
 {
-    Reach reach;
-    std::vector<double> radii;
-    for (const RigidBody& body : world.bodies)
-        radii.push_back(body.is_static ? 0 : body_radius(body));
-    double farthest = 0;
-    for (std::size_t i = 0; i < flown.size(); ++i) {
-        reach.travels.push_back(travel(world.bodies[i].state, flown[i], radii[i]));
-        farthest = std::max(farthest, reach.travels.back());
+    Groups groups(world.bodies.size());
+    for (const auto& [i, j] : pairs)
+        if (!world.bodies[i].is_static && !world.bodies[j].is_static) groups.join(i, j);
+    std::vector<double> farthest(world.bodies.size(), 0.0), margins;
+    for (std::size_t i = 0; i < farthest.size(); ++i) {
+        double& travelled = farthest[groups.of(static_cast<int>(i))];
+        travelled = std::max(travelled, travels[i]);
     }
-    for (double radius : radii)
-        reach.margins.push_back(std::min(farthest, radius / 2));
-    return reach;
+    for (std::size_t i = 0; i < farthest.size(); ++i)
+        margins.push_back(std::min(farthest[groups.of(static_cast<int>(i))], radii[i] / 2));
+    return margins;
 }
 
-std::vector<Contact> near_contacts(const World& world, std::span<const RigidState> flown,
-                                   const Reach& reach, Counters& counters)
+Neighbourhood neighbourhood(const World& world, std::span<const RigidState> flown,
+                            Counters& counters)
 {
     std::vector<Pose> poses;
-    std::vector<Bounds> bounds;
+    std::vector<Bounds> bounds, wide;
+    std::vector<double> travels, radii;
     for (std::size_t i = 0; i < flown.size(); ++i) {
         const RigidBody& body = world.bodies[i];
         poses.push_back(pose_of(body.state));
         bounds.push_back(body_bounds(body, poses.back()));
-        if (body.is_static) continue;
-        bounds.back().include(body_bounds(body, pose_of(flown[i])));
-        bounds.back().grow(reach.margins[i]);
+        if (!body.is_static) bounds.back().include(body_bounds(body, pose_of(flown[i])));
+        radii.push_back(body.is_static ? 0 : body_radius(body));
+        travels.push_back(travel(body.state, flown[i], radii.back()));
+        wide.push_back(bounds.back());
+        wide.back().grow(radii.back() / 2);
     }
-    std::vector<Contact> contacts;
-    for (const auto& [i, j] : near_pairs(world, poses, bounds, counters))
-        find_contacts(world, poses, i, j,
-                      reach.travels[i] + reach.travels[j] + reach.margins[i] + reach.margins[j],
-                      contacts);
-    return contacts;
+    const std::vector<BodyPair> pairs = near_pairs(world, poses, wide, counters);
+    Neighbourhood near;
+    near.margins = margins_of(world, pairs, travels, radii);
+    for (const auto& [i, j] : pairs) {
+        const double margin = near.margins[i] + near.margins[j];
+        Bounds reach = bounds[i];
+        reach.grow(margin);
+        if (!reach.overlaps(bounds[j])) continue;
+        ++counters.pairs_tested;
+        find_contacts(world, poses, i, j, travels[i] + travels[j] + margin, near.contacts);
+    }
+    return near;
 }
 
 // Which stages gave a body an impulse.
@@ -163,11 +175,10 @@ std::vector<ContactRecord> step(World& world, double time_step)
 
     std::vector<ContactRecord> records;
     if (world.bodies.size() > 1) {
-        const Reach reach = reach_of(world, states);
-        const std::vector<Contact> near = near_contacts(world, states, reach, counters);
-        if (!near.empty()) {
+        const Neighbourhood near = neighbourhood(world, states, counters);
+        if (!near.contacts.empty()) {
             ContactProblem problem =
-                contact_problem(world, states, reach.margins, near, time_step, counters);
+                contact_problem(world, states, near.margins, near.contacts, time_step, counters);
             for (const Island& island : problem.islands)
                 process_collisions(problem, island);
             const std::vector<Body> bounced = problem.bodies;

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#include "rigid/broad_phase.hpp"
+#include "worlds.hpp"
+
+#include <algorithm>
+
+using namespace rigor;
+using namespace rigor::testing;
+
+namespace {
+
+struct Crowd {
+    World world;
+    std::vector<Pose> poses;
+    std::vector<Bounds> bounds;
+};
+
+Crowd crowd(unsigned seed, int bodies, double spread)
+{
+    Random random(seed);
+    Crowd crowd;
+    for (int i = 0; i < bodies; ++i) {
+        const Vector3d X = spread * random.vector();
+        const double size = random.uniform(0.1, 1);
+        const Quaternion q = random.quaternion();
+        RigidBody body = i % 7 == 3 ? fixed(Box{{size, 1, 1}}, {}, X, q)
+                         : i % 2    ? body_of(Sphere{size}, X, {}, q)
+                                    : body_of(Box{{size, 1, 0.5}}, X, {}, q);
+        if (i % 31 == 5) body = fixed(Plane{}, {}, X, q);
+        crowd.poses.push_back({rotation_matrix(q), X});
+        crowd.bounds.push_back(bounds_of(body.parts[0].shape, crowd.poses.back()));
+        crowd.world.bodies.push_back(std::move(body));
+    }
+    return crowd;
+}
+
+// Half-space against box, by the box's corner that lies deepest.
+bool meets_plane(const Pose& plane, const Bounds& b)
+{
+    for (int i = 0; i < 8; ++i) {
+        const Vector3d corner(i & 1 ? b.high.x() : b.low.x(), i & 2 ? b.high.y() : b.low.y(),
+                              i & 4 ? b.high.z() : b.low.z());
+        if ((plane.R.transpose() * (corner - plane.X)).y() <= 1e-12) return true;
+    }
+    return false;
+}
+
+} // namespace
+
+TEST_CASE("broad phase: it finds what comparing all pairs finds", "[rigid]")
+{
+    for (unsigned seed = 0; seed < 30; ++seed) {
+        CAPTURE(seed);
+        const Crowd c = crowd(seed, 80, seed % 3 == 0 ? 2 : 6);
+        std::vector<BodyPair> expected;
+        const int n = static_cast<int>(c.world.bodies.size());
+        for (int i = 0; i < n; ++i)
+            for (int j = i + 1; j < n; ++j) {
+                const RigidBody &a = c.world.bodies[i], &b = c.world.bodies[j];
+                if (a.is_static && b.is_static) continue;
+                const bool near = is_plane(a.parts[0])   ? meets_plane(c.poses[i], c.bounds[j])
+                                  : is_plane(b.parts[0]) ? meets_plane(c.poses[j], c.bounds[i])
+                                                         : c.bounds[i].overlaps(c.bounds[j]);
+                if (near) expected.push_back({i, j});
+            }
+        Counters counters;
+        const std::vector<BodyPair> found = near_pairs(c.world, c.poses, c.bounds, counters);
+        REQUIRE(found.size() > 10);
+        REQUIRE(found == expected);
+    }
+}
+
+TEST_CASE("broad phase: pairs that could meet are counted without those of static bodies",
+          "[rigid]")
+{
+    const Crowd c = crowd(1, 80, 6);
+    const auto fixed_count =
+        static_cast<std::uint64_t>(std::count_if(c.world.bodies.begin(), c.world.bodies.end(),
+                                                 [](const RigidBody& b) { return b.is_static; }));
+    Counters counters;
+    const auto found = near_pairs(c.world, c.poses, c.bounds, counters);
+    CHECK(counters.pairs_possible == 80 * 79 / 2 - fixed_count * (fixed_count - 1) / 2);
+    CHECK(found.size() < counters.pairs_possible / 4);
+}
+
+TEST_CASE("broad phase: the world without bodies has no pairs", "[rigid]")
+{
+    Counters counters;
+    CHECK(near_pairs(World(), {}, {}, counters).empty());
+    CHECK(counters.pairs_possible == 0);
+}

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: MIT
+#include "support/free_rotor.hpp"
+#include "worlds.hpp"
+
+using namespace rigor;
+using namespace rigor::testing;
+
+namespace {
+
+const Vector3d moments(13, 10, 5);
+
+RigidBody free_box(const Vector3d& omega)
+{
+    RigidBody body;
+    body.name = "box";
+    set_mass(body, 12, moments.asDiagonal().toDenseMatrix());
+    spin(body, omega);
+    return body;
+}
+
+Eigen::Quaterniond eigen(const Quaternion& q)
+{
+    return {q.s, q.v.x(), q.v.y(), q.v.z()};
+}
+
+double attitude_error(Integrator integrator, const Vector3d& omega, double end, int steps)
+{
+    World world = world_of({free_box(omega)}, {0, 0, 0});
+    world.integrator = integrator;
+    run(world, steps, end / steps);
+    return rotation_angle(eigen(world.bodies[0].state.orientation),
+                          FreeRotor(moments, omega).orientation(end));
+}
+
+} // namespace
+
+TEST_CASE("flight: the exact rotor agrees with its known values", "[rigid]")
+{
+    const FreeRotor rotor(moments, {1, 2, 3});
+    CHECK_THAT(rotor.period(), IsClose(3.67184730265235, Rounding(64)));
+    CHECK_THAT(
+        rotor.body_angular_velocity(10),
+        IsClose(Vector3d(-1.441479761782112, 1.32591216920842, 3.268251472830505), Rounding(64)));
+    CHECK(rotation_angle(rotor.orientation(10),
+                         Eigen::Quaterniond(-0.7167345284363959, 0.02657340199601567,
+                                            0.01350657848027917, 0.6967087213399667)) < 1e-13);
+    const FreeRotor racket(moments, {0.1, 2, 0.1});
+    CHECK_THAT(
+        racket.body_angular_velocity(10),
+        IsClose(Vector3d(0.164146942774017, -1.99116951183221, -0.190874255368313), Rounding(256)));
+}
+
+TEST_CASE("flight: every integrator has its order", "[rigid]")
+{
+    const auto errors = [](Integrator integrator, std::vector<int> steps) {
+        std::vector<double> all;
+        for (int n : steps)
+            all.push_back(attitude_error(integrator, {1, 2, 3}, 10, n));
+        return all;
+    };
+    check_order(errors(Integrator::linear, {25600, 51200, 102400}), 1);
+    check_order(errors(Integrator::exponential, {25600, 51200, 102400}), 1);
+    check_order(errors(Integrator::buss, {1600, 3200, 6400}), 2);
+    check_order(errors(Integrator::runge_kutta, {400, 800, 1600}), 4);
+    check_order(errors(Integrator::matrix, {1600, 3200, 6400}), 4);
+}
+
+TEST_CASE("flight: the default integrator beats the errors of its rivals", "[rigid]")
+{
+    CHECK(attitude_error(Integrator::runge_kutta, {1, 2, 3}, 10, 100) < 3.1e-4);
+    CHECK(attitude_error(Integrator::runge_kutta, {1, 2, 3}, 10, 400) < 9.1e-7);
+    CHECK(attitude_error(Integrator::runge_kutta, {0.1, 2, 0.1}, 20, 8000) < 1e-8); // two flips
+}
+
+TEST_CASE("flight: an isotropic body takes one exact step of any size", "[rigid]")
+{
+    for (const Integrator integrator :
+         {Integrator::exponential, Integrator::buss, Integrator::runge_kutta}) {
+        World world = world_of({body_of(Sphere{0.5}, {0, 0, 0})}, {0, 0, 0});
+        world.integrator = integrator;
+        const Vector3d w(7, -11, 13);
+        spin(world.bodies[0], w);
+        step(world, 2);
+        const Eigen::Quaterniond exact(Eigen::AngleAxisd(2 * w.norm(), w.normalized()));
+        CHECK(rotation_angle(eigen(world.bodies[0].state.orientation), exact) < 1e-13);
+        CHECK(world.counters.substeps == 0);
+        CHECK(world.counters.isotropic_shortcuts == 1);
+    }
+}
+
+TEST_CASE("flight: without the isotropic shortcut the motion is the same", "[rigid]")
+{
+    for (const Integrator integrator :
+         {Integrator::matrix, Integrator::linear, Integrator::exponential, Integrator::buss,
+          Integrator::runge_kutta}) {
+        World world = world_of({body_of(Box{{1, 1, 1}}, {0, 0, 0}, {}, turn({1, 2, 3}, 1))});
+        world.integrator = integrator;
+        spin(world.bodies[0], {1, -2, 0.5});
+        World without = world;
+        without.bodies[0].is_isotropic = false;
+        run(world, 50, 0.02);
+        run(without, 50, 0.02);
+        CHECK_THAT(without.bodies[0].state, IsClose(world.bodies[0].state, Rounding(5000)));
+        CHECK(without.counters.isotropic_shortcuts == 0);
+    }
+}
+
+TEST_CASE("flight: the linear update turns by twice an arc tangent", "[rigid]")
+{
+    World world = world_of({body_of(Sphere{0.5}, {0, 0, 0})}, {0, 0, 0});
+    world.integrator = Integrator::linear;
+    spin(world.bodies[0], {0, 0, 1});
+    step(world, 0.1);
+    const Quaternion& q = world.bodies[0].state.orientation;
+    CHECK_THAT(2 * std::atan2(q.v.z(), q.s), IsClose(0.0999167914438855, Rounding(8)));
+}
+
+TEST_CASE("flight: a body that turns by ten radians a step takes seven substeps", "[rigid]")
+{
+    World world = world_of({free_box({0, 0, 10})}, {0, 0, 0});
+    step(world, 1);
+    CHECK(world.counters.substeps == 7);
+    step(world, 0.157); // just below a quarter turn
+    CHECK(world.counters.substeps == 7);
+}
+
+TEST_CASE("flight: free fall is a parabola to rounding", "[rigid]")
+{
+    const double h = 0.01;
+    const int n = 200;
+    for (const Integrator integrator :
+         {Integrator::matrix, Integrator::buss, Integrator::runge_kutta}) {
+        World world = world_of({body_of(Sphere{0.1}, {1, 2, 3})});
+        world.integrator = integrator;
+        world.bodies[0].state.velocity = {4, 5, 6};
+        run(world, n, h);
+        const double t = n * h;
+        CHECK_THAT(
+            world.bodies[0].state.position,
+            IsClose(Vector3d(1 + 4 * t, 2 + 5 * t - g * t * t / 2, 3 + 6 * t), Rounding(n, 30)));
+    }
+    for (const Integrator integrator : {Integrator::linear, Integrator::exponential}) {
+        World world = world_of({body_of(Sphere{0.1}, {0, 0, 0})});
+        world.integrator = integrator;
+        world.bodies[0].state.velocity = {0, 5, 0};
+        run(world, n, h);
+        CHECK_THAT(world.bodies[0].state.position.y(),
+                   IsClose(n * h * 5 - g * h * h * n * (n + 1) / 2, Rounding(n, 30)));
+    }
+}
+
+TEST_CASE("flight: the axis of a symmetric rotor precesses about its momentum at L over I",
+          "[rigid]")
+{
+    RigidBody body;
+    set_mass(body, 1, Vector3d(0.04, 0.02, 0.04).asDiagonal().toDenseMatrix());
+    spin(body, {2, -4, 6});
+    const Vector3d L = body.state.angular_momentum;
+    World world = world_of({body}, {0, 0, 0});
+    const double rate = L.norm() / 0.04, period = 2 * std::numbers::pi / rate;
+    run(world, 2000, period / 2000);
+    const Vector3d axis = rotation_matrix(world.bodies[0].state.orientation) * Vector3d::UnitY();
+    CHECK_THAT(axis, IsClose(Vector3d(0, 1, 0), Order(1e-11)));
+}
+
+TEST_CASE("flight: a spring between two bodies keeps their momentum and its period", "[rigid]")
+{
+    const double k = 40;
+    for (const Integrator integrator : {Integrator::matrix, Integrator::runge_kutta}) {
+        std::vector<double> errors;
+        for (int n : {50, 100, 200}) {
+            RigidBody a = free_box({0, 0, 0}), b = a;
+            set_mass(b, 4, moments.asDiagonal().toDenseMatrix());
+            b.state.position = {1.5, 0, 0};
+            World world = world_of({a, b}, {0, 0, 0});
+            world.integrator = integrator;
+            world.springs.push_back({0, 1, {0, 0, 0}, {0, 0, 0}, k, 0, 1});
+            const double omega = std::sqrt(k / 3); // reduced mass 12·4/16
+            const double end = 3 / omega;
+            run(world, n, end / n);
+            const double distance =
+                (world.bodies[1].state.position - world.bodies[0].state.position).x();
+            errors.push_back(std::abs(distance - (1 + 0.5 * std::cos(omega * end))));
+            CHECK_THAT(totals(world).momentum, IsClose(Vector3d(0, 0, 0), Rounding(n, 20)));
+        }
+        check_order(errors, 4);
+        CHECK(errors.back() < 1e-7);
+    }
+}
+
+TEST_CASE("flight: off-center springs and forces keep their order while bodies turn", "[rigid]")
+{
+    for (const auto& [integrator, order] :
+         {std::pair(Integrator::runge_kutta, 4.0), std::pair(Integrator::matrix, 4.0)}) {
+        const auto end_state = [kind = integrator](int n) {
+            World world = world_of({free_box({1, 2, 3}), free_box({-2, 0.5, 1})});
+            world.integrator = kind;
+            world.bodies[1].state.position = {2, 0, 0};
+            world.springs.push_back({0, 1, {0.5, 0.3, -0.2}, {-0.4, 0.1, 0.6}, 60, 0.5, 1});
+            world.springs.push_back({0, -1, {0, 1, 0}, {0, 3, 0}, 30, 0, 1});
+            world.forces.push_back({1, {3, -2, 5}, {0.2, 0.4, 0.1}, 0, 100});
+            run(world, n, 1.0 / n);
+            return world.bodies[0].state;
+        };
+        const RigidState exact = end_state(2560);
+        std::vector<double> errors;
+        for (int n : {40, 80, 160}) {
+            const RigidState s = end_state(n);
+            errors.push_back((s.position - exact.position).norm() +
+                             rotation_angle(eigen(s.orientation), eigen(exact.orientation)));
+        }
+        check_order(errors, order);
+    }
+}
