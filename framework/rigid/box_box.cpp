@@ -207,8 +207,9 @@ void touch_boxes(const Box& box1, const Pose& pose1, const Box& box2, const Pose
         return touch_edges(a, b, edges, reach, touches);
 
     const double better = face1.separation - face2.separation;
-    const bool larger = face_area(a, face1.axis1) >= face_area(b, face2.axis1);
-    if (better > clearly || (better >= -clearly && larger))
+    const double larger = face_area(a, face1.axis1) - face_area(b, face2.axis1);
+    const bool is_first = std::abs(better) > clearly || larger == 0 ? better >= 0 : larger > 0;
+    if (is_first)
         touch_face(a, b, face1, -face1.direction, reach, touches);
     else
         touch_face(b, a, face2, face2.direction, reach, touches);

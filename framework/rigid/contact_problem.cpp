@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace rigor {
 
@@ -58,25 +59,32 @@ Body pushed(Body body, const RigidState& start, const RigidState& flown)
     return body;
 }
 
-std::vector<ContactPair> pairs_of(const World& world, const std::vector<SolvedContact>& contacts)
+// Pairs from the lowest up, and so the contacts of each: an order that does not depend on how the bodies
+// are numbered.
+std::vector<ContactPair> sorted_pairs(const World& world, std::vector<SolvedContact>& contacts)
 {
     const double g = world.gravity.norm();
     const Vector3d up = g > 0 ? Vector3d(-world.gravity / g) : Vector3d::UnitY();
+    const auto is_lower = [&up](const Contact& a, const Contact& b) {
+        const Vector3d &p = a.point, &q = b.point;
+        return std::tuple(up.dot(p), p.x(), p.z()) < std::tuple(up.dot(q), q.x(), q.z());
+    };
     std::vector<ContactPair> pairs;
-    for (int i = 0; i < static_cast<int>(contacts.size()); ++i) {
-        const double height = up.dot(contacts[i].point);
-        const bool is_next = i == 0 || contacts[i].body1 != contacts[i - 1].body1 ||
-                             contacts[i].body2 != contacts[i - 1].body2;
-        if (is_next) pairs.push_back({i, i, height});
-        pairs.back().last = i + 1;
-        pairs.back().height = std::min(pairs.back().height, height);
+    for (int first = 0, last = 0, n = static_cast<int>(contacts.size()); first < n; first = last) {
+        while (last < n && contacts[last].body1 == contacts[first].body1 &&
+               contacts[last].body2 == contacts[first].body2)
+            ++last;
+        std::sort(contacts.begin() + first, contacts.begin() + last, is_lower);
+        pairs.push_back({first, last});
     }
-    std::stable_sort(pairs.begin(), pairs.end(),
-                     [](const auto& a, const auto& b) { return a.height < b.height; });
+    std::stable_sort(pairs.begin(), pairs.end(), [&](const ContactPair& a, const ContactPair& b) {
+        return is_lower(contacts[a.first], contacts[b.first]);
+    });
     return pairs;
 }
 
-std::vector<Island> islands_of(const World& world, const ContactProblem& problem)
+std::vector<Island> islands_of(const World& world, const ContactProblem& problem,
+                               const std::vector<ContactPair>& pairs)
 {
     Groups groups(world.bodies.size());
     for (const SolvedContact& c : problem.contacts)
@@ -86,7 +94,7 @@ std::vector<Island> islands_of(const World& world, const ContactProblem& problem
     std::vector<int> island_of(world.bodies.size(), -1);
     std::vector<bool> is_active;
     std::vector<Island> islands;
-    for (const ContactPair& pair : pairs_of(world, problem.contacts)) {
+    for (const ContactPair& pair : pairs) {
         const SolvedContact& first = problem.contacts[pair.first];
         const int moving = world.bodies[first.body1].is_static ? first.body2 : first.body1;
         int& island = island_of[groups.of(moving)];
@@ -169,7 +177,7 @@ ContactProblem contact_problem(const World& world, std::span<const RigidState> f
         c.recovery = recovery_speed(world, c, time_step);
         problem.contacts.push_back(c);
     }
-    problem.islands = islands_of(world, problem);
+    problem.islands = islands_of(world, problem, sorted_pairs(world, problem.contacts));
     for (const Island& island : problem.islands)
         for (const ContactPair& pair : island.pairs)
             for (int i = pair.first; i < pair.last; ++i) {

@@ -20,10 +20,9 @@ struct SolvedContact : Contact {
     Vector3d holding = Vector3d::Zero(); // impulse on body 1 by contact [N s]
 };
 
-/// Contacts of one pair of bodies, contiguous: [first, last).
+/// Contacts of one pair of bodies, contiguous, from the lowest up: [first, last).
 struct ContactPair {
     int first = 0, last = 0;
-    double height = 0; // of the lowest of them, against gravity [m]
 };
 
 /// Bodies that contacts tie together, with nothing static between them.
