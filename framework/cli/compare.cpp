@@ -106,13 +106,13 @@ int compare(const CompareOptions& options)
         throw std::runtime_error("the reference: " + expected_outcome.failure);
     const Trajectory actual = every_step(implementation, scene, outcome);
 
+    if (actual.frames.empty()) return report_outcome(outcome, implementation);
     const bool agree = report_numbers(comparison, actual, options.with);
-    const std::int64_t steps = actual.frames.empty() ? 0 : actual.frames.back().step;
     if (agree)
-        fmt::print("{} is the same as the reference for {} steps, to {:g}\n", options.with, steps,
-                   same_within);
+        fmt::print("{} is the same as the reference for {} steps, to {:g}\n", options.with,
+                   actual.frames.back().step, same_within);
     std::fflush(stdout);
-    if (!options.out.empty() && !actual.frames.empty())
+    if (!options.out.empty())
         draw_comparison(comparison.expected(), actual, options.with, options.out, options.draw);
     return report_outcome(outcome, implementation) == exit_done && agree ? exit_done : exit_wrong;
 }
