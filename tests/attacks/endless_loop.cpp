@@ -6,7 +6,7 @@ namespace rigor {
 
 Matrix3d cross_matrix(const Vector3d&)
 {
-    for (volatile int i = 0;; i = i + 1) {
+    for (volatile unsigned i = 0;; i = i + 1) {
     }
 }
 

@@ -4,7 +4,7 @@ namespace {
 
 int loop()
 {
-    for (volatile int i = 0;; i = i + 1) {
+    for (volatile unsigned i = 0;; i = i + 1) {
     }
 }
 

@@ -8,7 +8,7 @@ Wrench gravity_wrench(double mass, const Vector3d& gravity)
 {
     static int calls = 0;
     if (++calls < 100) return {mass * gravity, Vector3d::Zero()};
-    for (volatile int i = 0;; i = i + 1) {
+    for (volatile unsigned i = 0;; i = i + 1) {
     }
 }
 

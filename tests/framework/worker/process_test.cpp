@@ -66,6 +66,7 @@ TEST_CASE("worker: a slow call may take a multiple of what the oracle takes")
         FAIL("it was answered");
     } catch (const WorkerFailure& failure) {
         const std::string text = failure.what();
+        CAPTURE(text);
         REQUIRE(text.find("(the reference took ") != std::string::npos);
     }
     REQUIRE(next_call_is_answered());
