@@ -95,3 +95,13 @@ OpenRenderer open_renderer(int width, int height, Gl gl)
 }
 
 } // namespace rigor
+
+#ifdef RIGOR_SANITIZED
+/// What Mesa keeps until a process ends is not our leak. Only its own libraries are named here.
+extern "C" const char* __lsan_default_suppressions();
+const char* __lsan_default_suppressions()
+{
+    return "leak:libOSMesa.so\nleak:libEGL\nleak:libgallium\nleak:swrast_dri.so\n"
+           "leak:libglapi.so\nleak:libLLVM";
+}
+#endif

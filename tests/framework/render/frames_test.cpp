@@ -92,7 +92,7 @@ TEST_CASE("frames: a PNG holds the pixels that were drawn", "[render]")
     for (const auto& [width, height] : {std::pair(1, 1), {7, 3}, {320, 200}}) {
         Image image{width, height, {}};
         for (int i = 0; i < 4 * width * height; ++i)
-            image.rgba.push_back(i % 4 == 3 ? 255 : static_cast<std::uint8_t>(i * 7 + i / 97));
+            image.rgba.push_back(static_cast<std::uint8_t>(i % 4 == 3 ? 255 : i * 7 + i / 97));
         write_whole(folder.path / "a.png", png_bytes(image));
         CHECK(decoded(folder.path / "a.png").rgba == image.rgba);
     }
