@@ -15,7 +15,7 @@ namespace {
 // An island of up to `small` contacts converges to rounding. A larger one stops at a thousandth of its
 // largest impulse, or after `work` contacts were visited: what is left is corrected in the next steps.
 constexpr int small = 16, work = 2000, fewest_sweeps = 10, most_sweeps = 500;
-constexpr double rounding = std::numeric_limits<double>::epsilon(), thousandth = 1e-3;
+constexpr double rounding = 2 * std::numeric_limits<double>::epsilon(), thousandth = 1e-3;
 
 // nᵀKn along the normal and the larger tangential eigenvalue across it.
 struct Stiffness {
@@ -96,6 +96,22 @@ Progress sweep(ContactProblem& problem, const std::vector<Held>& all, std::vecto
     return progress;
 }
 
+// The fastest that anything moves at a contact: velocities cannot be told apart below its rounding [m/s].
+double fastest(const ContactProblem& problem, const std::vector<Held>& all)
+{
+    double speed = 0;
+    for (const Held& held : all) {
+        const SolvedContact& c = problem.contacts[held.contact];
+        for (int i : {c.body1, c.body2}) {
+            const Body& b = problem.bodies[i];
+            if (b.is_static()) continue;
+            const double lever = (c.point - b.position).norm();
+            speed = std::max(speed, b.velocity.norm() + b.angular_velocity.norm() * lever);
+        }
+    }
+    return speed;
+}
+
 // Goes on in the direction of the sweeps before: directions = steps + β directions, impulses += β
 // directions.
 void extrapolate(ContactProblem& problem, const std::vector<Held>& all,
@@ -126,10 +142,11 @@ void process_contact(ContactProblem& problem, const Island& island)
     const int sweeps = std::clamp(work / count, fewest_sweeps, most_sweeps);
     const double tolerance = count <= small ? rounding : thousandth;
     std::vector<Vector3d> steps(all.size(), Vector3d::Zero()), directions = steps;
+    const double noise = rounding * fastest(problem, all);
     double before = 0;
     for (int i = 0; i < sweeps; ++i) {
         const Progress progress = sweep(problem, all, steps);
-        if (progress.change <= tolerance * progress.total) return;
+        if (progress.change <= tolerance * progress.total + noise) return;
         const bool slows_down = before > 0 && progress.squared <= before;
         const double beta = slows_down ? progress.squared / before : 0; // 0: starts afresh
         before = progress.squared;

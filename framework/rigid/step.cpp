@@ -145,6 +145,7 @@ void move(const World& world, const ContactProblem& problem, const std::vector<b
             RigidState state = world.bodies[i].state;
             state.velocity = body.velocity;
             state.angular_momentum = body.angular_momentum;
+            require_finite(world.bodies[i], state, world.time + problem.time_step);
             states[i] = fly(world, world.bodies[i], state, problem.time_step, counters, !flies);
         }
 }

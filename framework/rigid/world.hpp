@@ -80,7 +80,7 @@ struct ContactRecord {
     int body1 = 0, body2 = 0;
     Vector3d point = Vector3d::Zero();   // [m]
     Vector3d normal = Vector3d::UnitY(); // from body 2 to body 1
-    double depth = 0;                    // [m]
+    double depth = 0;                    // as the step began; negative: the gap that it closed [m]
     Vector3d impulse = Vector3d::Zero(); // on body 1, the sum over the step [N s]
 };
 

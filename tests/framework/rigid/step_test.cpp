@@ -187,6 +187,9 @@ TEST_CASE("step: what is not a number is reported by body quantity and time", "[
     bad.orientation.s = nan;
     CHECK(quantity_of(bad) == "q");
     bad = state;
+    bad.angular_momentum.y() = nan;
+    CHECK(quantity_of(bad) == "q"); // turned by it, before L itself is looked at
+    bad = state;
     bad.velocity.z() = std::numeric_limits<double>::infinity();
     CHECK(quantity_of(bad) == "X"); // it has carried the position away by the end of the step
 }
