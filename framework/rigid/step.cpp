@@ -36,16 +36,19 @@ Pose pose_of(const RigidState& state)
     return {rotation_matrix(state.orientation), state.position};
 }
 
-// How far the points of a body move at most in the step [m]: an angle α is |Δq| ≈ α/2.
-double travel(const RigidState& from, const RigidState& to, double radius)
+// How far the points of a body move at most in the step, along its path or with its last velocity [m].
+// An angle α is |Δq| ≈ α/2; a quarter more for the chord and for an axis that tumbles.
+double travel(const RigidState& from, const RigidState& to, double radius, double time_step)
 {
     const Quaternion &p = from.orientation, &q = to.orientation;
     const double same = (p.s - q.s) * (p.s - q.s) + (p.v - q.v).squaredNorm();
     const double opposite = (p.s + q.s) * (p.s + q.s) + (p.v + q.v).squaredNorm();
-    return (to.position - from.position).norm() + 2 * std::sqrt(std::min(same, opposite)) * radius;
+    const double moved = (to.position - from.position).norm();
+    return std::max(moved, time_step * to.velocity.norm()) +
+           2.5 * std::sqrt(std::min(same, opposite)) * radius;
 }
 
-// Contacts to look at, and how far apart bodies may be predicted to stay and still matter [m].
+// Contacts to look at, none if no bodies are near enough to meet in this step, and how far apart bodies may be predicted to stay and still matter [m].
 struct Neighbourhood {
     std::vector<Contact> contacts;
     std::vector<double> margins; // of each body
@@ -69,7 +72,7 @@ std::vector<double> margins_of(const World& world, const std::vector<BodyPair>& 
     return margins;
 }
 
-Neighbourhood neighbourhood(const World& world, std::span<const RigidState> flown,
+Neighbourhood neighbourhood(const World& world, std::span<const RigidState> flown, double time_step,
                             Counters& counters)
 {
     std::vector<Pose> poses;
@@ -81,21 +84,27 @@ Neighbourhood neighbourhood(const World& world, std::span<const RigidState> flow
         bounds.push_back(body_bounds(body, poses.back()));
         if (!body.is_static) bounds.back().include(body_bounds(body, pose_of(flown[i])));
         radii.push_back(body.is_static ? 0 : body_radius(body));
-        travels.push_back(travel(body.state, flown[i], radii.back()));
+        travels.push_back(travel(body.state, flown[i], radii.back(), time_step));
         wide.push_back(bounds.back());
         wide.back().grow(radii.back() / 2);
     }
     const std::vector<BodyPair> pairs = near_pairs(world, poses, wide, counters);
     Neighbourhood near;
     near.margins = margins_of(world, pairs, travels, radii);
+    bool any_may_meet = false;
     for (const auto& [i, j] : pairs) {
         const double margin = near.margins[i] + near.margins[j];
         Bounds reach = bounds[i];
         reach.grow(margin);
         if (!reach.overlaps(bounds[j])) continue;
         ++counters.pairs_tested;
-        find_contacts(world, poses, i, j, travels[i] + travels[j] + margin, near.contacts);
+        const double path = travels[i] + travels[j];
+        const std::size_t first = near.contacts.size();
+        find_contacts(world, poses, i, j, path + margin, near.contacts);
+        for (std::size_t k = first; k < near.contacts.size(); ++k)
+            any_may_meet |= near.contacts[k].gap < path;
     }
+    if (!any_may_meet) near.contacts.clear(); // then no formula of collisions is needed
     return near;
 }
 
@@ -176,7 +185,7 @@ std::vector<ContactRecord> step(World& world, double time_step)
 
     std::vector<ContactRecord> records;
     if (world.bodies.size() > 1) {
-        const Neighbourhood near = neighbourhood(world, states, counters);
+        const Neighbourhood near = neighbourhood(world, states, time_step, counters);
         if (!near.contacts.empty()) {
             ContactProblem problem =
                 contact_problem(world, states, near.margins, near.contacts, time_step, counters);
