@@ -153,6 +153,20 @@ TEST_CASE("collision: a box that lands flat does not start to spin", "[rigid]")
     CHECK(top > 0.15); // it did bounce
 }
 
+TEST_CASE("collision: a rocking block keeps seven tenths of its spin at a plastic impact",
+          "[rigid]")
+{
+    // upright, width 1, height 2; it turns about its left edge and comes down on its right one
+    const double omega = 0.3;
+    RigidBody block = body_of(Box{{1, 2, 1}}, {0, 1, 0}, material(0, 1e6));
+    block.state.velocity = Vector3d(0, 0, -omega).cross(Vector3d(0.5, 1, 0));
+    spin(block, {0, 0, -omega});
+    World world = world_of({fixed(Plane{}, material(0, 1e6)), block}, no_gravity);
+    step(world, 1e-9);
+    CHECK_THAT(angular_velocity(world.bodies[1]),
+               IsClose(Vector3d(0, 0, -0.7 * omega), Rounding(256, 1)));
+}
+
 TEST_CASE("collision: two balls keep their momentum and spin only by friction", "[rigid]")
 {
     for (unsigned seed = 0; seed < 50; ++seed) {
