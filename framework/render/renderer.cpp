@@ -38,8 +38,9 @@ CreateRenderer load_module(Gl gl)
     std::string reason = "it was not built";
     for (const auto& path : module_paths(gl)) {
         if (!std::filesystem::exists(path)) continue;
-        if (void* module = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE))
-            return reinterpret_cast<CreateRenderer>(dlsym(module, "create_renderer"));
+        void* module = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
+        if (void* create = module ? dlsym(module, "create_renderer") : nullptr)
+            return reinterpret_cast<CreateRenderer>(create);
         reason = dlerror();
     }
     throw std::runtime_error(reason);
