@@ -1,46 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Whole submissions, from their folder to result.json: those of the demo, and those that do not compile.
-#include "../grading/files.hpp"
-#include "grading/process.hpp"
+#include "checked.hpp"
 #include "support/catch.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include <map>
-#include <sstream>
 
 namespace rigor::testing {
 
 namespace {
-
-using nlohmann::json;
-
-struct Checked {
-    int status = 0;
-    json result;
-};
-
-Checked check(const std::string& what, const std::filesystem::path& folder)
-{
-    const TemporaryFolder results;
-    const auto file = results.path() / "result.json";
-    Command command;
-    command.arguments = {std::string(RIGOR_BINARY_DIR) + "/bin/rigor",
-                         "check",
-                         what,
-                         "--with",
-                         folder.string(),
-                         "--out",
-                         file.string()};
-    std::string output;
-    const Ended ended =
-        run(command, [&](std::string_view line) { output += std::string(line) + "\n"; });
-    CAPTURE(output);
-    REQUIRE(std::filesystem::exists(file));
-    std::stringstream text;
-    text << std::ifstream(file).rdbuf();
-    return {ended.status, json::parse(text.str())};
-}
 
 std::filesystem::path sample(const std::string& name)
 {
@@ -66,7 +33,7 @@ const std::string combine_start =
 
 TEST_CASE("submission: the complete sample has every point", "[cli][submission]")
 {
-    const Checked checked = check("a2-inertia", sample("complete"));
+    const Checked checked = check({"a2-inertia"}, sample("complete"));
     REQUIRE(not_passed(checked.result) == Statuses());
     REQUIRE(checked.result["score"] == checked.result["max_score"]);
     REQUIRE(checked.status == 0);
@@ -74,7 +41,7 @@ TEST_CASE("submission: the complete sample has every point", "[cli][submission]"
 
 TEST_CASE("submission: the half done sample fails where its mistakes are", "[cli][submission]")
 {
-    const Checked checked = check("a2-inertia", sample("half_done"));
+    const Checked checked = check({"a2-inertia"}, sample("half_done"));
     REQUIRE(not_passed(checked.result) == Statuses{{"A2.2", "failed"},
                                                    {"A2.4", "not_implemented"},
                                                    {"A2.5", "not_finite"},
@@ -90,7 +57,7 @@ TEST_CASE("submission: the half done sample fails where its mistakes are", "[cli
 
 TEST_CASE("submission: a crash and an endless loop cost their own tasks only", "[cli][submission]")
 {
-    const Checked checked = check("a2-inertia", sample("crashing"));
+    const Checked checked = check({"a2-inertia"}, sample("crashing"));
     REQUIRE(not_passed(checked.result) == Statuses{{"A2.4", "timed_out"},
                                                    {"A2.11", "crashed"},
                                                    {"A2.13", "not_implemented"},
@@ -103,7 +70,7 @@ TEST_CASE("submission: a syntax error is told with file and line", "[cli][submis
 {
     const TemporaryFolder folder;
     folder.write("inertia.cpp", combine_start + "{\n    return a\n}\n}\n");
-    const Checked checked = check("A2.14", folder.path());
+    const Checked checked = check({"A2.14"}, folder.path());
     REQUIRE(checked.status == 1);
     REQUIRE(checked.result["status"] == "compile_error");
     const std::string message = checked.result["message"];
@@ -118,7 +85,7 @@ TEST_CASE("submission: a function that is not there is a compile error", "[cli][
 {
     const TemporaryFolder folder;
     folder.write("inertia.cpp", combine_start + "{\n    return a.mass > 0 ? a : b;\n}\n}\n");
-    const Checked checked = check("A2.14", folder.path());
+    const Checked checked = check({"A2.14"}, folder.path());
     REQUIRE(checked.status == 1);
     REQUIRE(checked.result["status"] == "compile_error");
     REQUIRE(checked.result["message"].get<std::string>().find("world_inertia") !=
