@@ -125,6 +125,24 @@ private:
     bool showing_ = false;
 };
 
+SuiteResult build_preset(const std::string& preset, const fs::path& build)
+{
+    fs::create_directories(build);
+    const BuildLock lock(build); // not while the tests run: they build submissions
+    if (!fs::exists(build / "build.ninja")) {
+        Command configure;
+        configure.arguments = {"cmake", "--preset", preset};
+        configure.folder = places().source;
+        if (!make(preset + "  configure", configure))
+            return {preset + "  configure", SuiteResult::failed};
+    }
+    Command ninja;
+    ninja.arguments = {"ninja", "-C", build.string(), "-k", "0", "all"};
+    ninja.environment = {"NINJA_STATUS=[%f/%t] "};
+    return {preset + "  build",
+            make(preset + "  build", ninja) ? SuiteResult::passed : SuiteResult::failed};
+}
+
 } // namespace
 
 SuiteResult check_format()
@@ -152,19 +170,10 @@ std::vector<SuiteResult> run_preset(const std::string& preset)
         return {
             tell("clang", SuiteResult::skipped, "clang is not installed: apt-get install clang")};
     const fs::path build = places().source / "build" / preset;
-    if (!fs::exists(build / "build.ninja")) {
-        Command configure;
-        configure.arguments = {"cmake", "--preset", preset};
-        configure.folder = places().source;
-        if (!make(preset + "  configure", configure))
-            return {{preset + "  configure", SuiteResult::failed}};
-    }
-    Command ninja;
-    ninja.arguments = {"ninja", "-C", build.string(), "-k", "0", "all"};
-    ninja.environment = {"NINJA_STATUS=[%f/%t] "};
-    if (!make(preset + "  build", ninja)) return {{preset + "  build", SuiteResult::failed}};
+    const SuiteResult built = build_preset(preset, build);
+    if (built.verdict == SuiteResult::failed) return {built};
 
-    std::vector<SuiteResult> results = {{preset + "  build", SuiteResult::passed}};
+    std::vector<SuiteResult> results = {built};
     CTestLines lines(preset, results);
     Command ctest;
     ctest.arguments = {

@@ -8,7 +8,6 @@
 #include "scene/scene.hpp"
 
 #include <algorithm>
-#include <cstdio>
 #include <stdexcept>
 
 namespace rigor {
@@ -16,11 +15,6 @@ namespace rigor {
 namespace fs = std::filesystem;
 
 namespace {
-
-void say_waiting()
-{
-    std::fputs("rigor: another rigor is building; waiting for it\n", stderr);
-}
 
 void replace_all(std::string& text, const std::string& what, const std::string& by)
 {
@@ -128,7 +122,7 @@ std::vector<std::string> topics()
 
 Implementation build_implementation(const std::string& name, const OnBuildStep& on_step)
 {
-    const BuildLock lock(say_waiting);
+    const BuildLock lock;
     if (name == "student" || name == "reference") {
         if (!fs::is_directory(places().source / name))
             throw InputError("this tree has no " + name + "/: it cannot be run with it");
@@ -143,7 +137,7 @@ Implementation build_implementation(const std::string& name, const OnBuildStep& 
 
 void build_targets(const std::vector<std::string>& targets, const OnBuildStep& on_step)
 {
-    const BuildLock lock(say_waiting);
+    const BuildLock lock;
     const NinjaRun run = run_ninja(targets, on_step);
     if (!run.ok) throw std::runtime_error("the build failed:\n" + without_last_newline(run.errors));
 }

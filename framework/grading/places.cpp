@@ -2,6 +2,7 @@
 #include "grading/places.hpp"
 
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <fcntl.h>
 #include <stdexcept>
@@ -17,13 +18,13 @@ const Places& places()
     return built;
 }
 
-BuildLock::BuildLock(void (*on_wait)())
+BuildLock::BuildLock(const std::filesystem::path& build)
 {
-    const std::filesystem::path file = places().build / "build.lock";
+    const std::filesystem::path file = build / "build.lock";
     descriptor_ = open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
     if (descriptor_ < 0) throw std::runtime_error(file.string() + ": " + std::strerror(errno));
     if (flock(descriptor_, LOCK_EX | LOCK_NB) == 0) return;
-    if (on_wait) on_wait();
+    std::fputs("rigor: another rigor is building; waiting for it\n", stderr);
     while (flock(descriptor_, LOCK_EX) != 0 && errno == EINTR) {
     }
 }

@@ -18,11 +18,11 @@ struct Places {
 /// As they were when this program was built.
 const Places& places();
 
-/// One writer at a time in the build folder, the launcher included: held while this lives.
+/// One writer at a time in a build folder, the launcher included: held while this lives. Says so on
+/// stderr if somebody else holds it.
 class BuildLock {
 public:
-    /// @param on_wait  called if somebody else holds it
-    explicit BuildLock(void (*on_wait)() = nullptr);
+    explicit BuildLock(const std::filesystem::path& build = places().build);
     ~BuildLock();
     BuildLock(const BuildLock&) = delete;
     BuildLock& operator=(const BuildLock&) = delete;
