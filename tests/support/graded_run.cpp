@@ -57,8 +57,8 @@ CATCH_TRANSLATE_EXCEPTION(const rigor::NotFinite& failure)
     return rigor::testing::note("not_finite", failure.what());
 }
 
-// Not the student's fault: grading does not know this status and makes it an internal error.
+// Not the student's fault.
 CATCH_TRANSLATE_EXCEPTION(const rigor::OracleFailure& failure)
 {
-    return rigor::testing::note("oracle_failure", failure.what());
+    return rigor::testing::note("internal_error", failure.what());
 }
