@@ -113,13 +113,13 @@ TEST_CASE("collision: a ball that slides ends rolling with five sevenths of its 
     for (const char* name : {"friction 0.1", "friction 0.2", "friction 0.4"}) {
         CAPTURE(name);
         const int body = body_index(run, name);
-        const RigidState& end = last_state(run, name);
+        const RigidState end = last_state(run, name);
         const Vector3d w = statistics.angular_velocity(static_cast<std::size_t>(body), end);
         const double v = 5.0 / 7 * 3, r = 0.25;
         REQUIRE_THAT(end.velocity, IsClose(Vector3d(v, 0, 0), Rounding(k, 3)));
         REQUIRE_THAT(w, IsClose(Vector3d(0, 0, -v / r), Rounding(k, 3 / r)));
     }
-    const RigidState& free = last_state(run, "friction 0");
+    const RigidState free = last_state(run, "friction 0");
     REQUIRE_THAT(free.velocity, IsClose(Vector3d(3, 0, 0), Rounding(k, 3)));
     REQUIRE_THAT(free.angular_momentum, IsClose(Vector3d(0, 0, 0), Rounding(k, 1)));
 }

@@ -69,7 +69,7 @@ int body_index(const Trajectory& trajectory, const std::string& name)
     throw std::out_of_range("scene " + trajectory.scene.name + " has no body " + name);
 }
 
-const RigidState& last_state(const Trajectory& trajectory, const std::string& name)
+RigidState last_state(const Trajectory& trajectory, const std::string& name)
 {
     const auto i = static_cast<std::size_t>(body_index(trajectory, name));
     return trajectory.frames.back().bodies[i];

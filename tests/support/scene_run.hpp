@@ -20,7 +20,7 @@ Trajectory run_scene(const std::string& name, std::optional<double> time_step = 
 int body_index(const Trajectory& trajectory, const std::string& name);
 
 /// The state of a body at the end of the run.
-const RigidState& last_state(const Trajectory& trajectory, const std::string& name);
+RigidState last_state(const Trajectory& trajectory, const std::string& name);
 
 /// Rotation by which two orientations differ [rad], 0 … π, exact near 0 (atan2, not acos).
 double angle_between(const Quaternion& a, const Quaternion& b);
