@@ -40,9 +40,10 @@ void say_what_was_built(const Implementation& implementation)
     if (!implementation.borrowed.empty())
         fmt::print(stderr, "{} has no {}.cpp: what student/ has takes their place\n",
                    implementation.name, fmt::join(implementation.borrowed, ".cpp, "));
-    if (!implementation.build_steps.empty())
-        std::fprintf(stderr, "built in %.1f s (%zu steps)\n", implementation.build_seconds,
-                     implementation.build_steps.size());
+    if (implementation.built() && !implementation.build_steps.empty())
+        fmt::print(stderr, "built in {:.1f} s ({} {})\n", implementation.build_seconds,
+                   implementation.build_steps.size(),
+                   implementation.build_steps.size() == 1 ? "step" : "steps");
 }
 
 void print_report(const std::vector<Result>& results, const Implementation& implementation)

@@ -108,7 +108,7 @@ int compare(const CompareOptions& options)
 
     if (actual.frames.empty()) return report_outcome(outcome, implementation);
     const bool agree = report_numbers(comparison, actual, options.with);
-    if (agree)
+    if (agree && actual.frames.back().step > 0)
         fmt::print("{} is the same as the reference for {} steps, to {:g}\n", options.with,
                    actual.frames.back().step, same_within);
     std::fflush(stdout);

@@ -109,8 +109,9 @@ std::size_t Film::finish()
     if (report.removed > 0)
         std::fprintf(stderr, "rigor: %zu files of an earlier run were removed from %s\n",
                      report.removed, folder_.c_str());
-    fmt::print("{} frames in {} ({}x{}, {:.1f} s)\n", report.frames, folder_, options_.width,
-               options_.height, seconds);
+    fmt::print("{} {} in {} ({}x{}, {:.1f} s)\n", report.frames,
+               report.frames == 1 ? "frame" : "frames", folder_, options_.width, options_.height,
+               seconds);
     if (report.video) fmt::print("video in {}\n", report.video->string());
     return report.frames;
 }

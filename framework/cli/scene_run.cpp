@@ -34,7 +34,7 @@ RunOutcome run_in_worker(const Implementation& implementation, const Scene& scen
     RunOutcome outcome;
     const auto start = std::chrono::steady_clock::now();
     Limits limits;
-    limits.scene = std::chrono::duration<double>(3600); // somebody is watching: they may end it
+    limits.scene_by_silence = true; // a long scene is welcome, one that stands still is not
     try {
         Worker worker(implementation.worker, limits);
         worker.run_scene(scene.text, scene.name, run.record, [&](std::span<const std::byte> bytes) {

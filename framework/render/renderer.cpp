@@ -71,7 +71,7 @@ void check_size(int width, int height)
         static_cast<long>(width) * height <= most_pixels)
         return;
     throw InputError(fmt::format(
-        "size: expected from 1x1 to {0}x{0} pixels, at most 7680x4320 in all, found {1}x{2}",
+        "size: expected from 1x1 to {0}x{0}, and no more pixels than 7680x4320 has, found {1}x{2}",
         largest_side, width, height));
 }
 

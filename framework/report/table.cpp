@@ -7,6 +7,7 @@
 #include <cctype>
 #include <fmt/format.h>
 #include <fstream>
+#include <sstream>
 
 namespace rigor {
 
@@ -94,6 +95,34 @@ std::string difference(const TestCase& test)
     return test.error + ", allowed " + test.tolerance + class_words(test.tolerance_class);
 }
 
+// "(2)" of a bare vector or matrix says little: "entry (2), counted from 0".
+std::string place_in_words(const std::string& place)
+{
+    return place.starts_with('(') ? "entry " + place + ", counted from 0" : place;
+}
+
+// What the test noted about the case it tried: the lines of its message after the first.
+std::string noted(const TestCase& test)
+{
+    std::string text;
+    std::istringstream lines(test.message);
+    std::string line;
+    std::getline(lines, line);
+    while (std::getline(lines, line))
+        text += (text.empty() ? "" : ", ") + line;
+    return shortened(text);
+}
+
+// The other laws that the task broke.
+std::string also_broken(const TaskResult& task)
+{
+    std::string text;
+    for (const TestCase& test : task.tests)
+        if (test.status != Status::passed && &test != task.first_failure())
+            text += (text.empty() ? "" : "; ") + law_of(test.name);
+    return shortened(text);
+}
+
 std::string failure_text(const Result& result, const TaskResult& task,
                          const Implementation& implementation, bool color)
 {
@@ -104,10 +133,12 @@ std::string failure_text(const Result& result, const TaskResult& task,
                        "  " + colored(look.words, look.color, color) + "\n";
     text += row("the law", law_of(test.name));
     if (!compared) text += row("what happened", shortened(test.message));
-    text += row("where in it", compared ? test.place : "");
+    text += row("the case", compared ? noted(test) : "");
+    text += row("where in it", compared ? place_in_words(test.place) : "");
     text += row("expected", shortened(test.expected));
     text += row("actual", compared ? shortened(test.actual) : "");
     text += row("error", difference(test));
+    text += row("also broken", also_broken(task));
     if (test.seed)
         text +=
             row("try again", fmt::format("./rigor check {} --seed {}", task.task.tag, *test.seed));
@@ -138,7 +169,7 @@ std::string task_row(const TaskResult& task, bool color)
     const std::string stub = stub_of(task);
     if (!stub.empty() && stub != task.task.tag) words = "waits for " + stub;
     if (is_wrong(task) && task.tests.size() > 1)
-        words += fmt::format(", {} of {} laws", wrong, task.tests.size());
+        words += fmt::format(", {} of {} laws broken", wrong, task.tests.size());
     return fmt::format("  {:<6} {} {:>5} {}\n", task.task.tag, padded(task.task.name(), 32),
                        fmt::format("{:g}/{:g}", task.score, task.max_score),
                        "  " + colored(words, look.color, color));

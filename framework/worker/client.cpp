@@ -115,6 +115,7 @@ Reply Worker::exchange(const Question& question, Allowance& allowance)
 Bytes Worker::ask(const Question& question, Seconds floor)
 {
     Allowance allowance{floor, limits_.multiple};
+    allowance.by_silence = question.sink && limits_.scene_by_silence;
     if (oracle_) allowance.reference = [&] { return oracle_->duration(question); };
     Reply reply = exchange(question, allowance);
     switch (reply.status) {

@@ -17,9 +17,10 @@ namespace rigor {
 /// what the oracle took for the same request; without an oracle it is the floor. Time runs from the
 /// request, while its client waits.
 struct Limits {
-    std::chrono::duration<double> start{10};  // from exec until it is ready
-    std::chrono::duration<double> call{2};    // floor for a formula, or 256 kB of states to advance
-    std::chrono::duration<double> scene{20};  // floor for a whole scene
+    std::chrono::duration<double> start{10}; // from exec until it is ready
+    std::chrono::duration<double> call{2};   // floor for a formula, or 256 kB of states to advance
+    std::chrono::duration<double> scene{10}; // floor for a whole scene
+    bool scene_by_silence = false; // a scene's limit is for a record, not for all: someone watches
     std::chrono::duration<double> oracle{60}; // for the oracle's own run
     double multiple = 50;
     std::size_t memory = std::size_t{2} << 30; // address space [bytes]; unlimited under a sanitizer

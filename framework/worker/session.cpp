@@ -29,7 +29,8 @@ bool Allowance::used_up()
 
 std::string Allowance::verdict() const
 {
-    std::string text = fmt::format("did not return within {:.3g} s", limit.count());
+    const char* words = by_silence ? "sent nothing for" : "did not return within";
+    std::string text = fmt::format("{} {:.3g} s", words, limit.count());
     if (reference_took.count() > 0)
         text += fmt::format(" (the reference took {:.2g} s)", reference_took.count());
     return text;
@@ -77,7 +78,7 @@ void Session::await_reply(Allowance& allowance, const ByteSink* sink)
         const Clock::time_point start = Clock::now();
         const std::uint32_t now = await_change(reply, sequence_ - 1, slice);
         allowance.waited += Clock::now() - start; // what the sink takes is not the worker's fault
-        if (sink) hand_on_stream(*sink);
+        if (sink && hand_on_stream(*sink) && allowance.by_silence) allowance.waited = {};
         if (now == sequence_) return;
         if (now != sequence_ - 1) throw Broken{WorkerFailure::malformed, "answered out of turn"};
         collect_output();
@@ -121,10 +122,10 @@ Bytes Session::rest_of_stream()
     return bytes;
 }
 
-void Session::hand_on_stream(const ByteSink& sink)
+bool Session::hand_on_stream(const ByteSink& sink)
 {
     const std::uint32_t streamed = process_.channel().streamed.load(std::memory_order_acquire);
-    if (streamed == taken_) return;
+    if (streamed == taken_) return false;
     if (streamed - taken_ > Channel::ring)
         throw Broken{WorkerFailure::malformed, "streamed more than there is room for"};
     const Bytes bytes = rest_of_stream();
@@ -132,6 +133,7 @@ void Session::hand_on_stream(const ByteSink& sink)
         throw Broken{WorkerFailure::flooded,
                      fmt::format("streamed more than {} MB", limits_.trajectory >> 20)};
     sink(bytes);
+    return true;
 }
 
 void Session::collect_output()

@@ -15,6 +15,7 @@ struct Allowance {
     Seconds limit;                           // so far: the floor
     double multiple = 0;                     // of what the reference takes
     std::function<Seconds()> reference = {}; // empty: there is none, or it has been asked
+    bool by_silence = false;                 // what arrives starts the time anew
     Seconds waited = {}, reference_took = {};
 
     bool used_up();
@@ -54,7 +55,7 @@ public:
 private:
     void await_reply(Allowance& allowance, const ByteSink* sink);
     Reply take_reply(std::size_t largest);
-    void hand_on_stream(const ByteSink& sink);
+    bool hand_on_stream(const ByteSink& sink);
     void collect_output();
 
     Limits limits_;

@@ -104,14 +104,17 @@ void check_every_step(const std::string& scene_name)
             const double V = wanted.velocity.norm() + before.velocity.norm();
             const double L = wanted.angular_momentum.norm() + before.angular_momentum.norm();
             const double X = wanted.position.norm() + h * V + 1;
-            INFO(fmt::format("scene {}, step {} (t = {:.6g} s), body '{}'", scene_name, n + 1,
-                             run.frames[n + 1].time, run.scene.bodies[i].name));
-            REQUIRE_THAT(found.position, IsClose(wanted.position, Rounding(k, X)));
-            REQUIRE_THAT(same_sign(found.orientation, wanted.orientation),
-                         IsClose(wanted.orientation, Rounding(k, 1)));
-            REQUIRE_THAT(found.velocity, IsClose(wanted.velocity, Rounding(k, V + 1)));
-            REQUIRE_THAT(found.angular_momentum,
-                         IsClose(wanted.angular_momentum, Rounding(k, L + run.bodies[i].mass)));
+            const auto judge = [&](const char* quantity, const auto& actual, const auto& exact,
+                                   double scale) {
+                INFO(fmt::format("{} of body '{}' after step {} of scene {} (t = {:.6g} s)",
+                                 quantity, run.scene.bodies[i].name, n + 1, scene_name,
+                                 run.frames[n + 1].time));
+                REQUIRE_THAT(actual, IsClose(exact, Rounding(k, scale)));
+            };
+            judge("X", found.position, wanted.position, X);
+            judge("q", same_sign(found.orientation, wanted.orientation), wanted.orientation, 1);
+            judge("V", found.velocity, wanted.velocity, V + 1);
+            judge("L", found.angular_momentum, wanted.angular_momentum, L + run.bodies[i].mass);
         }
 }
 

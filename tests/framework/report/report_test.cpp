@@ -125,7 +125,7 @@ TEST_CASE("report: the table says what broke and where and what to do next", "[r
     const std::string table = table_of(some_result());
     CAPTURE(table);
     REQUIRE(has(table, "A2.1   particle_mass_properties           2/2   passed"));
-    REQUIRE(has(table, "failed, 1 of 2 laws"));
+    REQUIRE(has(table, "failed, 1 of 2 laws broken"));
     REQUIRE(has(table, "it turns with the body"));
     REQUIRE(has(table, "2, allowed 1.8e-15 (rounding)"));
     REQUIRE(has(table, "./rigor check A2.2 --seed 17"));
