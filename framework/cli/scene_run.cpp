@@ -35,6 +35,7 @@ RunOutcome run_in_worker(const Implementation& implementation, const Scene& scen
     const auto start = std::chrono::steady_clock::now();
     Limits limits;
     limits.scene_by_silence = true; // a long scene is welcome, one that stands still is not
+    limits.scene = std::chrono::duration<double>(10);
     try {
         Worker worker(implementation.worker, limits);
         worker.run_scene(scene.text, scene.name, run.record, [&](std::span<const std::byte> bytes) {
