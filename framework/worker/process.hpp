@@ -19,7 +19,7 @@ namespace rigor {
 struct Limits {
     std::chrono::duration<double> start{10}; // from exec until it is ready
     std::chrono::duration<double> call{2};   // floor for a formula, or 256 kB of states to advance
-    std::chrono::duration<double> scene{10}; // floor for a whole scene
+    std::chrono::duration<double> scene{20}; // floor for a whole scene
     bool scene_by_silence = false; // a scene's limit is for a record, not for all: someone watches
     std::chrono::duration<double> oracle{60}; // for the oracle's own run
     double multiple = 50;
