@@ -39,22 +39,6 @@ struct Summary {
     }
 };
 
-using Counted = std::pair<const char*, std::uint64_t>;
-
-std::vector<Counted> counted(const Counters& c)
-{
-    return {{"steps", c.steps},
-            {"substeps", c.substeps},
-            {"pairs_possible", c.pairs_possible},
-            {"pairs_tested", c.pairs_tested},
-            {"contacts", c.contacts},
-            {"collision_impulses", c.collision_impulses},
-            {"contact_impulses", c.contact_impulses},
-            {"isotropic_shortcuts", c.isotropic_shortcuts},
-            {"free_flights", c.free_flights},
-            {"static_skipped", c.static_skipped}};
-}
-
 nlohmann::ordered_json numbers(const Vector3d& v)
 {
     return {v.x(), v.y(), v.z()};
@@ -71,8 +55,11 @@ void print_json(const std::string& scene, const SimulateOptions& options, const 
                 {"angular_momentum", numbers(s.angular_momentum)}};
     };
     nlohmann::ordered_json counters;
-    for (const auto& [name, count] : counted(summary.counters))
-        counters[name] = count;
+    for (const auto& [name, member] : counter_fields) {
+        std::string key(name);
+        std::replace(key.begin(), key.end(), ' ', '_');
+        counters[key] = summary.counters.*member;
+    }
     const nlohmann::ordered_json value = {
         {"scene", scene},
         {"with", options.with},
@@ -115,11 +102,8 @@ void print_stats(const Summary& summary, double seconds)
     fmt::print("  {:<32} {:.3g}\n", "deepest penetration [m]", summary.deepest);
     fmt::print("  {:<32} {:.4g}\n", "steps a second",
                static_cast<double>(summary.counters.steps) / seconds);
-    for (const auto& [name, count] : counted(summary.counters)) {
-        std::string words = name;
-        std::replace(words.begin(), words.end(), '_', ' ');
-        fmt::print("  {:<32} {}\n", words, count);
-    }
+    for (const auto& [name, member] : counter_fields)
+        fmt::print("  {:<32} {}\n", name, summary.counters.*member);
 }
 
 int simulate(const SimulateOptions& options)

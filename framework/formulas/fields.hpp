@@ -56,6 +56,8 @@ RIGOR_FIELDS(BodyInertia, inverse_mass, inverse_inertia)
 RIGOR_FIELDS(Body, inverse_mass, inverse_inertia, position, velocity, angular_velocity,
              angular_momentum)
 RIGOR_FIELDS(ContactPoint, point, normal, depth, relative_velocity)
+RIGOR_FIELDS(BodyContact, body1, body2, point, normal, depth, friction, separation_speed, impulse)
+RIGOR_FIELDS(ContactResult, bodies, impulses)
 RIGOR_FIELDS(LevelSet, origin, cell_size, size, distances)
 
 } // namespace rigor

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "formulas/collision.hpp"
+#include "formulas/contact.hpp"
 #include "formulas/inertia.hpp"
 #include "formulas/kinematics.hpp"
 #include "formulas/pipeline.hpp"
@@ -65,7 +66,12 @@
     FORMULA(A4.8,  collision,  sliding_friction_impulse, K, v, n, restitution, friction)           \
     FORMULA(A4.9,  collision,  collision_impulse, K, v, n, restitution, friction)                  \
     FORMULA(A4.10, collision,  apply_impulse, body, x, j)                                          \
-    FORMULA(A4.11, collision,  deepest_approaching_point, contacts)
+    FORMULA(A4.11, collision,  deepest_approaching_point, contacts)                                     \
+    FORMULA(A5.1,  contact,    contact_restitution, k, n)                                          \
+    FORMULA(A5.2,  contact,    resolve_contacts, bodies, contacts, n)                              \
+    FORMULA(A5.3,  contact,    contact_levels, rests_on, is_static)                                \
+    FORMULA(A5.4,  contact,    shock_propagation, bodies, contacts, levels, n)                     \
+    FORMULA(A5.5,  contact,    resolve_simultaneously, bodies, contacts, sweeps)
 // clang-format on
 
 namespace rigor {

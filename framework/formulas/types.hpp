@@ -127,6 +127,24 @@ struct ContactPoint {
     Vector3d relative_velocity = Vector3d::Zero(); // v = v1 - v2 at x [m/s]
 };
 
+/// A point where two of several bodies touch, or are about to.
+struct BodyContact {
+    int body1 = 0, body2 = 0;            // indices of the bodies
+    Vector3d point = Vector3d::Zero();   // x, world space [m]
+    Vector3d normal = Vector3d::UnitY(); // n, unit, from body 2 to body 1
+    double depth = 0;                    // penetration, positive inside [m]
+    double friction = 0;                 // μ
+    double separation_speed = 0;         // s: the least v·n afterwards; -gap/h for bodies that may
+                                         // still close a gap in the step h [m/s]
+    Vector3d impulse = Vector3d::Zero(); // on body 1, a first guess at the answer [N s]
+};
+
+/// Bodies after their contacts were resolved.
+struct ContactResult {
+    std::vector<Body> bodies;
+    std::vector<Vector3d> impulses; // of each contact, on body 1 [N s]
+};
+
 /// Signed distance to a surface, negative inside, sampled at the nodes of a grid.
 /// Node (i, j, k) lies at origin + cell_size (i, j, k); its value is distances[i + size[0] (j +
 /// size[1] k)].

@@ -17,6 +17,8 @@ RecordedWorld make_recorded_world(const Scene& scene)
     World& world = made.world;
     world.gravity = scene.gravity;
     world.integrator = scene.integrator;
+    world.contact_method = scene.contact_method;
+    world.skips = scene.skips;
     world.springs = scene.springs;
     world.forces = scene.forces;
     for (const BodyDescription& described : scene.bodies) {

@@ -55,6 +55,8 @@ struct Scene {
     std::vector<AppliedForce> forces;         // likewise
     Vector3d gravity = Vector3d(0, -9.81, 0); // [m/s²]
     Integrator integrator = Integrator::runge_kutta;
+    ContactMethod contact_method = ContactMethod::built_in;
+    Skips skips;
     double time_step = 0.01; // [s]
     double end = 1;          // [s]
     double frames_per_second = 30;

@@ -56,6 +56,23 @@ void read_camera(SceneDraft& draft, const Value& value)
 constexpr std::string_view integrators[] = {"matrix", "linear", "exponential", "buss",
                                             "runge_kutta"};
 
+constexpr std::string_view contact_methods[] = {"built_in", "one_at_a_time", "shock_propagation",
+                                                "simultaneous"};
+
+constexpr Key<Skips> skip_keys[] = {
+    {"islands", "contacts solved group by group, default true",
+     [](Skips& s, const Value& v) { s.islands = boolean(v); }},
+    {"sleep", "bodies at rest left alone, default true",
+     [](Skips& s, const Value& v) { s.sleep = boolean(v); }},
+    {"warm_start", "impulses start from those of the step before, default true",
+     [](Skips& s, const Value& v) { s.warm_start = boolean(v); }},
+    {"early_exit", "sweeps end once nothing changes, default true",
+     [](Skips& s, const Value& v) { s.early_exit = boolean(v); }},
+    {"readable_formulas",
+     "the reference's formulas in a faster form of the same result, default true",
+     [](Skips& s, const Value& v) { s.readable_formulas = boolean(v); }},
+};
+
 constexpr Key<SceneDraft> scene_keys[] = {
     {"description", "one sentence: what to see",
      [](SceneDraft& d, const Value& v) { d.scene.description = line_of_text(v, "a sentence"); }},
@@ -72,6 +89,16 @@ constexpr Key<SceneDraft> scene_keys[] = {
      "default the last",
      [](SceneDraft& d, const Value& v) {
          d.scene.integrator = static_cast<Integrator>(one_of(v, integrators));
+     }},
+    {"contact",
+     "how contacts hold: \"built_in\", \"one_at_a_time\", \"shock_propagation\" or "
+     "\"simultaneous\", default the first",
+     [](SceneDraft& d, const Value& v) {
+         d.scene.contact_method = static_cast<ContactMethod>(one_of(v, contact_methods));
+     }},
+    {"skip", "work that may be left out, to turn it on and off",
+     [](SceneDraft& d, const Value& v) {
+         read_object<Skips>(v, "what to skip {\"sleep\": false}", skip_keys, d.scene.skips);
      }},
     {"bodies", "needed: a list of at least one body",
      [](SceneDraft& d, const Value& v) { d.bodies = &v; }},
@@ -209,6 +236,7 @@ std::vector<KeyMeaning> scene_language()
     orientation_meanings(meanings);
     grid_meanings(meanings);
     force_meanings(meanings);
+    add_meanings<Skips>("skip", skip_keys, meanings);
     add_meanings<Camera>("camera", camera_keys, meanings);
     add_meanings<Overlays>("draw", overlay_keys, meanings);
     return meanings;

@@ -68,6 +68,14 @@ inline constexpr CounterField counter_fields[] = {
     {"isotropic shortcuts", &Counters::isotropic_shortcuts},
     {"free flights", &Counters::free_flights},
     {"static skipped", &Counters::static_skipped},
+    {"islands", &Counters::islands},
+    {"bodies asleep", &Counters::bodies_asleep},
+    {"warm starts", &Counters::warm_starts},
+    {"contact sweeps", &Counters::contact_sweeps},
+    {"early exits", &Counters::early_exits},
+    {"healed contacts", &Counters::healed_contacts},
+    {"level sets built", &Counters::level_sets_built},
+    {"level set samples", &Counters::level_set_samples},
 };
 static_assert(sizeof(Counters) == sizeof(std::uint64_t) * std::size(counter_fields));
 

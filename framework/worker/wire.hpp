@@ -61,8 +61,11 @@ template <class T> void encode(Bytes& bytes, const T& value)
             encode(bytes, element);
     } else if constexpr (is_vector<T> || std::is_same_v<T, std::string>) {
         encode(bytes, static_cast<std::uint64_t>(value.size()));
-        if constexpr (std::is_same_v<T, std::string> ||
-                      std::is_arithmetic_v<typename T::value_type>)
+        if constexpr (std::is_same_v<T, std::vector<bool>>)
+            for (const bool element : value)
+                encode(bytes, element);
+        else if constexpr (std::is_same_v<T, std::string> ||
+                           std::is_arithmetic_v<typename T::value_type>)
             put(bytes, value.data(), value.size() * sizeof(typename T::value_type));
         else
             for (const auto& element : value)
@@ -167,7 +170,14 @@ template <class T> void decode(Reader& reader, T& value)
             decode(reader, element);
     } else if constexpr (is_vector<T> || std::is_same_v<T, std::string>) {
         using Element = typename T::value_type;
-        if constexpr (std::is_arithmetic_v<Element>) {
+        if constexpr (std::is_same_v<Element, bool>) {
+            value.resize(reader.count(1));
+            for (std::size_t i = 0; i < value.size(); ++i) {
+                bool element = false;
+                decode(reader, element);
+                value[i] = element;
+            }
+        } else if constexpr (std::is_arithmetic_v<Element>) {
             value.resize(reader.count(sizeof(Element)));
             reader.get(value.data(), value.size() * sizeof(Element));
         } else {

@@ -144,7 +144,7 @@ TEST_CASE("trajectory: what is written is what is read in pieces of any size")
             }
         }
         CHECK(trajectory.counters.steps == 10);
-        CHECK(trajectory.counters.static_skipped == 9 + std::size(counter_fields));
+        CHECK(trajectory.counters.level_set_samples == 9 + std::size(counter_fields));
     }
 }
 
@@ -236,7 +236,7 @@ TEST_CASE("trajectory: counts and sizes are not believed")
     Bytes end = start;
     append(end, encode_end({}));
     CHECK(refusal(with(end, start.size() + 1, std::uint32_t{9})) ==
-          "end: expected 10 counters, found 9");
+          "end: expected " + std::to_string(std::size(counter_fields)) + " counters, found 9");
 }
 
 TEST_CASE("trajectory: a number that is none is refused by body and quantity")

@@ -41,8 +41,11 @@ template <class T> void fill(T& value, SplitMix& random)
         Fields<T>::each(value, [&](std::string_view, auto& field) { fill(field, random); });
     } else {
         if constexpr (wire::is_vector<T>) value.resize(random.next() % 6);
-        for (auto& element : value)
-            fill(element, random);
+        for (auto&& element : value) {
+            typename T::value_type filled = element; // of bits there is no reference
+            fill(filled, random);
+            element = filled;
+        }
     }
 }
 
