@@ -5,6 +5,7 @@
 #include "geometry/bounds.hpp"
 #include "rigid/flight.hpp"
 #include "rigid/groups.hpp"
+#include "rigid/warm_start.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,26 +14,6 @@
 namespace rigor {
 
 namespace {
-
-// Penetration heals by a fifth a step, no faster than one radius of the smaller body a second, and not
-// at all within a thousandth of that radius: enough to keep piles apart, too little to see, and
-// bodies that touch to rounding feel nothing of it.
-constexpr double recovered_fraction = 0.2, recovery_rate = 1 /* 1/s */, tolerated_fraction = 1e-3;
-
-double size_of(const RigidBody& body)
-{
-    double radius = 0;
-    for (const Part& part : body.parts)
-        radius = std::max(radius, bounding_radius(part));
-    return radius;
-}
-
-double recovery_speed(const World& world, const Contact& c, double h)
-{
-    const double radius = std::min(size_of(world.bodies[c.body1]), size_of(world.bodies[c.body2]));
-    const double excess = -c.gap - tolerated_fraction * radius;
-    return excess > 0 ? std::min(recovered_fraction * excess / h, recovery_rate * radius) : 0;
-}
 
 Body body_in_world(Integrator integrator, const RigidBody& rigid)
 {
@@ -61,10 +42,8 @@ Body pushed(Body body, const RigidState& start, const RigidState& flown)
 
 // Pairs from the lowest up, and so the contacts of each: an order that does not depend on how the bodies
 // are numbered.
-std::vector<ContactPair> sorted_pairs(const World& world, std::vector<SolvedContact>& contacts)
+std::vector<ContactPair> sorted_pairs(const Vector3d& up, std::vector<SolvedContact>& contacts)
 {
-    const double g = world.gravity.norm();
-    const Vector3d up = g > 0 ? Vector3d(-world.gravity / g) : Vector3d::UnitY();
     const auto is_lower = [&up](const Contact& a, const Contact& b) {
         const Vector3d &p = a.point, &q = b.point;
         return std::tuple(up.dot(p), p.x(), p.z()) < std::tuple(up.dot(q), q.x(), q.z());
@@ -122,6 +101,12 @@ std::vector<Island> islands_of(const World& world, const ContactProblem& problem
 
 } // namespace
 
+Vector3d ContactProblem::up() const
+{
+    const double g = gravity.norm();
+    return g > 0 ? Vector3d(-gravity / g) : Vector3d::UnitY();
+}
+
 Vector3d ContactProblem::velocity_at(const SolvedContact& c, const Vector3d& x) const
 {
     return relative_velocity(bodies[c.body1], bodies[c.body2], x);
@@ -146,12 +131,15 @@ void ContactProblem::apply(const SolvedContact& c, const Vector3d& x, const Vect
 }
 
 ContactProblem contact_problem(const World& world, std::span<const RigidState> flown,
-                               std::span<const double> margins, std::vector<Contact> contacts,
-                               double time_step, Counters& counters)
+                               std::span<const double> margins, const std::vector<double>& radii,
+                               std::vector<Contact> contacts, double time_step, Counters& counters)
 {
     ContactProblem problem;
     problem.time_step = time_step;
     problem.gravity = world.gravity;
+    problem.method = world.contact_method;
+    problem.skips = world.skips;
+    problem.optimised = world.formulas_are_reference && world.skips.readable_formulas;
     problem.counters = &counters;
     problem.bodies.resize(world.bodies.size());
     std::vector<Body> after_forces(world.bodies.size());
@@ -174,10 +162,15 @@ ContactProblem contact_problem(const World& world, std::span<const RigidState> f
         const Material &a = world.bodies[c.body1].material, &b = world.bodies[c.body2].material;
         c.restitution = std::min(a.restitution, b.restitution);
         c.friction = std::sqrt(a.friction * b.friction);
-        c.recovery = recovery_speed(world, c, time_step);
+        const double r1 = radii[c.body1], r2 = radii[c.body2];
+        c.radius = r1 > 0 && r2 > 0 ? std::min(r1, r2) : std::max(r1, r2);
         problem.contacts.push_back(c);
     }
-    problem.islands = islands_of(world, problem, sorted_pairs(world, problem.contacts));
+    const bool is_iterative =
+        problem.method == ContactMethod::built_in || problem.method == ContactMethod::simultaneous;
+    if (is_iterative && world.skips.warm_start)
+        start_warm(world, time_step, problem.contacts, counters);
+    problem.islands = islands_of(world, problem, sorted_pairs(problem.up(), problem.contacts));
     for (const Island& island : problem.islands)
         for (const ContactPair& pair : island.pairs)
             for (int i = pair.first; i < pair.last; ++i) {

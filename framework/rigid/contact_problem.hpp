@@ -13,10 +13,11 @@ namespace rigor {
 /// arms and positions then agree, and momentum and angular momentum are kept to rounding.
 struct SolvedContact : Contact {
     double restitution = 0, friction = 0;
-    double force_speed = 0;             // what forces add to v·n in this step [m/s]
-    double recovery = 0;                // v·n that heals a penetration, see `recovery_speed` [m/s]
-    Matrix3d K = Matrix3d::Zero();      // K₁ + K₂ [1/kg]
-    Vector3d bounce = Vector3d::Zero(); // impulse on body 1 by collisions [N s]
+    double radius = 0;                   // of the smaller body that can move [m]
+    double force_speed = 0;              // what forces add to v·n in this step [m/s]
+    Matrix3d K = Matrix3d::Zero();       // K₁ + K₂ [1/kg]
+    Vector3d bounce = Vector3d::Zero();  // impulse on body 1 by collisions [N s]
+    Vector3d guess = Vector3d::Zero();   // where the sweeps for `holding` start from [N s]
     Vector3d holding = Vector3d::Zero(); // impulse on body 1 by contact [N s]
 };
 
@@ -38,7 +39,13 @@ struct ContactProblem {
     std::vector<Island> islands;         // those in which two bodies would penetrate
     double time_step = 0;                // [s]
     Vector3d gravity = Vector3d::Zero(); // [m/s²]
+    ContactMethod method = ContactMethod::built_in;
+    Skips skips;
+    bool optimised = false; // the reference's formulas in a faster form
     Counters* counters = nullptr;
+
+    /// Against gravity, unit; along y without gravity.
+    Vector3d up() const;
 
     /// Gap at the end of the step if v·n stays [m].
     double predicted_gap(const SolvedContact& contact, double v_n) const
@@ -55,11 +62,12 @@ struct ContactProblem {
 
 /// The problem of a step: contacts that are near enough to matter, in islands.
 ///
+/// @param radii    of each body, 0 if static [m]
 /// @param flown    the states after free flight: what the bodies would do without contacts
 /// @param margins  of each body: contacts that stay farther apart than both bodies' together in free
 ///                 flight are dropped [m]
 ContactProblem contact_problem(const World& world, std::span<const RigidState> flown,
-                               std::span<const double> margins, std::vector<Contact> contacts,
-                               double time_step, Counters& counters);
+                               std::span<const double> margins, const std::vector<double>& radii,
+                               std::vector<Contact> contacts, double time_step, Counters& counters);
 
 } // namespace rigor

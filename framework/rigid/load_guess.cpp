@@ -15,11 +15,12 @@ struct Support {
     int upper = 0, lower = 0, contact = 0;
 };
 
-std::vector<Support> supports_of(const ContactProblem& problem, const std::vector<int>& contacts,
+std::vector<Support> supports_of(const ContactProblem& problem, const std::vector<Held>& held,
                                  const Vector3d& up)
 {
     std::vector<Support> supports;
-    for (int i : contacts) {
+    for (const Held& h : held) {
+        const int i = h.contact;
         const SolvedContact& c = problem.contacts[i];
         const double slope = c.normal.dot(up);
         const double v_n = problem.velocity_at(c, c.point).dot(c.normal);
@@ -37,18 +38,17 @@ void support(ContactProblem& problem, const Support& by, const Vector3d& push)
     Vector3d j = by.upper == c.body1 ? push : Vector3d(-push);
     const double j_n = j.dot(c.normal);
     if ((j - j_n * c.normal).norm() > c.friction * j_n) j = j_n * c.normal;
-    problem.apply(c, c.point, j);
-    c.holding = j;
+    c.guess = j;
 }
 
 } // namespace
 
-void guess_loads(ContactProblem& problem, const Island& island, const std::vector<int>& contacts)
+void guess_loads(ContactProblem& problem, const Island& island, const std::vector<Held>& held)
 {
     const double g = problem.gravity.norm();
     if (g == 0) return;
-    const Vector3d up = -problem.gravity / g;
-    std::vector<Support> supports = supports_of(problem, contacts, up);
+    const Vector3d up = problem.up();
+    std::vector<Support> supports = supports_of(problem, held, up);
     const bool is_grounded = std::any_of(supports.begin(), supports.end(), [&](const Support& s) {
         return problem.bodies[s.lower].is_static();
     });

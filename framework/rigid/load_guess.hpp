@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "rigid/contact_problem.hpp"
+#include "rigid/sweeps.hpp"
 
 namespace rigor {
 
@@ -13,9 +13,7 @@ namespace rigor {
 /// would carry weight down by one body a sweep. It is a guess only: the iteration corrects it.
 /// Without gravity, or where nothing below is static: no guess.
 ///
-/// A warm start from the step before would do the same, but a step depends on nothing but its start.
-///
-/// @param contacts  of the island, by index in the problem
-void guess_loads(ContactProblem& problem, const Island& island, const std::vector<int>& contacts);
+/// @param held  contacts of the island; those that carry weight get their `guess`
+void guess_loads(ContactProblem& problem, const Island& island, const std::vector<Held>& held);
 
 } // namespace rigor

@@ -87,6 +87,13 @@ struct Counters {
     std::uint64_t level_sets_built = 0, level_set_samples = 0;
 };
 
+/// What held a contact in the step before: where the next step's sweeps start from.
+struct WarmContact {
+    int body1 = 0, body2 = 0;
+    Vector3d point = Vector3d::Zero();   // in the object space of body 1 [m]
+    Vector3d impulse = Vector3d::Zero(); // on body 1, for each second of the step [N]
+};
+
 struct World {
     std::vector<RigidBody> bodies;
     std::vector<Spring> springs;
@@ -95,8 +102,10 @@ struct World {
     Integrator integrator = Integrator::runge_kutta;
     ContactMethod contact_method = ContactMethod::built_in;
     Skips skips;
+    bool formulas_are_reference = false; // only then they may be skipped for a faster form
     int threads = 1; // of the parts that are parallel; the result is the same bits for any number
     double time = 0; // [s]
+    std::vector<WarmContact> warm_contacts; // of the step before, in the order of their bodies
     Counters counters;
 };
 
@@ -110,7 +119,8 @@ struct ContactRecord {
 };
 
 /// One time step in the order of Guendelman, Bridson and Fedkiw (2003): collisions, velocities,
-/// contact, positions. A pure function of (world, time_step): no state is hidden elsewhere.
+/// contact, positions. A pure function of (world, time_step): no state is hidden elsewhere. Without
+/// warm start and sleep it depends on the bodies' states alone.
 /// @return the contacts that got an impulse
 std::vector<ContactRecord> step(World& world, double time_step);
 

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+#include "rigid/contact_stage.hpp"
+
+#include "rigid/contact_formulas.hpp"
+#include "rigid/healing.hpp"
+#include "rigid/load_guess.hpp"
+#include "rigid/sweeps.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace rigor {
+
+namespace {
+
+// An island of up to `small` contacts converges to rounding. A larger one stops at `fine` of the
+// velocity that its contacts have to take away, or after `work` contacts were visited: what is left is
+// corrected in the next steps.
+constexpr int small = 16, work = 20000, fewest_sweeps = 10, most_sweeps = 500;
+constexpr double rounding = 2 * std::numeric_limits<double>::epsilon(), fine = 1e-5;
+
+// The larger eigenvalue of K across n.
+double tangential_eigenvalue(const Matrix3d& K, const Vector3d& n)
+{
+    const Vector3d t = n.unitOrthogonal(), b = n.cross(t);
+    const double tt = t.dot(K * t), bb = b.dot(K * b), tb = t.dot(K * b);
+    return (tt + bb) / 2 + std::hypot((tt - bb) / 2, tb);
+}
+
+// The fastest that anything moves at a contact: velocities cannot be told apart below its rounding [m/s].
+double fastest(const ContactProblem& problem, const std::vector<Held>& all)
+{
+    double speed = 0;
+    for (const Held& held : all) {
+        const SolvedContact& c = problem.contacts[held.contact];
+        for (int i : {c.body1, c.body2}) {
+            const Body& b = problem.bodies[i];
+            if (b.is_static()) continue;
+            const double lever = (c.point - b.position).norm();
+            speed = std::max(speed, b.velocity.norm() + b.angular_velocity.norm() * lever);
+        }
+    }
+    return speed;
+}
+
+// The fastest that a contact approaches: what the impulses are there to take away [m/s].
+double approach(const ContactProblem& problem, const std::vector<Held>& all)
+{
+    double speed = 0;
+    for (const Held& held : all) {
+        const SolvedContact& c = problem.contacts[held.contact];
+        speed = std::max(speed, held.target - problem.velocity_at(c, c.point).dot(c.normal));
+    }
+    return speed;
+}
+
+std::unique_ptr<Sweeps> sweeps_of(ContactProblem& problem, const std::vector<Held>& held)
+{
+    if (problem.optimised) return optimised_sweeps(problem, held);
+    if (problem.method == ContactMethod::simultaneous) return simultaneous_sweeps(problem, held);
+    return collision_law_sweeps(problem, held);
+}
+
+// Sweeps until nothing changes. Goes on in the direction of the sweeps before, as long as it pays:
+// directions = steps + β directions, impulses += β directions.
+void solve(ContactProblem& problem, const std::vector<Held>& all)
+{
+    const int count = static_cast<int>(all.size());
+    const int most = std::clamp(work / count, fewest_sweeps, most_sweeps);
+    const double noise = rounding * fastest(problem, all);
+    const double unnoticed = count <= small ? noise : noise + fine * approach(problem, all);
+    const std::unique_ptr<Sweeps> sweeps = sweeps_of(problem, all);
+    std::vector<Vector3d> steps(all.size(), Vector3d::Zero()), directions = steps;
+    double before = 0;
+    for (int i = 1; i <= most; ++i) {
+        const Progress progress = sweeps->sweep(steps);
+        ++problem.counters->contact_sweeps;
+        const bool is_done = progress.change <= rounding * progress.total + unnoticed;
+        if (i < most && is_done && problem.skips.early_exit) {
+            ++problem.counters->early_exits;
+            break;
+        }
+        const bool slows_down = before > 0 && progress.squared <= before;
+        const double beta = slows_down ? progress.squared / before : 0; // 0: starts afresh
+        before = progress.squared;
+        if (i == most) break;
+        for (std::size_t k = 0; k < steps.size(); ++k) {
+            const Vector3d more = beta * directions[k];
+            directions[k] = steps[k] + more;
+            steps[k] = more;
+        }
+        if (beta > 0) sweeps->add(steps);
+    }
+    sweeps->finish();
+}
+
+} // namespace
+
+std::vector<Held> held_contacts(const ContactProblem& problem, const Island& island)
+{
+    std::vector<Held> all;
+    for (const ContactPair& pair : island.pairs)
+        for (int i = pair.first; i < pair.last; ++i) {
+            const SolvedContact& c = problem.contacts[i];
+            const double normal = c.normal.dot(c.K * c.normal);
+            const double tangential = tangential_eigenvalue(c.K, c.normal);
+            if (!(normal > 0) || !(tangential > 0)) continue; // not a K of anything that moves
+            const double target =
+                c.gap > 0 ? -c.gap / problem.time_step : healing_speed(problem, c);
+            all.push_back({i, target, normal, tangential});
+        }
+    return all;
+}
+
+void process_contact(ContactProblem& problem, const Island& island)
+{
+    const std::vector<Held> all = held_contacts(problem, island);
+    if (all.empty()) return;
+    switch (problem.method) {
+    case ContactMethod::one_at_a_time:
+        return resolve_one_at_a_time(problem, all, false);
+    case ContactMethod::shock_propagation:
+        return resolve_one_at_a_time(problem, all, true);
+    case ContactMethod::built_in:
+    case ContactMethod::simultaneous:
+        break;
+    }
+    const bool is_warm = std::any_of(all.begin(), all.end(), [&](const Held& h) {
+        return !problem.contacts[h.contact].guess.isZero(0);
+    });
+    if (!is_warm) guess_loads(problem, island, all);
+    solve(problem, all);
+}
+
+} // namespace rigor

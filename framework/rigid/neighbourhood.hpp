@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "rigid/narrow_phase.hpp"
+#include "rigid/world.hpp"
+
+#include <span>
+
+namespace rigor {
+
+/// What may meet in a step.
+struct Neighbourhood {
+    std::vector<Contact> contacts; // none if no bodies are near enough to meet in this step
+    std::vector<double> margins;   // of each body: how far apart it may stay and still matter [m]
+    std::vector<double> radii;     // of each body, about its center of mass; 0 if static [m]
+};
+
+/// @param flown  the states after free flight
+Neighbourhood neighbourhood(const World& world, std::span<const RigidState> flown, double time_step,
+                            Counters& counters);
+
+} // namespace rigor

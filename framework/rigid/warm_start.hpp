@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "rigid/contact_problem.hpp"
+
+namespace rigor {
+
+/// Gives contacts the impulses that held them in the step before: of the same two bodies, the nearest
+/// one within a tenth of the smaller body's radius, turned to the contact's normal and cone.
+///
+/// @param contacts  grouped by bodies, in ascending order
+void start_warm(const World& world, double time_step, std::vector<SolvedContact>& contacts,
+                Counters& counters);
+
+/// What the next step can start from. @param contacts  grouped by bodies, in ascending order
+std::vector<WarmContact>
+warm_contacts(const World& world, const std::vector<SolvedContact>& contacts, double time_step);
+
+} // namespace rigor
