@@ -13,6 +13,7 @@ World pile_world(const PileStart& start, const PileOptions& options)
     World world;
     world.gravity = {0, pile_gravity, 0};
     world.contact_method = ContactMethod::simultaneous;
+    world.formulas_are_reference = true;
     world.skips.sleep = options.sleep;
     world.threads = options.threads;
     const auto add = [&world](const Vector3d& size, const Vector3d& X, const Quaternion& q,
