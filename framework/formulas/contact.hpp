@@ -14,7 +14,7 @@
 
 namespace rigor {
 
-/// A5.1 Restitution of iteration k = 0 … n-1 of n: (k + 1)/n - 1, from nearly -1 up to 0.
+/// A5.1 Restitution of iteration k = 0 … n-1 of n: ε = (k + 1)/n - 1, from nearly -1 up to 0.
 /// Paper: section 7.1, where n = 10 gives -0.9, -0.8, … 0.
 ///
 /// A negative restitution takes away only a part of the approaching velocity, so that the first
@@ -27,7 +27,7 @@ double contact_restitution(int k, int n);
 /// Iteration k visits each contact once, in order of depth, the deepest first (of equal depths the
 /// one that comes first). A contact whose bodies approach at that moment, u·n < 0, gets
 /// `collision_impulse(K, u, n, ε, μ)` with ε = `contact_restitution(k, n)`; both bodies move on with
-/// their new velocities before the next contact is looked at.
+/// their new velocities before the next contact is looked at. The contacts' `impulse` is not used.
 ///
 /// @return  the bodies afterwards, and of each contact the sum of its impulses. n < 1: unchanged.
 ContactResult resolve_contacts(const std::vector<Body>& bodies,
@@ -38,9 +38,10 @@ ContactResult resolve_contacts(const std::vector<Body>& bodies,
 /// A static body has level 0. Any other body has one level more than the highest of those it rests
 /// on (1 if it rests on nothing). Bodies that rest on each other in a cycle share one level, one
 /// more than the highest of the others that any of them rests on. What a static body rests on does
-/// not matter.
+/// not matter, so no cycle leads through one.
 ///
-/// @param rests_on   of each body, the indices of the bodies that it rests on; an index may repeat
+/// @param rests_on   of each body, the indices of the bodies that it rests on; an index may repeat,
+///                   and may be the body's own
 /// @param is_static  of each body
 std::vector<int> contact_levels(const std::vector<std::vector<int>>& rests_on,
                                 const std::vector<bool>& is_static);
@@ -50,11 +51,12 @@ std::vector<int> contact_levels(const std::vector<std::vector<int>>& rests_on,
 ///
 /// For each level ℓ = 1, 2, … the contacts whose higher body has level ℓ are resolved as in
 /// `resolve_contacts` with n iterations, while every body of a level below ℓ is held: it keeps its
-/// velocity as if its mass and inertia were infinite.
+/// velocity as if its mass and inertia were infinite. Contacts between two bodies of level 0 are left
+/// alone.
 ///
-/// @param levels  of each body, from `contact_levels`
+/// @param levels  of each body, ≥ 0, from `contact_levels`
 /// @return  the bodies afterwards, each with its own mass and inertia again, and of each contact the
-///          sum of its impulses on the body that could move
+///          sum of its impulses on body 1 as ever, though a body that was held did not receive them
 ContactResult shock_propagation(const std::vector<Body>& bodies,
                                 const std::vector<BodyContact>& contacts,
                                 const std::vector<int>& levels, int n);
@@ -70,9 +72,10 @@ ContactResult shock_propagation(const std::vector<Body>& bodies,
 ///     jₙ ← max(0, jₙ - (v·n - s) / (nᵀ K n))
 ///     j_T ← j_T - v_T / λ,  shortened to |j_T| = μ jₙ where it is longer
 ///
-/// where λ is the larger eigenvalue of K across n, and the bodies receive the difference at once.
-/// Where the sweeps converge, all contacts obey their laws at the same time: jₙ ≥ 0, v·n ≥ s, one
-/// of the two with equality, |j_T| ≤ μ jₙ, and friction against the sliding where that is sharp.
+/// where λ is the larger eigenvalue of K across n (of P K P with P = δ - n nᵀ), jₙ on the second line
+/// is the new one, and the bodies receive the difference at once. Where the sweeps converge, all
+/// contacts obey their laws at the same time: jₙ ≥ 0, v·n ≥ s, one of the two with equality, and
+/// |j_T| ≤ μ jₙ, where v_T ≠ 0 with equality and j_T against v_T.
 ///
 /// @return  the bodies afterwards, and of each contact its total impulse. sweeps < 1: the warm start
 ///          alone. A contact between two static bodies: zero impulse.

@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: MIT
+// A5.5: all contacts at once. Single sweeps and exact answers.
+#include "contact_laws.hpp"
+
+namespace rigor::testing {
+
+namespace {
+
+ContactResult resolved(const ContactCase& problem, int sweeps)
+{
+    return resolve_simultaneously(problem.bodies, problem.contacts, sweeps);
+}
+
+ContactCase ball_on_floor(const Vector3d& V, double friction, const Vector3d& guess = {0, 0, 0})
+{
+    ContactCase result{{Body(), ball(1, V)}, {touch(1, 0, 0, {0, 0, 0}, friction)}};
+    result.contacts[0].impulse = guess;
+    return result;
+}
+
+void check_impulses(const ContactResult& result, const std::vector<Vector3d>& expected)
+{
+    REQUIRE_THAT(result.impulses, IsClose(expected, Rounding(64, 4)));
+}
+
+// A ball on the floor that asks for a separation speed: its speed upwards after a few sweeps.
+double upwards(double V, double separation_speed)
+{
+    ContactCase problem = ball_on_floor({0, V, 0}, 0);
+    problem.contacts[0].separation_speed = separation_speed;
+    return resolved(problem, 3).bodies[1].velocity.y();
+}
+
+} // namespace
+
+TEST_CASE("contact: one sweep stops a ball on the floor", "[A5.5][contact]")
+{
+    for (int sweeps : {1, 2, 10}) {
+        CAPTURE(sweeps);
+        // K is diag(3.5, 1, 3.5), λ = 3.5: it sticks
+        const ContactResult stuck = resolved(ball_on_floor({3, -2, 0}, 0.5), sweeps);
+        check_impulses(stuck, {{-6.0 / 7, 2, 0}});
+        REQUIRE_THAT(stuck.bodies[1].velocity, IsClose(Vector3d(15.0 / 7, 0, 0), Rounding(64, 2)));
+    }
+    // along x and z by 3 and 4, it wants 5/3.5: with μ = 0.5 it sticks no longer
+    check_impulses(resolved(ball_on_floor({3, -2, 4}, 0.5), 1), {{-0.6, 2, -0.8}});
+    check_impulses(resolved(ball_on_floor({3, -2, 4}, 0.1), 1), {{-0.12, 2, -0.16}});
+    check_impulses(resolved(ball_on_floor({3, -2, 4}, 0), 1), {{0, 2, 0}});
+}
+
+TEST_CASE("contact: a ball that leaves the floor gets no impulse", "[A5.5][contact]")
+{
+    const ContactCase problem = ball_on_floor({3, 2, 0}, 0.5);
+    const ContactResult result = resolved(problem, 10);
+    check_impulses(result, {{0, 0, 0}});
+    REQUIRE_THAT(result.bodies, IsClose(problem.bodies, Rounding(16, 4)));
+}
+
+TEST_CASE("contact: the ends of a rod in turn", "[A5.5][contact]")
+{
+    // 1/4 stops the first end and brings the other to 1.5 m/s; 1.5/4 stops that and brings the first
+    // to 0.75 m/s; and so on: what is missing from 1/2 is a quarter of what it was a sweep before
+    ContactCase problem{{Body(), rod(-up)},
+                        {touch(1, 0, 0.01, {-1, 0, 0}), touch(1, 0, 0.02, {1, 0, 0})}};
+    check_impulses(resolved(problem, 1), {0.25 * up, 0.375 * up});
+    check_impulses(resolved(problem, 2), {0.4375 * up, 0.46875 * up});
+    check_impulses(resolved(problem, 3), {0.484375 * up, 0.4921875 * up});
+    check_impulses(resolved(problem, 60), {0.5 * up, 0.5 * up});
+    // depth does not matter, the order of the list does
+    std::swap(problem.contacts[0], problem.contacts[1]);
+    check_impulses(resolved(problem, 2), {0.4375 * up, 0.46875 * up});
+}
+
+TEST_CASE("contact: friction is stepped by the larger eigenvalue across the normal",
+          "[A5.5][contact]")
+{
+    // a rod, M = L = 1, leans at 45° in the plane z = 0, its tip at the origin: K is
+    // (2.5 -1.5 0; -1.5 2.5 0; 0 0 4), λ = 4
+    const Vector3d d = Vector3d(1, 1, 0) / std::sqrt(2.0);
+    Body leaning = block(1, -up, d / 2);
+    leaning.inverse_inertia = 12 * (Matrix3d::Identity() - d * d.transpose());
+    const ContactCase problem{{Body(), leaning}, {touch(1, 0, 0, {0, 0, 0}, 1)}};
+
+    // jₙ = 1/2.5; then the tip slides by -0.6, and 0.6/4 is less than jₙ
+    check_impulses(resolved(problem, 1), {{0, 0.4, 0}});
+    check_impulses(resolved(problem, 2), {{0.15, 0.4, 0}});
+    // that lifts the tip by -0.225 and leaves it at -0.225: 0.4 + 0.09 and 0.15 + 0.05625
+    check_impulses(resolved(problem, 3), {{0.20625, 0.49, 0}});
+    // in the end it sticks: K⁻¹ (0, 1, 0)
+    check_impulses(resolved(problem, 200), {{0.375, 0.625, 0}});
+    REQUIRE_THAT(velocity_of(resolved(problem, 200).bodies, problem.contacts[0]),
+                 IsClose(Vector3d(0, 0, 0), Rounding(256, 1)));
+}
+
+TEST_CASE("contact: friction is shortened by the new push", "[A5.5][contact]")
+{
+    // a guess that pushes four times too hard, all of it on the border of the cone
+    const ContactResult result = resolved(ball_on_floor({3, -2, 0}, 0.1, {-0.8, 8, 0}), 1);
+    check_impulses(result, {{-0.2, 2, 0}});
+    REQUIRE_THAT(result.bodies[1].velocity, IsClose(Vector3d(2.8, 0, 0), Rounding(64, 8)));
+}
+
+TEST_CASE("contact: a push that was too hard is taken back", "[A5.5][contact]")
+{
+    ContactResult result = resolved(ball_on_floor({0, -1, 0}, 0, 10 * up), 1);
+    check_impulses(result, {up});
+    REQUIRE_THAT(result.bodies[1].velocity, IsClose(Vector3d(0, 0, 0), Rounding(64, 10)));
+    // as a whole it never pulls
+    result = resolved(ball_on_floor({0, 3, 0}, 0, 10 * up), 1);
+    check_impulses(result, {{0, 0, 0}});
+    REQUIRE_THAT(result.bodies[1].velocity, IsClose(Vector3d(0, 3, 0), Rounding(64, 10)));
+    result = resolved(ball_on_floor({1, 3, 0}, 0.5, {1, -10, 2}), 1);
+    check_impulses(result, {{0, 0, 0}});
+}
+
+TEST_CASE("contact: a simultaneous contact ends with the separation speed it asks for",
+          "[A5.5][contact]")
+{
+    REQUIRE_THAT(upwards(-1, 0.25), IsClose(0.25, Rounding(64, 2)));    // pushed apart
+    REQUIRE_THAT(upwards(-1, -0.25), IsClose(-0.25, Rounding(64, 2)));  // may close a gap
+    REQUIRE_THAT(upwards(0.125, 0.25), IsClose(0.25, Rounding(64, 2))); // not fast enough
+    REQUIRE_THAT(upwards(-0.25, -0.5), IsClose(-0.25, Rounding(8)));    // slow enough
+    REQUIRE_THAT(upwards(0.5, 0.25), IsClose(0.5, Rounding(8)));        // fast enough
+}
+
+TEST_CASE("contact: each contact of a stack carries all that lies above it", "[A5.5][contact]")
+{
+    const ContactCase problem = stack({3, 1, 2});
+    const ContactResult result = resolved(problem, 400);
+    check_impulses(result, {6 * up, 3 * up, 2 * up});
+    for (int i = 1; i <= 3; ++i)
+        REQUIRE_THAT(result.bodies[i].velocity, IsClose(Vector3d(0, 0, 0), Rounding(64, 6)));
+}
+
+TEST_CASE("contact: started from the exact answer every sweep leaves it there", "[A5.5][contact]")
+{
+    ContactCase problem = stack({3, 1, 2});
+    for (int i = 0; i < 3; ++i)
+        problem.contacts[i].impulse = std::array{6.0, 3.0, 2.0}[i] * up;
+    for (int sweeps : {0, 1, 2, 50}) {
+        CAPTURE(sweeps);
+        const ContactResult result = resolved(problem, sweeps);
+        check_impulses(result, {6 * up, 3 * up, 2 * up});
+        for (int i = 1; i <= 3; ++i)
+            REQUIRE_THAT(result.bodies[i].velocity, IsClose(Vector3d(0, 0, 0), Rounding(64, 6)));
+    }
+}
+
+TEST_CASE("contact: a seesaw tilts as if its blocks were glued on", "[A5.5][contact]")
+{
+    const ContactResult result = resolved(seesaw(), 400);
+    REQUIRE_THAT(result.bodies, IsClose(tilting_seesaw(), Rounding(64, 10)));
+    // 10 kg fell by 1 m/s; now their momentum is -6 · 4/9 + 2 · 4/9
+    REQUIRE_THAT(result.impulses,
+                 IsClose(std::vector<Vector3d>{74.0 / 9 * up, 10.0 / 3 * up, 26.0 / 9 * up},
+                         Rounding(64, 10)));
+}
+
+TEST_CASE("contact: three balls in a row end together", "[A5.5][contact]")
+{
+    // the first runs into two at rest; these contacts are plastic
+    ContactCase row{{block(1, {1, 0, 0}), block(1), block(1)}, {touch(1, 0, 0), touch(2, 1, 0)}};
+    for (BodyContact& c : row.contacts)
+        c.normal = Vector3d::UnitX();
+    // the first contact alone, then the second
+    const ContactResult once = resolved(row, 1);
+    REQUIRE_THAT(once.impulses,
+                 IsClose(std::vector<Vector3d>{{0.5, 0, 0}, {0.25, 0, 0}}, Rounding(64, 1)));
+    const ContactResult result = resolved(row, 100);
+    REQUIRE_THAT(result.impulses,
+                 IsClose(std::vector<Vector3d>{{2.0 / 3, 0, 0}, {1.0 / 3, 0, 0}}, Rounding(64, 1)));
+    for (const Body& body : result.bodies)
+        REQUIRE_THAT(body.velocity, IsClose(Vector3d(1.0 / 3, 0, 0), Rounding(64, 1)));
+}
+
+TEST_CASE("contact: a block that slides in a groove", "[A5.5][contact]")
+{
+    // walls at 45°: each pushes with 1/√2 to hold the falling block, and both together rub √2 μ along
+    // the groove, more than a floor would
+    const auto along_the_groove = [](double friction) {
+        ContactCase groove{
+            {Body(), block(1, {0, -1, 0.3})},
+            {touch(1, 0, 0, {0, 0, 0}, friction), touch(1, 0, 0, {0, 0, 0}, friction)}};
+        groove.contacts[0].normal = Vector3d(1, 1, 0).normalized();
+        groove.contacts[1].normal = Vector3d(-1, 1, 0).normalized();
+        return resolved(groove, 2000);
+    };
+    const ContactResult sliding = along_the_groove(0.1);
+    REQUIRE_THAT(sliding.bodies[1].velocity,
+                 IsClose(Vector3d(0, 0, 0.3 - 0.1 * std::sqrt(2.0)), Rounding(64, 1)));
+    REQUIRE_THAT(sliding.impulses,
+                 IsClose(std::vector<Vector3d>{{0.5, 0.5, -0.1 / std::sqrt(2.0)},
+                                               {-0.5, 0.5, -0.1 / std::sqrt(2.0)}},
+                         Rounding(64, 1)));
+    // class B: it stops where √2 μ = 0.3
+    const double critical = 0.3 / std::sqrt(2.0), d = 0.02;
+    const double below = along_the_groove(critical * (1 - d)).bodies[1].velocity.z();
+    const double above = along_the_groove(critical * (1 + d)).bodies[1].velocity.z();
+    REQUIRE_THAT(below, IsClose(0.3 * d, Rounding(64, 1)));
+    REQUIRE_THAT(above, IsClose(0.0, Rounding(64, 1)));
+}
+
+TEST_CASE("contact: without sweeps only the guess acts", "[A5.5][contact]")
+{
+    ContactCase problem = ball_on_floor({0, -1, 0}, 0.1, {3, -2, 1});
+    for (int sweeps : {0, -1}) {
+        const ContactResult result = resolved(problem, sweeps);
+        REQUIRE_THAT(result.impulses, IsExactly(std::vector<Vector3d>{{3, -2, 1}}));
+        REQUIRE_THAT(result.bodies[1].velocity, IsClose(Vector3d(3, -3, 1), Rounding(16)));
+        check_bookkeeping(problem, result, 1);
+    }
+}
+
+TEST_CASE("contact: simultaneously between two static bodies nothing happens", "[A5.5][contact]")
+{
+    Random random(1);
+    const Bodies bodies = {static_body(random), static_body(random)};
+    BodyContact c = touch(0, 1, 0.1, {0, 0, 0}, 0.5);
+    c.impulse = Vector3d(1, 2, 3);
+    for (int sweeps : {0, 1, 10}) {
+        const ContactResult result = resolve_simultaneously(bodies, {c}, sweeps);
+        REQUIRE_THAT(result.bodies, IsExactly(bodies));
+        REQUIRE_THAT(result.impulses, IsExactly(std::vector<Vector3d>{{0, 0, 0}}));
+    }
+}
+
+TEST_CASE("contact: simultaneously without contacts nothing changes", "[A5.5][contact]")
+{
+    const Bodies bodies = random_case(1, true).bodies;
+    REQUIRE_THAT(resolve_simultaneously(bodies, {}, 10).bodies, IsExactly(bodies));
+    REQUIRE(resolve_simultaneously(bodies, {}, 10).impulses.empty());
+    REQUIRE(resolve_simultaneously({}, {}, 10).bodies.empty());
+}
+
+} // namespace rigor::testing

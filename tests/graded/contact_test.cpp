@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: MIT
+// A5.1 and A5.2: contacts one point at a time, gently first.
+#include "contact_laws.hpp"
+
+#include <limits>
+
+namespace rigor::testing {
+
+namespace {
+
+constexpr int most = std::numeric_limits<int>::max(), least = std::numeric_limits<int>::min();
+
+// A ball of 1 kg that meets the floor.
+ContactCase ball_on_floor(const Vector3d& V, double friction, double separation_speed = 0)
+{
+    ContactCase result{{Body(), ball(1, V)}, {touch(1, 0, 0.01, {0, 0, 0}, friction)}};
+    result.contacts[0].separation_speed = separation_speed;
+    return result;
+}
+
+// The rod falls flat at 1 m/s, both its ends on the floor.
+ContactCase falling_rod(double left_depth, double right_depth)
+{
+    return {{Body(), rod(-up)},
+            {touch(1, 0, left_depth, {-1, 0, 0}), touch(1, 0, right_depth, {1, 0, 0})}};
+}
+
+ContactResult resolved(const ContactCase& problem, int n)
+{
+    return resolve_contacts(problem.bodies, problem.contacts, n);
+}
+
+// The rod's two impulses upwards.
+void check_ends(const ContactResult& result, double left, double right)
+{
+    REQUIRE(result.impulses.size() == 2);
+    REQUIRE_THAT(result.impulses[0], IsClose(Vector3d(0, left, 0), Rounding(32, 1)));
+    REQUIRE_THAT(result.impulses[1], IsClose(Vector3d(0, right, 0), Rounding(32, 1)));
+}
+
+} // namespace
+
+TEST_CASE("contact: in ten iterations restitution rises from -0.9 to 0", "[A5.1][contact]")
+{
+    const double expected[] = {-0.9, -0.8, -0.7, -0.6, -0.5, -0.4, -0.3, -0.2, -0.1, 0};
+    for (int k = 0; k < 10; ++k) {
+        CAPTURE(k);
+        REQUIRE_THAT(contact_restitution(k, 10), IsClose(expected[k], Rounding(4, 1)));
+    }
+    REQUIRE_THAT(contact_restitution(0, 4), IsClose(-0.75, Rounding(4, 1)));
+    REQUIRE_THAT(contact_restitution(0, 2), IsClose(-0.5, Rounding(4, 1)));
+}
+
+TEST_CASE("contact: the last iteration stops what approaches", "[A5.1][contact]")
+{
+    for (int n : {1, 2, 3, 7, 10, 49, 1000, most})
+        REQUIRE_THAT(contact_restitution(n - 1, n), IsExactly(0.0));
+}
+
+TEST_CASE("contact: restitution rises by equal steps and stays from -1 to 0", "[A5.1][contact]")
+{
+    for (int n : {2, 3, 10, 97})
+        for (int k = 0; k + 1 < n; ++k) {
+            CAPTURE(k, n);
+            const double here = contact_restitution(k, n), next = contact_restitution(k + 1, n);
+            REQUIRE_THAT(next - here, IsClose(1.0 / n, Rounding(8, 1)));
+            check_at_most(-1, here, "-1 against ε");
+            check_at_most(here, 0, "ε");
+        }
+}
+
+TEST_CASE("contact: restitution outside of the iterations", "[A5.1][contact]")
+{
+    for (int k : {-1, -7, least}) {
+        CAPTURE(k);
+        REQUIRE_THAT(contact_restitution(k, 10), IsClose(-0.9, Rounding(4, 1)));
+        REQUIRE_THAT(contact_restitution(k, 1), IsExactly(0.0));
+    }
+    for (int k : {10, 11, most})
+        REQUIRE_THAT(contact_restitution(k, 10), IsExactly(0.0));
+    for (int n : {0, -1, least})
+        for (int k : {least, -1, 0, 1, most})
+            REQUIRE_THAT(contact_restitution(k, n), IsExactly(0.0));
+}
+
+TEST_CASE("contact: one ball on the floor is stopped in any number of iterations",
+          "[A5.2][contact]")
+{
+    for (int n : {1, 2, 10, 33}) {
+        CAPTURE(n);
+        // it sticks: its lowest point stops, by -0.3/3.5 across the normal
+        const ContactResult stuck = resolved(ball_on_floor({0.3, -2, 0}, 0.5), n);
+        REQUIRE_THAT(stuck.impulses,
+                     IsClose(std::vector{Vector3d(-0.3 / 3.5, 2, 0)}, Rounding(64, 2)));
+        REQUIRE_THAT(stuck.bodies[1].velocity,
+                     IsClose(Vector3d(0.3 - 0.3 / 3.5, 0, 0), Rounding(64, 2)));
+        // it slides: friction is 0.1 of the push in each iteration, and so in all
+        const ContactResult sliding = resolved(ball_on_floor({3, -2, 0}, 0.1), n);
+        REQUIRE_THAT(sliding.impulses, IsClose(std::vector{Vector3d(-0.2, 2, 0)}, Rounding(64, 2)));
+    }
+}
+
+TEST_CASE("contact: the deepest end of a rod is stopped first", "[A5.2][contact]")
+{
+    // one iteration, ε = 0. The left end first: 1/4 stops it and presses the other down by 2/4, to
+    // 1.5 m/s; then that gets 1.5/4.
+    check_ends(resolved(falling_rod(0.02, 0.01), 1), 0.25, 0.375);
+    check_ends(resolved(falling_rod(0.01, 0.02), 1), 0.375, 0.25);
+    // of equal depths the first one
+    check_ends(resolved(falling_rod(0.01, 0.01), 1), 0.25, 0.375);
+    // a gap is less than any depth, and depth may be all gaps
+    check_ends(resolved(falling_rod(-0.02, -0.01), 1), 0.375, 0.25);
+}
+
+TEST_CASE("contact: a gentle sweep shares the load more evenly", "[A5.2][contact]")
+{
+    // two iterations. ε = -1/2: 1/8 takes half the left end's speed and brings the other to 1.25 m/s,
+    // which gets 0.625/4. ε = 0: the ends have 0.8125 and, after the left one is stopped, 1.03125 m/s.
+    const ContactResult result = resolved(falling_rod(0.02, 0.01), 2);
+    check_ends(result, 0.328125, 0.4140625);
+    REQUIRE_THAT(velocity_at(result.bodies[1], {-1, 0, 0}),
+                 IsClose(Vector3d(0, -0.515625, 0), Rounding(32, 1)));
+    REQUIRE_THAT(velocity_at(result.bodies[1], {1, 0, 0}),
+                 IsClose(Vector3d(0, 0, 0), Rounding(32, 1)));
+}
+
+TEST_CASE("contact: ten gentle iterations on a rod", "[A5.2][contact]")
+{
+    // the ends' speeds, a recurrence: an impulse j at one adds 4 j to it and -2 j to the other
+    double v[2] = {-1, -1}, j[2] = {0, 0};
+    for (int k = 0; k < 10; ++k)
+        for (int end : {1, 0}) {
+            if (v[end] >= 0) continue;
+            const double push = -(k + 1) / 10.0 * v[end] / 4;
+            j[end] += push;
+            v[end] += 4 * push;
+            v[1 - end] -= 2 * push;
+        }
+    check_ends(resolved(falling_rod(0.01, 0.02), 10), j[0], j[1]);
+}
+
+TEST_CASE("contact: a contact sees what those before it have done", "[A5.2][contact]")
+{
+    // two blocks of 1 kg, one upon the other, fall at 1 m/s; one iteration
+    ContactCase blocks = stack({1, 1});
+    blocks.contacts[0].depth = 0.02;
+    const ContactResult upwards = resolved(blocks, 1);
+    REQUIRE_THAT(upwards.impulses, IsClose(std::vector<Vector3d>{up, 0.5 * up}, Rounding(16, 1)));
+    REQUIRE_THAT(upwards.bodies[1].velocity, IsClose(Vector3d(0, -0.5, 0), Rounding(16)));
+    REQUIRE_THAT(upwards.bodies[2].velocity, IsClose(Vector3d(0, -0.5, 0), Rounding(16)));
+    // the upper contact first: there nothing approaches yet, and it is not looked at again
+    blocks.contacts[0].depth = 0.005;
+    const ContactResult downwards = resolved(blocks, 1);
+    REQUIRE_THAT(downwards.impulses, IsClose(std::vector<Vector3d>{up, 0 * up}, Rounding(16, 1)));
+    REQUIRE_THAT(downwards.bodies[2].velocity, IsClose(Vector3d(0, -1, 0), Rounding(16)));
+}
+
+TEST_CASE("contact: what separates or slides along is left alone", "[A5.2][contact]")
+{
+    for (const Vector3d& V : {Vector3d(0.3, 2, 0), Vector3d(0.3, 0, 0)}) {
+        const ContactCase problem = ball_on_floor(V, 0.5);
+        const ContactResult result = resolved(problem, 10);
+        REQUIRE_THAT(result.bodies, IsExactly(problem.bodies));
+        REQUIRE_THAT(result.impulses, IsExactly(std::vector<Vector3d>{{0, 0, 0}}));
+    }
+}
+
+TEST_CASE("contact: a contact ends with the separation speed it asks for", "[A5.2][contact]")
+{
+    for (int n : {1, 2, 10}) {
+        CAPTURE(n);
+        const auto upwards = [n](double V, double s) {
+            const ContactResult result = resolved(ball_on_floor({0, V, 0}, 0, s), n);
+            REQUIRE_THAT(result.impulses[0].y(),
+                         IsClose(result.bodies[1].velocity.y() - V, Rounding(64, 4)));
+            return result.bodies[1].velocity.y();
+        };
+        REQUIRE_THAT(upwards(-1, 0.25), IsClose(0.25, Rounding(64, 2)));    // pushed apart
+        REQUIRE_THAT(upwards(-1, -0.25), IsClose(-0.25, Rounding(64, 2)));  // may close a gap
+        REQUIRE_THAT(upwards(0.125, 0.25), IsClose(0.25, Rounding(64, 2))); // not fast enough
+        REQUIRE_THAT(upwards(-0.25, -0.5), IsExactly(-0.25));               // slow enough
+        REQUIRE_THAT(upwards(0.5, 0.25), IsExactly(0.5));                   // fast enough
+    }
+}
+
+TEST_CASE("contact: friction is bounded by the whole push", "[A5.2][contact]")
+{
+    // to leave at 0.5 m/s takes 2.5, of which 0.4 is more than the 6/7 that the sliding needs; of
+    // the 2 that would stop it, it is not
+    const ContactResult result = resolved(ball_on_floor({3, -2, 0}, 0.4, 0.5), 1);
+    REQUIRE_THAT(result.impulses,
+                 IsClose(std::vector{Vector3d(-6.0 / 7, 2.5, 0)}, Rounding(64, 3)));
+}
+
+TEST_CASE("contact: without iterations or contacts nothing changes", "[A5.2][contact]")
+{
+    const ContactCase problem = random_case(1, false);
+    for (int n : {0, -1, least}) {
+        const ContactResult result = resolved(problem, n);
+        REQUIRE_THAT(result.bodies, IsExactly(problem.bodies));
+        REQUIRE_THAT(result.impulses,
+                     IsExactly(std::vector<Vector3d>(problem.contacts.size(), {0, 0, 0})));
+    }
+    REQUIRE_THAT(resolve_contacts(problem.bodies, {}, 10).bodies, IsExactly(problem.bodies));
+    REQUIRE(resolve_contacts(problem.bodies, {}, 10).impulses.empty());
+    REQUIRE(resolve_contacts({}, {}, 10).bodies.empty());
+}
+
+TEST_CASE("contact: between two static bodies nothing happens", "[A5.2][contact]")
+{
+    Random random(1);
+    const Bodies bodies = {static_body(random), static_body(random)}; // moving, as conveyors do
+    for (int sign : {-1, 1}) {
+        BodyContact c = touch(0, 1, 0.1);
+        c.normal = sign * up;
+        const ContactResult result = resolve_contacts(bodies, {c}, 10);
+        REQUIRE_THAT(result.bodies, IsExactly(bodies));
+        REQUIRE_THAT(result.impulses, IsExactly(std::vector<Vector3d>{{0, 0, 0}}));
+    }
+}
+
+} // namespace rigor::testing
