@@ -9,7 +9,9 @@
 #include "scene/scene.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
+#include <filesystem>
 #include <fmt/format.h>
 
 namespace rigor {
@@ -18,6 +20,7 @@ namespace {
 
 struct BenchOptions {
     std::vector<std::string> names;
+    std::string out;
     bool json = false, list = false;
 };
 
@@ -32,11 +35,43 @@ const std::string& known_name(const std::string& name, const std::vector<std::st
                                               : "did you mean '" + near + "'?"));
 }
 
-void run_benchmark(const std::string& name, bool json)
+// The benchmarks that draw.
+constexpr std::array<std::string_view, 1> with_plots = {"accuracy"};
+
+bool draws(const std::string& name)
+{
+    return std::find(with_plots.begin(), with_plots.end(), name) != with_plots.end();
+}
+
+// Where a benchmark puts its plots: a folder of its own, unless it is the only one.
+std::string plots_of(const std::string& name, const BenchOptions& options)
+{
+    if (options.out.empty()) return (places().build / "bench" / name).string();
+    if (options.names.size() == 1) return options.out;
+    return (std::filesystem::path(options.out) / name).string();
+}
+
+void check_out(const std::string& out, const std::vector<std::string>& names)
+{
+    if (out.empty()) return;
+    if (std::none_of(names.begin(), names.end(), draws))
+        throw InputError(fmt::format("--out: expected a benchmark that draws ({}), found {}",
+                                     fmt::join(with_plots, ", "), fmt::join(names, ", ")));
+    std::error_code error;
+    std::filesystem::create_directories(out, error);
+    if (!std::filesystem::is_directory(out))
+        throw InputError("--out: expected a folder for plots, found " + out);
+}
+
+void run_benchmark(const std::string& name, const BenchOptions& options)
 {
     Command command;
     command.arguments = {places().program(("bench_" + name).c_str()).string()};
-    if (json) command.arguments.emplace_back("--json");
+    if (draws(name)) {
+        command.arguments.emplace_back("--out");
+        command.arguments.push_back(plots_of(name, options));
+    }
+    if (options.json) command.arguments.emplace_back("--json");
     const Ended ended = run(command, [](std::string_view line) {
         fmt::print("{}\n", line);
         std::fflush(stdout);
@@ -57,11 +92,12 @@ int bench(const BenchOptions& options)
         names.push_back(known_name(name, known));
         targets.push_back("bench_" + name);
     }
+    check_out(options.out, names);
     prepare_targets(targets);
     if (options.json && names.size() > 1) fmt::print("[\n");
     for (const std::string& name : names) {
         if (&name != names.data()) fmt::print("{}\n", options.json ? "," : "");
-        run_benchmark(name, options.json);
+        run_benchmark(name, options);
     }
     if (options.json && names.size() > 1) fmt::print("]\n");
     return exit_done;
@@ -75,9 +111,11 @@ Action declare_bench(Options& options)
     options.words("NAME", chosen->names, "Benchmarks; without one, all");
     options.flag("--list", chosen->list, "Name them");
     options.flag("--json", chosen->json, "Print JSON: one object, or a list of them");
+    options.option("--out", "DIR", chosen->out,
+                   "Folder for plots; without it build/<preset>/bench/NAME");
     options.examples({"bench --list",
                       "bench spin            run time against error, every integrator",
-                      "bench worker --json"});
+                      "bench accuracy --out plots", "bench worker --json"});
     return [chosen] { return bench(*chosen); };
 }
 

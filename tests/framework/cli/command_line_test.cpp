@@ -62,6 +62,8 @@ TEST_CASE("command line: bad usage is one line and status 2", "[cli]")
         {"render", "rod_tip", "--with", "reference", "--out", "/tmp/x", "--size", "big"},
         "WIDTHxHEIGHT");
     require_one_line({"bench", "spim"}, "no benchmark 'spim'");
+    require_one_line({"bench", "accuracy", "--out", "/dev/null"}, "expected a folder for plots");
+    require_one_line({"bench", "spin", "--out", "plots"}, "expected a benchmark that draws");
     require_one_line({"test", "fast"}, "fast");
 }
 
