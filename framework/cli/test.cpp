@@ -19,7 +19,8 @@ namespace {
 
 struct TestOptions {
     std::vector<std::string> presets;
-    bool mistakes = false, quick = false;
+    bool mistakes = false, quick = false, stress = false, json = false;
+    std::string out;
 };
 
 // Formula, mistake, and the test that caught it.
@@ -34,11 +35,34 @@ int list_mistakes()
     return ended.status == 0 ? exit_done : exit_wrong;
 }
 
+// Every case that breaks engines, on ours, with its limits.
+int stress(const TestOptions& options)
+{
+    if (!places().has_reference())
+        throw InputError("the stress suite runs the reference's formulas, which this tree lacks");
+    prepare_targets({"stress_tests"});
+    Command command;
+    command.arguments = {places().program("stress_tests").string()};
+    if (options.quick) command.arguments.emplace_back("--quick");
+    if (options.json) command.arguments.emplace_back("--json");
+    if (!options.out.empty())
+        command.arguments.insert(command.arguments.end(), {"--out", options.out});
+    const Ended ended = run(command, [](std::string_view line) {
+        fmt::print("{}\n", line);
+        std::fflush(stdout);
+    });
+    if (ended.signal || ended.status > 2)
+        throw std::runtime_error("stress_tests did not end as it should");
+    return ended.status;
+}
+
 constexpr std::string_view known_presets[] = {"release", "debug", "clang"};
 
 int test(const TestOptions& options)
 {
     if (options.mistakes) return list_mistakes();
+    if (options.stress) return stress(options);
+    if (options.json || !options.out.empty()) throw InputError("--json and --out go with --stress");
     std::vector<std::string> presets = options.presets;
     for (const std::string& preset : presets)
         if (std::find(std::begin(known_presets), std::end(known_presets), preset) ==
@@ -75,11 +99,18 @@ Action declare_test(Options& options)
     options.words("PRESET", chosen->presets,
                   "Builds to test: release, debug (address and undefined-behaviour sanitizers), "
                   "clang; without one, all");
-    options.flag("--quick", chosen->quick, "The release build only");
+    options.flag("--quick", chosen->quick,
+                 "The release build only; with --stress, the short cases");
     options.flag("--mistakes", chosen->mistakes,
                  "Print each plausible mistake and the test that caught it");
-    options.examples({"test            all that must hold",
-                      "test --quick    the same, without sanitizers and clang", "test --mistakes"});
+    options.flag("--stress", chosen->stress,
+                 "Run the stress suite: what breaks engines, each case with its limits");
+    options.flag("--json", chosen->json, "With --stress: print JSON");
+    options.option("--out", "FILE", chosen->out, "With --stress: also write the JSON here");
+    options.examples(
+        {"test            all that must hold",
+         "test --quick    the same, without sanitizers and clang", "test --mistakes",
+         "test --stress   penetration, energy gain, drift, NaN and speed of every case"});
     return [chosen] { return test(*chosen); };
 }
 

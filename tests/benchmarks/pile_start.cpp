@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "pile_run.hpp"
 
+#include "support/depth.hpp"
 #include "support/random.hpp"
 
 #include <algorithm>
@@ -15,33 +16,6 @@ constexpr double spacing = 1.5, shift = 0.1, wall_thickness = 1; // [m]
 constexpr double layer_shift = 0.5;                              // [m]
 constexpr double largest_turn = 15 * std::numbers::pi / 180;     // [rad]
 constexpr double touching = 0.01; // pairs closer than this count as touching [m]
-
-// A box at its place; its axes are the columns of R.
-struct Placed {
-    Matrix3d R;
-    Vector3d center, half;
-};
-
-// Distance along the axis that separates two boxes most; of boxes that overlap, minus the shortest way
-// that parts them.
-double separation(const Placed& a, const Placed& b)
-{
-    const Vector3d d = b.center - a.center;
-    const auto along = [&](const Vector3d& l) {
-        return std::abs(l.dot(d)) - (a.R.transpose() * l).cwiseAbs().dot(a.half) -
-               (b.R.transpose() * l).cwiseAbs().dot(b.half);
-    };
-    double most = -std::numeric_limits<double>::infinity();
-    for (int i = 0; i < 3; ++i) {
-        most = std::max({most, along(a.R.col(i)), along(b.R.col(i))});
-        for (int j = 0; j < 3; ++j) {
-            const Vector3d l = a.R.col(i).cross(b.R.col(j));
-            const double length = l.norm(); // of parallel edges, no axis
-            if (length > 1e-6) most = std::max(most, along(l / length));
-        }
-    }
-    return most;
-}
 
 std::vector<Wall> walls_around(double half_width, double height)
 {
@@ -91,7 +65,8 @@ PileStart pile_start(int side, unsigned seed)
 PileMeasure measure_pile(const PileStart& start, const std::vector<Pose>& cubes)
 {
     PileMeasure measure;
-    std::vector<Placed> placed;
+    const Box unit_cube{Vector3d::Ones()};
+    std::vector<Pose> placed;
     for (const Pose& pose : cubes) {
         const bool inside = pose.R.allFinite() && pose.X.allFinite() && pose.X.y() > 0 &&
                             std::abs(pose.X.x()) < start.half_width &&
@@ -99,22 +74,22 @@ PileMeasure measure_pile(const PileStart& start, const std::vector<Pose>& cubes)
         if (!inside)
             ++measure.escaped;
         else
-            placed.push_back({pose.R, pose.X, Vector3d::Constant(0.5)});
+            placed.push_back(pose);
     }
-    for (const Placed& cube : placed)
-        measure.height += cube.center.y() / static_cast<double>(placed.size());
+    for (const Pose& cube : placed)
+        measure.height += cube.X.y() / static_cast<double>(placed.size());
     std::sort(placed.begin(), placed.end(),
-              [](const Placed& a, const Placed& b) { return a.center.x() < b.center.x(); });
+              [](const Pose& a, const Pose& b) { return a.X.x() < b.X.x(); });
     const double reach = std::sqrt(3.0) + touching; // centers farther apart never touch
     for (std::size_t i = 0; i < placed.size(); ++i) {
         for (std::size_t j = i + 1; j < placed.size(); ++j) {
-            if (placed[j].center.x() - placed[i].center.x() > reach) break;
-            if ((placed[j].center - placed[i].center).norm() <= reach)
-                take(measure, separation(placed[i], placed[j]));
+            if (placed[j].X.x() - placed[i].X.x() > reach) break;
+            if ((placed[j].X - placed[i].X).norm() <= reach)
+                take(measure, testing::box_separation(unit_cube, placed[i], unit_cube, placed[j]));
         }
         for (const Wall& wall : start.walls)
-            take(measure,
-                 separation(placed[i], {Matrix3d::Identity(), wall.center, wall.size / 2}));
+            take(measure, testing::box_separation(unit_cube, placed[i], Box{wall.size},
+                                                  Pose{Matrix3d::Identity(), wall.center}));
     }
     if (measure.pairs > 0) measure.mean /= measure.pairs;
     return measure;

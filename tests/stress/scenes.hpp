@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// Bodies and worlds of the stress cases.
+#pragma once
+
+#include "rigid/world.hpp"
+
+namespace rigor::stress {
+
+inline constexpr double g = 9.81;         // [m/s²]
+inline constexpr double frame = 1.0 / 60; // the usual time step [s]
+inline constexpr Material rough{0, 0.5};  // ε, μ
+
+/// A world that is solved all at once, with all skips but sleep.
+World world_of(std::vector<RigidBody> bodies, const Vector3d& gravity = {0, -g, 0});
+
+RigidBody body_of(const Shape& shape, const Vector3d& X, const Material& material = rough,
+                  const Quaternion& q = {}, double density = 1000);
+RigidBody fixed(const Shape& shape, const Vector3d& X = {0, 0, 0}, const Material& material = rough,
+                const Quaternion& q = {});
+
+/// A cube of this edge.
+Box cube(double edge);
+
+/// The half-space below y = 0.
+RigidBody ground(const Material& material = rough);
+
+Quaternion turn(const Vector3d& axis, double angle);
+
+/// L = I(t) ω.
+void spin(RigidBody& body, const Vector3d& angular_velocity);
+
+/// n cubes on each other on the ground, their faces touching.
+World stack(int n, double edge = 1, const Vector3d& foot = {0, 0, 0});
+
+/// n³ cubes of edge 1 that fall onto the ground, each turned at random.
+World falling_pile(int n, const Material& material, unsigned seed = 1);
+
+} // namespace rigor::stress
