@@ -130,7 +130,8 @@ std::string dark_screen()
     for (const Tone& tone : {paper, letters, faint, frame})
         css += format(".%s{%s:%s}", tone.name, tone.paint, tone.dark);
     for (std::size_t i = 0; i < inks.size(); ++i)
-        css += format(".line%zu{stroke:%s}.marks%zu{fill:%s}", i, inks[i].dark, i, inks[i].dark);
+        css += format(".line%zu{stroke:%s}.marks%zu{fill:%s;stroke:%s}", i, inks[i].dark, i,
+                      inks[i].dark, inks[i].dark);
     return css + "}</style>\n";
 }
 
@@ -142,7 +143,9 @@ std::string line_style(const Series& series, std::size_t kind)
 
 std::string marks(std::size_t kind, const std::string& markers)
 {
-    return format("<g class='marks%zu' fill='%s'>\n", kind, inks[kind].light) + markers + "</g>\n";
+    return format("<g class='marks%zu' fill='%s' stroke='%s' fill-opacity='0.3'>\n", kind,
+                  inks[kind].light, inks[kind].light) +
+           markers + "</g>\n"; // curves that coincide both show
 }
 
 std::string grid(const Axis& x, const Axis& y)
