@@ -58,8 +58,8 @@ void measure_stacks(Bench& bench, const std::vector<Contestant>& all)
         StackFigures worst;
         double tallest = 0;
         bool none_fell = true;
-        for (double spread : {0., perturbation})
-            for (int cubes : {5, 10, 20, 30, 50, 100}) {
+        for (int cubes : {5, 10, 20, 30, 50, 100})
+            for (double spread : {0., perturbation}) {
                 if (contestant.name() == "ode step" && cubes > 30) continue; // its cost is cubic
                 const Trial trial = cube_stack(cubes, spread);
                 StackFigures figures;
@@ -74,7 +74,7 @@ void measure_stacks(Bench& bench, const std::vector<Contestant>& all)
                 none_fell &= figures.standing;
                 worst.drift = std::max(worst.drift, figures.drift);
                 worst.penetration = std::max(worst.penetration, figures.penetration);
-                if (none_fell && spread > 0) tallest = cubes;
+                if (none_fell && spread == perturbation) tallest = cubes;
             }
         if (!contestant.is_ours()) continue;
         bench.reach(
