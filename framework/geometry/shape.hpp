@@ -1,16 +1,31 @@
 // SPDX-License-Identifier: MIT
-// The shapes a body is made of.
+// The shapes a body is made of. What turns has its axis along y.
 #pragma once
 
 #include "formulas/types.hpp"
 
+#include <memory>
 #include <variant>
 
 namespace rigor {
 
+class SolidMesh;
+
 /// A solid ball about the origin.
 struct Sphere {
     double radius = 0; // [m]
+};
+
+/// A cylinder between two half balls, about the origin.
+struct Capsule {
+    double radius = 0; // [m]
+    double height = 0; // of the cylinder, without the half balls [m]
+};
+
+/// A ring of circular section about the origin.
+struct Torus {
+    double radius = 0; // from the axis to the middle of the tube [m]
+    double tube = 0;   // radius of the tube, less than `radius` [m]
 };
 
 /// A solid box about the origin, its edges along the axes.
@@ -18,10 +33,32 @@ struct Box {
     Vector3d size = Vector3d::Zero(); // full edge lengths [m]
 };
 
+/// A solid cylinder about the origin.
+struct Cylinder {
+    double radius = 0; // [m]
+    double height = 0; // [m]
+};
+
+/// A solid cone about its center of mass: the base at y = -height/4, the tip at y = 3/4 height.
+struct Cone {
+    double radius = 0; // of the base [m]
+    double height = 0; // [m]
+};
+
+/// A solid ellipsoid about the origin, its semi-axes along the axes.
+struct Ellipsoid {
+    Vector3d radii = Vector3d::Zero(); // [m]
+};
+
+/// The solid inside a closed triangle mesh, in the frame of the mesh. Bodies of one mesh share it.
+struct Mesh {
+    std::shared_ptr<const SolidMesh> solid; // never null
+};
+
 /// The half-space y ≤ 0. Static bodies only.
 struct Plane {};
 
-using Shape = std::variant<Sphere, Box, Plane>;
+using Shape = std::variant<Sphere, Capsule, Torus, Box, Cylinder, Cone, Ellipsoid, Mesh, Plane>;
 
 /// A shape placed in a body's object space. A compound body has several.
 struct Part {
@@ -30,5 +67,8 @@ struct Part {
     Quaternion orientation;
     double density = 1000; // [kg/m³]
 };
+
+/// Volume of a shape [m³]; of a plane 0: it has none to weigh.
+double volume(const Shape& shape);
 
 } // namespace rigor

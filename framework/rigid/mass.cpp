@@ -3,24 +3,76 @@
 
 #include "formulas/inertia.hpp"
 #include "geometry/pose.hpp"
+#include "geometry/solid_mesh.hpp"
 #include "rigid/non_finite.hpp"
 
 #include <cmath>
+#include <numbers>
 
 namespace rigor {
 
 namespace {
 
+// Half a ball, its flat side towards -direction y, about its own center of mass.
+MassProperties half_ball(double density, double radius, double direction, double flat_side)
+{
+    const double m = density * 2.0 / 3 * std::numbers::pi * radius * radius * radius;
+    const double across = 83.0 / 320 * m * radius * radius, along = 0.4 * m * radius * radius;
+    const Vector3d center(0, direction * (flat_side + 0.375 * radius), 0);
+    return {m, center, Vector3d(across, along, across).asDiagonal()};
+}
+
+struct MassOf {
+    double density;
+
+    MassProperties operator()(const Sphere& s) const { return solid_sphere(density, s.radius); }
+    MassProperties operator()(const Capsule& c) const
+    {
+        const MassProperties ends = combine(half_ball(density, c.radius, 1, c.height / 2),
+                                            half_ball(density, c.radius, -1, c.height / 2));
+        return combine(solid_cylinder(density, c.radius, c.height), ends);
+    }
+    MassProperties operator()(const Torus& t) const
+    {
+        // M = ρ 2π² R a²,  Iyy = M (R² + ¾ a²),  Ixx = Izz = M (½ R² + ⅝ a²)
+        const double R2 = t.radius * t.radius, a2 = t.tube * t.tube;
+        const double M = density * volume(t);
+        const double across = M * (R2 / 2 + 0.625 * a2);
+        return {M, Vector3d::Zero(), Vector3d(across, M * (R2 + 0.75 * a2), across).asDiagonal()};
+    }
+    MassProperties operator()(const Box& b) const { return solid_box(density, b.size); }
+    MassProperties operator()(const Cylinder& c) const
+    {
+        return solid_cylinder(density, c.radius, c.height);
+    }
+    MassProperties operator()(const Cone& c) const
+    {
+        // M = ρ π/3 r² h,  Iyy = 3/10 M r²,  Ixx = Izz = 3/80 M (4 r² + h²)
+        const double r2 = c.radius * c.radius, h2 = c.height * c.height;
+        const double M = density * volume(c);
+        const double across = 3.0 / 80 * M * (4 * r2 + h2);
+        return {M, Vector3d::Zero(), Vector3d(across, 0.3 * M * r2, across).asDiagonal()};
+    }
+    MassProperties operator()(const Ellipsoid& e) const
+    {
+        return solid_ellipsoid(density, e.radii);
+    }
+    MassProperties operator()(const Mesh& m) const
+    {
+        return mesh_mass_properties(m.solid->mesh(), density);
+    }
+    MassProperties operator()(const Plane&) const { return {}; }
+};
+
 MassProperties part_mass_properties(const Part& part)
 {
-    MassProperties properties;
-    if (const Sphere* sphere = std::get_if<Sphere>(&part.shape))
-        properties = solid_sphere(part.density, sphere->radius);
-    if (const Box* box = std::get_if<Box>(&part.shape))
-        properties = solid_box(part.density, box->size);
-
-    if (!part.orientation.v.isZero(0) && !is_isotropic(properties.inertia))
-        properties.inertia = world_inertia(rotation_matrix(part.orientation), properties.inertia);
+    MassProperties properties = std::visit(MassOf{part.density}, part.shape);
+    if (!part.orientation.v.isZero(0)) {
+        const Matrix3d R = rotation_matrix(part.orientation);
+        if (!is_isotropic(properties.inertia))
+            properties.inertia = world_inertia(R, properties.inertia);
+        properties.center_of_mass = R * properties.center_of_mass;
+    }
     properties.center_of_mass += part.position;
     return properties;
 }

@@ -8,8 +8,9 @@ namespace rigor {
 
 /// Mass properties of parts, each of its own density, in the frame they are written in.
 ///
-/// Calls `solid_sphere` and `solid_box`, `world_inertia` only for a part whose inertia a rotation
-/// changes, and `combine` only for several parts.
+/// Calls the formula of each part's shape (a cone and a torus have none: theirs is the closed form),
+/// `world_inertia` only for a part whose inertia a rotation changes, and `combine` only for a capsule
+/// and for several parts.
 MassProperties mass_properties(const std::vector<Part>& parts);
 
 /// Whether I = i δ, to 64 roundings: cubes and spheres are, however they are turned. Zero is.

@@ -10,56 +10,16 @@ namespace rigor {
 
 namespace {
 
-constexpr std::string_view shape_words = "a shape {\"sphere\": …}, {\"box\": …} or {\"plane\": {}}";
-
-constexpr Key<Sphere> sphere_keys[] = {
-    {"radius", "> 0 [m]", [](Sphere& s, const Value& v) { s.radius = positive(v, "a radius"); }},
-};
-
-constexpr Key<Box> box_keys[] = {
-    {"size", "full edge lengths along x, y, z, each > 0 [m]",
-     [](Box& b, const Value& v) { b.size = positive3(v, "an edge length"); }},
-};
-
-// A shape of one kind: its keys, of which each must be there.
-template <class T, std::size_t N>
-void read_kind(std::optional<Shape>& shape, const Value& value, const Key<T> (&keys)[N])
-{
-    T kind;
-    read_object<T>(value, fmt::format("{{\"{}\": …}}", keys[0].name), keys, kind);
-    if (value.items.empty())
-        expected(fmt::format("a \"{}\" in the {}", keys[0].name, value.key), value);
-    shape = kind;
-}
-
-constexpr Key<std::optional<Shape>> shape_keys[] = {
-    {"sphere", "a solid ball about the origin: {\"radius\": 0.5}",
-     [](std::optional<Shape>& s, const Value& v) { read_kind(s, v, sphere_keys); }},
-    {"box", "a solid box about the origin: {\"size\": [1, 2, 3]}",
-     [](std::optional<Shape>& s, const Value& v) { read_kind(s, v, box_keys); }},
-    {"plane", "the half-space y ≤ 0, static bodies only: {}",
-     [](std::optional<Shape>& s, const Value& v) {
-         if (v.kind != Value::Kind::object || !v.items.empty()) expected("{}", v);
-         s = Plane{};
-     }},
-};
-
-Shape read_shape(const Value& value)
-{
-    std::optional<Shape> shape;
-    read_object<std::optional<Shape>>(value, shape_words, shape_keys, shape);
-    if (value.items.size() != 1) expected(shape_words, value);
-    return *shape;
-}
-
 struct PartDraft {
+    MeshLibrary& meshes;
     std::optional<Shape> shape;
     Part part;
     bool has_density = false;
 };
 
 constexpr Key<PartDraft> part_keys[] = {
-    {"shape", "needed: one shape", [](PartDraft& p, const Value& v) { p.shape = read_shape(v); }},
+    {"shape", "needed: one shape",
+     [](PartDraft& p, const Value& v) { p.shape = read_shape(v, p.meshes); }},
     {"position", "of the shape's origin in the body's frame, default [0, 0, 0] [m]",
      [](PartDraft& p, const Value& v) { p.part.position = vector3(v); }},
     {"orientation", "of the shape in the body's frame, default none",
@@ -123,15 +83,7 @@ constexpr Key<BodyDraft> body_keys[] = {
      [](BodyDraft& d, const Value& v) { d.grid = &v; }},
 };
 
-double volume(const Shape& shape)
-{
-    if (const Sphere* ball = std::get_if<Sphere>(&shape))
-        return 4.0 / 3.0 * std::numbers::pi * std::pow(ball->radius, 3);
-    if (const Box* box = std::get_if<Box>(&shape)) return box->size.prod();
-    return 0;
-}
-
-void read_parts(BodyDraft& draft, const Value& value)
+void read_parts(BodyDraft& draft, const Value& value, MeshLibrary& meshes)
 {
     if (!draft.shape == !draft.parts)
         throw Mistake{value.line,
@@ -142,11 +94,11 @@ void read_parts(BodyDraft& draft, const Value& value)
     const double density = draft.density ? positive(*draft.density, "a density") : Part{}.density;
     std::vector<Part>& parts = draft.body.parts;
     if (draft.shape) {
-        parts.push_back({read_shape(*draft.shape), Vector3d::Zero(), {}, density});
+        parts.push_back({read_shape(*draft.shape, meshes), Vector3d::Zero(), {}, density});
         return;
     }
     for (const Value& item : array(*draft.parts, "a list of parts")) {
-        PartDraft part;
+        PartDraft part{meshes, {}, {}};
         part.part.density = density;
         read_object<PartDraft>(item, "a part {\"shape\": …}", part_keys, part);
         if (!part.shape) expected("a \"shape\" in the part", item);
@@ -224,13 +176,13 @@ void check_static(const BodyDraft& draft, const Value& value)
 
 } // namespace
 
-void read_body(const Value& value, std::vector<BodyDescription>& bodies)
+void read_body(const Value& value, MeshLibrary& meshes, std::vector<BodyDescription>& bodies)
 {
     BodyDraft draft;
     read_object<BodyDraft>(value, "a body {\"name\": …, \"shape\": …}", body_keys, draft);
     if (draft.body.name.empty())
         throw Mistake{value.line, "expected a \"name\" in the body, found none"};
-    read_parts(draft, value);
+    read_parts(draft, value, meshes);
     read_mass(draft);
     check_static(draft, value);
     if (draft.grid)
@@ -243,9 +195,7 @@ void body_meanings(std::vector<KeyMeaning>& meanings)
 {
     add_meanings<BodyDraft>("body", body_keys, meanings);
     add_meanings<PartDraft>("part", part_keys, meanings);
-    add_meanings<std::optional<Shape>>("shape", shape_keys, meanings);
-    add_meanings<Sphere>("sphere", sphere_keys, meanings);
-    add_meanings<Box>("box", box_keys, meanings);
+    shape_meanings(meanings);
 }
 
 } // namespace rigor

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "scene/keys.hpp"
+#include "scene/mesh_library.hpp"
 #include "scene/scene.hpp"
 
 namespace rigor {
@@ -11,7 +12,11 @@ constexpr std::size_t most_bodies = 100'000, most_shapes = 200'000;
 
 /// Appends the body of an entry of "bodies", or all bodies of its grid.
 /// @throws Mistake
-void read_body(const Value& value, std::vector<BodyDescription>& bodies);
+void read_body(const Value& value, MeshLibrary& meshes, std::vector<BodyDescription>& bodies);
+
+/// A shape, an object of one key.
+/// @throws Mistake
+Shape read_shape(const Value& value, MeshLibrary& meshes);
 
 /// Copies of a body along a grid: {"count": [5, 4, 5], "spacing": [1.1, 1.1, 1.1], …}.
 /// @throws Mistake
@@ -28,6 +33,7 @@ std::vector<AppliedForce> read_forces(const Value& value,
 std::vector<KeyMeaning> scene_language();
 
 void orientation_meanings(std::vector<KeyMeaning>& meanings);
+void shape_meanings(std::vector<KeyMeaning>& meanings);
 void body_meanings(std::vector<KeyMeaning>& meanings);
 void grid_meanings(std::vector<KeyMeaning>& meanings);
 void force_meanings(std::vector<KeyMeaning>& meanings);

@@ -17,8 +17,8 @@ constexpr double most_steps = 10'000'000;
 
 struct SceneDraft {
     Scene scene;
-    const Value *bodies = nullptr, *springs = nullptr, *forces = nullptr, *time_step = nullptr,
-                *end = nullptr, *frames_per_second = nullptr;
+    const Value *meshes = nullptr, *bodies = nullptr, *springs = nullptr, *forces = nullptr,
+                *time_step = nullptr, *end = nullptr, *frames_per_second = nullptr;
 };
 
 constexpr Key<Camera> camera_keys[] = {
@@ -100,6 +100,9 @@ constexpr Key<SceneDraft> scene_keys[] = {
      [](SceneDraft& d, const Value& v) {
          read_object<Skips>(v, "what to skip {\"sleep\": false}", skip_keys, d.scene.skips);
      }},
+    {"meshes",
+     "OBJ texts by file name; those of the files that the scene names are put here as it is loaded",
+     [](SceneDraft& d, const Value& v) { d.meshes = &v; }},
     {"bodies", "needed: a list of at least one body",
      [](SceneDraft& d, const Value& v) { d.bodies = &v; }},
     {"springs", "a list of springs", [](SceneDraft& d, const Value& v) { d.springs = &v; }},
@@ -136,11 +139,13 @@ void read_times(SceneDraft& draft)
 void read_bodies(SceneDraft& draft, const Value& root)
 {
     if (!draft.bodies) throw Mistake{root.line, "expected \"bodies\" in the scene, found none"};
+    MeshLibrary meshes;
+    if (draft.meshes) meshes.read_texts(*draft.meshes);
     std::vector<BodyDescription>& bodies = draft.scene.bodies;
     std::set<std::string_view> names;
     std::size_t shapes = 0, done = 0;
     for (const Value& item : array(*draft.bodies, "a list of bodies")) {
-        read_body(item, bodies);
+        read_body(item, meshes, bodies);
         for (; done < bodies.size(); ++done)
             shapes += bodies[done].parts.size();
         if (bodies.size() > most_bodies || shapes > most_shapes)
@@ -207,6 +212,11 @@ Scene load_scene(const std::filesystem::path& file)
     if (!stream)
         throw InputError(
             fmt::format("{}: expected a readable file, found it unreadable", file.string()));
+    try {
+        text = with_mesh_texts(text, file);
+    } catch (const Mistake& mistake) {
+        throw InputError(fmt::format("{}:{}: {}", file.string(), mistake.line, mistake.message));
+    }
     return parse_scene(text, file.string());
 }
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "geometry/generators.hpp"
+#include "geometry/solid_mesh.hpp"
 #include "rigid/non_finite.hpp"
 #include "worlds.hpp"
 
@@ -80,6 +82,67 @@ TEST_CASE("mass: eight boxes make the box they fill however they are turned", "[
         const Matrix3d whole = Vector3d(6500, 5000, 2500).asDiagonal();
         REQUIRE_THAT(center, IsClose(Vector3d(0, 0, 0), Rounding(16, 3)));
         REQUIRE_THAT(body.inertia, IsClose(Matrix3d(R * whole * R.transpose()), Rounding(64)));
+    }
+}
+
+TEST_CASE("mass: round shapes have their textbook moments", "[rigid]")
+{
+    const double pi = std::numbers::pi, rho = 1000;
+    const auto has = [](const Shape& shape, double mass, const Vector3d& moments) {
+        const RigidBody body = body_of(shape, {0, 0, 0});
+        CHECK_THAT(body.mass, IsClose(mass, Rounding(16)));
+        CHECK_THAT(body.inertia, IsClose(Matrix3d(moments.asDiagonal()), Rounding(64)));
+        CHECK_THAT(body.parts[0].position, IsClose(Vector3d(0, 0, 0), Rounding(16, 1)));
+        CHECK_THAT(volume(shape), IsClose(mass / 1000, Rounding(16)));
+    };
+    const double cylinder = rho * pi * 0.25 * 2;
+    has(Cylinder{0.5, 2}, cylinder, cylinder * Vector3d(0.75 + 4, 1.5, 0.75 + 4) / 12);
+    const double cone = rho * pi / 3 * 0.25 * 2;
+    has(Cone{0.5, 2}, cone, cone * 3 / 80 * Vector3d(1 + 4, 2, 1 + 4));
+    const double ellipsoid = rho * 4 / 3 * pi * 6;
+    has(Ellipsoid{{1, 2, 3}}, ellipsoid, ellipsoid / 5 * Vector3d(13, 10, 5));
+    const double torus = rho * 9.86960440108936; // R = 2, a = 0.5: I/M = 4.1875 and 2.15625
+    has(Torus{2, 0.5}, torus, torus * Vector3d(2.15625, 4.1875, 2.15625));
+    // a cylinder, and a ball whose halves lie apart: each half's center is 3/8 r from its flat side
+    const double ball = rho * 4 / 3 * pi * 0.125, r = 0.5, h = 2;
+    const double across =
+        cylinder * (0.75 + 4) / 12 + ball * (0.4 * r * r + h * h / 4 + 0.375 * r * h);
+    has(Capsule{r, h}, cylinder + ball, {across, cylinder * 1.5 / 12 + ball * 0.4 * r * r, across});
+}
+
+TEST_CASE("mass: a fine mesh weighs as much as the shape that it stands for", "[rigid]")
+{
+    std::vector<double> volumes, moments, moments_across;
+    for (const int n : {12, 24, 48, 96}) {
+        const RigidBody body =
+            body_of(Mesh{std::make_shared<SolidMesh>(torus_mesh(2, 0.5, 2 * n, n))}, {0, 0, 0});
+        volumes.push_back(std::abs(body.mass / 1000 - 9.86960440108936));
+        moments.push_back(std::abs(body.inertia(1, 1) / body.mass - 4.1875));
+        moments_across.push_back(std::abs(body.inertia(0, 0) / body.mass - 2.15625));
+    }
+    check_order(volumes, 2);
+    check_order(moments, 2);
+    check_order(moments_across, 2);
+}
+
+TEST_CASE("mass: a mesh is moved to its center of mass as every part is", "[rigid]")
+{
+    for (unsigned seed = 0; seed < 20; ++seed) {
+        CAPTURE(seed);
+        Random random(seed);
+        const Vector3d size = Vector3d(1, 2, 3), shift = random.vector();
+        TriangleMesh box = box_mesh(size);
+        for (Vector3d& v : box.vertices)
+            v += shift;
+        const Quaternion q = random.quaternion();
+        const Matrix3d R = rotation_matrix(q);
+        RigidBody body;
+        body.parts = {part_of(Mesh{std::make_shared<SolidMesh>(box)}, {5, 6, 7}, 1000, q)};
+        const Vector3d center = set_mass_from_parts(body);
+        REQUIRE_THAT(center, IsClose(Vector3d(R * shift + Vector3d(5, 6, 7)), Rounding(16)));
+        REQUIRE_THAT(body.parts[0].position, IsClose(Vector3d(-R * shift), Rounding(32, 10)));
+        const Matrix3d whole = Vector3d(6500, 5000, 2500).asDiagonal();
+        REQUIRE_THAT(body.inertia, IsClose(Matrix3d(R * whole * R.transpose()), Rounding(256)));
     }
 }
 

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+#include "scene/mesh_library.hpp"
+
+#include "geometry/mesh_checks.hpp"
+#include "scene/keys.hpp"
+#include "scene/scene.hpp"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <set>
+
+namespace rigor {
+
+namespace {
+
+constexpr std::uintmax_t most_mesh_bytes = 64'000'000, most_scene_bytes = 16'000'000;
+
+// The names of mesh files under a value, {"mesh": {"file": …}}.
+void find_files(const Value& value, std::vector<const Value*>& files)
+{
+    for (const Value& item : value.items) {
+        const Value* file = item.key == "mesh" ? find(item, "file") : nullptr;
+        if (file && file->kind == Value::Kind::string) files.push_back(file);
+        find_files(item, files);
+    }
+}
+
+// A mesh file, checked, as the shortest text of the same mesh.
+std::string mesh_text(const Value& name, const std::filesystem::path& scene_file)
+{
+    const std::filesystem::path path = scene_file.parent_path() / name.text;
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(path, error))
+        throw Mistake{name.line, fmt::format("expected a mesh file, found {} at {}",
+                                             std::filesystem::exists(path, error) ? "something else"
+                                                                                  : "nothing",
+                                             in_quotes(path.string()))};
+    const auto refuse = [&](int line, const std::string& message) {
+        const std::string place = line > 0 ? fmt::format(":{}", line) : "";
+        throw InputError(fmt::format("{}{}: {}", path.string(), place, message));
+    };
+    if (const std::uintmax_t size = std::filesystem::file_size(path, error);
+        !error && size > most_mesh_bytes)
+        refuse(0,
+               fmt::format("expected a mesh of at most {} bytes, found {}", most_mesh_bytes, size));
+    std::ifstream stream(path, std::ios::binary);
+    const std::string text{std::istreambuf_iterator<char>(stream), {}};
+    if (!stream) refuse(0, "expected a readable file, found it unreadable");
+    try {
+        const ObjMesh read = read_obj(text);
+        check_mesh(read.mesh, read.lines);
+        return obj_text(read.mesh);
+    } catch (const MeshError& mistake) {
+        refuse(mistake.line, mistake.what());
+    }
+    return {};
+}
+
+// A text between the quotes of a JSON string.
+std::string escaped(std::string_view text)
+{
+    std::string result;
+    result.reserve(text.size() + text.size() / 16);
+    for (const char c : text) {
+        if (c == '\n')
+            result += "\\n";
+        else if (c == '"' || c == '\\')
+            (result += '\\') += c;
+        else if (static_cast<unsigned char>(c) < 0x20)
+            result += fmt::format("\\u{:04x}", static_cast<int>(c));
+        else
+            result += c;
+    }
+    return result;
+}
+
+} // namespace
+
+void MeshLibrary::read_texts(const Value& value)
+{
+    constexpr std::string_view what = "OBJ texts by name {\"ring.obj\": \"v 0 0 0 …\"}";
+    if (value.kind != Value::Kind::object) expected(what, value);
+    for (const Value& item : value.items) {
+        if (item.kind != Value::Kind::string) expected("the text of a mesh", item);
+        texts_[item.key] = &item;
+    }
+}
+
+SharedMesh MeshLibrary::from_file(const Value& file, double scale, int cells)
+{
+    const std::string& name = file.text;
+    const auto text = texts_.find(name);
+    if (text == texts_.end())
+        throw Mistake{file.line,
+                      fmt::format("expected the text of the mesh {} among the scene's \"meshes\", "
+                                  "found none",
+                                  in_quotes(name))};
+    SharedMesh& mesh = known_[fmt::format("{} {} {}", name, scale, cells)];
+    if (mesh) return mesh;
+    try {
+        ObjMesh read = read_obj(text->second->text);
+        for (Vector3d& v : read.mesh.vertices)
+            v *= scale;
+        check_mesh(read.mesh, read.lines);
+        mesh = std::make_shared<SolidMesh>(std::move(read.mesh), name, cells);
+    } catch (const MeshError& error) {
+        throw Mistake{text->second->line,
+                      fmt::format("{}:{}: {}", in_quotes(name), error.line, error.what())};
+    }
+    return mesh;
+}
+
+SharedMesh MeshLibrary::generated(const std::string& key, const Value& value, int cells,
+                                  const std::function<TriangleMesh()>& make)
+{
+    SharedMesh& mesh = known_[fmt::format("{} {}", key, cells)];
+    if (mesh) return mesh;
+    try {
+        TriangleMesh made = make();
+        check_mesh(made);
+        mesh = std::make_shared<SolidMesh>(std::move(made), value.key, cells);
+    } catch (const MeshError& error) {
+        throw Mistake{value.line, fmt::format("the mesh of the {}: {}", value.key, error.what())};
+    }
+    return mesh;
+}
+
+std::string with_mesh_texts(const std::string& text, const std::filesystem::path& scene_file)
+{
+    if (text.find("\"mesh\"") == std::string::npos) return text;
+    const Value root = parse_json(text);
+    std::vector<const Value*> files;
+    find_files(root, files);
+    const std::size_t start = text.find('{');
+    if (files.empty() || root.kind != Value::Kind::object || find(root, "meshes")) return text;
+
+    std::string meshes;
+    std::set<std::string_view> names;
+    for (const Value* file : files) {
+        if (!names.insert(file->text).second) continue;
+        meshes += fmt::format("{}\"{}\": \"{}\"", meshes.empty() ? "" : ", ", escaped(file->text),
+                              escaped(mesh_text(*file, scene_file)));
+        if (text.size() + meshes.size() > most_scene_bytes)
+            throw Mistake{file->line, fmt::format("expected a scene of at most {} bytes with its "
+                                                  "meshes, found more",
+                                                  most_scene_bytes)};
+    }
+    std::string whole = text;
+    whole.insert(start + 1, fmt::format("\"meshes\": {{{}}}, ", meshes));
+    return whole;
+}
+
+} // namespace rigor

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// The meshes of a scene: each is made once, and shared by all bodies that name it.
+#pragma once
+
+#include "geometry/solid_mesh.hpp"
+#include "scene/json.hpp"
+
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <string>
+
+namespace rigor {
+
+using SharedMesh = std::shared_ptr<const SolidMesh>;
+
+class MeshLibrary {
+public:
+    /// The key "meshes" of a scene: OBJ texts by file name.
+    /// @throws Mistake
+    void read_texts(const Value& value);
+
+    /// The mesh of a file, from its text in "meshes", times `scale`.
+    /// @param file  its name, where the scene says it
+    /// @throws Mistake
+    SharedMesh from_file(const Value& file, double scale, int cells);
+
+    /// The mesh of this key, made by `make` unless it is known already.
+    /// @param key    names the kind and every parameter
+    /// @param value  where the scene says it
+    /// @throws Mistake
+    SharedMesh generated(const std::string& key, const Value& value, int cells,
+                         const std::function<TriangleMesh()>& make);
+
+private:
+    std::map<std::string, const Value*, std::less<>> texts_;
+    std::map<std::string, SharedMesh, std::less<>> known_;
+};
+
+/// A scene's text with the texts of all mesh files that it names under "meshes", so that the scene is
+/// whole wherever it is sent. Lines keep their numbers; a text that names no file stays as it is.
+///
+/// @param scene_file  that the mesh files' paths start from
+/// @throws Mistake at the line that names a file which is not there, InputError at a line of a mesh
+std::string with_mesh_texts(const std::string& text, const std::filesystem::path& scene_file);
+
+} // namespace rigor
