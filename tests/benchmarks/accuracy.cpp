@@ -53,13 +53,13 @@ std::vector<Curve> measure(const AccuracyCase& c)
         const std::size_t n = (contestant.is_ours() ? c.steps : c.peer_steps).size();
         curves.back().points.resize(n);
         times.emplace_back(n);
-        run(c, contestant, c.steps.front()); // not counted: caches and pages warm up
     }
     double spent = 0;
     for (int round = 0; round < most_rounds && (round < least_rounds || spent < patience); ++round)
         for (std::size_t k = 0; k < curves.size(); ++k) {
             const Contestant& contestant = curves[k].contestant;
             const std::vector<int>& steps = contestant.is_ours() ? c.steps : c.peer_steps;
+            run(c, contestant, steps.front()); // not counted: caches warm up
             for (std::size_t i = 0; i < steps.size(); ++i) {
                 Point& point = curves[k].points[i];
                 point = run(c, contestant, steps[i]);

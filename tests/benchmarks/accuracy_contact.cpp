@@ -104,7 +104,7 @@ AccuracyCase rolling_case()
 AccuracyCase stack_case()
 {
     const Trial trial = cube_stack(10);
-    AccuracyCase c = contact_case("stack_10", trial, 5, 150, 5);
+    AccuracyCase c = contact_case("stack_10", trial, 5, 150, 4);
     c.title = "Ten unit cubes on top of each other, 5 s";
     c.error = "largest way of a cube, drift and sinking [m]";
     c.error_of = [trial](const TrialEngine& engine, const auto&) {
