@@ -4,6 +4,7 @@
 #include "cli/prepare.hpp"
 #include "cli/progress.hpp"
 #include "cli/scene_run.hpp"
+#include "scene/motion_hash.hpp"
 #include "scene/statistics.hpp"
 
 #include <algorithm>
@@ -26,6 +27,7 @@ struct Summary {
     double largest_energy = 0, deepest = 0;
     std::int64_t frames = 0;
     Counters counters;
+    MotionHash hash;
 
     void take(const FrameStatistics& now)
     {
@@ -68,6 +70,7 @@ void print_json(const std::string& scene, const SimulateOptions& options, const 
         {"last", moment(summary.last)},
         {"largest_energy", summary.largest_energy},
         {"deepest_penetration", summary.deepest},
+        {"hash", summary.hash.text()},
         {"seconds", seconds},
         {"steps_per_second", static_cast<double>(summary.counters.steps) / seconds},
         {"counters", counters}};
@@ -86,6 +89,7 @@ void print_stats(const Summary& summary, double seconds)
     };
     const auto number = [](double x) { return fmt::format("{:.8g}", x); };
     line("", "at the start", "at the end");
+    fmt::print("  {:<32} {}\n", "hash of the motion", summary.hash.text());
     line("time [s]", number(summary.first.time), number(summary.last.time));
     line("kinetic energy [J]", number(summary.first.kinetic_energy),
          number(summary.last.kinetic_energy));
@@ -127,9 +131,11 @@ int simulate(const SimulateOptions& options)
     };
     run.on_start = [&](const Scene& started, const std::vector<RecordedBody>& bodies) {
         statistics.emplace(started, bodies);
+        summary.hash.take(bodies);
     };
     run.on_frame = [&](const Frame& frame) {
         summary.take(statistics->of(frame));
+        summary.hash.take(frame);
         progress.update(frame.time / scene.end,
                         fmt::format("{:.2f} s of {:g} s", frame.time, scene.end));
     };
