@@ -92,6 +92,21 @@ TEST_CASE("contact: friction is stepped by the larger eigenvalue across the norm
                  IsClose(Vector3d(0, 0, 0), Rounding(256, 1)));
 }
 
+TEST_CASE("contact: how far a push moves its contact along the normal has no part in friction",
+          "[A5.5][contact]")
+{
+    // a plate that turns in its own plane z = 0 alone: K is (1.75 -0.75 0; -0.75 1.75 0; 0 0 1), so
+    // that λ = 1.75; 2.5 would be the eigenvalue of a direction half along the normal
+    Body plate = block(1, -up, {0.5, 0.5, 0});
+    plate.inverse_inertia.diagonal() = Vector3d(0, 0, 3);
+    const ContactCase problem{{Body(), plate}, {touch(1, 0, 0, {0, 0, 0}, 1)}};
+
+    check_impulses(resolved(problem, 1), {{0, 4.0 / 7, 0}});
+    check_impulses(resolved(problem, 2), {{12.0 / 49, 4.0 / 7, 0}});
+    check_impulses(resolved(problem, 3), {{12.0 / 49, 232.0 / 343, 0}});
+    check_impulses(resolved(problem, 200), {{0.3, 0.7, 0}});
+}
+
 TEST_CASE("contact: friction is shortened by the new push", "[A5.5][contact]")
 {
     // a guess that pushes four times too hard, all of it on the border of the cone

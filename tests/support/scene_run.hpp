@@ -13,8 +13,15 @@ namespace rigor::testing {
 
 /// The trajectory of a shipped scene, `a4-collision/rod_tip`, every step of it.
 /// @param time_step  instead of the scene's own [s]; for convergence orders
+/// @param changes    a JSON object of keys to replace, `{"contact": "simultaneous"}`
 /// @throws as Worker::run_scene; NotFinite if a recorded number is not finite
-Trajectory run_scene(const std::string& name, std::optional<double> time_step = {});
+Trajectory run_scene(const std::string& name, std::optional<double> time_step = {},
+                     const std::string& changes = "{}");
+
+/// Changes that leave a step nothing but the bodies' states to depend on, and no number of sweeps
+/// that rounding decides.
+inline constexpr const char* without_memory =
+    R"({"skip": {"warm_start": false, "sleep": false, "early_exit": false}})";
 
 /// Index of a body by its name. Throws std::out_of_range with the name if there is none.
 int body_index(const Trajectory& trajectory, const std::string& name);
@@ -32,7 +39,7 @@ inline double steps_of(const Frame& frame)
 }
 
 /// Every step of a run, judged from the state before it: the worker under test and the oracle both take that one step.
-/// One wrong step is one wrong step, and chaos does not matter. Compares X, q (up to sign), V and L of every body, class
+/// One wrong step is one wrong step, and chaos does not matter. Both run `without_memory`. Compares X, q (up to sign), V and L of every body, class
 /// R, and names step, body and quantity. Needs an oracle.
 void check_every_step(const std::string& scene_name);
 

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// Where the search comes back to a body on its way, it takes that for the ground: a cycle does not share a level.
+#include "formulas/contact.hpp"
+
+#include <algorithm>
+
+namespace rigor {
+
+namespace {
+
+int level_of(int i, const std::vector<std::vector<int>>& rests_on,
+             const std::vector<bool>& is_static, std::vector<int>& levels)
+{
+    if (levels[i] >= 0) return levels[i];
+    levels[i] = 0; // on its way
+    int level = is_static[i] ? 0 : 1;
+    for (int below : rests_on[i])
+        if (!is_static[i])
+            level = std::max(level, level_of(below, rests_on, is_static, levels) + 1);
+    return levels[i] = level;
+}
+
+} // namespace
+
+std::vector<int> contact_levels(const std::vector<std::vector<int>>& rests_on,
+                                const std::vector<bool>& is_static)
+{
+    std::vector<int> levels(rests_on.size(), -1);
+    for (std::size_t i = 0; i < levels.size(); ++i)
+        level_of(static_cast<int>(i), rests_on, is_static, levels);
+    return levels;
+}
+
+} // namespace rigor

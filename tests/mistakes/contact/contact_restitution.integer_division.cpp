@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+// (k + 1)/n of two integers is 0 until the last iteration.
+#include "formulas/contact.hpp"
+
+#include <algorithm>
+
+namespace rigor {
+
+double contact_restitution(int k, int n)
+{
+    if (n < 1 || k >= n - 1) return 0;
+    return (std::max(k, 0) + 1) / n - 1;
+}
+
+} // namespace rigor
