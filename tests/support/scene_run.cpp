@@ -84,10 +84,12 @@ double angle_between(const Quaternion& a, const Quaternion& b)
     return 2 * std::atan2(difference.vec().norm(), std::abs(difference.w()));
 }
 
-void check_every_step(const std::string& scene_name)
+void check_every_step(const std::string& scene_name, const std::string& changes)
 {
     REQUIRE(oracle() != nullptr);
-    const Trajectory run = run_scene(scene_name, {}, without_memory);
+    nlohmann::json all = nlohmann::json::parse(without_memory);
+    all.merge_patch(nlohmann::json::parse(changes));
+    const Trajectory run = run_scene(scene_name, {}, all.dump());
     std::vector<Worker::Start> starts;
     for (std::size_t n = 0; n + 1 < run.frames.size(); ++n)
         starts.emplace_back(run.frames[n].time, run.frames[n].bodies);

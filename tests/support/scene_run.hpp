@@ -41,6 +41,7 @@ inline double steps_of(const Frame& frame)
 /// Every step of a run, judged from the state before it: the worker under test and the oracle both take that one step.
 /// One wrong step is one wrong step, and chaos does not matter. Both run `without_memory`. Compares X, q (up to sign), V and L of every body, class
 /// R, and names step, body and quantity. Needs an oracle.
-void check_every_step(const std::string& scene_name);
+/// @param changes  a JSON object of keys to replace in the scene
+void check_every_step(const std::string& scene_name, const std::string& changes = "{}");
 
 } // namespace rigor::testing

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// Compares with the reference, so it runs only where the reference is.
+#include "support/scene_run.hpp"
+
+using namespace rigor::testing;
+
+TEST_CASE("contact: every step of rattling stack is the reference's step",
+          "[A5.7][contact][hidden]")
+{
+    check_every_step("a5-contact/rattling_stack");
+}
+
+TEST_CASE("contact: every step of stack is the reference's step", "[A5.7][contact][hidden]")
+{
+    check_every_step("a5-contact/stack");
+}
+
+TEST_CASE("contact: every step of seesaw is the reference's step", "[A5.7][contact][hidden]")
+{
+    check_every_step("a5-contact/seesaw");
+}
+
+TEST_CASE("contact: every step of a seesaw resolved simultaneously is the reference's step",
+          "[A5.7][contact][hidden]")
+{
+    check_every_step("a5-contact/seesaw", R"({"contact": "simultaneous", "end": 1})");
+}
+
+TEST_CASE("contact: every step of arch is the reference's step", "[A5.7][contact][hidden]")
+{
+    check_every_step("a5-contact/arch", R"({"end": 0.5})");
+}
