@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What a step costs in a pile of cubes, and how deep the cubes sink, beside Bullet and ODE where
 // they are installed.
+#include "pile_nonconvex.hpp"
 #include "pile_options.hpp"
 #include "pile_run.hpp"
 #include "support/bench.hpp"
@@ -177,16 +178,17 @@ int run(const PileChoice& choice)
     Bench bench("pile");
     const std::vector<Contestant> all = contestants(choice);
     if (all.empty()) throw std::invalid_argument("--engine: expected rigor, bullet or ode");
-    for (int side : choice.sides) {
+    for (int side : choice.does("cubes") ? choice.sides : std::vector<int>()) {
         const int cubes = side * side * side;
         const std::vector<Outcome> outcomes = measure(all, side, choice);
         for (std::size_t c = 0; c < all.size(); ++c)
             report(bench, all[c], cubes, outcomes[c]);
         compare(bench, all, outcomes, cubes);
     }
-    if (choice.wants("rigor") && !choice.only_runs) {
-        settle(bench, choice.sides.front());
-        use_threads(bench, choice.sides.front(), choice);
+    if (choice.wants("rigor")) {
+        if (choice.does("settled")) settle(bench, choice.sides.front());
+        if (choice.does("threads")) use_threads(bench, choice.sides.front(), choice);
+        if (choice.does("nonconvex")) measure_nonconvex_piles(bench);
     }
     explain(bench, choice);
     return bench.finish(choice.json);

@@ -23,6 +23,14 @@ int positive(const std::string& option, const std::string& text)
     return value;
 }
 
+const std::string& known_part(const std::string& text)
+{
+    for (const char* part : {"cubes", "settled", "threads", "nonconvex"})
+        if (text == part) return text;
+    throw std::invalid_argument("--part: expected cubes, settled, threads or nonconvex, found '" +
+                                text + "'");
+}
+
 int side_of(const std::string& text)
 {
     const int cubes = positive("--cubes", text);
@@ -33,6 +41,11 @@ int side_of(const std::string& text)
 }
 
 } // namespace
+
+bool PileChoice::does(const std::string& part) const
+{
+    return parts.empty() || std::find(parts.begin(), parts.end(), part) != parts.end();
+}
 
 bool PileChoice::wants(const std::string& engine) const
 {
@@ -49,23 +62,21 @@ PileChoice pile_choice(int argc, char** argv)
             choice.json = true;
             continue;
         }
-        if (option == "--only-runs") {
-            choice.only_runs = true;
-            continue;
-        }
         if (i + 1 == argc) throw std::invalid_argument("expected a value after '" + option + "'");
         const std::string value = argv[++i];
         if (option == "--cubes")
             sides.push_back(side_of(value));
         else if (option == "--engine")
             choice.engines.push_back(value);
+        else if (option == "--part")
+            choice.parts.push_back(known_part(value));
         else if (option == "--rounds")
             choice.rounds = positive(option, value);
         else if (option == "--steps")
             choice.steps = positive(option, value);
         else
             throw std::invalid_argument(
-                "expected --cubes, --engine, --rounds, --steps, --only-runs or --json, found '" +
+                "expected --cubes, --engine, --part, --rounds, --steps or --json, found '" +
                 option + "'");
     }
     if (!sides.empty()) choice.sides = sides;
