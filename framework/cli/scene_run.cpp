@@ -38,14 +38,17 @@ RunOutcome run_in_worker(const Implementation& implementation, const Scene& scen
     limits.scene = std::chrono::duration<double>(10);
     try {
         Worker worker(implementation.worker, limits);
-        worker.run_scene(scene.text, scene.name, run.record, [&](std::span<const std::byte> bytes) {
-            try {
-                reader.feed(bytes);
-            } catch (const InputError& error) {
-                throw Malformed(error.what());
-            }
-            if (run.on_bytes) run.on_bytes(bytes);
-        });
+        worker.run_scene(
+            scene.text, scene.name, run.record,
+            [&](std::span<const std::byte> bytes) {
+                try {
+                    reader.feed(bytes);
+                } catch (const InputError& error) {
+                    throw Malformed(error.what());
+                }
+                if (run.on_bytes) run.on_bytes(bytes);
+            },
+            run.threads);
         if (!reader.complete()) outcome.failure = "the run stopped before its end";
     } catch (const NotImplemented& stub) {
         outcome.failure = describe(stub);

@@ -14,6 +14,7 @@ namespace rigor {
 /// What to do with what comes; each may be empty.
 struct SceneRun {
     Record record = Record::frames;
+    int threads = 1; // that the reference may use
     std::function<void(std::span<const std::byte>)>
         on_bytes; // as they come, after they were understood
     std::function<void(const Scene&, const std::vector<RecordedBody>&)> on_start;

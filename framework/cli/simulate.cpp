@@ -18,6 +18,7 @@ namespace {
 
 struct SimulateOptions {
     std::string scene, with = "student", out;
+    std::uint32_t threads = 1;
     bool stats = false, json = false, every_step = false;
 };
 
@@ -112,6 +113,8 @@ void print_stats(const Summary& summary, double seconds)
 
 int simulate(const SimulateOptions& options)
 {
+    if (options.threads < 1 || options.threads > 64)
+        throw InputError(fmt::format("--threads: expected 1 to 64, found {}", options.threads));
     const Scene scene = load_scene(find_scene(options.scene));
     const Implementation implementation = working_implementation(options.with);
     std::ofstream file;
@@ -123,6 +126,7 @@ int simulate(const SimulateOptions& options)
     std::optional<Statistics> statistics;
     Progress progress(scene.name);
     SceneRun run;
+    run.threads = static_cast<int>(options.threads);
     run.record = options.every_step ? Record::every_step : Record::frames;
     run.on_bytes = [&](std::span<const std::byte> bytes) {
         if (file.is_open())
@@ -165,6 +169,9 @@ Action declare_simulate(Options& options)
                  "A scene file, or the name of one that ships: a4-collision/hundred_boxes");
     options.option("--with", "WHO", chosen->with, "student (the default), reference, or a folder");
     options.option("--out", "FILE", chosen->out, "Store the trajectory");
+    options.option("--threads", "N", chosen->threads,
+                   "Threads for the reference (1); the result is the same bits. Student code runs "
+                   "on one");
     options.flag("--every-step", chosen->every_step, "Record every step, not only the frames");
     options.flag("--stats", chosen->stats,
                  "Print energy, momentum, penetration, steps a second, and what was skipped");

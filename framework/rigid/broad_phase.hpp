@@ -17,9 +17,8 @@ struct BodyPair {
 
 /// Pairs of bodies whose bounds overlap, in ascending order.
 ///
-/// Sweep and prune along the axis the bodies are spread most on (Baraff 1992, "Dynamic simulation of
-/// non-penetrating rigid bodies"): n log n for the sort, then only neighbours are compared. Bodies
-/// with a plane have no bounds: they are held against each moving body, a distance each.
+/// By a tree of the moving bodies' boxes (box_tree.hpp), n log n. Bodies with a plane have no bounds:
+/// they are held against each moving body, a distance each.
 ///
 /// @param poses   of all bodies
 /// @param bounds  of all bodies over the step; infinite for those with a plane

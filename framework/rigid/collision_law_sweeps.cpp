@@ -33,6 +33,14 @@ public:
         return progress;
     }
 
+    std::vector<Vector3d> impulses() const override
+    {
+        std::vector<Vector3d> all;
+        for (const Held& h : held_)
+            all.push_back(problem_.contacts[h.contact].holding);
+        return all;
+    }
+
     void add(const std::vector<Vector3d>& changes) override
     {
         for (std::size_t k = 0; k < held_.size(); ++k)

@@ -26,6 +26,7 @@ void collect(const ContactProblem& problem, const ContactPair& pair, Candidates&
     candidates.any_approaches = false;
     for (int i = pair.first; i < pair.last; ++i) {
         const SolvedContact& c = problem.contacts[i];
+        if (c.restitution == 0 && problem.method == ContactMethod::simultaneous) continue;
         const Vector3d v = problem.velocity_at(c, c.point);
         const double v_n = v.dot(c.normal);
         const double depth = -problem.predicted_gap(c, v_n + c.force_speed);

@@ -135,6 +135,14 @@ public:
         return progress;
     }
 
+    std::vector<Vector3d> impulses() const override
+    {
+        std::vector<Vector3d> all;
+        for (const BodyContact& c : local_.contacts)
+            all.push_back(c.impulse);
+        return all;
+    }
+
     void add(const std::vector<Vector3d>& changes) override
     {
         for (std::size_t k = 0; k < held_.size(); ++k)

@@ -5,6 +5,7 @@
 #include "geometry/bounds.hpp"
 #include "rigid/flight.hpp"
 #include "rigid/groups.hpp"
+#include "rigid/optimised_forms.hpp"
 #include "rigid/warm_start.hpp"
 
 #include <algorithm>
@@ -109,7 +110,15 @@ Vector3d ContactProblem::up() const
 
 Vector3d ContactProblem::velocity_at(const SolvedContact& c, const Vector3d& x) const
 {
-    return relative_velocity(bodies[c.body1], bodies[c.body2], x);
+    return velocity_between(bodies, c, x);
+}
+
+Vector3d ContactProblem::velocity_between(const std::vector<Body>& states, const Contact& c,
+                                          const Vector3d& x) const
+{
+    const Body &body1 = states[c.body1], &body2 = states[c.body2];
+    if (optimised) return optimised::relative_velocity(body1, body2, x);
+    return relative_velocity(body1, body2, x);
 }
 
 Matrix3d ContactProblem::impulse_matrix_at(const SolvedContact& c, const Vector3d& x) const
@@ -117,8 +126,9 @@ Matrix3d ContactProblem::impulse_matrix_at(const SolvedContact& c, const Vector3
     Matrix3d K = Matrix3d::Zero();
     for (int i : {c.body1, c.body2}) {
         const Body& body = bodies[i];
-        if (!body.is_static())
-            K += impulse_matrix(body.inverse_mass, body.inverse_inertia, body.position, x);
+        if (body.is_static()) continue;
+        K += optimised ? optimised::impulse_matrix(body, x)
+                       : impulse_matrix(body.inverse_mass, body.inverse_inertia, body.position, x);
     }
     return K;
 }
@@ -126,6 +136,11 @@ Matrix3d ContactProblem::impulse_matrix_at(const SolvedContact& c, const Vector3
 void ContactProblem::apply(const SolvedContact& c, const Vector3d& x, const Vector3d& j)
 {
     Body &body1 = bodies[c.body1], &body2 = bodies[c.body2];
+    if (optimised) {
+        optimised::apply_impulse(body1, x, j);
+        optimised::apply_impulse(body2, x, -j);
+        return;
+    }
     if (!body1.is_static()) body1 = apply_impulse(body1, x, j);
     if (!body2.is_static()) body2 = apply_impulse(body2, x, -j);
 }
@@ -154,8 +169,7 @@ ContactProblem contact_problem(const World& world, std::span<const RigidState> f
         SolvedContact c{contact};
         const Vector3d& n = c.normal;
         const double v_n = problem.velocity_at(c, c.point).dot(n);
-        c.force_speed =
-            relative_velocity(after_forces[c.body1], after_forces[c.body2], c.point).dot(n) - v_n;
+        c.force_speed = problem.velocity_between(after_forces, c, c.point).dot(n) - v_n;
         const double margin = margins[c.body1] + margins[c.body2];
         if (problem.predicted_gap(c, v_n + c.force_speed) >= margin) continue;
 

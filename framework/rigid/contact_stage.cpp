@@ -4,6 +4,7 @@
 #include "rigid/contact_formulas.hpp"
 #include "rigid/healing.hpp"
 #include "rigid/load_guess.hpp"
+#include "rigid/newton_contact.hpp"
 #include "rigid/sweeps.hpp"
 
 #include <algorithm>
@@ -17,8 +18,9 @@ namespace {
 // An island of up to `small` contacts converges to rounding. A larger one stops at `fine` of the
 // velocity that its contacts have to take away, or after `work` contacts were visited: what is left is
 // corrected in the next steps.
-constexpr int small = 16, work = 20000, fewest_sweeps = 10, most_sweeps = 500;
-constexpr double rounding = 2 * std::numeric_limits<double>::epsilon(), fine = 1e-5;
+constexpr int small = 16, work = 20000, fewest_sweeps = 5, most_sweeps = 50, last_sweeps = 5;
+constexpr int most_newton_bodies = 256;
+constexpr double rounding = 2 * std::numeric_limits<double>::epsilon(), fine = 1e-6, coarse = 1e-3;
 
 // The larger eigenvalue of K across n.
 double tangential_eigenvalue(const Matrix3d& K, const Vector3d& n)
@@ -62,35 +64,85 @@ std::unique_ptr<Sweeps> sweeps_of(ContactProblem& problem, const std::vector<Hel
     return collision_law_sweeps(problem, held);
 }
 
+// How many sweeps, and when they may end.
+struct Limits {
+    int most = 0;
+    double unnoticed = 0; // a change that is not seen [m/s]
+};
+
+// How far the sweeps were from the answer, by what they changed [m/s].
+struct Residuals {
+    double first = 0, last = 0;
+    bool is_done = false; // nothing changes any more
+};
+
 // Sweeps until nothing changes. Goes on in the direction of the sweeps before, as long as it pays:
 // directions = steps + β directions, impulses += β directions.
-void solve(ContactProblem& problem, const std::vector<Held>& all)
+Residuals sweep_on(ContactProblem& problem, Sweeps& sweeps, std::size_t count, const Limits& limits)
 {
-    const int count = static_cast<int>(all.size());
-    const int most = std::clamp(work / count, fewest_sweeps, most_sweeps);
-    const double noise = rounding * fastest(problem, all);
-    const double unnoticed = count <= small ? noise : noise + fine * approach(problem, all);
-    const std::unique_ptr<Sweeps> sweeps = sweeps_of(problem, all);
-    std::vector<Vector3d> steps(all.size(), Vector3d::Zero()), directions = steps;
-    double before = 0;
-    for (int i = 1; i <= most; ++i) {
-        const Progress progress = sweeps->sweep(steps);
+    std::vector<Vector3d> steps(count, Vector3d::Zero()), directions = steps;
+    Residuals residuals;
+    double before = 0, smallest = std::numeric_limits<double>::infinity();
+    bool is_wild = false; // where that made it worse, it is left
+    for (int i = 1; i <= limits.most; ++i) {
+        const Progress progress = sweeps.sweep(steps);
         ++problem.counters->contact_sweeps;
-        const bool is_done = progress.change <= rounding * progress.total + unnoticed;
-        if (i < most && is_done && problem.skips.early_exit) {
+        residuals.last = progress.change;
+        if (i == 1) residuals.first = progress.change;
+        residuals.is_done = progress.change <= rounding * progress.total + limits.unnoticed;
+        if (i == limits.most) break;
+        if (residuals.is_done && problem.skips.early_exit) {
             ++problem.counters->early_exits;
             break;
         }
-        const bool slows_down = before > 0 && progress.squared <= before;
+        is_wild |= progress.change > 2 * smallest;
+        smallest = std::min(smallest, progress.change);
+        const bool slows_down = before > 0 && progress.squared <= before && !is_wild;
         const double beta = slows_down ? progress.squared / before : 0; // 0: starts afresh
         before = progress.squared;
-        if (i == most) break;
-        for (std::size_t k = 0; k < steps.size(); ++k) {
+        for (std::size_t k = 0; k < count; ++k) {
             const Vector3d more = beta * directions[k];
             directions[k] = steps[k] + more;
             steps[k] = more;
         }
-        if (beta > 0) sweeps->add(steps);
+        if (beta > 0) sweeps.add(steps);
+    }
+    return residuals;
+}
+
+// From wherever the sweeps are to these impulses.
+void go_to(Sweeps& sweeps, std::vector<Vector3d> impulses)
+{
+    const std::vector<Vector3d> here = sweeps.impulses();
+    for (std::size_t k = 0; k < here.size(); ++k)
+        impulses[k] -= here[k];
+    sweeps.add(impulses);
+}
+
+void solve(ContactProblem& problem, const Island& island, const std::vector<Held>& all)
+{
+    const int count = static_cast<int>(all.size());
+    const bool is_newtons = static_cast<int>(island.bodies.size()) <= most_newton_bodies;
+    const double noise = rounding * fastest(problem, all);
+    const double seen = count <= small ? 0 : is_newtons ? fine : coarse;
+    const Limits limits{std::clamp(work / count, fewest_sweeps, most_sweeps),
+                        noise + seen * approach(problem, all)};
+    const std::vector<Body> free = is_newtons ? problem.bodies : std::vector<Body>();
+    const std::unique_ptr<Sweeps> sweeps = sweeps_of(problem, all);
+    std::vector<Vector3d> start = is_newtons ? sweeps->impulses() : std::vector<Vector3d>();
+    const Residuals swept = sweep_on(problem, *sweeps, all.size(), limits);
+    if (!swept.is_done && is_newtons) {
+        // Newton's impulses, from the better end of the sweeps; kept where the sweeps agree.
+        ++problem.counters->newton_solves;
+        std::vector<Vector3d> best = swept.last <= swept.first ? sweeps->impulses() : start;
+        start = best;
+        if (newton_impulses(problem, island, free, all, best)) go_to(*sweeps, best);
+        const Limits few{last_sweeps, limits.unnoticed};
+        const Residuals after = sweep_on(problem, *sweeps, all.size(), few);
+        if (after.first > std::min(swept.first, swept.last)) {
+            go_to(*sweeps, start);
+            sweep_on(problem, *sweeps, all.size(), few);
+        }
     }
     sweeps->finish();
 }
@@ -130,7 +182,7 @@ void process_contact(ContactProblem& problem, const Island& island)
         return !problem.contacts[h.contact].guess.isZero(0);
     });
     if (!is_warm) guess_loads(problem, island, all);
-    solve(problem, all);
+    solve(problem, island, all);
 }
 
 } // namespace rigor

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "rigid/healing.hpp"
 
+#include "rigid/optimised_forms.hpp"
+
 #include <algorithm>
 
 namespace rigor {
@@ -52,7 +54,7 @@ std::vector<Row> rows_of(const ContactProblem& problem, const Island& island)
 void push(const Body& body, Displacement& d, const Vector3d& r, const Vector3d& p)
 {
     d.shift += body.inverse_mass * p;
-    d.turn += body.inverse_inertia * r.cross(p);
+    d.turn += optimised::product(body.inverse_inertia, r.cross(p));
 }
 
 } // namespace

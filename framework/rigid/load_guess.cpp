@@ -8,7 +8,8 @@ namespace rigor {
 
 namespace {
 
-constexpr double steepest = 0.3; // contacts whose normal is flatter than this carry no weight
+constexpr double steepest = 0.3;  // contacts whose normal is flatter than this carry no weight
+constexpr double touching = 1e-6; // of the radius: what falls together keeps its gap to rounding
 
 // A body, one that it stands on, and the contact between them.
 struct Support {
@@ -24,7 +25,8 @@ std::vector<Support> supports_of(const ContactProblem& problem, const std::vecto
         const SolvedContact& c = problem.contacts[i];
         const double slope = c.normal.dot(up);
         const double v_n = problem.velocity_at(c, c.point).dot(c.normal);
-        if (std::abs(slope) < steepest || problem.predicted_gap(c, v_n) >= 0) continue;
+        if (std::abs(slope) < steepest || problem.predicted_gap(c, v_n) > touching * c.radius)
+            continue;
         const Support support =
             slope > 0 ? Support{c.body1, c.body2, i} : Support{c.body2, c.body1, i};
         if (!problem.bodies[support.upper].is_static()) supports.push_back(support);

@@ -33,6 +33,8 @@ public:
 
     /// Visits each contact once. @param steps  what it changed of each held contact's impulse
     virtual Progress sweep(std::vector<Vector3d>& steps) = 0;
+    /// The impulses as they are.
+    virtual std::vector<Vector3d> impulses() const = 0;
     /// Changes the impulses by these.
     virtual void add(const std::vector<Vector3d>& changes) = 0;
     /// Leaves bodies and contacts as the impulses made them.

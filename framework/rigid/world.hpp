@@ -83,7 +83,8 @@ struct Counters {
     std::uint64_t collision_impulses = 0, contact_impulses = 0;
     std::uint64_t isotropic_shortcuts = 0, free_flights = 0, static_skipped = 0;
     std::uint64_t islands = 0, bodies_asleep = 0, warm_starts = 0; // summed over the steps
-    std::uint64_t contact_sweeps = 0, early_exits = 0, healed_contacts = 0;
+    std::uint64_t contact_sweeps = 0, early_exits = 0, newton_solves = 0;
+    std::uint64_t healed_contacts = 0;
     std::uint64_t level_sets_built = 0, level_set_samples = 0;
 };
 

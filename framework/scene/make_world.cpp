@@ -6,12 +6,12 @@
 
 namespace rigor {
 
-World make_world(const Scene& scene)
+World make_world(const Scene& scene, const RunSettings& settings)
 {
-    return make_recorded_world(scene).world;
+    return make_recorded_world(scene, settings).world;
 }
 
-RecordedWorld make_recorded_world(const Scene& scene)
+RecordedWorld make_recorded_world(const Scene& scene, const RunSettings& settings)
 {
     RecordedWorld made;
     World& world = made.world;
@@ -19,6 +19,8 @@ RecordedWorld make_recorded_world(const Scene& scene)
     world.integrator = scene.integrator;
     world.contact_method = scene.contact_method;
     world.skips = scene.skips;
+    world.formulas_are_reference = settings.formulas_are_reference;
+    world.threads = settings.threads;
     world.springs = scene.springs;
     world.forces = scene.forces;
     for (const BodyDescription& described : scene.bodies) {

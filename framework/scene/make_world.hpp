@@ -11,6 +11,6 @@ struct RecordedWorld {
     std::vector<RecordedBody> bodies;
 };
 
-RecordedWorld make_recorded_world(const Scene& scene);
+RecordedWorld make_recorded_world(const Scene& scene, const RunSettings& settings);
 
 } // namespace rigor

@@ -28,9 +28,10 @@ Frame frame_of(const World& world, std::int64_t step, std::vector<ContactRecord>
 
 } // namespace
 
-void run_scene(const Scene& scene, Record record, const ByteSink& write)
+void run_scene(const Scene& scene, Record record, const ByteSink& write,
+               const RunSettings& settings)
 {
-    RecordedWorld made = make_recorded_world(scene);
+    RecordedWorld made = make_recorded_world(scene, settings);
     World& world = made.world;
     write(encode_start(scene, made.bodies));
     write(encode_frame(frame_of(world, 0, {})));
@@ -46,9 +47,9 @@ void run_scene(const Scene& scene, Record record, const ByteSink& write)
 }
 
 std::vector<std::vector<RigidState>> advance(const Scene& scene, const std::vector<Moment>& starts,
-                                             int steps)
+                                             int steps, const RunSettings& settings)
 {
-    World world = make_world(scene);
+    World world = make_world(scene, settings);
     std::vector<std::vector<RigidState>> results;
     for (const auto& [time, states] : starts) {
         if (states.size() != world.bodies.size())

@@ -75,7 +75,13 @@ std::int64_t step_count(const Scene& scene);
 std::int64_t frame_count(const Scene& scene);
 std::int64_t frame_step(const Scene& scene, std::int64_t frame);
 
+/// What the one who runs a scene decides, not its file.
+struct RunSettings {
+    bool formulas_are_reference = false; // see World
+    int threads = 1;
+};
+
 /// Shapes to bodies: calls the formulas of topic `inertia` where the scene gives densities.
-World make_world(const Scene& scene);
+World make_world(const Scene& scene, const RunSettings& settings = {});
 
 } // namespace rigor

@@ -73,6 +73,7 @@ inline constexpr CounterField counter_fields[] = {
     {"warm starts", &Counters::warm_starts},
     {"contact sweeps", &Counters::contact_sweeps},
     {"early exits", &Counters::early_exits},
+    {"Newton solves", &Counters::newton_solves},
     {"healed contacts", &Counters::healed_contacts},
     {"level sets built", &Counters::level_sets_built},
     {"level set samples", &Counters::level_set_samples},
@@ -87,7 +88,8 @@ using ByteSink = std::function<void(std::span<const std::byte>)>;
 
 /// Runs a scene and hands the bytes of its trajectory to `write`, a record at a time. Frame k is
 /// the state after the step nearest to its time; frame 0 is the initial state.
-void run_scene(const Scene& scene, Record record, const ByteSink& write);
+void run_scene(const Scene& scene, Record record, const ByteSink& write,
+               const RunSettings& settings = {});
 
 /// The states of all bodies at a moment.
 using Moment = std::pair<double, std::vector<RigidState>>;
@@ -95,7 +97,7 @@ using Moment = std::pair<double, std::vector<RigidState>>;
 /// The states that each moment of a scene leads to after some steps.
 /// @param starts  each time a multiple of the time step, each with a state for every body
 std::vector<std::vector<RigidState>> advance(const Scene& scene, const std::vector<Moment>& starts,
-                                             int steps);
+                                             int steps, const RunSettings& settings = {});
 
 /// The records of a trajectory as bytes.
 Bytes encode_start(const Scene& scene, const std::vector<RecordedBody>& bodies);

@@ -17,9 +17,9 @@ namespace rigor {
 
 /// What a client asks.
 enum class Request : std::uint32_t {
-    call,      // formula `argument` on the encoded arguments in the payload
-    run_scene, // text and name in the payload, `argument` is the Record: the stream, then done
-    advance,   // text, name, steps, starts: states
+    call, // formula `argument` on the encoded arguments in the payload
+    run_scene, // text and name in the payload, `argument` is the Record + 2 threads: the stream, then done
+    advance, // text, name, steps, starts: states
 };
 
 /// What a worker answers.

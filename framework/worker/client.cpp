@@ -153,13 +153,15 @@ Bytes Worker::call(FormulaIndex formula, std::span<const std::byte> arguments, s
 }
 
 void Worker::run_scene(const std::string& scene_text, const std::string& scene_name, Record record,
-                       const ByteSink& sink)
+                       const ByteSink& sink, int threads)
 {
     subject_ = "scene " + scene_name;
     Bytes request;
     wire::encode(request, scene_text);
     wire::encode(request, scene_name);
-    ask({Request::run_scene, static_cast<std::uint32_t>(record), request, 0, &sink}, limits_.scene);
+    const auto argument =
+        static_cast<std::uint32_t>(record) + 2 * static_cast<std::uint32_t>(threads);
+    ask({Request::run_scene, argument, request, 0, &sink}, limits_.scene);
 }
 
 Worker::States Worker::advance(const std::string& scene_text, const std::string& scene_name,

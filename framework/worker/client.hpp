@@ -30,9 +30,10 @@ public:
 
     /// Runs a scene and hands on its trajectory as it comes, up to the failure if it fails. Nothing
     /// of it has been checked.
+    /// @param threads  that the reference may use; formulas of others run on one
     /// @throws NotImplemented, WorkerFailure, NotFinite, what `sink` throws
     void run_scene(const std::string& scene_text, const std::string& scene_name, Record record,
-                   const ByteSink& sink);
+                   const ByteSink& sink, int threads = 1);
 
     /// The states that `steps` time steps lead to from each of `starts`, finite.
     /// @throws NotImplemented, WorkerFailure, NotFinite

@@ -38,6 +38,17 @@ namespace {
     setrlimit(RLIMIT_STACK, &stack); // where that is not allowed, less is deep
 }
 
+// Whose formulas these are is decided where the worker is built: no implementation can say it is the
+// reference. Formulas of others may not be fit for threads.
+RunSettings settings([[maybe_unused]] int threads)
+{
+#ifdef RIGOR_REFERENCE
+    return {.formulas_are_reference = true, .threads = std::clamp(threads, 1, 64)};
+#else
+    return {};
+#endif
+}
+
 wire::Bytes advance_states(std::span<const std::byte> payload)
 {
     wire::Reader reader(payload);
@@ -50,7 +61,7 @@ wire::Bytes advance_states(std::span<const std::byte> payload)
     wire::decode(reader, starts);
     reader.end();
     wire::Bytes states;
-    wire::encode(states, advance(parse_scene(text, name), starts, steps));
+    wire::encode(states, advance(parse_scene(text, name), starts, steps, settings(1)));
     return states;
 }
 
@@ -141,10 +152,13 @@ wire::Bytes Server::stream_scene(std::span<const std::byte> payload)
     wire::decode(reader, text);
     wire::decode(reader, name);
     reader.end();
-    const Record record{static_cast<int>(channel_.argument.load())};
+    const std::uint32_t argument = channel_.argument.load();
+    const Record record{static_cast<int>(argument & 1)};
+    const int threads = static_cast<int>(argument >> 1);
     streamed_ = 0;
-    run_scene(parse_scene(text, name), record,
-              [this](std::span<const std::byte> bytes) { stream(bytes); });
+    run_scene(
+        parse_scene(text, name), record,
+        [this](std::span<const std::byte> bytes) { stream(bytes); }, settings(threads));
     return {};
 }
 

@@ -1,0 +1,309 @@
+// SPDX-License-Identifier: MIT
+#include "rigid/newton_contact.hpp"
+
+#include <Eigen/Sparse>
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace rigor {
+
+namespace {
+
+using Eigen::VectorXd;
+using Matrix3x6 = Eigen::Matrix<double, 3, 6>;
+
+// ρ of a contact is a weight over nᵀKn. A round leaves 1/weight of a velocity, but a large weight finds
+// what touches and what slides only from near the answer: so it grows from round to round.
+constexpr double first_weight = 10, last_weight = 1e6, growth = 10;
+constexpr int most_rounds = 10, most_steps = 40, most_bisections = 30;
+constexpr double settled = 1e-10;   // a change of impulses, of their size
+constexpr double converged = 1e-13; // a Newton step, of the velocities' size
+
+// A contact as the method sees it: bodies by the index of their unknowns, or -1.
+struct Row {
+    int body1 = -1, body2 = -1;
+    Vector3d n, r1, r2, s; // s: the velocity asked for, s n
+    double friction = 0, normal_K = 0, rho = 0;
+    double limit = 0; // of the tangential part, held during a round: μ λₙ
+    Vector3d lambda = Vector3d::Zero();
+};
+
+struct Split {
+    double normal = 0;
+    Vector3d tangential;
+};
+
+Split split(const Row& row, const Vector3d& y)
+{
+    const double normal = y.dot(row.n);
+    return {normal, y - normal * row.n};
+}
+
+// An order that does not depend on how the bodies are numbered.
+std::vector<int> from_the_lowest(const ContactProblem& problem, const Island& island)
+{
+    const Vector3d up = problem.up();
+    std::vector<int> bodies = island.bodies;
+    std::sort(bodies.begin(), bodies.end(), [&](int i, int j) {
+        const Vector3d &p = problem.bodies[i].position, &q = problem.bodies[j].position;
+        return std::tuple(up.dot(p), p.x(), p.z(), i) < std::tuple(up.dot(q), q.x(), q.z(), j);
+    });
+    return bodies;
+}
+
+class Newton {
+public:
+    Newton(const ContactProblem& problem, const Island& island, const std::vector<Body>& free,
+           const std::vector<Held>& held, const std::vector<Vector3d>& impulses)
+    {
+        std::vector<int> unknowns(problem.bodies.size(), -1);
+        for (int i : from_the_lowest(problem, island)) {
+            unknowns[i] = static_cast<int>(bodies_.size());
+            bodies_.push_back(&free[i]);
+        }
+        const auto n = static_cast<Eigen::Index>(6 * bodies_.size());
+        v_free_.resize(n);
+        for (std::size_t i = 0; i < bodies_.size(); ++i) {
+            v_free_.segment<3>(6 * i) = bodies_[i]->velocity;
+            v_free_.segment<3>(6 * i + 3) = bodies_[i]->angular_velocity;
+            // a body that cannot turn about an axis gets a moment there that holds it
+            const Matrix3d& J = bodies_[i]->inverse_inertia;
+            const double least = 1e-9 * J.norm() + 1e-300;
+            inertias_.push_back((J + least * Matrix3d::Identity()).inverse());
+        }
+        for (std::size_t k = 0; k < held.size(); ++k) {
+            const SolvedContact& c = problem.contacts[held[k].contact];
+            Row row;
+            row.body1 = unknowns[c.body1];
+            row.body2 = unknowns[c.body2];
+            row.n = c.normal;
+            row.r1 = c.point - problem.bodies[c.body1].position;
+            row.r2 = c.point - problem.bodies[c.body2].position;
+            row.s = held[k].target * c.normal;
+            row.friction = c.friction;
+            row.normal_K = held[k].normal_K;
+            row.lambda = impulses[k];
+            rows_.push_back(row);
+        }
+        v_ = v_free_ + momentum_change();
+    }
+
+    bool solve()
+    {
+        double weight = first_weight;
+        for (int round = 0; round < most_rounds; ++round) {
+            for (Row& row : rows_) {
+                row.rho = weight / row.normal_K;
+                row.limit = row.friction * std::max(0.0, row.lambda.dot(row.n));
+            }
+            if (!minimise()) return round > 0;
+            double change = 0, total = 0;
+            for (Row& row : rows_) {
+                const Vector3d before = row.lambda;
+                row.lambda = projected(row, row.lambda - row.rho * u(row, v_, row.s));
+                change = std::max(change, row.normal_K * (row.lambda - before).norm());
+                total = std::max(total, row.normal_K * row.lambda.norm());
+            }
+            if (getenv("DBG"))
+                fprintf(stderr, "round %d w %g change %g total %g\n", round, weight, change, total);
+            if (change <= settled * total) break;
+            weight = std::min(last_weight, growth * weight);
+        }
+        return true;
+    }
+
+    const std::vector<Row>& rows() const { return rows_; }
+
+private:
+    // u = J v - s
+    static Vector3d u(const Row& row, const VectorXd& v, const Vector3d& s)
+    {
+        const auto velocity = [&v](int body, const Vector3d& r) -> Vector3d {
+            if (body < 0) return Vector3d::Zero();
+            const Vector3d V = v.segment<3>(6 * body), w = v.segment<3>(6 * body + 3);
+            return V + w.cross(r);
+        };
+        return velocity(row.body1, row.r1) - velocity(row.body2, row.r2) - s;
+    }
+
+    // P(y)
+    static Vector3d projected(const Row& row, const Vector3d& y)
+    {
+        auto [normal, tangential] = split(row, y);
+        const double length = tangential.norm();
+        if (length > row.limit) tangential *= row.limit / length;
+        return std::max(0.0, normal) * row.n + tangential;
+    }
+
+    // M⁻¹ Jᵀ λ
+    VectorXd momentum_change() const
+    {
+        VectorXd change = VectorXd::Zero(v_free_.size());
+        for (const Row& row : rows_) {
+            const auto push = [&](int body, const Vector3d& r, const Vector3d& j) {
+                if (body < 0) return;
+                change.segment<3>(6 * body) += bodies_[body]->inverse_mass * j;
+                change.segment<3>(6 * body + 3) += bodies_[body]->inverse_inertia * r.cross(j);
+            };
+            push(row.body1, row.r1, row.lambda);
+            push(row.body2, row.r2, -row.lambda);
+        }
+        return change;
+    }
+
+    // Along dv, Φ(v) = ½ (v - v_free)ᵀ M (v - v_free) + Σ φ(λ - ρ u(v)) falls as long as its slope
+    //
+    //     dvᵀ M (v + t dv - v_free) - Σ P(y - t ρ du)·du,   du = J dv
+    //
+    // is negative; the slope only ever grows with t. @return t in [0, 1]
+    double lowest(const VectorXd& dv) const
+    {
+        double start = 0, growing = 0;
+        for (std::size_t i = 0; i < bodies_.size(); ++i) {
+            const Vector3d V = dv.segment<3>(6 * i), w = dv.segment<3>(6 * i + 3);
+            const Vector3d MV = V / bodies_[i]->inverse_mass, Iw = inertias_[i] * w;
+            start += MV.dot(v_.segment<3>(6 * i) - v_free_.segment<3>(6 * i)) +
+                     Iw.dot(v_.segment<3>(6 * i + 3) - v_free_.segment<3>(6 * i + 3));
+            growing += MV.dot(V) + Iw.dot(w);
+        }
+        std::vector<Vector3d> y, du;
+        for (const Row& row : rows_) {
+            y.push_back(row.lambda - row.rho * u(row, v_, row.s));
+            du.push_back(u(row, dv, Vector3d::Zero()));
+        }
+        const auto slope = [&](double t) {
+            double sum = start + t * growing;
+            for (std::size_t k = 0; k < rows_.size(); ++k)
+                sum -= projected(rows_[k], y[k] - t * rows_[k].rho * du[k]).dot(du[k]);
+            return sum;
+        };
+        if (slope(1) <= 0) return 1;
+        double low = 0, high = 1;
+        for (int i = 0; i < most_bisections; ++i) {
+            const double middle = (low + high) / 2;
+            (slope(middle) <= 0 ? low : high) = middle;
+        }
+        return low;
+    }
+
+    // Gradient and Hessian of Φ at v.
+    void linearise(VectorXd& gradient, Eigen::SparseMatrix<double>& H) const
+    {
+        gradient = VectorXd::Zero(v_.size());
+        std::vector<Eigen::Triplet<double>> entries;
+        const auto add = [&entries](int row, int column, const Matrix6d& block) {
+            for (int i = 0; i < 6; ++i)
+                for (int j = 0; j < 6; ++j)
+                    if (6 * row + i >= 6 * column + j)
+                        entries.emplace_back(6 * row + i, 6 * column + j, block(i, j));
+        };
+        std::vector<Matrix6d> diagonal(bodies_.size(), Matrix6d::Zero());
+        for (std::size_t i = 0; i < bodies_.size(); ++i) {
+            const double mass = 1 / bodies_[i]->inverse_mass;
+            diagonal[i].topLeftCorner<3, 3>() = mass * Matrix3d::Identity();
+            diagonal[i].bottomRightCorner<3, 3>() = inertias_[i];
+            gradient.segment<6>(6 * i) =
+                diagonal[i] * (v_.segment<6>(6 * i) - v_free_.segment<6>(6 * i));
+        }
+        for (const Row& row : rows_) {
+            const Vector3d y = row.lambda - row.rho * u(row, v_, row.s);
+            const Vector3d p = projected(row, y);
+            const Matrix3d D = row.rho * slope(row, y);
+            if (row.body1 >= 0) {
+                gradient.segment<3>(6 * row.body1) -= p;
+                gradient.segment<3>(6 * row.body1 + 3) -= row.r1.cross(p);
+            }
+            if (row.body2 >= 0) {
+                gradient.segment<3>(6 * row.body2) += p;
+                gradient.segment<3>(6 * row.body2 + 3) += row.r2.cross(p);
+            }
+            if (D.isZero(0)) continue;
+            const Matrix3x6 J1 = jacobian(row.r1), J2 = jacobian(row.r2);
+            if (row.body1 >= 0) diagonal[row.body1] += J1.transpose() * D * J1;
+            if (row.body2 >= 0) diagonal[row.body2] += J2.transpose() * D * J2;
+            if (row.body1 > row.body2 && row.body2 >= 0)
+                add(row.body1, row.body2, -J1.transpose() * D * J2);
+            if (row.body2 > row.body1 && row.body1 >= 0)
+                add(row.body2, row.body1, -J2.transpose() * D * J1);
+        }
+        for (std::size_t i = 0; i < bodies_.size(); ++i)
+            add(static_cast<int>(i), static_cast<int>(i), diagonal[i]);
+        H.resize(v_.size(), v_.size());
+        H.setFromTriplets(entries.begin(), entries.end());
+    }
+
+    // v at the lever arm's end is (δ, -r*) (V, ω)
+    static Matrix3x6 jacobian(const Vector3d& r)
+    {
+        Matrix3x6 J;
+        J << 1, 0, 0, 0, r.z(), -r.y(), //
+            0, 1, 0, -r.z(), 0, r.x(),  //
+            0, 0, 1, r.y(), -r.x(), 0;
+        return J;
+    }
+
+    // P'(y)
+    static Matrix3d slope(const Row& row, const Vector3d& y)
+    {
+        const auto [normal, tangential] = split(row, y);
+        const Matrix3d nn = row.n * row.n.transpose();
+        Matrix3d D = Matrix3d::Zero();
+        if (normal > 0) D += nn;
+        const double length = tangential.norm();
+        if (length <= row.limit) return D + Matrix3d::Identity() - nn;
+        const Vector3d T = tangential / length;
+        return D + row.limit / length * (Matrix3d::Identity() - nn - T * T.transpose());
+    }
+
+    // v of the round by Newton's method.
+    bool minimise()
+    {
+        VectorXd gradient;
+        Eigen::SparseMatrix<double> H;
+        for (int step = 0; step < most_steps; ++step) {
+            linearise(gradient, H);
+            if (!is_analysed_) solver_.analyzePattern(H);
+            solver_.factorize(H);
+            if (solver_.info() != Eigen::Success) return false;
+            const VectorXd dv = -solver_.solve(gradient);
+            if (!dv.allFinite()) return false;
+            const double t = lowest(dv);
+            if (getenv("DBG"))
+                fprintf(stderr, "step %d t %g grad %g dv %g\n", step, t, gradient.norm(),
+                        dv.cwiseAbs().maxCoeff());
+            v_ += t * dv;
+            const double size = v_.cwiseAbs().maxCoeff() + v_free_.cwiseAbs().maxCoeff();
+            const double moved = t * dv.cwiseAbs().maxCoeff();
+            if (moved <= converged * size) return true;
+            if (step + 1 == most_steps && moved <= settled * size) return true;
+        }
+        return false;
+    }
+
+    std::vector<const Body*> bodies_;
+    std::vector<Matrix3d> inertias_; // world space
+    std::vector<Row> rows_;
+    VectorXd v_free_, v_; // V, ω of each body
+    Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> solver_;
+    bool is_analysed_ = false;
+};
+
+} // namespace
+
+bool newton_impulses(const ContactProblem& problem, const Island& island,
+                     const std::vector<Body>& free, const std::vector<Held>& held,
+                     std::vector<Vector3d>& impulses)
+{
+    Newton newton(problem, island, free, held, impulses);
+    if (!newton.solve()) return false;
+    for (std::size_t k = 0; k < impulses.size(); ++k) {
+        const Vector3d& lambda = newton.rows()[k].lambda;
+        if (!lambda.allFinite()) return false;
+        impulses[k] = lambda;
+    }
+    return true;
+}
+
+} // namespace rigor

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// What formulas of topic `collision` give, in a form that the compiler can inline: for the reference
+// only, and equal to it (a test says so).
+#pragma once
+
+#include "formulas/types.hpp"
+
+namespace rigor::optimised {
+
+/// A x, column by column: Eigen's own product is not inlined.
+inline Vector3d product(const Matrix3d& A, const Vector3d& x)
+{
+    return x.x() * A.col(0) + x.y() * A.col(1) + x.z() * A.col(2);
+}
+
+/// `relative_velocity`
+inline Vector3d relative_velocity(const Body& body1, const Body& body2, const Vector3d& x)
+{
+    return body1.velocity + body1.angular_velocity.cross(x - body1.position) - body2.velocity -
+           body2.angular_velocity.cross(x - body2.position);
+}
+
+/// `impulse_matrix`: (x - X)*ᵀ I⁻¹ (x - X)* by columns, (I⁻¹ (r × eᵢ)) × r.
+inline Matrix3d impulse_matrix(const Body& body, const Vector3d& x)
+{
+    const Vector3d r = x - body.position;
+    const Matrix3d& J = body.inverse_inertia;
+    Matrix3d K;
+    K.col(0) = Vector3d(r.z() * J.col(1) - r.y() * J.col(2)).cross(r);
+    K.col(1) = Vector3d(r.x() * J.col(2) - r.z() * J.col(0)).cross(r);
+    K.col(2) = Vector3d(r.y() * J.col(0) - r.x() * J.col(1)).cross(r);
+    K.diagonal().array() += body.inverse_mass;
+    return K;
+}
+
+/// `apply_impulse`
+inline void apply_impulse(Body& body, const Vector3d& x, const Vector3d& j)
+{
+    const Vector3d torque = (x - body.position).cross(j);
+    body.velocity += body.inverse_mass * j;
+    body.angular_momentum += torque;
+    body.angular_velocity += product(body.inverse_inertia, torque);
+}
+
+} // namespace rigor::optimised
