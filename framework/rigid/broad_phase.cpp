@@ -28,13 +28,13 @@ bool reaches(const RigidBody& endless, const Pose& pose, const Bounds& bounds)
 std::vector<BodyPair> near_pairs(const World& world, const std::vector<Pose>& poses,
                                  const std::vector<Bounds>& bounds, Counters& counters)
 {
-    std::vector<int> moving, fixed_bounded, endless;
+    std::vector<int> moving, still, endless;
     std::uint64_t fixed = 0;
     const int n = static_cast<int>(world.bodies.size());
     for (int i = 0; i < n; ++i) {
-        const bool is_static = world.bodies[i].is_static;
+        const bool is_static = world.bodies[i].is_static, is_still = world.bodies[i].is_still();
         const bool is_bounded = bounds[i].high.allFinite();
-        (!is_bounded ? endless : is_static ? fixed_bounded : moving).push_back(i);
+        (!is_bounded ? endless : is_still ? still : moving).push_back(i);
         fixed += is_static;
     }
     const auto pairs_among = [](std::uint64_t bodies) {
@@ -46,7 +46,7 @@ std::vector<BodyPair> near_pairs(const World& world, const std::vector<Pose>& po
     const auto add = [&pairs](int i, int j) { pairs.push_back({std::min(i, j), std::max(i, j)}); };
     const BoxTree tree(bounds, moving);
     tree.for_each_pair(add);
-    for (int i : fixed_bounded)
+    for (int i : still)
         tree.for_each_overlap(bounds[i], [&](int j) { add(i, j); });
     for (int i : endless)
         for (int j : moving)

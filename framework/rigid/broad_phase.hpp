@@ -7,7 +7,7 @@
 
 namespace rigor {
 
-/// Two bodies, body1 < body2, not both static.
+/// Two bodies, body1 < body2, of which one moves: neither static nor asleep.
 struct BodyPair {
     int body1 = 0, body2 = 0;
 

@@ -63,6 +63,11 @@ std::vector<ContactPair> sorted_pairs(const Vector3d& up, std::vector<SolvedCont
     return pairs;
 }
 
+int moving_of(const World& world, const Contact& c)
+{
+    return world.bodies[c.body1].is_static ? c.body2 : c.body1;
+}
+
 std::vector<Island> islands_of(const World& world, const ContactProblem& problem,
                                const std::vector<ContactPair>& pairs)
 {
@@ -70,14 +75,18 @@ std::vector<Island> islands_of(const World& world, const ContactProblem& problem
     for (const SolvedContact& c : problem.contacts)
         if (!world.bodies[c.body1].is_static && !world.bodies[c.body2].is_static)
             groups.join(c.body1, c.body2);
+    if (!world.skips.islands) // all in one
+        for (const SolvedContact& c : problem.contacts)
+            for (int i : {c.body1, c.body2})
+                if (!world.bodies[i].is_static)
+                    groups.join(moving_of(world, problem.contacts[0]), i);
 
     std::vector<int> island_of(world.bodies.size(), -1);
     std::vector<bool> is_active;
     std::vector<Island> islands;
     for (const ContactPair& pair : pairs) {
         const SolvedContact& first = problem.contacts[pair.first];
-        const int moving = world.bodies[first.body1].is_static ? first.body2 : first.body1;
-        int& island = island_of[groups.of(moving)];
+        int& island = island_of[groups.of(moving_of(world, first))];
         if (island < 0) {
             island = static_cast<int>(islands.size());
             islands.emplace_back();

@@ -166,6 +166,8 @@ std::vector<RigidState> fly_all(const World& world, const std::vector<bool>& pul
         states.push_back(body.state);
         if (body.is_static) {
             ++counters.static_skipped;
+        } else if (body.rest.is_asleep()) {
+            ++counters.bodies_asleep;
         } else if (pulled[i]) {
             together.push_back(static_cast<int>(i));
             n = std::max(n, substeps_for(world.integrator, body, body.state, time_step));

@@ -50,7 +50,7 @@ std::vector<double> margins_of(const World& world, const std::vector<BodyPair>& 
 {
     Groups groups(world.bodies.size());
     for (const auto& [i, j] : pairs)
-        if (!world.bodies[i].is_static && !world.bodies[j].is_static) groups.join(i, j);
+        if (!world.bodies[i].is_still() && !world.bodies[j].is_still()) groups.join(i, j);
     std::vector<double> farthest(world.bodies.size(), 0.0), margins;
     for (std::size_t i = 0; i < farthest.size(); ++i) {
         double& travelled = farthest[groups.of(static_cast<int>(i))];
@@ -73,9 +73,10 @@ Neighbourhood neighbourhood(const World& world, std::span<const RigidState> flow
         const RigidBody& body = world.bodies[i];
         poses.push_back(pose_of(body.state));
         bounds.push_back(body_bounds(body, poses.back()));
-        if (!body.is_static) bounds.back().include(body_bounds(body, pose_of(flown[i])));
+        if (!body.is_still()) bounds.back().include(body_bounds(body, pose_of(flown[i])));
         radii.push_back(body.is_static ? 0 : body_radius(body));
-        travels.push_back(travel(body.state, flown[i], radii.back(), time_step));
+        travels.push_back(body.is_still() ? 0
+                                          : travel(body.state, flown[i], radii.back(), time_step));
         wide.push_back(bounds.back());
         wide.back().grow(radii.back() / 2);
     }
@@ -93,8 +94,15 @@ Neighbourhood neighbourhood(const World& world, std::span<const RigidState> flow
         const double path = travels[i] + travels[j];
         const std::size_t first = near.contacts.size();
         find_contacts(world, poses, i, j, path + margin, near.contacts);
+        bool may_meet = false;
         for (std::size_t k = first; k < near.contacts.size(); ++k)
-            any_may_meet |= near.contacts[k].gap < path;
+            may_meet |= near.contacts[k].gap < path;
+        any_may_meet |= may_meet;
+        for (int sleeping : {i, j}) {
+            if (!world.bodies[sleeping].rest.is_asleep()) continue;
+            if (may_meet) near.disturbed.push_back(sleeping);
+            near.contacts.resize(first);
+        }
     }
     if (!any_may_meet) near.contacts.clear(); // then no formula of collisions is needed
     return near;

@@ -6,8 +6,10 @@
 #include "rigid/flight.hpp"
 #include "rigid/forces.hpp"
 #include "rigid/healing.hpp"
+#include "rigid/impact.hpp"
 #include "rigid/neighbourhood.hpp"
 #include "rigid/non_finite.hpp"
+#include "rigid/sleep.hpp"
 #include "rigid/warm_start.hpp"
 #include "rigid/world.hpp"
 
@@ -91,45 +93,113 @@ std::vector<ContactRecord> records_of(const ContactProblem& problem)
     return records;
 }
 
+// The only pair of an island that bounced, if it did nothing else.
+const ContactPair* lone_bounce(const ContactProblem& problem, const Island& island)
+{
+    const ContactPair* lone = nullptr;
+    for (const ContactPair& pair : island.pairs)
+        for (int i = pair.first; i < pair.last; ++i) {
+            const SolvedContact& c = problem.contacts[i];
+            if (!c.holding.isZero(0)) return nullptr;
+            if (c.bounce.isZero(0)) continue;
+            if (lone && lone != &pair) return nullptr;
+            lone = &pair;
+        }
+    return lone;
+}
+
+// @return the contacts of those bounces; they are no longer among the problem's
+std::vector<ContactRecord> bounce_at_impacts(const World& world, ContactProblem& problem,
+                                             const std::vector<bool>& pulled,
+                                             const std::vector<Displacement>& displacements,
+                                             std::vector<RigidState>& states)
+{
+    std::vector<ContactRecord> records;
+    for (const Island& island : problem.islands) {
+        const ContactPair* pair = lone_bounce(problem, island);
+        if (!pair) continue;
+        const SolvedContact& c = problem.contacts[pair->first];
+        const auto is_moved_else = [&](int i) {
+            return pulled[i] || (!displacements.empty() && !displacements[i].shift.isZero(0));
+        };
+        if (is_moved_else(c.body1) || is_moved_else(c.body2)) continue;
+        const std::vector<ContactRecord> found = bounce_at_impact(world, problem, *pair, states);
+        records.insert(records.end(), found.begin(), found.end());
+        for (int i = pair->first; i < pair->last && !found.empty(); ++i)
+            problem.contacts[i].bounce.setZero();
+    }
+    return records;
+}
+
+// What a step starts with: free flight, and what may meet. Sleeping bodies that may be touched wake first,
+// and then those that they may touch.
+struct Start {
+    std::vector<bool> pulled;
+    std::vector<RigidState> flown;
+    Neighbourhood near;
+};
+
+Start start_of_step(World& world, double time_step)
+{
+    Start start;
+    start.pulled = pulled_bodies(world, time_step);
+    for (std::size_t i = 0; i < start.pulled.size(); ++i)
+        if (start.pulled[i] && world.bodies[i].rest.is_asleep()) wake(world, {static_cast<int>(i)});
+    const Counters before = world.counters;
+    for (;;) {
+        start.flown = fly_all(world, start.pulled, time_step, world.counters);
+        for (std::size_t i = 0; i < start.flown.size(); ++i) {
+            require_finite(world.bodies[i], start.flown[i], world.time + time_step);
+            if (!world.bodies[i].is_still()) ++world.counters.free_flights;
+        }
+        if (world.bodies.size() < 2) return start;
+        start.near = neighbourhood(world, start.flown, time_step, world.counters);
+        if (start.near.disturbed.empty()) return start;
+        wake(world, start.near.disturbed);
+        world.counters = before;
+    }
+}
+
 } // namespace
 
 std::vector<ContactRecord> step(World& world, double time_step)
 {
     Counters& counters = world.counters;
     const double end = world.time + time_step;
-    const std::vector<bool> pulled = pulled_bodies(world, time_step);
-    std::vector<RigidState> states = fly_all(world, pulled, time_step, counters);
-    for (std::size_t i = 0; i < states.size(); ++i) {
-        require_finite(world.bodies[i], states[i], end);
-        if (!world.bodies[i].is_static) ++counters.free_flights;
-    }
-
+    const auto [pulled, flown, near] = start_of_step(world, time_step);
+    std::vector<RigidState> states = flown;
     std::vector<ContactRecord> records;
     std::vector<WarmContact> held;
-    if (world.bodies.size() > 1) {
-        const Neighbourhood near = neighbourhood(world, states, time_step, counters);
-        if (!near.contacts.empty()) {
-            ContactProblem problem = contact_problem(world, states, near.margins, near.radii,
-                                                     near.contacts, time_step, counters);
-            for (const Island& island : problem.islands)
-                process_collisions(problem, island);
-            const std::vector<Body> bounced = problem.bodies;
-            std::vector<Displacement> displacements;
-            for (const Island& island : problem.islands) {
-                add_forces(problem, island, world, states);
-                process_contact(problem, island);
-                heal(problem, island, displacements);
-            }
-            move(world, problem, pulled, bounced, displacements, states, counters);
-            held = warm_contacts(world, problem.contacts, time_step);
-            records = records_of(problem);
-            counters.contacts += records.size();
+    if (!near.contacts.empty()) {
+        ContactProblem problem = contact_problem(world, flown, near.margins, near.radii,
+                                                 near.contacts, time_step, counters);
+        for (const Island& island : problem.islands)
+            process_collisions(problem, island);
+        const std::vector<Body> bounced = problem.bodies;
+        std::vector<Displacement> displacements;
+        for (const Island& island : problem.islands) {
+            add_forces(problem, island, world, flown);
+            process_contact(problem, island);
+            heal(problem, island, displacements);
         }
+        move(world, problem, pulled, bounced, displacements, states, counters);
+        held = warm_contacts(world, problem.contacts, time_step);
+        records = bounce_at_impacts(world, problem, pulled, displacements, states);
+        const std::vector<ContactRecord> others = records_of(problem);
+        records.insert(records.end(), others.begin(), others.end());
+        counters.contacts += records.size();
+        counters.islands += problem.islands.size();
+        fall_asleep(world, problem, near.radii, pulled, states, records);
     }
     for (std::size_t i = 0; i < states.size(); ++i) {
         require_finite(world.bodies[i], states[i], end);
         world.bodies[i].state = states[i];
     }
+    // those of bodies that fell asleep in this step are among both
+    std::erase_if(records, [&](const ContactRecord& r) {
+        return world.bodies[r.body1].rest.is_asleep() || world.bodies[r.body2].rest.is_asleep();
+    });
+    records.insert(records.end(), world.sleeping_contacts.begin(), world.sleeping_contacts.end());
     world.warm_contacts = std::move(held);
     world.time = end;
     ++counters.steps;

@@ -16,6 +16,15 @@ struct Material {
     double friction = 0.5;    // μ ≥ 0; of a pair: the geometric mean
 };
 
+/// How long a body has been at rest, and whether it sleeps.
+struct Rest {
+    double duration = 0; // since it came to this place [s]
+    RigidState place;
+    int group = -1; // of those that fell asleep together; -1: awake
+
+    bool is_asleep() const { return group >= 0; }
+};
+
 /// A rigid body. Object space has its origin at the center of mass and the axes of the scene file.
 struct RigidBody {
     std::string name;
@@ -27,6 +36,10 @@ struct RigidBody {
     BodyInertia inverse;       // computed once, through the principal axes; zero if static
     bool is_isotropic = false; // I_body = i δ: then I(t)⁻¹ = I_body⁻¹
     RigidState state;
+    Rest rest;
+
+    /// Static or asleep: nothing moves it in this step.
+    bool is_still() const { return is_static || rest.is_asleep(); }
 };
 
 /// A spring between two points, fixed in bodies or (body = -1) in the world.
@@ -95,6 +108,15 @@ struct WarmContact {
     Vector3d impulse = Vector3d::Zero(); // on body 1, for each second of the step [N]
 };
 
+/// A contact as it was resolved in a step.
+struct ContactRecord {
+    int body1 = 0, body2 = 0;
+    Vector3d point = Vector3d::Zero();   // [m]
+    Vector3d normal = Vector3d::UnitY(); // from body 2 to body 1
+    double depth = 0;                    // as the step began; negative: the gap that it closed [m]
+    Vector3d impulse = Vector3d::Zero(); // on body 1, the sum over the step [N s]
+};
+
 struct World {
     std::vector<RigidBody> bodies;
     std::vector<Spring> springs;
@@ -107,16 +129,8 @@ struct World {
     int threads = 1; // of the parts that are parallel; the result is the same bits for any number
     double time = 0; // [s]
     std::vector<WarmContact> warm_contacts; // of the step before, in the order of their bodies
+    std::vector<ContactRecord> sleeping_contacts; // what holds the bodies that sleep
     Counters counters;
-};
-
-/// A contact as it was resolved in a step.
-struct ContactRecord {
-    int body1 = 0, body2 = 0;
-    Vector3d point = Vector3d::Zero();   // [m]
-    Vector3d normal = Vector3d::UnitY(); // from body 2 to body 1
-    double depth = 0;                    // as the step began; negative: the gap that it closed [m]
-    Vector3d impulse = Vector3d::Zero(); // on body 1, the sum over the step [N s]
 };
 
 /// One time step in the order of Guendelman, Bridson and Fedkiw (2003): collisions, velocities,

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#include "rigid/sleep.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rigor {
+
+namespace {
+
+constexpr double needed_rest = 0.5; // [s]
+constexpr double rest_fraction = 1e-4;
+
+// Whether a body is still about where it was.
+bool is_near(const RigidState& a, const RigidState& b, double radius)
+{
+    const double moved = (a.position - b.position).norm();
+    const Quaternion &p = a.orientation, &q = b.orientation;
+    const double same = (p.s - q.s) * (p.s - q.s) + (p.v - q.v).squaredNorm();
+    const double opposite = (p.s + q.s) * (p.s + q.s) + (p.v + q.v).squaredNorm();
+    const double turned = 2 * std::sqrt(std::min(same, opposite)); // of a small angle
+    return moved <= rest_fraction * radius && turned <= rest_fraction;
+}
+
+// Counts how long each body of the island has been at rest. @return whether all were for long enough
+bool has_rested(World& world, const Island& island, const std::vector<double>& radii,
+                const std::vector<bool>& pulled, const std::vector<RigidState>& states,
+                double time_step)
+{
+    bool all = true;
+    for (int i : island.bodies) {
+        Rest& rest = world.bodies[i].rest;
+        if (rest.duration > 0 && is_near(states[i], rest.place, radii[i])) {
+            rest.duration += time_step;
+        } else {
+            rest.duration = time_step;
+            rest.place = states[i];
+        }
+        all &= rest.duration >= needed_rest && !pulled[i];
+    }
+    return all;
+}
+
+} // namespace
+
+void fall_asleep(World& world, const ContactProblem& problem, const std::vector<double>& radii,
+                 const std::vector<bool>& pulled, std::vector<RigidState>& states,
+                 const std::vector<ContactRecord>& records)
+{
+    if (!world.skips.sleep || world.gravity.isZero(0)) return;
+    std::vector<bool> fell(world.bodies.size(), false);
+    for (const Island& island : problem.islands) {
+        if (!has_rested(world, island, radii, pulled, states, problem.time_step)) continue;
+        const int group = *std::min_element(island.bodies.begin(), island.bodies.end());
+        for (int i : island.bodies) {
+            world.bodies[i].rest.group = group;
+            states[i].velocity.setZero();
+            states[i].angular_momentum.setZero();
+            fell[i] = true;
+        }
+    }
+    for (const ContactRecord& record : records)
+        if (fell[record.body1] || fell[record.body2]) world.sleeping_contacts.push_back(record);
+}
+
+void wake(World& world, const std::vector<int>& bodies)
+{
+    std::vector<bool> wakes(world.bodies.size(), false); // by group
+    for (int i : bodies)
+        wakes[world.bodies[i].rest.group] = true;
+    const auto is_woken = [&](int i) {
+        const Rest& rest = world.bodies[i].rest;
+        return rest.is_asleep() && wakes[rest.group];
+    };
+    std::erase_if(world.sleeping_contacts, [&](const ContactRecord& record) {
+        return is_woken(record.body1) || is_woken(record.body2);
+    });
+    for (RigidBody& body : world.bodies)
+        if (body.rest.is_asleep() && wakes[body.rest.group]) body.rest = {};
+}
+
+} // namespace rigor
