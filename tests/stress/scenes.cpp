@@ -2,6 +2,7 @@
 #include "stress/scenes.hpp"
 
 #include "geometry/pose.hpp"
+#include "geometry/solid_mesh.hpp"
 #include "rigid/mass.hpp"
 #include "support/random.hpp"
 
@@ -54,6 +55,34 @@ RigidBody fixed(const Shape& shape, const Vector3d& X, const Material& material,
 Box cube(double edge)
 {
     return {Vector3d::Constant(edge)};
+}
+
+// A box's surface as a grid of points (i, j, k) of its hull, each face in n × n squares but for the sides, n × 1.
+Mesh slab(int n, double width)
+{
+    TriangleMesh mesh;
+    const auto index = [n](int i, int k, int top) { return 2 * (i * (n + 1) + k) + top; };
+    for (int i = 0; i <= n; ++i)
+        for (int k = 0; k <= n; ++k)
+            for (int top = 0; top < 2; ++top)
+                mesh.vertices.emplace_back(width * (double(i) / n - 0.5), top - 1.0,
+                                           width * (double(k) / n - 0.5));
+    const auto square = [&mesh](int a, int b, int c, int d) {
+        mesh.triangles.push_back({a, b, c});
+        mesh.triangles.push_back({a, c, d});
+    };
+    for (int i = 0; i < n; ++i)
+        for (int k = 0; k < n; ++k) {
+            square(index(i, k, 1), index(i, k + 1, 1), index(i + 1, k + 1, 1), index(i + 1, k, 1));
+            square(index(i, k, 0), index(i + 1, k, 0), index(i + 1, k + 1, 0), index(i, k + 1, 0));
+        }
+    for (int i = 0; i < n; ++i) {
+        square(index(0, i, 0), index(0, i + 1, 0), index(0, i + 1, 1), index(0, i, 1));
+        square(index(n, i, 0), index(n, i, 1), index(n, i + 1, 1), index(n, i + 1, 0));
+        square(index(i, 0, 0), index(i, 0, 1), index(i + 1, 0, 1), index(i + 1, 0, 0));
+        square(index(i, n, 0), index(i + 1, n, 0), index(i + 1, n, 1), index(i, n, 1));
+    }
+    return {std::make_shared<SolidMesh>(std::move(mesh), "slab")};
 }
 
 RigidBody ground(const Material& material)

@@ -21,6 +21,9 @@ RigidBody fixed(const Shape& shape, const Vector3d& X = {0, 0, 0}, const Materia
 /// A cube of this edge.
 Box cube(double edge);
 
+/// A slab of triangles under y = 0, `width` wide and 1 m thick, its faces cut in n × n squares.
+Mesh slab(int n, double width);
+
 /// The half-space below y = 0.
 RigidBody ground(const Material& material = rough);
 

@@ -31,13 +31,32 @@ std::vector<RigidBody> tiles(int nx, int nz, double width, const Material& mater
     return bodies;
 }
 
-// Something slides or rolls over the seams of a floor without friction: it goes on as if there were
-// none. n steps of rounding.
-void cross_seams(Record& record, RigidBody body, int nx, int nz)
+// A floor 20 m wide with its top at y = 0, of boxes or of triangles.
+struct Floor {
+    std::string name;
+    std::vector<RigidBody> (*bodies)(const Material&);
+    bool is_quick = false;
+};
+
+std::vector<RigidBody> mesh_floor(int n, const Material& material)
+{
+    return {fixed(slab(n, 20), {0, 0, 0}, material)};
+}
+
+const Floor floors[] = {
+    {"2 boxes", [](const Material& m) { return tiles(2, 1, 20, m); }, true},
+    {"64 boxes", [](const Material& m) { return tiles(8, 8, 20, m); }, true},
+    {"8010 boxes", [](const Material& m) { return tiles(89, 90, 20, m); }, false},
+    {"2 triangles on top", [](const Material& m) { return mesh_floor(1, m); }, true},
+    {"8192 triangles on top", [](const Material& m) { return mesh_floor(64, m); }, false},
+};
+
+// Something slides over the seams of a floor without friction: it goes on as if there were none.
+// n steps of rounding.
+void cross_seams(Record& record, RigidBody body, std::vector<RigidBody> bodies)
 {
     constexpr int steps = 120;
     const Vector3d v(3, 0, 1);
-    std::vector<RigidBody> bodies = tiles(nx, nz, 20, body.material);
     body.state.velocity = v;
     bodies.push_back(body);
     Watch watch(world_of(std::move(bodies)), record, 0);
@@ -52,25 +71,9 @@ void cross_seams(Record& record, RigidBody body, int nx, int nz)
     watch.limit_energy(64 * steps * eps);
 }
 
-void add_seams(Suite& suite)
+// A stack stands on a floor of pieces.
+void rest_on_pieces(Record& record, std::vector<RigidBody> bodies)
 {
-    const Material smooth{0, 0};
-    for (const auto& [nx, nz] : {std::pair(2, 1), std::pair(8, 8), std::pair(89, 90)}) {
-        const std::string floor = "over a floor of " + std::to_string(nx * nz) + " boxes";
-        const auto add = [&, nx = nx, nz = nz](const std::string& name, const RigidBody& body) {
-            suite.push_back({"coplanar faces, floors of many pieces", name + floor, nx * nz < 100,
-                             [=](Record& record) { cross_seams(record, body, nx, nz); }});
-        };
-        add("cube slides ", body_of(cube(1), {-4, 0.5, -2}, smooth));
-        add("turned cube slides ", body_of(cube(1), {-4, 0.5, -2}, smooth, turn({0, 1, 0}, 0.3)));
-        add("sphere slides ", body_of(Sphere{0.5}, {-4, 0.5, -2}, smooth));
-    }
-}
-
-// A pile on a floor of pieces comes to rest as on a floor of one.
-void rest_on_pieces(Record& record, int nx, int nz)
-{
-    std::vector<RigidBody> bodies = tiles(nx, nz, 20, rough);
     for (int i = 0; i < 5; ++i)
         bodies.push_back(body_of(cube(1), {0.1, i + 0.5, 0.2}));
     World world = world_of(std::move(bodies));
@@ -80,6 +83,24 @@ void rest_on_pieces(Record& record, int nx, int nz)
     record.limit_drift("moved, in edges", watch.farthest_moved(), standing, 'B');
     watch.limit_penetration(allowed_depth);
     watch.limit_energy(allowed_depth);
+}
+
+void add_floors(Suite& suite)
+{
+    const std::string line = "coplanar faces, floors of many pieces";
+    const Material smooth{0, 0};
+    for (const Floor& floor : floors) {
+        const auto make = floor.bodies;
+        const auto add = [&](const std::string& name, const RigidBody& body) {
+            suite.push_back({line, name + " slides over " + floor.name, floor.is_quick,
+                             [=](Record& record) { cross_seams(record, body, make(smooth)); }});
+        };
+        add("cube", body_of(cube(1), {-4, 0.5, -2}, smooth));
+        add("turned cube", body_of(cube(1), {-4, 0.5, -2}, smooth, turn({0, 1, 0}, 0.3)));
+        add("sphere", body_of(Sphere{0.5}, {-4, 0.5, -2}, smooth));
+        suite.push_back({line, "5 cubes rest on " + floor.name, floor.is_quick,
+                         [=](Record& record) { rest_on_pieces(record, make(rough)); }});
+    }
 }
 
 // Falls onto something fixed, or lies on it; must neither sink in nor gain energy.
@@ -150,12 +171,7 @@ void lay_plates(Record& record, double thickness)
 
 void add_touching(Suite& suite)
 {
-    add_seams(suite);
-    for (const auto& [nx, nz] : {std::pair(2, 1), std::pair(89, 90)})
-        suite.push_back({"coplanar faces, floors of many pieces",
-                         "5 cubes rest on a floor of " + std::to_string(nx * nz) + " boxes",
-                         nx * nz < 100,
-                         [nx = nx, nz = nz](Record& record) { rest_on_pieces(record, nx, nz); }});
+    add_floors(suite);
     add_edges(suite);
     for (double thickness : {1e-1, 1e-2, 1e-3, 1e-4}) {
         char name[64];

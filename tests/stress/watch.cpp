@@ -3,6 +3,7 @@
 
 #include "geometry/bounds.hpp"
 #include "geometry/pose.hpp"
+#include "geometry/solid_mesh.hpp"
 #include "rigid/non_finite.hpp"
 #include "support/bench.hpp"
 #include "support/depth.hpp"
@@ -14,15 +15,29 @@ namespace rigor::stress {
 
 namespace {
 
+// A slab of triangles is a box to the measure, about the middle of its bounds.
+Part measured(const Part& part)
+{
+    const Mesh* mesh = std::get_if<Mesh>(&part.shape);
+    if (!mesh) return part;
+    const Bounds& bounds = mesh->solid->bounds();
+    Part box = part;
+    box.shape = Box{bounds.high - bounds.low};
+    box.position += rotation_matrix(part.orientation) * (bounds.high + bounds.low) / 2;
+    return box;
+}
+
 double depth_of(const RigidBody& body1, const RigidBody& body2)
 {
     const Pose pose1{rotation_matrix(body1.state.orientation), body1.state.position};
     const Pose pose2{rotation_matrix(body2.state.orientation), body2.state.position};
     double depth = 0;
-    for (const Part& a : body1.parts)
-        for (const Part& b : body2.parts)
+    for (const Part& part1 : body1.parts)
+        for (const Part& part2 : body2.parts) {
+            const Part a = measured(part1), b = measured(part2);
             depth = std::max(depth, testing::overlap_depth(a.shape, part_pose(pose1, a), b.shape,
                                                            part_pose(pose2, b)));
+        }
     return depth;
 }
 

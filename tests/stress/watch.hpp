@@ -14,7 +14,8 @@ double total_energy(const World& world);
 /// Sum over the moving bodies of mass times |g| times `height`: the energy of lifting all of them.
 double lifting_energy(const World& world, double height);
 
-/// The largest overlap of any two bodies, not both static [m].
+/// The largest overlap of any two bodies, not both static [m]. Meshes are measured as the boxes that
+/// bound them: here they are slabs.
 double deepest_overlap(const World& world);
 
 class Watch {
