@@ -122,6 +122,8 @@ void settle(Bench& bench, int side)
         step(sleeping, pile_step);
     World awake = sleeping;
     awake.skips.sleep = false;
+    for (RigidBody& body : awake.bodies)
+        body.rest = {};
     const auto some_steps = [](World& world) {
         for (int i = 0; i < stretch; ++i)
             step(world, pile_step);

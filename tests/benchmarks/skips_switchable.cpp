@@ -33,6 +33,25 @@ World landing_cubes(int count)
     return stress::world_of(std::move(bodies));
 }
 
+// A wall of bricks in bond, too many contacts for an exact solution.
+std::vector<RigidBody> brick_wall(int width, int height)
+{
+    std::vector<RigidBody> bodies = {ground()};
+    for (int row = 0; row < height; ++row)
+        for (int i = 0; i < width; ++i)
+            bodies.push_back(body_of(Box{{2, 1, 1}}, {2.02 * i + row % 2, row + 0.5, 0}));
+    return bodies;
+}
+
+// Towers that are pushed one after the other: each slides and stops in its own time.
+World pushed_towers(int count, int height)
+{
+    World world = towers(count, height);
+    for (int i = 0; i < count; ++i)
+        world.bodies[static_cast<std::size_t>(1 + i * height)].state.velocity = {0.02 * i, 0, 0};
+    return world;
+}
+
 World after(World world, int steps)
 {
     for (int i = 0; i < steps; ++i)
@@ -47,6 +66,9 @@ SkipCase switched(const std::string& name, const std::string& scene, const World
     World with = world, without = world;
     with.skips.*skip = true;
     without.skips.*skip = false;
+    if (skip == &Skips::sleep)
+        for (RigidBody& body : without.bodies)
+            body.rest = {}; // awake
     return {name,
             scene,
             counter_name,
@@ -75,16 +97,16 @@ SkipRun run_steps(const World& world, int steps, std::uint64_t Counters::*counte
 
 std::vector<SkipCase> switchable_skips()
 {
-    const World many = towers(50, 4), high = towers(1, 20);
     World sleepy = towers(50, 4);
     sleepy.skips.sleep = true;
+    const World high = towers(1, 20), wall = stress::world_of(brick_wall(8, 8));
     return {
-        switched("islands", "50 towers of 4 cubes", many, 60, &Skips::islands, "islands",
-                 &Counters::islands, resting),
+        switched("islands", "50 towers of 4 cubes, each pushed", pushed_towers(50, 4), 30,
+                 &Skips::islands, "islands", &Counters::islands, resting),
         switched("sleep", "50 towers of 4 cubes after 5 s", after(sleepy, 300), 120, &Skips::sleep,
                  "bodies asleep", &Counters::bodies_asleep, resting),
-        switched("warm start", "tower of 20 cubes", high, 120, &Skips::warm_start, "contact sweeps",
-                 &Counters::contact_sweeps, resting),
+        switched("warm start", "a wall of 64 bricks", wall, 60, &Skips::warm_start,
+                 "contact sweeps", &Counters::contact_sweeps, resting),
         switched("early exit", "100 cubes that land", landing_cubes(100), 120, &Skips::early_exit,
                  "contact sweeps", &Counters::contact_sweeps, resting),
         switched("readable formulas", "tower of 20 cubes", high, 120, &Skips::readable_formulas,
