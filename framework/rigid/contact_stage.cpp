@@ -20,7 +20,7 @@ namespace {
 // corrected in the next steps.
 constexpr int small = 16, work = 20000, fewest_sweeps = 5, most_sweeps = 50, last_sweeps = 5;
 constexpr int most_newton_bodies = 256;
-constexpr double rounding = 2 * std::numeric_limits<double>::epsilon(), fine = 1e-6, coarse = 1e-3;
+constexpr double rounding = 2 * std::numeric_limits<double>::epsilon(), fine = 1e-8, coarse = 1e-3;
 
 // The larger eigenvalue of K across n.
 double tangential_eigenvalue(const Matrix3d& K, const Vector3d& n)

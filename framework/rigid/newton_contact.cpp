@@ -16,8 +16,8 @@ using Matrix3x6 = Eigen::Matrix<double, 3, 6>;
 
 // ρ of a contact is a weight over nᵀKn. A round leaves 1/weight of a velocity, but a large weight finds
 // what touches and what slides only from near the answer: so it grows from round to round.
-constexpr double first_weight = 10, last_weight = 1e6, growth = 10;
-constexpr int most_rounds = 10, most_steps = 40, most_bisections = 30;
+constexpr double first_weight = 10, last_weight = 1e7, growth = 10;
+constexpr int most_rounds = 12, most_steps = 40, most_bisections = 30;
 constexpr double settled = 1e-10;   // a change of impulses, of their size
 constexpr double converged = 1e-13; // a Newton step, of the velocities' size
 
