@@ -18,9 +18,10 @@ namespace {
 // An island of up to `small` contacts converges to rounding. A larger one stops at `fine` of the
 // velocity that its contacts have to take away, or after `work` contacts were visited: what is left is
 // corrected in the next steps.
-constexpr int small = 16, work = 20000, fewest_sweeps = 5, most_sweeps = 50, last_sweeps = 5;
-constexpr int most_newton_bodies = 256;
-constexpr double rounding = 2 * std::numeric_limits<double>::epsilon(), fine = 1e-8, coarse = 1e-3;
+constexpr int small = 16, work = 4000, fewest_sweeps = 5, most_sweeps = 50, last_sweeps = 5;
+constexpr std::size_t few_bodies = 8, most_newton_bodies = 256;
+constexpr double rounding = 2 * std::numeric_limits<double>::epsilon(), tiny = 1e-13, fine = 1e-8,
+                 coarse = 1e-3;
 
 // The larger eigenvalue of K across n.
 double tangential_eigenvalue(const Matrix3d& K, const Vector3d& n)
@@ -119,19 +120,29 @@ void go_to(Sweeps& sweeps, std::vector<Vector3d> impulses)
     sweeps.add(impulses);
 }
 
+// Whether Newton's method is worth it: bodies rest, with no velocity but what the weight of this step gave
+// them; and there are few, or hardly more pairs than bodies, as in a stack. In a heap, where everything
+// touches everything, its matrix fills up.
+bool is_newtons(const ContactProblem& problem, const Island& island, double fastest)
+{
+    if (fastest > 2 * problem.gravity.norm() * problem.time_step) return false;
+    const std::size_t bodies = island.bodies.size(), pairs = island.pairs.size();
+    return bodies <= few_bodies || (bodies <= most_newton_bodies && 4 * pairs <= 5 * bodies + 8);
+}
+
 void solve(ContactProblem& problem, const Island& island, const std::vector<Held>& all)
 {
     const int count = static_cast<int>(all.size());
-    const bool is_newtons = static_cast<int>(island.bodies.size()) <= most_newton_bodies;
-    const double noise = rounding * fastest(problem, all);
-    const double seen = count <= small ? 0 : is_newtons ? fine : coarse;
+    const double speed = fastest(problem, all);
+    const bool may_jump = is_newtons(problem, island, speed);
+    const double seen = count <= small ? tiny : may_jump ? fine : coarse;
     const Limits limits{std::clamp(work / count, fewest_sweeps, most_sweeps),
-                        noise + seen * approach(problem, all)};
-    const std::vector<Body> free = is_newtons ? problem.bodies : std::vector<Body>();
+                        rounding * speed + seen * approach(problem, all)};
+    const std::vector<Body> free = may_jump ? problem.bodies : std::vector<Body>();
     const std::unique_ptr<Sweeps> sweeps = sweeps_of(problem, all);
-    std::vector<Vector3d> start = is_newtons ? sweeps->impulses() : std::vector<Vector3d>();
+    std::vector<Vector3d> start = may_jump ? sweeps->impulses() : std::vector<Vector3d>();
     const Residuals swept = sweep_on(problem, *sweeps, all.size(), limits);
-    if (!swept.is_done && is_newtons) {
+    if (!swept.is_done && may_jump) {
         // Newton's impulses, from the better end of the sweeps; kept where the sweeps agree.
         ++problem.counters->newton_solves;
         std::vector<Vector3d> best = swept.last <= swept.first ? sweeps->impulses() : start;

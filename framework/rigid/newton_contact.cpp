@@ -16,7 +16,7 @@ using Matrix3x6 = Eigen::Matrix<double, 3, 6>;
 
 // ρ of a contact is a weight over nᵀKn. A round leaves 1/weight of a velocity, but a large weight finds
 // what touches and what slides only from near the answer: so it grows from round to round.
-constexpr double first_weight = 10, last_weight = 1e7, growth = 10;
+constexpr double first_weight = 1000, last_weight = 1e7, growth = 100;
 constexpr int most_rounds = 12, most_steps = 40, most_bisections = 30;
 constexpr double settled = 1e-10;   // a change of impulses, of their size
 constexpr double converged = 1e-13; // a Newton step, of the velocities' size
@@ -219,7 +219,6 @@ private:
                 gradient.segment<3>(6 * row.body2) += p;
                 gradient.segment<3>(6 * row.body2 + 3) += row.r2.cross(p);
             }
-            if (D.isZero(0)) continue;
             const Matrix3x6 J1 = jacobian(row.r1), J2 = jacobian(row.r2);
             if (row.body1 >= 0) diagonal[row.body1] += J1.transpose() * D * J1;
             if (row.body2 >= 0) diagonal[row.body2] += J2.transpose() * D * J2;
@@ -264,7 +263,8 @@ private:
         Eigen::SparseMatrix<double> H;
         for (int step = 0; step < most_steps; ++step) {
             linearise(gradient, H);
-            if (!is_analysed_) solver_.analyzePattern(H);
+            if (!is_analysed_) solver_.analyzePattern(H); // it stays the same
+            is_analysed_ = true;
             solver_.factorize(H);
             if (solver_.info() != Eigen::Success) return false;
             const VectorXd dv = -solver_.solve(gradient);
