@@ -20,6 +20,7 @@ Quaternion quaternion_of(const Matrix3d& R)
 
 Pose part_pose(const Pose& body, const Part& part)
 {
+    if (part.orientation.v.isZero(0)) return {body.R, body * part.position};
     return body * Pose{rotation_matrix(part.orientation), part.position};
 }
 

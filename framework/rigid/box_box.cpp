@@ -27,35 +27,71 @@ Vector3d oriented(const Vector3d& axis, const Vector3d& towards)
     return axis.dot(towards) < 0 ? Vector3d(-axis) : axis;
 }
 
+// The two boxes in numbers that every axis needs: C = AᵀB, |C|, and the distance of the centers in the frame
+// of either.
+struct Relation {
+    Matrix3d C, C_abs;
+    Vector3d d_a, d_b;
+
+    Relation(const Placed& a, const Placed& b)
+    {
+        const Vector3d d = b.center - a.center;
+        for (int j = 0; j < 3; ++j) {
+            for (int i = 0; i < 3; ++i)
+                C(i, j) = a.R.col(i).dot(b.R.col(j));
+            d_a[j] = a.R.col(j).dot(d);
+            d_b[j] = b.R.col(j).dot(d);
+        }
+        C_abs = C.cwiseAbs();
+    }
+};
+
 // The best of the three faces of `a`; the direction points towards b.
-Axis best_face(const Placed& a, const Placed& b)
+Axis best_face(const Placed& a, const Placed& b, const Relation& of)
 {
-    const Vector3d d = b.center - a.center;
-    const Vector3d d_a = a.R.transpose() * d;
-    const Matrix3d C = (a.R.transpose() * b.R).cwiseAbs();
-    const Vector3d separations = d_a.cwiseAbs() - a.half - C * b.half;
     Axis best;
-    best.separation = separations.maxCoeff(&best.axis1);
-    best.direction = oriented(a.R.col(best.axis1), d);
+    for (int i = 0; i < 3; ++i) {
+        const double separation = std::abs(of.d_a[i]) - a.half[i] - of.C_abs.row(i).dot(b.half);
+        if (separation > best.separation) best = {separation, i, 0, Vector3d::Zero()};
+    }
+    const Vector3d n = a.R.col(best.axis1);
+    best.direction = of.d_a[best.axis1] < 0 ? Vector3d(-n) : n;
     return best;
 }
 
-// The best of the nine pairs of edges. Parallel edges separate no better than a face does.
-Axis best_edges(const Placed& a, const Placed& b)
+// The best of the three faces of `b`, its axis in `axis1`; the direction points towards a.
+Axis best_other_face(const Placed& a, const Placed& b, const Relation& of)
 {
-    const Vector3d d = b.center - a.center;
+    Axis best;
+    for (int j = 0; j < 3; ++j) {
+        const double separation = std::abs(of.d_b[j]) - b.half[j] - of.C_abs.col(j).dot(a.half);
+        if (separation > best.separation) best = {separation, j, 0, Vector3d::Zero()};
+    }
+    const Vector3d n = b.R.col(best.axis1);
+    best.direction = of.d_b[best.axis1] > 0 ? Vector3d(-n) : n;
+    return best;
+}
+
+// The best of the nine pairs of edges, by Gottschalk, Lin and Manocha (1996). Parallel edges separate no
+// better than a face does.
+Axis best_edges(const Placed& a, const Placed& b, const Relation& of)
+{
     Axis best;
     for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j) {
-            Vector3d l = a.R.col(i).cross(b.R.col(j));
-            const double length = l.norm();
-            if (length < 1e-3) continue;
-            l /= length;
-            const double separation = std::abs(l.dot(d)) -
-                                      (a.R.transpose() * l).cwiseAbs().dot(a.half) -
-                                      (b.R.transpose() * l).cwiseAbs().dot(b.half);
-            if (separation > best.separation) best = {separation, i, j, oriented(l, d)};
+            const double c = of.C(i, j), squared = 1 - c * c; // of the length of the axis
+            if (squared < 1e-6) continue;
+            const int i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
+            const double distance = std::abs(of.d_a[i2] * of.C(i1, j) - of.d_a[i1] * of.C(i2, j));
+            const double reach = a.half[i1] * of.C_abs(i2, j) + a.half[i2] * of.C_abs(i1, j) +
+                                 b.half[j1] * of.C_abs(i, j2) + b.half[j2] * of.C_abs(i, j1);
+            const double separation = (distance - reach) / std::sqrt(squared);
+            if (separation > best.separation) best = {separation, i, j, Vector3d::Zero()};
         }
+    if (best.separation > -std::numeric_limits<double>::infinity()) {
+        const Vector3d l = a.R.col(best.axis1).cross(b.R.col(best.axis2)).normalized();
+        best.direction = oriented(l, b.center - a.center);
+    }
     return best;
 }
 
@@ -195,11 +231,12 @@ void touch_boxes(const Box& box1, const Pose& pose1, const Box& box2, const Pose
                  double reach, std::vector<Touch>& touches)
 {
     const Placed a{pose1.R, pose1.X, box1.size / 2}, b{pose2.R, pose2.X, box2.size / 2};
-    const Axis face1 = best_face(a, b);
+    const Relation relation(a, b);
+    const Axis face1 = best_face(a, b, relation);
     if (face1.separation >= reach) return;
-    const Axis face2 = best_face(b, a); // its direction points from 2 to 1
+    const Axis face2 = best_other_face(a, b, relation); // its direction points from 2 to 1
     if (face2.separation >= reach) return;
-    const Axis edges = best_edges(a, b);
+    const Axis edges = best_edges(a, b, relation);
     if (edges.separation >= reach) return;
 
     const double clearly = 0.01 * std::min(a.half.minCoeff(), b.half.minCoeff());

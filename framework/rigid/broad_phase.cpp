@@ -23,6 +23,24 @@ bool reaches(const RigidBody& endless, const Pose& pose, const Bounds& bounds)
     });
 }
 
+// Ascending, by counting the pairs of each body 1.
+std::vector<BodyPair> in_order(const std::vector<BodyPair>& pairs, std::size_t bodies)
+{
+    std::vector<std::size_t> first(bodies + 1, 0);
+    for (const BodyPair& pair : pairs)
+        ++first[static_cast<std::size_t>(pair.body1) + 1];
+    for (std::size_t i = 0; i < bodies; ++i)
+        first[i + 1] += first[i];
+    std::vector<BodyPair> sorted(pairs.size());
+    std::vector<std::size_t> next = first;
+    for (const BodyPair& pair : pairs)
+        sorted[next[pair.body1]++] = pair;
+    for (std::size_t i = 0; i < bodies; ++i)
+        std::sort(sorted.begin() + static_cast<std::ptrdiff_t>(first[i]),
+                  sorted.begin() + static_cast<std::ptrdiff_t>(first[i + 1]));
+    return sorted;
+}
+
 } // namespace
 
 std::vector<BodyPair> near_pairs(const World& world, const std::vector<Pose>& poses,
@@ -51,8 +69,7 @@ std::vector<BodyPair> near_pairs(const World& world, const std::vector<Pose>& po
     for (int i : endless)
         for (int j : moving)
             if (reaches(world.bodies[i], poses[i], bounds[j])) add(i, j);
-    std::sort(pairs.begin(), pairs.end());
-    return pairs;
+    return in_order(pairs, world.bodies.size());
 }
 
 } // namespace rigor

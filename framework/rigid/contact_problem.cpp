@@ -41,25 +41,31 @@ Body pushed(Body body, const RigidState& start, const RigidState& flown)
     return body;
 }
 
-// Pairs from the lowest up, and so the contacts of each: an order that does not depend on how the bodies
+// Where a contact comes among others: from the lowest up, in an order that does not depend on how the bodies
 // are numbered.
-std::vector<ContactPair> sorted_pairs(const Vector3d& up, std::vector<SolvedContact>& contacts)
+std::tuple<double, double, double> place(const SolvedContact& c)
 {
-    const auto is_lower = [&up](const Contact& a, const Contact& b) {
-        const Vector3d &p = a.point, &q = b.point;
-        return std::tuple(up.dot(p), p.x(), p.z()) < std::tuple(up.dot(q), q.x(), q.z());
-    };
-    std::vector<ContactPair> pairs;
+    return {c.height, c.point.x(), c.point.z()};
+}
+
+// Pairs from the lowest up, and so the contacts of each.
+std::vector<ContactPair> sorted_pairs(std::vector<SolvedContact>& contacts)
+{
+    std::vector<std::pair<std::tuple<double, double, double>, ContactPair>> placed;
     for (int first = 0, last = 0, n = static_cast<int>(contacts.size()); first < n; first = last) {
         while (last < n && contacts[last].body1 == contacts[first].body1 &&
                contacts[last].body2 == contacts[first].body2)
             ++last;
-        std::sort(contacts.begin() + first, contacts.begin() + last, is_lower);
-        pairs.push_back({first, last});
+        std::sort(
+            contacts.begin() + first, contacts.begin() + last,
+            [](const SolvedContact& a, const SolvedContact& b) { return place(a) < place(b); });
+        placed.push_back({place(contacts[first]), {first, last}});
     }
-    std::stable_sort(pairs.begin(), pairs.end(), [&](const ContactPair& a, const ContactPair& b) {
-        return is_lower(contacts[a.first], contacts[b.first]);
-    });
+    std::stable_sort(placed.begin(), placed.end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::vector<ContactPair> pairs;
+    for (const auto& [where, pair] : placed)
+        pairs.push_back(pair);
     return pairs;
 }
 
@@ -95,8 +101,7 @@ std::vector<Island> islands_of(const World& world, const ContactProblem& problem
         islands[island].pairs.push_back(pair);
         for (int i = pair.first; i < pair.last; ++i) {
             const SolvedContact& c = problem.contacts[i];
-            const double v_n = problem.velocity_at(c, c.point).dot(c.normal) + c.force_speed;
-            if (problem.predicted_gap(c, v_n) < 0) is_active[island] = true;
+            if (problem.predicted_gap(c, c.free_speed) < 0) is_active[island] = true;
         }
     }
     for (int i = 0; i < static_cast<int>(world.bodies.size()); ++i)
@@ -167,6 +172,8 @@ ContactProblem contact_problem(const World& world, std::span<const RigidState> f
     problem.counters = &counters;
     problem.bodies.resize(world.bodies.size());
     std::vector<Body> after_forces(world.bodies.size());
+    problem.contacts.reserve(contacts.size());
+    const Vector3d up = problem.up();
     std::vector<bool> is_ready(world.bodies.size(), false);
     for (const Contact& contact : contacts) {
         for (int i : {contact.body1, contact.body2}) {
@@ -178,9 +185,11 @@ ContactProblem contact_problem(const World& world, std::span<const RigidState> f
         SolvedContact c{contact};
         const Vector3d& n = c.normal;
         const double v_n = problem.velocity_at(c, c.point).dot(n);
-        c.force_speed = problem.velocity_between(after_forces, c, c.point).dot(n) - v_n;
+        c.free_speed = problem.velocity_between(after_forces, c, c.point).dot(n);
+        c.force_speed = c.free_speed - v_n;
         const double margin = margins[c.body1] + margins[c.body2];
-        if (problem.predicted_gap(c, v_n + c.force_speed) >= margin) continue;
+        if (problem.predicted_gap(c, c.free_speed) >= margin) continue;
+        c.height = up.dot(c.point);
 
         const Material &a = world.bodies[c.body1].material, &b = world.bodies[c.body2].material;
         c.restitution = std::min(a.restitution, b.restitution);
@@ -193,12 +202,13 @@ ContactProblem contact_problem(const World& world, std::span<const RigidState> f
         problem.method == ContactMethod::built_in || problem.method == ContactMethod::simultaneous;
     if (is_iterative && world.skips.warm_start)
         start_warm(world, time_step, problem.contacts, counters);
-    problem.islands = islands_of(world, problem, sorted_pairs(problem.up(), problem.contacts));
+    problem.islands = islands_of(world, problem, sorted_pairs(problem.contacts));
     for (const Island& island : problem.islands)
         for (const ContactPair& pair : island.pairs)
             for (int i = pair.first; i < pair.last; ++i) {
                 SolvedContact& c = problem.contacts[i];
                 c.K = problem.impulse_matrix_at(c, c.point);
+                c.normal_K = c.normal.dot(optimised::product(c.K, c.normal));
             }
     return problem;
 }

@@ -15,7 +15,10 @@ struct SolvedContact : Contact {
     double restitution = 0, friction = 0;
     double radius = 0;                   // of the smaller body that can move [m]
     double force_speed = 0;              // what forces add to v·n in this step [m/s]
+    double free_speed = 0;               // v·n after them, without any impulse [m/s]
+    double height = 0;                   // against gravity [m]
     Matrix3d K = Matrix3d::Zero();       // K₁ + K₂ [1/kg]
+    double normal_K = 0;                 // nᵀKn [1/kg]
     Vector3d bounce = Vector3d::Zero();  // impulse on body 1 by collisions [N s]
     Vector3d guess = Vector3d::Zero();   // where the sweeps for `holding` start from [N s]
     Vector3d holding = Vector3d::Zero(); // impulse on body 1 by contact [N s]

@@ -5,6 +5,7 @@
 #include "rigid/healing.hpp"
 #include "rigid/load_guess.hpp"
 #include "rigid/newton_contact.hpp"
+#include "rigid/optimised_forms.hpp"
 #include "rigid/sweeps.hpp"
 
 #include <algorithm>
@@ -19,16 +20,19 @@ namespace {
 // velocity that its contacts have to take away, or after `work` contacts were visited: what is left is
 // corrected in the next steps.
 constexpr int small = 16, work = 4000, fewest_sweeps = 5, most_sweeps = 50, last_sweeps = 5;
-constexpr std::size_t few_bodies = 8, most_newton_bodies = 256;
+constexpr std::size_t large = 1000, few_bodies = 8, most_newton_bodies = 256;
 constexpr double rounding = 2 * std::numeric_limits<double>::epsilon(), tiny = 1e-13, fine = 1e-8,
                  coarse = 1e-3;
 
-// The larger eigenvalue of K across n.
+// The larger eigenvalue of K across n: of the two, the sum is tr K - nᵀKn and the sum of the squares
+// |K|² - 2 |K n|² + (nᵀKn)².
 double tangential_eigenvalue(const Matrix3d& K, const Vector3d& n)
 {
-    const Vector3d t = n.unitOrthogonal(), b = n.cross(t);
-    const double tt = t.dot(K * t), bb = b.dot(K * b), tb = t.dot(K * b);
-    return (tt + bb) / 2 + std::hypot((tt - bb) / 2, tb);
+    const Vector3d Kn = optimised::product(K, n);
+    const double nKn = n.dot(Kn);
+    const double sum = K.trace() - nKn;
+    const double squares = K.squaredNorm() - 2 * Kn.squaredNorm() + nKn * nKn;
+    return (sum + std::sqrt(std::max(0.0, 2 * squares - sum * sum))) / 2;
 }
 
 // The fastest that anything moves at a contact: velocities cannot be told apart below its rounding [m/s].
@@ -84,7 +88,8 @@ Residuals sweep_on(ContactProblem& problem, Sweeps& sweeps, std::size_t count, c
     std::vector<Vector3d> steps(count, Vector3d::Zero()), directions = steps;
     Residuals residuals;
     double before = 0, smallest = std::numeric_limits<double>::infinity();
-    bool is_wild = false; // where that made it worse, it is left
+    const bool is_large = count > large; // then the sweeps are better spent
+    bool is_wild = false;                // where that made it worse, it is left
     for (int i = 1; i <= limits.most; ++i) {
         const Progress progress = sweeps.sweep(steps);
         ++problem.counters->contact_sweeps;
@@ -98,6 +103,7 @@ Residuals sweep_on(ContactProblem& problem, Sweeps& sweeps, std::size_t count, c
         }
         is_wild |= progress.change > 2 * smallest;
         smallest = std::min(smallest, progress.change);
+        if (is_large) continue;
         const bool slows_down = before > 0 && progress.squared <= before && !is_wild;
         const double beta = slows_down ? progress.squared / before : 0; // 0: starts afresh
         before = progress.squared;
@@ -166,8 +172,7 @@ std::vector<Held> held_contacts(const ContactProblem& problem, const Island& isl
     for (const ContactPair& pair : island.pairs)
         for (int i = pair.first; i < pair.last; ++i) {
             const SolvedContact& c = problem.contacts[i];
-            const double normal = c.normal.dot(c.K * c.normal);
-            const double tangential = tangential_eigenvalue(c.K, c.normal);
+            const double normal = c.normal_K, tangential = tangential_eigenvalue(c.K, c.normal);
             if (!(normal > 0) || !(tangential > 0)) continue; // not a K of anything that moves
             const double target =
                 c.gap > 0 ? -c.gap / problem.time_step : healing_speed(problem, c);

@@ -31,8 +31,7 @@ std::vector<Row> rows_of(const ContactProblem& problem, const Island& island)
     for (const ContactPair& pair : island.pairs)
         for (int i = pair.first; i < pair.last; ++i) {
             const SolvedContact& c = problem.contacts[i];
-            const double normal_K = c.normal.dot(c.K * c.normal);
-            if (!(normal_K > 0)) continue;
+            if (!(c.normal_K > 0)) continue;
             const double v_n = problem.velocity_at(c, c.point).dot(c.normal);
             const double gap = problem.predicted_gap(c, v_n);
             const double radius = c.radius;
@@ -45,7 +44,8 @@ std::vector<Row> rows_of(const ContactProblem& problem, const Island& island)
                 ++problem.counters->healed_contacts;
             }
             rows.push_back({c.body1, c.body2, c.normal, c.point - problem.bodies[c.body1].position,
-                            c.point - problem.bodies[c.body2].position, 1 / normal_K, distance, 0});
+                            c.point - problem.bodies[c.body2].position, 1 / c.normal_K, distance,
+                            0});
         }
     if (!any) rows.clear();
     return rows;
@@ -80,6 +80,7 @@ void heal(const ContactProblem& problem, const Island& island,
             const Vector3d d = d1.shift + d1.turn.cross(row.r1) - d2.shift - d2.turn.cross(row.r2);
             const double needed =
                 std::max(0.0, row.push + (row.distance - d.dot(row.n)) * row.per_normal_K);
+            if (needed == row.push) continue;
             const Vector3d p = (needed - row.push) * row.n;
             row.push = needed;
             push(problem.bodies[row.body1], d1, row.r1, p);
