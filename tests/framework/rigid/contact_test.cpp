@@ -162,3 +162,35 @@ TEST_CASE("contact: stacks of five and ten cubes stand for ten seconds", "[rigid
             CHECK((world.bodies[i + 1].state.position - Vector3d(0, 0.5 + i, 0)).norm() < 0.05);
     }
 }
+
+TEST_CASE("contact: a stack of thirty cubes stands where it was put", "[rigid]")
+{
+    for (const ContactMethod method : {ContactMethod::built_in, ContactMethod::simultaneous}) {
+        std::vector<RigidBody> bodies = {fixed(Plane{}, {0, 0.5})};
+        Random random(2);
+        for (int i = 0; i < 30; ++i)
+            bodies.push_back(body_of(
+                Box{{1, 1, 1}},
+                {0.01 * random.uniform(-1, 1), 0.5 + i, 0.01 * random.uniform(-1, 1)}, {0, 0.5}));
+        World world = world_of(bodies);
+        world.contact_method = method;
+        world.skips.sleep = false;
+        run(world, 120, 1.0 / 60);
+        for (std::size_t i = 1; i < bodies.size(); ++i)
+            CHECK_THAT(world.bodies[i].state.position,
+                       IsClose(bodies[i].state.position, Order(1e-5)));
+    }
+}
+
+TEST_CASE("contact: ten thousand times its mass on a cube does not press it into the ground",
+          "[rigid]")
+{
+    RigidBody heavy = body_of(Box{{1, 1, 1}}, {0, 1.5, 0}, {0, 0.5});
+    set_mass(heavy, 1e4 * heavy.mass, 1e4 * heavy.inertia);
+    World world =
+        world_of({fixed(Plane{}, {0, 0.5}), body_of(Box{{1, 1, 1}}, {0, 0.5, 0}, {0, 0.5}), heavy});
+    world.skips.sleep = false;
+    run(world, 300, 1.0 / 60);
+    CHECK_THAT(world.bodies[1].state.position, IsClose(Vector3d(0, 0.5, 0), Order(1e-6)));
+    CHECK_THAT(world.bodies[2].state.position, IsClose(Vector3d(0, 1.5, 0), Order(1e-6)));
+}

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+// What a step leaves out changes nothing, or no more than is said here.
+#include "geometry/box_tree.hpp"
+#include "support/catch.hpp"
+#include "worlds.hpp"
+
+using namespace rigor;
+using namespace rigor::testing;
+
+namespace {
+
+constexpr double h = 1.0 / 60;
+
+World stacks(int count, int height)
+{
+    std::vector<RigidBody> bodies = {fixed(Plane{}, {0, 0.5})};
+    Random random(7);
+    for (int i = 0; i < count; ++i)
+        for (int k = 0; k < height; ++k)
+            bodies.push_back(body_of(Box{{1, 1, 1}},
+                                     Vector3d(3 * i + 0.01 * random.uniform(-1, 1), 0.5 + k,
+                                              0.01 * random.uniform(-1, 1)),
+                                     {0, 0.5}));
+    World world = world_of(bodies);
+    world.contact_method = ContactMethod::simultaneous;
+    world.formulas_are_reference = true;
+    return world;
+}
+
+double largest_distance(const World& a, const World& b)
+{
+    double largest = 0;
+    for (std::size_t i = 0; i < a.bodies.size(); ++i)
+        largest =
+            std::max(largest, (a.bodies[i].state.position - b.bodies[i].state.position).norm());
+    return largest;
+}
+
+} // namespace
+
+TEST_CASE("skips: without islands warm start or early exit stacks stand as with them", "[rigid]")
+{
+    const auto without = GENERATE(&Skips::islands, &Skips::warm_start, &Skips::early_exit);
+    World with = stacks(3, 5), other = with;
+    with.skips.sleep = other.skips.sleep = false;
+    other.skips.*without = false;
+    run(with, 120, h);
+    run(other, 120, h);
+    CHECK(with.counters.warm_starts > 1000);
+    CHECK(with.counters.early_exits > 100);
+    CHECK(with.counters.islands == 3 * 120);
+    if (without == &Skips::islands) CHECK(other.counters.islands == 120);
+    if (without == &Skips::warm_start) CHECK(other.counters.warm_starts == 0);
+    if (without == &Skips::early_exit) CHECK(other.counters.early_exits == 0);
+    CHECK(largest_distance(with, other) < 1e-6); // both stand still to the tolerance of the sweeps
+}
+
+TEST_CASE("skips: bodies at rest sleep where they are and keep their contacts", "[rigid]")
+{
+    World sleeping = stacks(2, 4), awake = sleeping;
+    awake.skips.sleep = false;
+    run(sleeping, 120, h);
+    run(awake, 120, h);
+    CHECK(awake.counters.bodies_asleep == 0);
+    CHECK(sleeping.counters.bodies_asleep > 8 * 60);
+    for (std::size_t i = 1; i < sleeping.bodies.size(); ++i)
+        CHECK(sleeping.bodies[i].rest.is_asleep());
+    CHECK(largest_distance(sleeping, awake) < 1e-4 * std::sqrt(3) / 2); // what counts as rest
+
+    // the ground still carries all of the weight
+    double weight = 0, mass = 0;
+    for (const ContactRecord& c : step(sleeping, h))
+        if (sleeping.bodies[c.body1].is_static || sleeping.bodies[c.body2].is_static)
+            weight += std::abs(c.impulse.y()) / h;
+    for (const RigidBody& body : sleeping.bodies)
+        mass += body.mass;
+    CHECK_THAT(weight, IsClose(mass * g, Order(1e-3 * mass * g)));
+}
+
+TEST_CASE("skips: what is hit wakes with all that fell asleep with it and no other", "[rigid]")
+{
+    World world = stacks(2, 3);
+    run(world, 60, h);
+    REQUIRE(world.bodies[1].rest.is_asleep());
+    RigidBody ball = body_of(Sphere{0.3}, {-4, 2.5, 0}, {0, 0.5});
+    ball.state.velocity = {20, 0, 0};
+    world.bodies.push_back(ball);
+    double speed = 0;
+    for (int i = 0; i < 20; ++i) {
+        step(world, h);
+        speed = std::max(speed, world.bodies[3].state.velocity.x());
+    }
+    CHECK(speed > 0.1);
+    for (int i : {1, 2, 3})
+        CHECK_FALSE(world.bodies[i].rest.is_asleep());
+    for (int i : {4, 5, 6})
+        CHECK(world.bodies[i].rest.is_asleep());
+}
+
+TEST_CASE("skips: a block that begins to slip does not sleep", "[rigid]")
+{
+    const double angle = std::atan(0.5) + 1e-3;
+    const Quaternion slope = turn(Vector3d::UnitZ(), angle);
+    const Matrix3d R = rotation_matrix(slope);
+    World world = world_of({fixed(Plane{}, {0, 0.5}, {0, 0, 0}, slope),
+                            body_of(Box{{1, 1, 1}}, R * Vector3d(0, 0.5, 0), {0, 0.5}, slope)});
+    run(world, 200, 0.01);
+    CHECK(world.counters.bodies_asleep == 0);
+    CHECK(world.bodies[1].state.velocity.norm() > 0.01);
+}
+
+TEST_CASE("skips: a tree of boxes finds what comparing all pairs finds", "[geometry]")
+{
+    Random random(11);
+    std::vector<Bounds> boxes;
+    std::vector<int> members;
+    for (int i = 0; i < 300; ++i) {
+        const Vector3d low = 5 * random.vector();
+        boxes.push_back({low, low + Vector3d::Constant(random.uniform(0, 1.5))});
+        if (i % 7) members.push_back(i);
+    }
+    const BoxTree tree(boxes, members);
+    std::vector<std::pair<int, int>> found, expected;
+    tree.for_each_pair([&](int i, int j) { found.push_back(std::minmax(i, j)); });
+    for (std::size_t a = 0; a < members.size(); ++a)
+        for (std::size_t b = a + 1; b < members.size(); ++b)
+            if (boxes[members[a]].overlaps(boxes[members[b]]))
+                expected.emplace_back(members[a], members[b]);
+    std::sort(found.begin(), found.end());
+    std::sort(expected.begin(), expected.end());
+    REQUIRE(expected.size() > 50);
+    CHECK(found == expected);
+}
