@@ -87,15 +87,24 @@ Meeting meeting_at(const World& world, const SolvedContact& c, double time, doub
 
 } // namespace
 
-std::vector<ContactRecord> bounce_at_impact(const World& world, const ContactProblem& problem,
-                                            const ContactPair& pair,
-                                            std::vector<RigidState>& states)
+std::optional<std::vector<ContactRecord>> bounce_at_impact(const World& world,
+                                                           const ContactProblem& problem,
+                                                           const ContactPair& pair,
+                                                           std::vector<RigidState>& states)
 {
     const double h = problem.time_step;
     const SolvedContact& c = problem.contacts[pair.first];
     const Approach approach = first_to_close(world, problem, pair);
     const double predicted = approach.closes();
-    if (!(predicted > 0) || predicted >= h) return {};
+    if (!(predicted > 0)) return std::nullopt;
+    if (predicted >=
+        h) { // it falls more slowly than at the step's last speed: they do not meet yet
+        Counters uncounted;
+        for (int i : {c.body1, c.body2})
+            if (const RigidBody& body = world.bodies[i]; !body.is_static)
+                states[i] = fly(world, body, body.state, h, uncounted);
+        return std::vector<ContactRecord>();
+    }
 
     // secant steps towards gap = 0
     const double reach = 2 * std::abs(approach.gap) + c.radius;
@@ -103,14 +112,14 @@ std::vector<ContactRecord> bounce_at_impact(const World& world, const ContactPro
     Meeting meeting = meeting_at(world, c, time, reach);
     for (int i = 0; i < most_tries && std::abs(meeting.gap) > touching * c.radius; ++i) {
         const double slope = (meeting.gap - gap_before) / (time - before);
-        if (!(slope < 0)) return {};
+        if (!(slope < 0)) return std::nullopt;
         before = time;
         gap_before = meeting.gap;
         time = std::clamp(time - meeting.gap / slope, 0.0, h);
         if (time == before) break;
         meeting = meeting_at(world, c, time, reach);
     }
-    if (std::abs(meeting.gap) > 1e-6 * c.radius) return {};
+    if (std::abs(meeting.gap) > 1e-6 * c.radius) return std::nullopt;
 
     // the collision there, of the points that close within the rest of the step
     World& pair_world = meeting.world;
@@ -126,17 +135,18 @@ std::vector<ContactRecord> bounce_at_impact(const World& world, const ContactPro
     }
     ContactProblem impact =
         contact_problem(pair_world, flown, margins, radii, meeting.contacts, rest, uncounted);
-    if (impact.islands.size() != 1) return {};
+    if (impact.islands.size() != 1) return std::nullopt;
     process_collisions(impact, impact.islands[0]);
 
     std::vector<ContactRecord> records;
     for (const SolvedContact& hit : impact.contacts) {
         const double v_n = impact.velocity_at(hit, hit.point).dot(hit.normal) + hit.force_speed;
-        if (impact.predicted_gap(hit, v_n) < -touching * c.radius) return {}; // meets again
+        if (impact.predicted_gap(hit, v_n) < -touching * c.radius)
+            return std::nullopt; // meets again
         if (!hit.bounce.isZero(0))
             records.push_back({c.body1, c.body2, hit.point, hit.normal, -hit.gap, hit.bounce});
     }
-    if (records.empty()) return {};
+    if (records.empty()) return std::nullopt;
     for (std::size_t k = 0; k < 2; ++k) {
         const RigidBody& body = pair_world.bodies[k];
         if (body.is_static) continue;

@@ -3,6 +3,8 @@
 
 #include "rigid/contact_problem.hpp"
 
+#include <optional>
+
 namespace rigor {
 
 /// Lets two bodies that did nothing in this step but bounce off each other do so where they meet:
@@ -13,10 +15,12 @@ namespace rigor {
 ///
 /// @param pair    the only one of its island that bounced; nothing is held there
 /// @param states  of all bodies: those of the two are set
-/// @return  the contacts with their impulses; none if it is no such bounce (the bodies would meet again
-///          within the step, or meet before it), and then the states are as they were
-std::vector<ContactRecord> bounce_at_impact(const World& world, const ContactProblem& problem,
-                                            const ContactPair& pair,
-                                            std::vector<RigidState>& states);
+/// @return  the contacts with their impulses, none where the bodies do not meet in this step after all;
+///          empty if it is no such bounce (they would meet again within the step, or touched before it),
+///          and then the states are as they were
+std::optional<std::vector<ContactRecord>> bounce_at_impact(const World& world,
+                                                           const ContactProblem& problem,
+                                                           const ContactPair& pair,
+                                                           std::vector<RigidState>& states);
 
 } // namespace rigor

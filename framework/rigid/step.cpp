@@ -123,9 +123,10 @@ std::vector<ContactRecord> bounce_at_impacts(const World& world, ContactProblem&
             return pulled[i] || (!displacements.empty() && !displacements[i].shift.isZero(0));
         };
         if (is_moved_else(c.body1) || is_moved_else(c.body2)) continue;
-        const std::vector<ContactRecord> found = bounce_at_impact(world, problem, *pair, states);
-        records.insert(records.end(), found.begin(), found.end());
-        for (int i = pair->first; i < pair->last && !found.empty(); ++i)
+        const auto found = bounce_at_impact(world, problem, *pair, states);
+        if (!found) continue;
+        records.insert(records.end(), found->begin(), found->end());
+        for (int i = pair->first; i < pair->last; ++i)
             problem.contacts[i].bounce.setZero();
     }
     return records;

@@ -208,7 +208,7 @@ TEST_CASE("collision: a ball bounces where it meets the floor whatever the step"
         world_of({fixed(Plane{}, {epsilon, 0}), body_of(Sphere{0.1}, {0, 1.1, 0}, {epsilon, 0})});
     double expected = 1;
     int bounces = 0;
-    for (int i = 0; i < 2000 && bounces < 3; ++i) {
+    for (int i = 0; i < 4000 && bounces < 3; ++i) {
         const double before = world.bodies[1].state.velocity.y();
         step(world, time_step);
         const RigidState& ball = world.bodies[1].state;
