@@ -2,6 +2,7 @@
 #include "geometry/mesh_checks.hpp"
 
 #include "geometry/bounding_tree.hpp"
+#include "geometry/mesh_edges.hpp"
 #include "geometry/triangle.hpp"
 
 #include <algorithm>
@@ -20,31 +21,6 @@ std::string text(double number)
     std::ostringstream stream;
     stream << number;
     return stream.str();
-}
-
-// Half of an edge, as one face runs through it.
-struct HalfEdge {
-    int low = 0, high = 0; // its vertices
-    bool is_upward = true; // from low to high
-    int triangle = 0;
-
-    bool same_edge(const HalfEdge& other) const { return low == other.low && high == other.high; }
-};
-
-std::vector<HalfEdge> sorted_half_edges(const TriangleMesh& mesh)
-{
-    std::vector<HalfEdge> edges;
-    edges.reserve(3 * mesh.triangles.size());
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-        for (int i = 0; i < 3; ++i) {
-            const int from = mesh.triangles[t][i], to = mesh.triangles[t][(i + 1) % 3];
-            edges.push_back(
-                {std::min(from, to), std::max(from, to), from < to, static_cast<int>(t)});
-        }
-    std::sort(edges.begin(), edges.end(), [](const HalfEdge& a, const HalfEdge& b) {
-        return std::tie(a.low, a.high, a.triangle) < std::tie(b.low, b.high, b.triangle);
-    });
-    return edges;
 }
 
 class Check {

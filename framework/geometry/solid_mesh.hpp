@@ -3,10 +3,10 @@
 #pragma once
 
 #include "geometry/bounds.hpp"
-#include "geometry/obj.hpp"
+#include "geometry/hull.hpp"
+#include "geometry/mesh_surface.hpp"
+#include "geometry/once.hpp"
 
-#include <mutex>
-#include <optional>
 #include <string>
 
 namespace rigor {
@@ -15,27 +15,54 @@ namespace rigor {
 /// scene needs is made when it is first asked for, by whichever thread asks.
 class SolidMesh {
 public:
-    static constexpr int usual_cells = 48, least_cells = 8, most_cells = 128;
+    static constexpr int least_cells = 8, most_cells = 128;
 
     /// @param mesh   passed `check_mesh`
-    /// @param cells  of the level set along the longest side
-    explicit SolidMesh(TriangleMesh mesh, std::string name = "mesh", int cells = usual_cells);
+    /// @param cells  of the level set along the longest side; 0: `cells_for(mesh)`
+    explicit SolidMesh(TriangleMesh mesh, std::string name = "mesh", int cells = 0);
+
+    SolidMesh(const SolidMesh&) = delete;
+    SolidMesh& operator=(const SolidMesh&) = delete;
 
     const TriangleMesh& mesh() const { return mesh_; }
     const std::string& name() const { return name_; }
-    int cells() const { return cells_; }
     const Bounds& bounds() const { return bounds_; }
     /// The ball about the middle of the bounds that holds it [m].
     Vector3d center() const { return (bounds_.low + bounds_.high) / 2; }
     double radius() const { return radius_; }
     double volume() const { return volume_; } // [m³]
 
+    /// Whether it has no dent: then contacts go by its hull, and its level set is rarely needed.
+    bool is_convex() const { return is_convex_; }
+    /// @pre is_convex()
+    const Hull& hull() const;
+
+    /// Points and edges of the surface, a cell of the level set apart.
+    const MeshSurface& surface() const;
+
+    /// Signed distance on a grid. @param made  called if it was made for this call
+    template <class Made> const LevelSet& level_set(const Made& made) const
+    {
+        return level_set_.get([&] {
+            made();
+            return new_level_set();
+        });
+    }
+
 private:
+    int cells() const;
+    std::unique_ptr<LevelSet> new_level_set() const;
+
     TriangleMesh mesh_;
     std::string name_;
     int cells_;
     Bounds bounds_;
     double radius_ = 0, volume_ = 0;
+    bool is_convex_ = false;
+    Once<Hull> hull_;
+    Once<int> chosen_cells_;
+    Once<MeshSurface> surface_;
+    Once<LevelSet> level_set_;
 };
 
 } // namespace rigor

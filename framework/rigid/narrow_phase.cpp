@@ -2,7 +2,14 @@
 #include "rigid/narrow_phase.hpp"
 
 #include "geometry/bounds.hpp"
+#include "geometry/convex.hpp"
 #include "rigid/box_box.hpp"
+#include "rigid/convex_contact.hpp"
+#include "rigid/core_contact.hpp"
+#include "rigid/distance_field.hpp"
+#include "rigid/mesh_contact.hpp"
+#include "rigid/non_finite.hpp"
+#include "rigid/plane_contact.hpp"
 
 namespace rigor {
 
@@ -23,13 +30,6 @@ void touch(const PlacedSphere& a, const PlacedSphere& b, double reach, Touches& 
     if (gap >= reach) return;
     const Vector3d n = distance > 0 ? Vector3d(d / distance) : Vector3d::UnitY(); // concentric: up
     touches.push_back({b.center + (b.radius + gap / 2) * n, n, gap});
-}
-
-void touch(const PlacedSphere& sphere, const Pose& plane, double reach, Touches& touches)
-{
-    const Vector3d n = plane.R.col(1);
-    const double gap = n.dot(sphere.center - plane.X) - sphere.radius;
-    if (gap < reach) touches.push_back({sphere.center - sphere.radius * n, n, gap});
 }
 
 void touch(const PlacedSphere& sphere, const Box& box, const Pose& pose, double reach,
@@ -56,40 +56,56 @@ void touch(const PlacedSphere& sphere, const Box& box, const Pose& pose, double 
     touches.push_back({sphere.center - sphere.radius * n, n, gap});
 }
 
-void touch(const Box& box, const Pose& pose, const Pose& plane, double reach, Touches& touches)
-{
-    const Vector3d n = plane.R.col(1);
-    for (int corner = 0; corner < 8; ++corner) {
-        const Vector3d sign(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1);
-        const Vector3d x = pose * sign.cwiseProduct(box.size / 2);
-        const double gap = n.dot(x - plane.X);
-        if (gap < reach) touches.push_back({x, n, gap});
-    }
-}
-
-// Spheres before boxes before planes: half of the pairs are the other half, seen from the other side.
+// In the order of the variant, with what has a core first and planes last: half of the pairs are the other
+// half, seen from the other side.
 bool is_in_order(const Shape& a, const Shape& b)
 {
     return a.index() <= b.index();
 }
 
-void find_ordered(const Shape& shape1, const Pose& pose1, const Shape& shape2, const Pose& pose2,
-                  double reach, Touches& touches)
+bool has_core(const Shape& shape)
 {
-    const Box* box1 = std::get_if<Box>(&shape1);
+    return std::holds_alternative<Sphere>(shape) || std::holds_alternative<Capsule>(shape) ||
+           std::holds_alternative<Torus>(shape);
+}
+
+void find_ordered(const Shape& shape1, const Pose& pose1, const Shape& shape2, const Pose& pose2,
+                  double reach, Counters& counters, Touches& touches)
+{
+    if (std::holds_alternative<Plane>(shape2))
+        return touch_plane(shape1, pose1, pose2, reach, touches);
     const Box* box2 = std::get_if<Box>(&shape2);
-    const bool is_plane2 = std::holds_alternative<Plane>(shape2);
     if (const Sphere* sphere = std::get_if<Sphere>(&shape1)) {
         const PlacedSphere placed{sphere->radius, pose1.X};
         if (const Sphere* other = std::get_if<Sphere>(&shape2))
-            touch(placed, PlacedSphere{other->radius, pose2.X}, reach, touches);
-        if (box2) touch(placed, *box2, pose2, reach, touches);
-        if (is_plane2) touch(placed, pose2, reach, touches);
-    } else if (box1 && box2) {
-        touch_boxes(*box1, pose1, *box2, pose2, reach, touches);
-    } else if (box1 && is_plane2) {
-        touch(*box1, pose1, pose2, reach, touches);
+            return touch(placed, PlacedSphere{other->radius, pose2.X}, reach, touches);
+        if (box2) return touch(placed, *box2, pose2, reach, touches);
     }
+    if (has_core(shape1)) return touch_core(shape1, pose1, shape2, pose2, reach, counters, touches);
+    if (const Box* box1 = std::get_if<Box>(&shape1); box1 && box2)
+        return touch_boxes(*box1, pose1, *box2, pose2, reach, touches);
+    if (is_convex_solid(shape1) && is_convex_solid(shape2))
+        return touch_convex(shape1, pose1, shape2, pose2, reach, touches);
+    touch_mesh(shape1, pose1, shape2, pose2, reach, counters, touches);
+}
+
+void find_in_any_order(const Shape& shape1, const Pose& pose1, const Shape& shape2,
+                       const Pose& pose2, double reach, Counters& counters, Touches& touches)
+{
+    if (is_in_order(shape1, shape2))
+        return find_ordered(shape1, pose1, shape2, pose2, reach, counters, touches);
+    const std::size_t first = touches.size();
+    find_ordered(shape2, pose2, shape1, pose1, reach, counters, touches);
+    for (std::size_t i = first; i < touches.size(); ++i)
+        touches[i].normal = -touches[i].normal;
+}
+
+// The body that has the shape: its level set was asked.
+const std::string& owner(const RigidBody& body1, const RigidBody& body2, const Shape* shape)
+{
+    for (const Part& part : body1.parts)
+        if (&part.shape == shape) return body1.name;
+    return body2.name;
 }
 
 } // namespace
@@ -97,16 +113,19 @@ void find_ordered(const Shape& shape1, const Pose& pose1, const Shape& shape2, c
 void find_touches(const Shape& shape1, const Pose& pose1, const Shape& shape2, const Pose& pose2,
                   double reach, Touches& touches)
 {
-    if (is_in_order(shape1, shape2))
-        return find_ordered(shape1, pose1, shape2, pose2, reach, touches);
-    const std::size_t first = touches.size();
-    find_ordered(shape2, pose2, shape1, pose1, reach, touches);
-    for (std::size_t i = first; i < touches.size(); ++i)
-        touches[i].normal = -touches[i].normal;
+    Counters counters;
+    find_in_any_order(shape1, pose1, shape2, pose2, reach, counters, touches);
 }
 
 void find_contacts(const World& world, const std::vector<Pose>& poses, int body1, int body2,
                    double reach, std::vector<Contact>& contacts)
+{
+    Counters counters;
+    find_contacts(world, poses, body1, body2, reach, contacts, counters);
+}
+
+void find_contacts(const World& world, const std::vector<Pose>& poses, int body1, int body2,
+                   double reach, std::vector<Contact>& contacts, Counters& counters)
 {
     const std::vector<Part>& parts1 = world.bodies[body1].parts;
     const std::vector<Part>& parts2 = world.bodies[body2].parts;
@@ -119,7 +138,12 @@ void find_contacts(const World& world, const std::vector<Pose>& poses, int body1
         for (const Part& part2 : parts2) {
             const Pose pose2 = part_pose(poses[body2], part2);
             if (is_compound && !bounds1.overlaps(bounds_of(part2.shape, pose2))) continue;
-            find_touches(part1.shape, pose1, part2.shape, pose2, reach, touches);
+            try {
+                find_in_any_order(part1.shape, pose1, part2.shape, pose2, reach, counters, touches);
+            } catch (const NonFiniteLevelSet& e) {
+                throw NonFiniteState(owner(world.bodies[body1], world.bodies[body2], e.shape),
+                                     std::string(e.quantity) + " of the level set", world.time);
+            }
         }
     }
     for (const Touch& found : touches)

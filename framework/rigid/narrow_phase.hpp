@@ -22,14 +22,21 @@ struct Contact : Touch {
 /// Appends where shape 1 and shape 2 are closer than `reach`.
 ///
 /// A sphere has one touch, on its surface (between two spheres, in the middle of the gap), with the
-/// normal through its center: so an impulse without friction never spins it. A box has its vertices
-/// against a plane; against a box, see box_box.hpp. Two planes never touch.
+/// normal through its center: so an impulse without friction never spins it. Against a plane, see
+/// plane_contact.hpp; a capsule and a torus, core_contact.hpp; two boxes, box_box.hpp; two other
+/// convex shapes, convex_contact.hpp; a mesh with a dent, mesh_contact.hpp. Two planes never touch.
 void find_touches(const Shape& shape1, const Pose& pose1, const Shape& shape2, const Pose& pose2,
                   double reach, std::vector<Touch>& touches);
 
 /// Appends the contacts of bodies 1 and 2, part by part.
 ///
-/// @param poses  of all bodies
+/// @param poses     of all bodies
+/// @param counters  level sets built and samples taken of them are added to it
+/// @throws NonFiniteState if a level set's distance or normal is no number
+void find_contacts(const World& world, const std::vector<Pose>& poses, int body1, int body2,
+                   double reach, std::vector<Contact>& contacts, Counters& counters);
+
+/// The same, uncounted.
 void find_contacts(const World& world, const std::vector<Pose>& poses, int body1, int body2,
                    double reach, std::vector<Contact>& contacts);
 

@@ -18,7 +18,7 @@ int whole(const Value& value, std::string_view what, int low, int high)
 struct MeshDraft {
     const Value* file = nullptr;
     double scale = 1;
-    int cells = SolidMesh::usual_cells, sides = 48, teeth = 0;
+    int cells = 0, sides = 48, teeth = 0;
     double radius = 0, inner_radius = 0, outer_radius = 0, height = 0, length = 0, width = 0,
            thickness = 0, bore = 0, degrees = 0;
     Vector3d size = Vector3d::Zero();
@@ -27,7 +27,8 @@ struct MeshDraft {
 using MeshKey = Key<MeshDraft>;
 
 constexpr MeshKey cells_key = {
-    "cells", "of the level set along the longest side, from 8 to 128, default 48",
+    "cells",
+    "of the level set along the longest side, from 8 to 128, default 32 to 64 by the walls",
     [](MeshDraft& m, const Value& v) {
         m.cells = whole(v, "a number of cells", SolidMesh::least_cells, SolidMesh::most_cells);
     }};

@@ -105,10 +105,10 @@ TEST_CASE("shapes: a generated mesh has the volume of its keys")
              R"({"gear": {"teeth": 12, "radius": 1, "thickness": 0.2, "bore": 0.3}})",
              R"({"voussoir": {"inner_radius": 1, "outer_radius": 1.3, "degrees": 15, "thickness": 1}})"}),
         "s");
-    CHECK(solid(scene, 0).cells() == 20);
+    const LevelSet& grid = solid(scene, 0).level_set([] {});
+    CHECK_THAT(grid.cell_size, IsClose(2.0 / 20, Rounding(8)));
     CHECK(solid(scene, 0).name() == "ring");
     CHECK(solid(scene, 0).mesh().vertices.size() == 4 * 48);
-    CHECK(solid(scene, 1).cells() == SolidMesh::usual_cells);
     CHECK(solid(scene, 2).mesh().vertices.size() == 12 * 4 * 4);
     CHECK(solid(scene, 3).mesh().vertices.size() == 8);
 }

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "rigid/narrow_phase.hpp"
+
+namespace rigor {
+
+/// Appends where a mesh and another solid shape are nearer than `reach`, at most eight touches.
+///
+/// Points of each surface are looked up in the distance of the other: of a mesh in its level set, of
+/// any other shape in the exact one (Guendelman, Bridson and Fedkiw 2003, "Nonconvex rigid bodies with
+/// stacking"). The normal is the gradient there, or what of the point's own normals is nearest to it:
+/// so that a corner on an edge pushes along the face. Edges are held against edges exactly: bars that
+/// cross touch where no point of either lies in the other.
+///
+/// @param shape1  a mesh, a box, a cylinder, a cone or an ellipsoid
+/// @param shape2  a mesh
+void touch_mesh(const Shape& shape1, const Pose& pose1, const Shape& shape2, const Pose& pose2,
+                double reach, Counters& counters, std::vector<Touch>& touches);
+
+} // namespace rigor
