@@ -4,6 +4,7 @@
 
 #include <Eigen/Dense>
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,11 +16,32 @@ using Eigen::Vector3f;
 using Eigen::Vector4f;
 
 /// A unit solid put somewhere: its point p goes to axes p + position. The columns of `axes` are
-/// orthogonal and carry the size: half edges of a box, the radius of a ball.
+/// orthogonal and carry the size: half edges of a box, radius or semi-axes of a ball.
 struct Instance {
     Matrix3f axes = Matrix3f::Identity();
     Vector3f position = Vector3f::Zero(); // [m]
     Vector4f color = Vector4f::Ones();    // linear red, green, blue, opacity
+};
+
+/// A corner of a triangle.
+struct SurfaceVertex {
+    Vector3f position, normal;
+    Vector3f edges =
+        Vector3f::Constant(1e6F); // distances to the triangle's sharp edges; else large
+};
+
+/// Triangles about the middle of their bounds, three vertices each.
+struct Surface {
+    std::vector<SurfaceVertex> triangles;
+    float contrast = 0; // of octants in two tones, to see a spin by where there are no edges
+    Vector3f center = Vector3f::Zero(); // where the middle is in the frame it was made from [m]
+    float radius = 0;                   // around the middle [m]
+};
+
+/// One surface wherever it is. The axes of its instances are rotations.
+struct Model {
+    std::shared_ptr<const Surface> surface;
+    std::vector<Instance> instances;
 };
 
 /// A plane through `position`, its normal the y axis, with a grid of lines.
@@ -45,7 +67,9 @@ struct Picture {
     bool shadows = true;
 
     std::vector<Instance> boxes, balls;             // the bodies; they cast shadows
+    std::vector<Model> models;                      // likewise
     std::vector<Instance> ghost_boxes, ghost_balls; // translucent
+    std::vector<Model> ghost_models;
     // Overlays: cylinders and cones with base 0 and tip z = 1, small balls. Their opacity is that of
     // what lies behind a body; the rest is opaque.
     std::vector<Instance> rods, cones, dots;

@@ -3,6 +3,7 @@
 
 #include "geometry/bounds.hpp"
 #include "render/colors.hpp"
+#include "render/surfaces.hpp"
 
 #include <fmt/format.h>
 
@@ -55,6 +56,7 @@ void Stage::add_actor(const BodyDescription& body, const RecordedBody& recorded)
     for (Part& part : actor.parts) {
         part.position -= recorded.center_of_mass;
         if (!is_plane(part)) actor.radius = std::max(actor.radius, bounding_radius(part));
+        actor.models.push_back(model_of(part.shape));
     }
     actor.color = colors::resting;
     if (!actor.is_static) {
@@ -69,24 +71,59 @@ void Stage::add_actor(const BodyDescription& body, const RecordedBody& recorded)
     actors_.push_back(std::move(actor));
 }
 
+namespace {
+
+// What makes a surface: numbers of a round shape, the mesh of a mesh. None of a box, ball or plane.
+struct Essence {
+    using Key = std::optional<SurfaceKey>;
+    Key operator()(const Capsule& c) const { return SurfaceKey(nullptr, {1, c.radius, c.height}); }
+    Key operator()(const Torus& t) const { return SurfaceKey(nullptr, {2, t.radius, t.tube}); }
+    Key operator()(const Cylinder& c) const { return SurfaceKey(nullptr, {3, c.radius, c.height}); }
+    Key operator()(const Cone& c) const { return SurfaceKey(nullptr, {4, c.radius, c.height}); }
+    Key operator()(const Mesh& m) const { return SurfaceKey(m.solid.get(), {0, 0, 0}); }
+    template <class Other> Key operator()(const Other&) const { return {}; }
+};
+
+} // namespace
+
+int Stage::model_of(const Shape& shape)
+{
+    const auto key = std::visit(Essence{}, shape);
+    if (!key) return -1;
+    const auto [known, is_new] =
+        model_numbers_.try_emplace(*key, static_cast<int>(start_.models.size()));
+    if (is_new) {
+        start_.models.push_back({std::make_shared<Surface>(surface_of(shape)), {}});
+        start_.ghost_models.push_back({start_.models.back().surface, {}});
+    }
+    return known->second;
+}
+
 void Stage::add_body(Picture& picture, const Actor& actor, const RigidState& state,
                      bool ghost) const
 {
     if (!in_sight(state.position)) return;
     const Pose body = {rotation_matrix(state.orientation), state.position};
     const Vector4f& color = ghost ? colors::ghostly : actor.color;
-    for (const Part& part : actor.parts) {
+    for (std::size_t i = 0; i < actor.parts.size(); ++i) {
+        const Part& part = actor.parts[i];
         const Pose pose = part_pose(body, part);
         const Matrix3f axes = pose.R.cast<float>();
         const Vector3f position = pose.X.cast<float>();
-        if (const auto* sphere = std::get_if<Sphere>(&part.shape))
-            (ghost ? picture.ghost_balls : picture.balls)
-                .push_back({axes * static_cast<float>(sphere->radius), position, color});
-        else if (const auto* box = std::get_if<Box>(&part.shape))
+        auto& balls = ghost ? picture.ghost_balls : picture.balls;
+        if (const auto* sphere = std::get_if<Sphere>(&part.shape)) {
+            balls.push_back({axes * static_cast<float>(sphere->radius), position, color});
+        } else if (const auto* ellipsoid = std::get_if<Ellipsoid>(&part.shape)) {
+            balls.push_back({axes * ellipsoid->radii.cast<float>().asDiagonal(), position, color});
+        } else if (const auto* box = std::get_if<Box>(&part.shape)) {
             (ghost ? picture.ghost_boxes : picture.boxes)
                 .push_back({axes * (box->size / 2).cast<float>().asDiagonal(), position, color});
-        else if (!ghost)
+        } else if (const int number = actor.models[i]; number >= 0) {
+            Model& model = (ghost ? picture.ghost_models : picture.models)[number];
+            model.instances.push_back({axes, axes * model.surface->center + position, color});
+        } else if (!ghost) {
             picture.grounds.push_back({axes, position, true, overlays_.grid});
+        }
     }
 }
 

@@ -6,10 +6,16 @@
 #include "scene/scene.hpp"
 #include "scene/trajectory.hpp"
 
+#include <array>
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace rigor {
+
+/// What tells one surface from another: a mesh, or a kind of shape and its sizes.
+using SurfaceKey = std::pair<const SolidMesh*, std::array<double, 3>>;
 
 /// What stays the same from frame to frame of a run. Colors are chosen so that neighbors differ
 /// also for the color-blind.
@@ -30,6 +36,7 @@ private:
         std::string name;
         bool is_static = false;
         std::vector<Part> parts;                     // about the center of mass
+        std::vector<int> models;                     // of each part; -1: a box, a ball, a plane
         Matrix3d inverse_inertia = Matrix3d::Zero(); // I_body⁻¹ [1/(kg m²)]
         double mass = 0, mean_inertia = 0;           // [kg], [kg m²]
         double radius = 0;                           // around the center of mass [m]
@@ -37,6 +44,7 @@ private:
     };
 
     void add_actor(const BodyDescription& body, const RecordedBody& recorded);
+    int model_of(const Shape& shape);
     Picture empty_picture(const Frame& frame) const;
     void add_body(Picture& picture, const Actor& actor, const RigidState& state, bool ghost) const;
 
@@ -51,6 +59,7 @@ private:
     Scene scene_;
     Overlays overlays_;
     std::vector<Actor> actors_;
+    std::map<SurfaceKey, int> model_numbers_; // among the picture's models
     Picture start_;           // camera and, where the scene has no plane, lines to see motion by
     float thickness_ = 0.01F; // of a rod [m]
 };

@@ -48,11 +48,12 @@ private:
         Target target;
         GlBuffer view;
         GlArrays no_attributes;
-        FlatMesh ground;
+        FlatDrawing ground;
         std::optional<ShadowMap> shadow_map;
         std::optional<Lettering> lettering;
         std::map<std::string, Program> programs;
-        std::array<std::optional<Mesh>, static_cast<std::size_t>(Solid::count)> meshes;
+        std::array<std::optional<SolidDrawing>, static_cast<std::size_t>(Solid::count)> meshes;
+        std::map<std::shared_ptr<const Surface>, SolidDrawing> surfaces;
     };
 
     static std::unique_ptr<Context> current(std::unique_ptr<Context> context)
@@ -63,6 +64,7 @@ private:
     const Program& use(Look look, const std::string& definitions);
     void draw_solids(Solid solid, std::span<const Instance> instances);
     void draw_balls(const Picture& picture, std::span<const Instance> balls);
+    void draw_models(std::span<const Model> models, Look look, const std::string& definitions);
     void draw_shadows(const Picture& picture);
     void draw_bodies(const Picture& picture);
     void draw_ghosts(const Picture& picture);
@@ -119,7 +121,7 @@ void Drawing::draw_balls(const Picture& picture, std::span<const Instance> balls
         static_cast<float>(height_) * 40 / std::max(picture.field_of_view, 1.0F);
     for (const Instance& ball : balls) {
         const float away = std::max((ball.position - picture.eye).norm(), 1e-6F);
-        const float pixels = ball.axes.col(0).norm() / away * pixels_at_1;
+        const float pixels = ball.axes.colwise().norm().maxCoeff() / away * pixels_at_1;
         by_detail[pixels < 8 ? 0 : pixels < 40 ? 1 : 2].push_back(ball);
     }
     draw_solids(Solid::coarse_ball, by_detail[0]);
@@ -127,10 +129,25 @@ void Drawing::draw_balls(const Picture& picture, std::span<const Instance> balls
     draw_solids(Solid::fine_ball, by_detail[2]);
 }
 
+void Drawing::draw_models(std::span<const Model> models, Look look, const std::string& definitions)
+{
+    for (const Model& model : models) {
+        if (model.instances.empty()) continue;
+        const std::string contrast = std::to_string(model.surface->contrast);
+        use(look, look == Look::model ? definitions + "#define CONTRAST " + contrast + "\n" : "");
+        auto known = parts_->surfaces.find(model.surface);
+        if (known == parts_->surfaces.end())
+            known = parts_->surfaces.try_emplace(model.surface, model.surface->triangles).first;
+        known->second.draw(model.instances);
+    }
+}
+
 void Drawing::draw_shadows(const Picture& picture)
 {
     shadows_.clear();
-    if (!picture.shadows || (picture.boxes.empty() && picture.balls.empty())) return;
+    const bool has_casters =
+        !picture.boxes.empty() || !picture.balls.empty() || !picture.models.empty();
+    if (!picture.shadows || !has_casters) return;
     shadows_ = "#define SHADOWS\n";
     if (!parts_->shadow_map) parts_->shadow_map.emplace();
     parts_->shadow_map->start();
@@ -139,6 +156,7 @@ void Drawing::draw_shadows(const Picture& picture)
     glPolygonOffset(1.5F, 2.0F); // or faces shade themselves
     draw_solids(Solid::cube, picture.boxes);
     draw_solids(Solid::ball, picture.balls);
+    draw_models(picture.models, Look::shadow, "");
     glDisable(GL_POLYGON_OFFSET_FILL);
     parts_->shadow_map->bind();
 }
@@ -153,6 +171,7 @@ void Drawing::draw_bodies(const Picture& picture)
         use(Look::ball, shadows_);
         draw_balls(picture, picture.balls);
     }
+    draw_models(picture.models, Look::model, shadows_);
 }
 
 void Drawing::draw_ghosts(const Picture& picture)
@@ -165,6 +184,7 @@ void Drawing::draw_ghosts(const Picture& picture)
         use(Look::ball, "#define GHOST\n");
         draw_balls(picture, picture.ghost_balls);
     }
+    draw_models(picture.ghost_models, Look::model, "#define GHOST\n");
 }
 
 void Drawing::draw_overlays(const Picture& picture, const std::string& definitions)

@@ -70,14 +70,17 @@ Ball around_casters(const Picture& picture)
     const Vector3f nearest = picture.target - Vector3f::Constant(reach),
                    farthest = picture.target + Vector3f::Constant(reach);
     Vector3f low = Vector3f::Constant(INFINITY), high = Vector3f::Constant(-INFINITY);
-    for (const auto* casters : {&picture.boxes, &picture.balls}) {
-        for (const Instance& caster : *casters) {
-            if (!((caster.position - picture.target).norm() < reach)) continue;
-            const Vector3f half = caster.axes.cwiseAbs().rowwise().sum();
-            low = low.cwiseMin((caster.position - half).cwiseMax(nearest));
-            high = high.cwiseMax((caster.position + half).cwiseMin(farthest));
-        }
-    }
+    const auto include = [&](const Vector3f& position, const Vector3f& half) {
+        if (!((position - picture.target).norm() < reach)) return;
+        low = low.cwiseMin((position - half).cwiseMax(nearest));
+        high = high.cwiseMax((position + half).cwiseMin(farthest));
+    };
+    for (const auto* casters : {&picture.boxes, &picture.balls})
+        for (const Instance& caster : *casters)
+            include(caster.position, caster.axes.cwiseAbs().rowwise().sum());
+    for (const Model& model : picture.models)
+        for (const Instance& caster : model.instances)
+            include(caster.position, Vector3f::Constant(model.surface->radius));
     if (!(low.x() <= high.x())) return {picture.target, 1};
     // In steps, so that the edges of shadows do not crawl from frame to frame.
     const float radius = std::max((high - low).norm() / 2, 1e-3F * reach);

@@ -8,7 +8,7 @@
 namespace rigor {
 namespace {
 
-// The attributes of the shaders: 0 position, 1 normal; 2 3 4 axes, 5 place, 6 color an instance.
+// The attributes of the shaders: 0 position, 1 normal, 7 edges; 2 3 4 axes, 5 place, 6 color an instance.
 void attribute(GLuint index, int size, std::size_t stride, std::size_t offset, GLuint divisor)
 {
     glEnableVertexAttribArray(index);
@@ -17,7 +17,7 @@ void attribute(GLuint index, int size, std::size_t stride, std::size_t offset, G
     glVertexAttribDivisor(index, divisor);
 }
 
-void add_flat(std::vector<MeshVertex>& mesh, const Vector3f& a, const Vector3f& b,
+void add_flat(std::vector<SurfaceVertex>& mesh, const Vector3f& a, const Vector3f& b,
               const Vector3f& c)
 {
     const Vector3f normal = (b - a).cross(c - a).normalized();
@@ -25,7 +25,7 @@ void add_flat(std::vector<MeshVertex>& mesh, const Vector3f& a, const Vector3f& 
         mesh.push_back({corner, normal});
 }
 
-void add_round(std::vector<MeshVertex>& mesh, const Vector3f& a, const Vector3f& b,
+void add_round(std::vector<SurfaceVertex>& mesh, const Vector3f& a, const Vector3f& b,
                const Vector3f& c, int levels)
 {
     if (levels == 0) {
@@ -42,9 +42,9 @@ void add_round(std::vector<MeshVertex>& mesh, const Vector3f& a, const Vector3f&
 
 } // namespace
 
-std::vector<MeshVertex> cube_mesh()
+std::vector<SurfaceVertex> cube_mesh()
 {
-    std::vector<MeshVertex> mesh;
+    std::vector<SurfaceVertex> mesh;
     for (int axis = 0; axis < 3; ++axis) {
         for (const float side : {-1.0F, 1.0F}) {
             const Vector3f n = side * Vector3f::Unit(axis), u = Vector3f::Unit((axis + 1) % 3);
@@ -56,9 +56,9 @@ std::vector<MeshVertex> cube_mesh()
     return mesh;
 }
 
-std::vector<MeshVertex> ball_mesh(int levels)
+std::vector<SurfaceVertex> ball_mesh(int levels)
 {
-    std::vector<MeshVertex> mesh;
+    std::vector<SurfaceVertex> mesh;
     for (const float x : {-1.0F, 1.0F}) {
         for (const float y : {-1.0F, 1.0F}) {
             for (const float z : {-1.0F, 1.0F}) {
@@ -74,11 +74,11 @@ std::vector<MeshVertex> ball_mesh(int levels)
     return mesh;
 }
 
-std::vector<MeshVertex> rod_mesh(bool pointed)
+std::vector<SurfaceVertex> rod_mesh(bool pointed)
 {
     constexpr int sides = 16;
     const Vector3f top = Vector3f::UnitZ();
-    std::vector<MeshVertex> mesh;
+    std::vector<SurfaceVertex> mesh;
     const auto rim = [](int side) {
         const float angle = 2 * std::numbers::pi_v<float> * static_cast<float>(side) / sides;
         return Vector3f(std::cos(angle), std::sin(angle), 0);
@@ -96,15 +96,16 @@ std::vector<MeshVertex> rod_mesh(bool pointed)
     return mesh;
 }
 
-Mesh::Mesh(const std::vector<MeshVertex>& triangles)
+SolidDrawing::SolidDrawing(const std::vector<SurfaceVertex>& triangles)
     : count_(static_cast<GLsizei>(triangles.size()))
 {
     glBindVertexArray(arrays_);
     glBindBuffer(GL_ARRAY_BUFFER, vertices_);
-    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(triangles.size() * sizeof(MeshVertex)),
+    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(triangles.size() * sizeof(SurfaceVertex)),
                  triangles.data(), GL_STATIC_DRAW);
-    attribute(0, 3, sizeof(MeshVertex), offsetof(MeshVertex, position), 0);
-    attribute(1, 3, sizeof(MeshVertex), offsetof(MeshVertex, normal), 0);
+    attribute(0, 3, sizeof(SurfaceVertex), offsetof(SurfaceVertex, position), 0);
+    attribute(1, 3, sizeof(SurfaceVertex), offsetof(SurfaceVertex, normal), 0);
+    attribute(7, 3, sizeof(SurfaceVertex), offsetof(SurfaceVertex, edges), 0);
     glBindBuffer(GL_ARRAY_BUFFER, instances_);
     for (GLuint column = 0; column < 3; ++column)
         attribute(2 + column, 3, sizeof(Instance), 3 * sizeof(float) * column, 1);
@@ -112,7 +113,7 @@ Mesh::Mesh(const std::vector<MeshVertex>& triangles)
     attribute(6, 4, sizeof(Instance), 12 * sizeof(float), 1);
 }
 
-void Mesh::draw(std::span<const Instance> instances)
+void SolidDrawing::draw(std::span<const Instance> instances)
 {
     static_assert(sizeof(Instance) == 16 * sizeof(float));
     glBindVertexArray(arrays_);
@@ -122,14 +123,14 @@ void Mesh::draw(std::span<const Instance> instances)
     glDrawArraysInstanced(GL_TRIANGLES, 0, count_, static_cast<GLsizei>(instances.size()));
 }
 
-FlatMesh::FlatMesh()
+FlatDrawing::FlatDrawing()
 {
     glBindVertexArray(arrays_);
     glBindBuffer(GL_ARRAY_BUFFER, vertices_);
     attribute(0, 2, sizeof(Eigen::Vector2f), 0, 0);
 }
 
-void FlatMesh::draw(std::span<const Eigen::Vector2f> triangles)
+void FlatDrawing::draw(std::span<const Eigen::Vector2f> triangles)
 {
     glBindVertexArray(arrays_);
     glBindBuffer(GL_ARRAY_BUFFER, vertices_);

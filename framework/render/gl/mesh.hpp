@@ -10,23 +10,19 @@
 
 namespace rigor {
 
-struct MeshVertex {
-    Vector3f position, normal;
-};
-
 /// A cube from -1 to 1 with flat faces.
-std::vector<MeshVertex> cube_mesh();
+std::vector<SurfaceVertex> cube_mesh();
 
 /// A ball of radius 1: an octahedron whose edges are halved `levels` times.
-std::vector<MeshVertex> ball_mesh(int levels);
+std::vector<SurfaceVertex> ball_mesh(int levels);
 
 /// A cylinder or a cone of radius 1 about z, from 0 to 1, with its base.
-std::vector<MeshVertex> rod_mesh(bool pointed);
+std::vector<SurfaceVertex> rod_mesh(bool pointed);
 
 /// A mesh on the graphics side, drawn once an instance.
-class Mesh {
+class SolidDrawing {
 public:
-    explicit Mesh(const std::vector<MeshVertex>& triangles);
+    explicit SolidDrawing(const std::vector<SurfaceVertex>& triangles);
     void draw(std::span<const Instance> instances);
 
 private:
@@ -36,9 +32,9 @@ private:
 };
 
 /// Triangles on a ground, sent anew for each picture.
-class FlatMesh {
+class FlatDrawing {
 public:
-    FlatMesh();
+    FlatDrawing();
     void draw(std::span<const Eigen::Vector2f> triangles);
 
 private:

@@ -8,7 +8,7 @@
 
 namespace rigor {
 
-enum class Look { box, ball, overlay, ground, background, shadow, text, count };
+enum class Look { box, ball, model, overlay, ground, background, shadow, text, count };
 
 /// What one picture's shaders share, in the layout of their uniform block (std140).
 struct View {
@@ -18,7 +18,13 @@ struct View {
     float screen[4]; // width, height [pixels], 1 / side of the shadow map
 };
 
-/// A compiled look. `definitions` are names its source asks for: SHADOWS, GHOST, THROUGH.
+/// The text of a look.
+struct ShaderSource {
+    std::string vertex, fragment;
+};
+ShaderSource source(Look look);
+
+/// A compiled look. `definitions` are names its source asks for: SHADOWS, GHOST, CONTRAST, THROUGH.
 /// @throws std::runtime_error with the compiler's words
 class Program {
 public:
