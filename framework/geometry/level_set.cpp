@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "geometry/level_set.hpp"
 
-#include "geometry/bounding_tree.hpp"
 #include "geometry/mesh_edges.hpp"
-#include "geometry/triangle.hpp"
+#include "geometry/triangle_tree.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,15 +10,6 @@
 namespace rigor {
 
 namespace {
-
-BoundingTree tree_of(const TriangleMesh& mesh)
-{
-    std::vector<Bounds> boxes;
-    boxes.reserve(mesh.triangles.size());
-    for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t)
-        boxes.push_back(triangle_of(mesh, t).bounds());
-    return BoundingTree(boxes);
-}
 
 Bounds bounds_of(const TriangleMesh& mesh)
 {
@@ -57,68 +47,31 @@ struct PseudoNormals {
     }
 };
 
-// Nearest triangles, one query after the other, each near the last.
-class Nearest {
+// Distances, one query after the other, each near the last.
+class SignedDistance {
 public:
-    explicit Nearest(const TriangleMesh& mesh) : mesh_(mesh), tree_(tree_of(mesh)), normals_(mesh)
-    {
-    }
+    explicit SignedDistance(const TriangleMesh& mesh) : mesh_(mesh), tree_(mesh), normals_(mesh) {}
 
-    double signed_distance(const Vector3d& p)
+    double at(const Vector3d& p)
     {
-        p_ = p;
-        nearest_ = nearest_on(triangle_of(mesh_, triangle_), p);
-        squared_ = (nearest_.point - p).squaredNorm();
-        descend(0);
-        const int f = nearest_.feature;
-        const Vector3d& n = f == 6  ? normals_.faces[triangle_]
-                            : f < 3 ? normals_.vertices[mesh_.triangles[triangle_][f]]
-                                    : normals_.edges[triangle_][f - 3];
-        const double distance = std::sqrt(squared_);
-        return n.dot(p - nearest_.point) < 0 ? -distance : distance;
+        const TriangleTree::Found nearest = tree_.nearest(p, last_);
+        const int t = last_ = nearest.triangle, f = nearest.feature;
+        const Vector3d& n = f == 6  ? normals_.faces[t]
+                            : f < 3 ? normals_.vertices[mesh_.triangles[t][f]]
+                                    : normals_.edges[t][f - 3];
+        const double distance = std::sqrt(nearest.squared_distance);
+        return n.dot(p - nearest.point) < 0 ? -distance : distance;
     }
 
 private:
-    void descend(int index)
-    {
-        const BoundingTree::Node& node = tree_.nodes()[index];
-        if (node.is_leaf()) {
-            for (int i = node.first; i < node.last; ++i)
-                visit(tree_.order()[i]);
-            return;
-        }
-        int near = index + 1, far = node.right;
-        double to_near = squared_distance(tree_.nodes()[near].bounds, p_);
-        double to_far = squared_distance(tree_.nodes()[far].bounds, p_);
-        if (to_far < to_near) {
-            std::swap(near, far);
-            std::swap(to_near, to_far);
-        }
-        if (to_near < squared_) descend(near);
-        if (to_far < squared_) descend(far);
-    }
-
-    void visit(int triangle)
-    {
-        const NearestOnTriangle found = nearest_on(triangle_of(mesh_, triangle), p_);
-        const double squared = (found.point - p_).squaredNorm();
-        if (squared >= squared_) return;
-        squared_ = squared;
-        nearest_ = found;
-        triangle_ = triangle;
-    }
-
     const TriangleMesh& mesh_;
-    BoundingTree tree_;
+    TriangleTree tree_;
     PseudoNormals normals_;
-    Vector3d p_ = Vector3d::Zero();
-    int triangle_ = 0;
-    NearestOnTriangle nearest_;
-    double squared_ = 0;
+    int last_ = 0; // the triangle nearest to the last point
 };
 
 // Where a line from a face's middle inwards comes out again [m]; infinite if it does not.
-double thickness_at(const TriangleMesh& mesh, const BoundingTree& tree, int face)
+double thickness_at(const TriangleMesh& mesh, const TriangleTree& tree, int face)
 {
     const Triangle triangle = triangle_of(mesh, face);
     const Vector3d start = (triangle.a + triangle.b + triangle.c) / 3;
@@ -134,7 +87,7 @@ double thickness_at(const TriangleMesh& mesh, const BoundingTree& tree, int face
         }
         return first <= last;
     };
-    tree.walk(enter, [&](int t) {
+    tree.tree().walk(enter, [&](int t) {
         const Triangle other = triangle_of(mesh, t);
         const Vector3d n = other.area_normal();
         const double towards = n.dot(d);
@@ -166,19 +119,18 @@ LevelSet make_level_set(const TriangleMesh& mesh, int cells)
     grid.origin = (bounds.low + bounds.high) / 2 - half;
     const auto& [nx, ny, nz] = grid.size;
     grid.distances.reserve(static_cast<std::size_t>(nx) * ny * nz);
-    Nearest nearest(mesh);
+    SignedDistance distance(mesh);
     for (int k = 0; k < nz; ++k)
         for (int j = 0; j < ny; ++j)
             for (int i = 0; i < nx; ++i)
-                grid.distances.push_back(
-                    nearest.signed_distance(grid.origin + h * Vector3d(i, j, k)));
+                grid.distances.push_back(distance.at(grid.origin + h * Vector3d(i, j, k)));
     return grid;
 }
 
 int cells_for(const TriangleMesh& mesh)
 {
     constexpr double least = 32, most = 64, across = 3, quantile = 0.1;
-    const BoundingTree tree = tree_of(mesh);
+    const TriangleTree tree(mesh);
     std::vector<std::pair<double, double>> walls; // thickness, area
     double area = 0;
     for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "geometry/mesh_checks.hpp"
 
-#include "geometry/bounding_tree.hpp"
 #include "geometry/mesh_edges.hpp"
-#include "geometry/triangle.hpp"
+#include "geometry/triangle_tree.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -182,16 +181,15 @@ private:
 
     void crossings() const
     {
-        std::vector<Bounds> boxes;
-        const int count = static_cast<int>(mesh_.triangles.size());
-        for (int t = 0; t < count; ++t)
-            boxes.push_back(triangle_of(mesh_, t).bounds());
-        const BoundingTree tree(boxes);
-        for (int t = 0; t < count; ++t)
-            tree.near(boxes[t], [&](int u) {
-                if (u <= t || !boxes[t].overlaps(boxes[u]) || share(t, u, 2)) return;
+        const TriangleTree tree(mesh_);
+        for (int t = 0; t < static_cast<int>(mesh_.triangles.size()); ++t) {
+            const Bounds box = triangle_of(mesh_, t).bounds();
+            tree.tree().near(box, [&](int u) {
+                if (u <= t || !box.overlaps(triangle_of(mesh_, u).bounds()) || share(t, u, 2))
+                    return;
                 if (edge_through(t, u) || edge_through(u, t)) crossing(t, u);
             });
+        }
     }
 
     // Solid angle of a face seen from p, over 4π (van Oosterom and Strackee 1983).

@@ -16,12 +16,12 @@ constexpr double same = 1e-6;  // of two directions
 
 } // namespace
 
-MeshSurface::MeshSurface(const TriangleMesh& mesh, double spacing)
+MeshSurface::MeshSurface(const TriangleMesh& mesh, double spacing) : spacing_(spacing)
 {
     const std::vector<Vector3d> normals = triangle_normals(mesh);
     add_vertices(mesh, normals);
-    add_edges(mesh, normals, spacing);
-    add_faces(mesh, normals, spacing);
+    add_edges(mesh, normals);
+    add_faces(mesh, normals);
 
     std::vector<Bounds> boxes;
     for (const SurfacePoint& p : points_)
@@ -64,8 +64,7 @@ void MeshSurface::add_vertices(const TriangleMesh& mesh, const std::vector<Vecto
         points_.push_back({mesh.vertices[v], add_cone(faces[v], directions[v])});
 }
 
-void MeshSurface::add_edges(const TriangleMesh& mesh, const std::vector<Vector3d>& normals,
-                            double spacing)
+void MeshSurface::add_edges(const TriangleMesh& mesh, const std::vector<Vector3d>& normals)
 {
     for (const MeshEdge& edge : mesh_edges(mesh, normals)) {
         const Vector3d &from = mesh.vertices[edge.from], &to = mesh.vertices[edge.to];
@@ -78,16 +77,16 @@ void MeshSurface::add_edges(const TriangleMesh& mesh, const std::vector<Vector3d
         const Vector3d into1 = n1.cross(along), into2 = along.cross(n2);
         const int cone = add_cone({n1, n2}, {along, -along, into1, into2});
         edges_.push_back({from, to, n1, n2, cone});
-        const int pieces = static_cast<int>(std::ceil((to - from).norm() / spacing));
+        const int pieces = static_cast<int>(std::ceil((to - from).norm() / spacing_));
         for (int i = 1; i < pieces; ++i)
             points_.push_back({from + static_cast<double>(i) / pieces * (to - from), cone});
     }
 }
 
 // Rows along the longest side, from side to side.
-void MeshSurface::add_faces(const TriangleMesh& mesh, const std::vector<Vector3d>& normals,
-                            double spacing)
+void MeshSurface::add_faces(const TriangleMesh& mesh, const std::vector<Vector3d>& normals)
 {
+    const double spacing = 2 * spacing_;
     for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
         Triangle triangle = triangle_of(mesh, t);
         for (int turns = 0; turns < 2; ++turns) // until ab is the longest

@@ -22,7 +22,7 @@ struct SharpEdge {
     int cone = 0;
 };
 
-/// Points no farther apart than a spacing, and the edges at which the surface bends by more than ten
+/// Points about a spacing apart along edges and two on faces, and the edges at which the surface bends by more than ten
 /// degrees, in trees. Edges and faces that the surface bends away from are left out: what sticks out
 /// elsewhere gets there first.
 class MeshSurface {
@@ -30,8 +30,10 @@ public:
     /// @param spacing  > 0 [m]
     MeshSurface(const TriangleMesh& mesh, double spacing);
 
+    /// Those on vertices first, then those on edges.
     const std::vector<SurfacePoint>& points() const { return points_; }
     const std::vector<SharpEdge>& edges() const { return edges_; }
+    double spacing() const { return spacing_; }
     const BoundingTree& point_tree() const { return point_tree_; }
     const BoundingTree& edge_tree() const { return edge_tree_; }
 
@@ -49,9 +51,10 @@ private:
     int add_cone(const std::vector<Vector3d>& normals, const std::vector<Vector3d>& directions);
     bool touches(const Cone& cone, const Vector3d& d) const;
     void add_vertices(const TriangleMesh& mesh, const std::vector<Vector3d>& normals);
-    void add_edges(const TriangleMesh& mesh, const std::vector<Vector3d>& normals, double spacing);
-    void add_faces(const TriangleMesh& mesh, const std::vector<Vector3d>& normals, double spacing);
+    void add_edges(const TriangleMesh& mesh, const std::vector<Vector3d>& normals);
+    void add_faces(const TriangleMesh& mesh, const std::vector<Vector3d>& normals);
 
+    double spacing_;
     std::vector<SurfacePoint> points_;
     std::vector<SharpEdge> edges_;
     std::vector<Cone> cones_;

@@ -37,6 +37,11 @@ const MeshSurface& SolidMesh::surface() const
     });
 }
 
+const TriangleTree& SolidMesh::triangles() const
+{
+    return triangles_.get([&] { return std::make_unique<TriangleTree>(mesh_); });
+}
+
 std::unique_ptr<LevelSet> SolidMesh::new_level_set() const
 {
     return std::make_unique<LevelSet>(make_level_set(mesh_, cells()));

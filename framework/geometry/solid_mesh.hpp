@@ -6,6 +6,7 @@
 #include "geometry/hull.hpp"
 #include "geometry/mesh_surface.hpp"
 #include "geometry/once.hpp"
+#include "geometry/triangle_tree.hpp"
 
 #include <string>
 
@@ -40,6 +41,9 @@ public:
     /// Points and edges of the surface, a cell of the level set apart.
     const MeshSurface& surface() const;
 
+    /// Its triangles, to find the nearest.
+    const TriangleTree& triangles() const;
+
     /// Signed distance on a grid. @param made  called if it was made for this call
     template <class Made> const LevelSet& level_set(const Made& made) const
     {
@@ -62,6 +66,7 @@ private:
     Once<Hull> hull_;
     Once<int> chosen_cells_;
     Once<MeshSurface> surface_;
+    Once<TriangleTree> triangles_;
     Once<LevelSet> level_set_;
 };
 

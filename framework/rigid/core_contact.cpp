@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "rigid/core_contact.hpp"
 
+#include "geometry/solid_mesh.hpp"
 #include "rigid/distance_field.hpp"
 #include "rigid/reduce_touches.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -80,7 +82,7 @@ public:
 
     void find()
     {
-        if (core_.samples == 1) return add(0, gap(0));
+        if (core_.samples == 1) return add(0);
         const int n = core_.samples;
         const double step = core_.length / (core_.is_closed ? n : n - 1);
         std::vector<double> gaps;
@@ -93,7 +95,7 @@ public:
         if (least - core_.meters() / n - field_.uncertainty() >= reach_) return;
         const std::size_t first = touches_.size();
         for (int i = 0; i < n; ++i) {
-            add(i * step, gaps[i]);
+            if (gaps[i] < reach_) add(i * step);
             const double before = gaps[core_.is_closed ? (i + n - 1) % n : std::max(i - 1, 0)];
             const double after = gaps[core_.is_closed ? (i + 1) % n : std::min(i + 1, n - 1)];
             if (gaps[i] > before || gaps[i] > after) continue;
@@ -103,7 +105,7 @@ public:
     }
 
 private:
-    double gap(double s) const { return field_.distance(core_.at(s)) - core_.radius; }
+    double gap(double s) const { return field_.ball_distance(core_.at(s), core_.radius); }
 
     void refine(int i, double step, double at_sample)
     {
@@ -112,14 +114,14 @@ private:
             core_.is_closed ? (i + 1) * step : std::min((i + 1) * step, core_.length);
         const double s = minimum([&](double t) { return gap(t); }, low, high);
         const double least = gap(s);
-        if (least < at_sample - 1e-9 * core_.meters()) add(s, least);
+        if (least < at_sample - 1e-9 * core_.meters()) add(s);
     }
 
-    void add(double s, double gap)
+    void add(double s)
     {
-        if (gap >= reach_) return;
-        const Vector3d p = core_.at(s), n = field_.normal(p);
-        touches_.push_back({pose2_ * (p - core_.radius * n), pose2_.R * n, gap});
+        const Vector3d p = core_.at(s);
+        const auto [gap, n] = field_.ball(p, core_.radius);
+        if (gap < reach_) touches_.push_back({pose2_ * (p - core_.radius * n), pose2_.R * n, gap});
     }
 
     const Core& core_;
@@ -148,6 +150,27 @@ void touch_ring(const Sphere& sphere, const Vector3d& center, const Torus& torus
     }
 }
 
+// A ball in a corner of a mesh: what else it looks at squarely besides the nearest place.
+void touch_corner(const Core& core, const SolidMesh& mesh, const DistanceField& field,
+                  const Pose& pose2, double reach, std::vector<Touch>& touches)
+{
+    const Vector3d c = core.at(0);
+    const SurfaceDistance nearest = field.ball(c, core.radius);
+    if (nearest.distance <= -core.radius) return; // its center is inside
+    std::vector<Vector3d> known = {nearest.normal};
+    for (const TriangleTree::Found& found : mesh.triangles().local_minima(c, core.radius + reach)) {
+        const Vector3d n = (c - found.point).normalized();
+        constexpr double alike = 0.9; // cosine of 25 degrees
+        const bool is_new = std::all_of(known.begin(), known.end(),
+                                        [&](const Vector3d& k) { return k.dot(n) < alike; });
+        if (!is_new || known.size() >= most_touches) continue;
+        known.push_back(n);
+        const auto [gap, normal] = field.ball_towards(c, core.radius, found.point);
+        if (gap < reach)
+            touches.push_back({pose2 * (c - core.radius * normal), pose2.R * normal, gap});
+    }
+}
+
 } // namespace
 
 void touch_core(const Shape& shape1, const Pose& pose1, const Shape& shape2, const Pose& pose2,
@@ -162,6 +185,8 @@ void touch_core(const Shape& shape1, const Pose& pose1, const Shape& shape2, con
     const DistanceField field(shape2, counters);
     const Core core = std::visit(CoreOf{pose}, shape1);
     AlongCore(core, field, pose2, reach, touches).find();
+    if (const Mesh* mesh = std::get_if<Mesh>(&shape2); mesh && sphere)
+        touch_corner(core, *mesh->solid, field, pose2, reach, touches);
 }
 
 } // namespace rigor

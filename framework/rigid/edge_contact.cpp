@@ -49,14 +49,14 @@ void touch(const SharpEdge& a, const SharpEdge& b, double reach, double deepest,
     if (!(area > parallel * u.norm() * v.norm())) return;
     Vector3d n = across / area;
     if (n.dot(b.normal1 + b.normal2) < 0) n = -n;
-    if (!is_between(n, b) || !is_between(-n, a)) return;
-    // where the lines a.from + s u and b.from + t v are nearest
     const Vector3d d = b.from - a.from;
+    const double gap = -d.dot(n);
+    if (gap >= reach || gap < -deepest) return;
+    // where the lines a.from + s u and b.from + t v are nearest
     const double s = d.cross(v).dot(across) / (area * area);
     const double t = d.cross(u).dot(across) / (area * area);
     if (s < 0 || s > 1 || t < 0 || t > 1) return;
-    const double gap = -d.dot(n);
-    if (gap >= reach || gap < -deepest) return;
+    if (!is_between(n, b) || !is_between(-n, a)) return;
     touches.push_back({(a.from + s * u + b.from + t * v) / 2, n, gap});
 }
 

@@ -15,6 +15,7 @@ namespace {
 
 // A normal this far from where the other shape's distance grows belongs to the far side of a wall.
 constexpr double opposite = 0.3;
+constexpr double far = 6; // times its own radius: from there a part of a surface is like a point
 
 // The points of a mesh that are near another shape.
 class PointsInField {
@@ -27,23 +28,49 @@ public:
     }
 
     // In the frame of the field, normals out of it.
-    void find(std::vector<Touch>& touches) const
-    {
-        const auto enter = [&](const Bounds& box) {
-            const Vector3d center = (box.low + box.high) / 2;
-            const double radius = (box.high - box.low).norm() / 2;
-            return field_.distance(pose_ * center) - radius - field_.uncertainty() < reach_;
-        };
-        const BoundingTree& tree = surface_.point_tree();
-        tree.walk(enter, [&](int i) { add(surface_.points()[i], touches); });
-    }
+    void find(std::vector<Touch>& touches) const { descend(0, touches); }
 
 private:
-    void add(const SurfacePoint& sample, std::vector<Touch>& touches) const
+    // A node's points are all about as far as its middle: if that is far for the node's size, one of
+    // them stands for all. Of a node of the size of a cell or two, the nearest does.
+    void descend(int index, std::vector<Touch>& touches) const
+    {
+        const BoundingTree::Node& node = surface_.point_tree().nodes()[index];
+        const Vector3d middle = pose_ * ((node.bounds.low + node.bounds.high) / 2);
+        const double radius = (node.bounds.high - node.bounds.low).norm() / 2;
+        const double farthest = reach_ + radius + field_.uncertainty();
+        if (field_.at_least(middle) >= farthest) return;
+        if (node.is_leaf()) return add_nearest(node.first, node.last, touches);
+        const double distance = field_.distance(middle);
+        if (distance >= farthest) return;
+        if (distance > far * radius) return add_nearest(node.first, node.first + 1, touches);
+        if (radius < 1.5 * surface_.spacing()) return add_nearest(node.first, node.last, touches);
+        descend(index + 1, touches);
+        descend(node.right, touches);
+    }
+
+    void add_nearest(int first, int last, std::vector<Touch>& touches) const
+    {
+        const double as_near = 1e-3 * surface_.spacing();
+        int nearest = -1;
+        double least = reach_;
+        for (int i = first; i < last; ++i) {
+            const int number = surface_.point_tree().order()[i];
+            const double gap = field_.distance(pose_ * surface_.points()[number].point);
+            // of points as near, vertices before edges before faces: the order of their numbers
+            const bool is_nearer = nearest < 0        ? gap < reach_
+                                   : number < nearest ? gap < least + as_near
+                                                      : gap < least - as_near;
+            if (!is_nearer) continue;
+            nearest = number;
+            least = gap;
+        }
+        if (nearest >= 0) add(surface_.points()[nearest], least, touches);
+    }
+
+    void add(const SurfacePoint& sample, double gap, std::vector<Touch>& touches) const
     {
         const Vector3d p = pose_ * sample.point;
-        const double gap = field_.distance(p);
-        if (gap >= reach_) return;
         const Vector3d gradient = field_.normal(p);
         const Vector3d own =
             surface_.nearest_normal(sample.cone, -(pose_.R.transpose() * gradient));

@@ -10,7 +10,7 @@ namespace rigor {
 
 namespace {
 
-constexpr double as_deep = 1e-3; // of the extent: what rounding and solving leave
+constexpr double as_deep = 1e-5; // of the extent: what rounding and solving leave
 
 class Selection {
 public:

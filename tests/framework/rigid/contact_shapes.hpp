@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+// Shapes of every kind, and what is known of them without the narrow phase.
+#pragma once
+
+#include "geometry/convex.hpp"
+#include "geometry/generators.hpp"
+#include "geometry/mesh_surface.hpp"
+#include "geometry/signed_distance.hpp"
+#include "geometry/solid_mesh.hpp"
+#include "rigid/narrow_phase.hpp"
+#include "worlds.hpp"
+
+namespace rigor::testing {
+
+inline std::vector<Touch> touches_of(const Shape& a, const Pose& pose_a, const Shape& b,
+                                     const Pose& pose_b, double reach = 1e9)
+{
+    std::vector<Touch> touches;
+    find_touches(a, pose_a, b, pose_b, reach, touches);
+    return touches;
+}
+
+inline double deepest(const std::vector<Touch>& touches)
+{
+    double least = 1e300;
+    for (const Touch& t : touches)
+        least = std::min(least, t.gap);
+    return least;
+}
+
+inline Shape mesh(const TriangleMesh& triangles)
+{
+    return Mesh{std::make_shared<SolidMesh>(triangles)};
+}
+
+struct NamedShape {
+    std::string name;
+    Shape shape;
+    double accuracy = 0; // of its touches, half a percent of the size unless it is exact [m]
+};
+
+inline const std::vector<NamedShape>& all_shapes()
+{
+    static const std::vector<NamedShape> all = {
+        {"sphere", Sphere{0.4}, 0.004},
+        {"capsule", Capsule{0.25, 0.6}, 0.004},
+        {"torus", Torus{0.4, 0.13}, 0.004},
+        {"box", Box{{0.6, 0.5, 0.8}}, 0.004},
+        {"cylinder", Cylinder{0.35, 0.8}, 0.004},
+        {"cone", Cone{0.4, 0.9}, 0.004},
+        {"ellipsoid", Ellipsoid{{0.5, 0.25, 0.35}}, 0.004},
+        {"ring", mesh(ring_mesh(0.3, 0.5, 0.25, 48)), 0.008},
+        {"cross", mesh(cross_mesh(1, 0.3)), 0.008},
+        {"bowl", mesh(bowl_mesh(0.5, 0.1, 48)), 0.008},
+        {"gear", mesh(gear_mesh(12, 0.5, 0.15, 0.2)), 0.008},
+        {"angle", mesh(angle_mesh({0.8, 0.8, 0.4}, 0.25)), 0.008},
+        {"stone", mesh(voussoir_mesh(0.2, 0.6, 60, 0.5)), 0.004},
+    };
+    return all;
+}
+
+/// How far a shape reaches along a unit direction from its origin [m].
+inline double reach_along(const Shape& shape, const Vector3d& d)
+{
+    if (const Sphere* s = std::get_if<Sphere>(&shape)) return s->radius;
+    if (const Capsule* c = std::get_if<Capsule>(&shape))
+        return c->radius + c->height / 2 * std::abs(d.y());
+    if (const Torus* t = std::get_if<Torus>(&shape))
+        return t->tube + t->radius * std::hypot(d.x(), d.z());
+    if (const Mesh* m = std::get_if<Mesh>(&shape)) {
+        double far = -1e300;
+        for (const Vector3d& v : m->solid->mesh().vertices)
+            far = std::max(far, d.dot(v));
+        return far;
+    }
+    return d.dot(support(shape, d));
+}
+
+/// A fine triangle mesh of any shape.
+TriangleMesh fine_mesh(const Shape& shape);
+
+/// How far along `away` the second shape must be for the fine meshes of both to just meet, coming from
+/// outside [m].
+double meeting_distance(const Shape& first, const Pose& pose, const Shape& second,
+                        const Matrix3d& R, const Vector3d& away);
+
+} // namespace rigor::testing
