@@ -19,7 +19,7 @@ namespace {
 // An island of up to `small` contacts converges to rounding. A larger one stops at `fine` of the
 // velocity that its contacts have to take away, or after `work` contacts were visited: what is left is
 // corrected in the next steps.
-constexpr int small = 16, work = 4000, fewest_sweeps = 5, most_sweeps = 50, last_sweeps = 5;
+constexpr int small = 16, work = 4000, fewest_sweeps = 5, most_sweeps = 50, last_sweeps = 20;
 constexpr std::size_t large = 1000, few_bodies = 8, most_newton_bodies = 256;
 constexpr double rounding = 2 * std::numeric_limits<double>::epsilon(), tiny = 1e-13, fine = 1e-8,
                  coarse = 1e-3;
@@ -141,7 +141,8 @@ void solve(ContactProblem& problem, const Island& island, const std::vector<Held
     const int count = static_cast<int>(all.size());
     const double speed = fastest(problem, all);
     const bool may_jump = is_newtons(problem, island, speed);
-    const double seen = count <= small ? tiny : may_jump ? fine : coarse;
+    const bool is_small = count <= small || (may_jump && island.bodies.size() <= few_bodies);
+    const double seen = is_small ? tiny : may_jump ? fine : coarse;
     const Limits limits{std::clamp(work / count, fewest_sweeps, most_sweeps),
                         rounding * speed + seen * approach(problem, all)};
     const std::vector<Body> free = may_jump ? problem.bodies : std::vector<Body>();

@@ -16,9 +16,9 @@ using Matrix3x6 = Eigen::Matrix<double, 3, 6>;
 
 // ρ of a contact is a weight over nᵀKn. A round leaves 1/weight of a velocity, but a large weight finds
 // what touches and what slides only from near the answer: so it grows from round to round.
-constexpr double first_weight = 1000, last_weight = 1e7, growth = 100;
-constexpr int most_rounds = 12, most_steps = 40, most_bisections = 30;
-constexpr double settled = 1e-10;   // a change of impulses, of their size
+constexpr double first_weight = 1000, last_weight = 1e6, growth = 10;
+constexpr int most_rounds = 14, most_steps = 40, most_bisections = 30;
+constexpr double settled = 1e-13;   // a change of impulses, of their size
 constexpr double converged = 1e-13; // a Newton step, of the velocities' size
 
 // A contact as the method sees it: bodies by the index of their unknowns, or -1.
@@ -70,7 +70,8 @@ public:
             v_free_.segment<3>(6 * i + 3) = bodies_[i]->angular_velocity;
             // a body that cannot turn about an axis gets a moment there that holds it
             const Matrix3d& J = bodies_[i]->inverse_inertia;
-            const double least = 1e-9 * J.norm() + 1e-300;
+            const bool can_turn = J.determinant() > 1e-12 * std::pow(J.norm(), 3);
+            const double least = can_turn ? 0 : 1e-9 * J.norm() + 1e-300;
             inertias_.push_back((J + least * Matrix3d::Identity()).inverse());
         }
         for (std::size_t k = 0; k < held.size(); ++k) {
