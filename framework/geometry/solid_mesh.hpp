@@ -25,6 +25,12 @@ public:
     SolidMesh(const SolidMesh&) = delete;
     SolidMesh& operator=(const SolidMesh&) = delete;
 
+    /// The same mesh, with nothing made of it yet.
+    std::shared_ptr<const SolidMesh> copy() const
+    {
+        return std::make_shared<SolidMesh>(mesh_, name_, cells_);
+    }
+
     const TriangleMesh& mesh() const { return mesh_; }
     const std::string& name() const { return name_; }
     const Bounds& bounds() const { return bounds_; }

@@ -3,6 +3,7 @@
 
 #include "geometry/solid_mesh.hpp"
 #include "rigid/distance_field.hpp"
+#include "rigid/mesh_contact.hpp"
 #include "rigid/reduce_touches.hpp"
 
 #include <algorithm>
@@ -150,24 +151,25 @@ void touch_ring(const Sphere& sphere, const Vector3d& center, const Torus& torus
     }
 }
 
-// A ball in a corner of a mesh: what else it looks at squarely besides the nearest place.
-void touch_corner(const Core& core, const SolidMesh& mesh, const DistanceField& field,
-                  const Pose& pose2, double reach, std::vector<Touch>& touches)
+// A ball on a mesh: each place that it looks at squarely, so both walls of a corner.
+void touch_ball(const Core& core, const SolidMesh& mesh, const DistanceField& field,
+                const Pose& pose2, double reach, std::vector<Touch>& touches)
 {
     const Vector3d c = core.at(0);
-    const SurfaceDistance nearest = field.ball(c, core.radius);
-    if (nearest.distance <= -core.radius) return; // its center is inside
-    std::vector<Vector3d> known = {nearest.normal};
+    const auto add = [&](const SurfaceDistance& ball) {
+        const auto& [gap, n] = ball;
+        if (gap < reach) touches.push_back({pose2 * (c - core.radius * n), pose2.R * n, gap});
+    };
+    if (field.at_least(c) <= 0 && field.distance(c) <= 0) return add(field.ball(c, core.radius));
+    std::vector<Vector3d> known;
     for (const TriangleTree::Found& found : mesh.triangles().local_minima(c, core.radius + reach)) {
-        const Vector3d n = (c - found.point).normalized();
+        const Vector3d d = (found.point - c).normalized();
         constexpr double alike = 0.9; // cosine of 25 degrees
         const bool is_new = std::all_of(known.begin(), known.end(),
-                                        [&](const Vector3d& k) { return k.dot(n) < alike; });
+                                        [&](const Vector3d& k) { return k.dot(d) < alike; });
         if (!is_new || known.size() >= most_touches) continue;
-        known.push_back(n);
-        const auto [gap, normal] = field.ball_towards(c, core.radius, found.point);
-        if (gap < reach)
-            touches.push_back({pose2 * (c - core.radius * normal), pose2.R * normal, gap});
+        known.push_back(d);
+        add(field.ball_towards(c, core.radius, found.point));
     }
 }
 
@@ -184,9 +186,13 @@ void touch_core(const Shape& shape1, const Pose& pose1, const Shape& shape2, con
     const Pose pose{to_2 * pose1.R, to_2 * (pose1.X - pose2.X)};
     const DistanceField field(shape2, counters);
     const Core core = std::visit(CoreOf{pose}, shape1);
+    const Mesh* mesh = std::get_if<Mesh>(&shape2);
+    if (mesh && sphere) return touch_ball(core, *mesh->solid, field, pose2, reach, touches);
+    const std::size_t first = touches.size();
     AlongCore(core, field, pose2, reach, touches).find();
-    if (const Mesh* mesh = std::get_if<Mesh>(&shape2); mesh && sphere)
-        touch_corner(core, *mesh->solid, field, pose2, reach, touches);
+    if (!mesh) return;
+    touch_points(shape1, pose1, *mesh->solid, pose2, reach, counters, touches);
+    reduce_touches(touches, first, reach);
 }
 
 } // namespace rigor

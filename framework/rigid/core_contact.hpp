@@ -9,7 +9,9 @@ namespace rigor {
 ///
 /// Such a shape is a core (a point, a segment, a circle) with a radius around it: it touches where the
 /// other shape's distance from the core is least, and along the core wherever that is less than
-/// radius and reach. The touch is on its own surface, with the normal through its core.
+/// radius and reach. The touch is on its own surface, with the normal through its core. A ball touches
+/// a mesh in each place that it looks at squarely; the points of a mesh are held against a capsule or
+/// a torus too, so that a peg in a hole touches on all sides.
 ///
 /// @param shape1  a sphere, a capsule or a torus
 /// @param shape2  anything but a plane

@@ -54,6 +54,7 @@ SurfaceDistance DistanceField::ball_towards(const Vector3d& center, double radiu
                                             const Vector3d& target) const
 {
     const double away = (target - center).norm();
+    if (!(away > 0)) return {distance(center) - radius, normal(center)};
     const Vector3d d = (target - center) / away;
     const double way = way_to_grid(away);
     const Vector3d p = center + way * d, gradient = normal(p);

@@ -90,7 +90,29 @@ Pose inverse(const Pose& pose)
     return {pose.R.transpose(), -(pose.R.transpose() * pose.X)};
 }
 
+// The points of mesh 2 near shape 1, in the frame of the mesh; normals from 2 to 1.
+// @param from_1  pose of shape 1 there
+void add_points(const Shape& shape1, const Pose& from_1, const SolidMesh& mesh2, double reach,
+                Counters& counters, std::vector<Touch>& found)
+{
+    const DistanceField field1(shape1, counters);
+    const Pose from_2 = inverse(from_1);
+    const std::size_t first = found.size();
+    PointsInField(mesh2.surface(), from_2, field1, reach).find(found);
+    for (std::size_t i = first; i < found.size(); ++i)
+        found[i] = {from_1 * found[i].point, -(from_1.R * found[i].normal), found[i].gap};
+}
+
 } // namespace
+
+void touch_points(const Shape& shape1, const Pose& pose1, const SolidMesh& mesh2, const Pose& pose2,
+                  double reach, Counters& counters, std::vector<Touch>& touches)
+{
+    const std::size_t first = touches.size();
+    add_points(shape1, inverse(pose2) * pose1, mesh2, reach, counters, touches);
+    for (std::size_t i = first; i < touches.size(); ++i)
+        touches[i] = {pose2 * touches[i].point, pose2.R * touches[i].normal, touches[i].gap};
+}
 
 void touch_mesh(const Shape& shape1, const Pose& pose1, const Shape& shape2, const Pose& pose2,
                 double reach, Counters& counters, std::vector<Touch>& touches)
@@ -103,11 +125,9 @@ void touch_mesh(const Shape& shape1, const Pose& pose1, const Shape& shape2, con
     if (!near2.overlaps(bounds_of(shape1, from_1)) || !near1.overlaps(bounds_of(shape2, from_2)))
         return;
 
-    const DistanceField field1(shape1, counters), field2(shape2, counters);
     std::vector<Touch> found; // in the frame of shape 2, normals from 2 to 1
-    PointsInField(mesh2.surface(), from_2, field1, reach).find(found);
-    for (Touch& t : found)
-        t = {from_1 * t.point, -(from_1.R * t.normal), t.gap};
+    add_points(shape1, from_1, mesh2, reach, counters, found);
+    const DistanceField field2(shape2, counters);
     if (const Mesh* mesh1 = std::get_if<Mesh>(&shape1))
         PointsInField(mesh1->solid->surface(), from_1, field2, reach).find(found);
     else

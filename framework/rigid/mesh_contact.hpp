@@ -18,4 +18,8 @@ namespace rigor {
 void touch_mesh(const Shape& shape1, const Pose& pose1, const Shape& shape2, const Pose& pose2,
                 double reach, Counters& counters, std::vector<Touch>& touches);
 
+/// Appends where points of a mesh are nearer than `reach` to a shape that is none, not reduced.
+void touch_points(const Shape& shape1, const Pose& pose1, const SolidMesh& mesh2, const Pose& pose2,
+                  double reach, Counters& counters, std::vector<Touch>& touches);
+
 } // namespace rigor

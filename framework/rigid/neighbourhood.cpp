@@ -93,7 +93,7 @@ Neighbourhood neighbourhood(const World& world, std::span<const RigidState> flow
         ++counters.pairs_tested;
         const double path = travels[i] + travels[j];
         const std::size_t first = near.contacts.size();
-        find_contacts(world, poses, i, j, path + margin, near.contacts);
+        find_contacts(world, poses, i, j, path + margin, near.contacts, counters);
         bool may_meet = false;
         for (std::size_t k = first; k < near.contacts.size(); ++k)
             may_meet |= near.contacts[k].gap < path;

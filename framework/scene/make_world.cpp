@@ -2,9 +2,35 @@
 #include "scene/make_world.hpp"
 
 #include "geometry/pose.hpp"
+#include "geometry/solid_mesh.hpp"
 #include "rigid/mass.hpp"
 
+#include <map>
+
 namespace rigor {
+
+namespace {
+
+// Each mesh of the scene once more: what a world makes of it in its steps, its level set above all, is
+// the world's own, so that each world of a scene does and counts the same.
+class OwnMeshes {
+public:
+    void take(std::vector<Part>& parts)
+    {
+        for (Part& part : parts) {
+            Mesh* mesh = std::get_if<Mesh>(&part.shape);
+            if (!mesh) continue;
+            std::shared_ptr<const SolidMesh>& own = own_[mesh->solid.get()];
+            if (!own) own = mesh->solid->copy();
+            mesh->solid = own;
+        }
+    }
+
+private:
+    std::map<const SolidMesh*, std::shared_ptr<const SolidMesh>> own_;
+};
+
+} // namespace
 
 World make_world(const Scene& scene, const RunSettings& settings)
 {
@@ -23,10 +49,12 @@ RecordedWorld make_recorded_world(const Scene& scene, const RunSettings& setting
     world.threads = settings.threads;
     world.springs = scene.springs;
     world.forces = scene.forces;
+    OwnMeshes meshes;
     for (const BodyDescription& described : scene.bodies) {
         RigidBody& body = world.bodies.emplace_back();
         body.name = described.name;
         body.parts = described.parts;
+        meshes.take(body.parts);
         body.material = described.material;
         body.is_static = described.is_static;
         Vector3d center = Vector3d::Zero();
