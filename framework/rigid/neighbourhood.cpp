@@ -5,6 +5,8 @@
 #include "rigid/groups.hpp"
 
 #include <algorithm>
+#include <future>
+#include <utility>
 
 namespace rigor {
 
@@ -61,51 +63,104 @@ std::vector<double> margins_of(const World& world, const std::vector<BodyPair>& 
     return margins;
 }
 
+// Everything that looking closely at a pair needs to know.
+struct Surroundings {
+    const World& world;
+    std::vector<Pose> poses;
+    std::vector<Bounds> bounds;  // over the step
+    std::vector<double> travels; // [m]
+    Neighbourhood near;          // margins and radii are there, contacts not yet
+};
+
+// What looking closely at some pairs found.
+struct Found {
+    std::vector<Contact> contacts;
+    std::vector<int> disturbed;
+    bool any_may_meet = false;
+    Counters counters;
+};
+
+Found look_closely(const Surroundings& at, std::span<const BodyPair> pairs)
+{
+    Found found;
+    for (const auto& [i, j] : pairs) {
+        const double margin = at.near.margins[i] + at.near.margins[j];
+        Bounds reach = at.bounds[i];
+        reach.grow(margin);
+        if (!reach.overlaps(at.bounds[j])) continue;
+        ++found.counters.pairs_tested;
+        const double path = at.travels[i] + at.travels[j];
+        const std::size_t first = found.contacts.size();
+        find_contacts(at.world, at.poses, i, j, path + margin, found.contacts, found.counters);
+        bool may_meet = false;
+        for (std::size_t k = first; k < found.contacts.size(); ++k)
+            may_meet |= found.contacts[k].gap < path;
+        found.any_may_meet |= may_meet;
+        for (int sleeping : {i, j}) {
+            if (!at.world.bodies[sleeping].rest.is_asleep()) continue;
+            if (may_meet) found.disturbed.push_back(sleeping);
+            found.contacts.resize(first);
+        }
+    }
+    return found;
+}
+
+// The pairs in parts, a thread each, put together again in their order: the same bits for any number.
+std::vector<Found> look_closely(const Surroundings& at, const std::vector<BodyPair>& pairs,
+                                int threads)
+{
+    constexpr std::size_t worth_a_thread = 256; // pairs
+    const std::size_t parts =
+        std::clamp<std::size_t>(pairs.size() / worth_a_thread, 1, std::max(threads, 1));
+    const auto part = [&](std::size_t k) {
+        const std::size_t first = pairs.size() * k / parts, last = pairs.size() * (k + 1) / parts;
+        return std::span(pairs).subspan(first, last - first);
+    };
+    std::vector<std::future<Found>> others;
+    for (std::size_t k = 1; k < parts; ++k)
+        others.push_back(
+            std::async(std::launch::async, [&at, part, k] { return look_closely(at, part(k)); }));
+    std::vector<Found> all{look_closely(at, part(0))};
+    for (std::future<Found>& other : others)
+        all.push_back(other.get());
+    return all;
+}
+
 } // namespace
 
 Neighbourhood neighbourhood(const World& world, std::span<const RigidState> flown, double time_step,
                             Counters& counters)
 {
-    std::vector<Pose> poses;
-    std::vector<Bounds> bounds, wide;
-    std::vector<double> travels, radii;
+    Surroundings at{world, {}, {}, {}, {}};
+    std::vector<Bounds> wide;
+    std::vector<double>& radii = at.near.radii;
     for (std::size_t i = 0; i < flown.size(); ++i) {
         const RigidBody& body = world.bodies[i];
-        poses.push_back(pose_of(body.state));
-        bounds.push_back(body_bounds(body, poses.back()));
-        if (!body.is_still()) bounds.back().include(body_bounds(body, pose_of(flown[i])));
+        at.poses.push_back(pose_of(body.state));
+        at.bounds.push_back(body_bounds(body, at.poses.back()));
+        if (!body.is_still()) at.bounds.back().include(body_bounds(body, pose_of(flown[i])));
         radii.push_back(body.is_static ? 0 : body_radius(body));
-        travels.push_back(body.is_still() ? 0
-                                          : travel(body.state, flown[i], radii.back(), time_step));
-        wide.push_back(bounds.back());
+        at.travels.push_back(
+            body.is_still() ? 0 : travel(body.state, flown[i], radii.back(), time_step));
+        wide.push_back(at.bounds.back());
         wide.back().grow(radii.back() / 2);
     }
-    const std::vector<BodyPair> pairs = near_pairs(world, poses, wide, counters);
-    Neighbourhood near;
-    near.margins = margins_of(world, pairs, travels, radii);
-    near.radii = radii;
+    const std::vector<BodyPair> pairs = near_pairs(world, at.poses, wide, counters);
+    at.near.margins = margins_of(world, pairs, at.travels, radii);
+
+    Neighbourhood& near = at.near;
     bool any_may_meet = false;
-    for (const auto& [i, j] : pairs) {
-        const double margin = near.margins[i] + near.margins[j];
-        Bounds reach = bounds[i];
-        reach.grow(margin);
-        if (!reach.overlaps(bounds[j])) continue;
-        ++counters.pairs_tested;
-        const double path = travels[i] + travels[j];
-        const std::size_t first = near.contacts.size();
-        find_contacts(world, poses, i, j, path + margin, near.contacts, counters);
-        bool may_meet = false;
-        for (std::size_t k = first; k < near.contacts.size(); ++k)
-            may_meet |= near.contacts[k].gap < path;
-        any_may_meet |= may_meet;
-        for (int sleeping : {i, j}) {
-            if (!world.bodies[sleeping].rest.is_asleep()) continue;
-            if (may_meet) near.disturbed.push_back(sleeping);
-            near.contacts.resize(first);
-        }
+    const int threads = world.formulas_are_reference ? world.threads : 1;
+    for (const Found& found : look_closely(at, pairs, threads)) {
+        near.contacts.insert(near.contacts.end(), found.contacts.begin(), found.contacts.end());
+        near.disturbed.insert(near.disturbed.end(), found.disturbed.begin(), found.disturbed.end());
+        any_may_meet |= found.any_may_meet;
+        counters.pairs_tested += found.counters.pairs_tested;
+        counters.level_sets_built += found.counters.level_sets_built;
+        counters.level_set_samples += found.counters.level_set_samples;
     }
     if (!any_may_meet) near.contacts.clear(); // then no formula of collisions is needed
-    return near;
+    return std::move(at.near);
 }
 
 } // namespace rigor
