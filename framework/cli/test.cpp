@@ -107,10 +107,9 @@ Action declare_test(Options& options)
                  "Run the stress suite: what breaks engines, each case with its limits");
     options.flag("--json", chosen->json, "With --stress: print JSON");
     options.option("--out", "FILE", chosen->out, "With --stress: also write the JSON here");
-    options.examples(
-        {"test            all that must hold",
-         "test --quick    the same, without sanitizers and clang", "test --mistakes",
-         "test --stress   penetration, energy gain, drift, NaN and speed of every case"});
+    options.examples({"test            all that must hold",
+                      "test --quick    the same, without sanitizers and clang", "test --mistakes",
+                      "test --stress   what breaks simulators, case by case"});
     return [chosen] { return test(*chosen); };
 }
 
