@@ -21,10 +21,7 @@ World pile_world(const PileStart& start, const PileOptions& options)
                               bool is_static) {
         RigidBody& body = world.bodies.emplace_back();
         body.name = std::to_string(world.bodies.size());
-        Part part;
-        part.shape = Box{size};
-        part.density = pile_density;
-        body.parts = {part};
+        body.parts = {{Box{size}, Vector3d::Zero(), {}, pile_density}};
         body.material = {0, pile_friction};
         body.is_static = is_static;
         body.state.position = X;
