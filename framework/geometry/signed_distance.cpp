@@ -163,7 +163,7 @@ struct DistanceTo {
     }
     SurfaceDistance operator()(const Mesh&) const
     {
-        assert(!"a mesh has its distance from a level set");
+        assert(false && "a mesh has its distance from a level set");
         return {};
     }
 };

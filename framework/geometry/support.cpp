@@ -73,7 +73,7 @@ struct SupportAlong {
     Vector3d operator()(const Mesh& m) const { return m.solid->hull().support(d); }
     template <class Other> Vector3d operator()(const Other&) const
     {
-        assert(!"no support function for this shape");
+        assert(false && "no support function for this shape");
         return Vector3d::Zero();
     }
 };

@@ -54,7 +54,7 @@ TEST_CASE("bounds: a turned box fills its bounds and stays inside", "[geometry]"
 
 TEST_CASE("bounds: a part lies within its bounding radius however its body turns", "[geometry]")
 {
-    const Part part{Box{{1, 2, 3}}, {0.5, -1, 2}, {}};
+    Part part{Box{{1, 2, 3}}, {0.5, -1, 2}, {}};
     const double radius = bounding_radius(part);
     CHECK_THAT(radius, IsClose(std::sqrt(5.25) + std::sqrt(14.0) / 2, Rounding(8)));
     for (unsigned seed = 0; seed < 50; ++seed) {
