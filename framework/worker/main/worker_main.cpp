@@ -34,7 +34,7 @@ namespace {
 /// limit from outside is lost while exec is under way.
 [[gnu::constructor(102)]] void make_room_for_recursion()
 {
-    const rlimit stack = {rlim_t{64} << 20, rlim_t{64} << 20};
+    const rlimit stack = {rlim_t{32} << 20, rlim_t{32} << 20};
     setrlimit(RLIMIT_STACK, &stack); // where that is not allowed, less is deep
 }
 
