@@ -7,7 +7,7 @@ namespace rigor {
 
 /// A point of the difference of two shapes, w = a - b.
 struct Vertex {
-    Vector3d w, a, b;
+    Vector3d w = Vector3d::Zero(), a = Vector3d::Zero(), b = Vector3d::Zero();
 };
 
 /// The smallest set of vertices whose hull holds the point v of a simplex that is nearest to the
