@@ -59,5 +59,12 @@ RIGOR_FIELDS(ContactPoint, point, normal, depth, relative_velocity)
 RIGOR_FIELDS(BodyContact, body1, body2, point, normal, depth, friction, separation_speed, impulse)
 RIGOR_FIELDS(ContactResult, bodies, impulses)
 RIGOR_FIELDS(LevelSet, origin, cell_size, size, distances)
+RIGOR_FIELDS(TetrahedralMesh, vertices, tetrahedra)
+RIGOR_FIELDS(MeshFace, tetrahedron, face)
+RIGOR_FIELDS(PrincipalStress, stress, direction)
+RIGOR_FIELDS(VertexOrigin, first, second, fraction)
+RIGOR_FIELDS(SplitMesh, mesh, origins, parents)
+RIGOR_FIELDS(ElementCrack, tetrahedron, point, normal)
+RIGOR_FIELDS(EmbeddedMesh, mesh, vertex_parents, parents, real, fractions)
 
 } // namespace rigor

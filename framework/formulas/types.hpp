@@ -155,4 +155,56 @@ struct LevelSet {
     std::vector<double> distances;       // [m]
 };
 
+/// A solid of tetrahedra. Each has positive volume: det(x₁ - x₀, x₂ - x₀, x₃ - x₀) > 0. Its face f is
+/// the one opposite its vertex f.
+struct TetrahedralMesh {
+    std::vector<Vector3d> vertices;             // [m]
+    std::vector<std::array<int, 4>> tetrahedra; // indices into vertices
+};
+
+/// A face of a tetrahedral mesh, from either of the tetrahedra that share it.
+struct MeshFace {
+    int tetrahedron = 0;
+    int face = 0; // 0 … 3: opposite that vertex of the tetrahedron
+};
+
+/// The largest eigenvalue of a stress and the direction that it pulls in.
+struct PrincipalStress {
+    double stress = 0;                      // σ₁ [Pa]
+    Vector3d direction = Vector3d::UnitX(); // unit, of either sign
+};
+
+/// Where a vertex of a changed mesh comes from: (1 - t) x_first + t x_second of the mesh before. What
+/// lives on vertices (position, velocity) is carried over the same way.
+struct VertexOrigin {
+    int first = 0, second = 0;
+    double fraction = 0; // t, 0 … 1; 0 where first = second
+};
+
+/// A mesh that was split.
+struct SplitMesh {
+    TetrahedralMesh mesh;
+    std::vector<VertexOrigin> origins; // of each vertex
+    std::vector<int> parents;          // of each tetrahedron, the one of the mesh before
+};
+
+/// A plane that cracks one tetrahedron.
+struct ElementCrack {
+    int tetrahedron = 0;
+    Vector3d point = Vector3d::Zero();   // on the plane [m]
+    Vector3d normal = Vector3d::UnitY(); // unit, of either sign
+};
+
+/// A mesh some of whose tetrahedra stand there several times, each copy filled by a part of the matter.
+struct EmbeddedMesh {
+    TetrahedralMesh mesh;
+    std::vector<int> vertex_parents;      // of each vertex, the one that it is a copy of
+    std::vector<int> parents;             // of each tetrahedron, the one that it is a copy of
+    std::vector<std::array<int, 4>> real; // of each tetrahedron: 1 where the copy's part of the
+                                          // matter holds that corner, 0 where the corner is
+                                          // virtual
+    std::vector<double> fractions;        // of each tetrahedron: its share of the parent's
+                                          // volume, 0 … 1
+};
+
 } // namespace rigor
