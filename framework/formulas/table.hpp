@@ -9,6 +9,7 @@
 #include "formulas/inertia.hpp"
 #include "formulas/kinematics.hpp"
 #include "formulas/pipeline.hpp"
+#include "formulas/plasticity.hpp"
 #include "formulas/rotation.hpp"
 
 #include <string>
@@ -71,7 +72,15 @@
     FORMULA(A5.2,  contact,    resolve_contacts, bodies, contacts, n)                              \
     FORMULA(A5.3,  contact,    contact_levels, rests_on, is_static)                                \
     FORMULA(A5.4,  contact,    shock_propagation, bodies, contacts, levels, n)                     \
-    FORMULA(A5.5,  contact,    resolve_simultaneously, bodies, contacts, sweeps)
+    FORMULA(A5.5,  contact,    resolve_simultaneously, bodies, contacts, sweeps)                   \
+    FORMULA(A6.1,  plasticity, deviator, stress)                                                   \
+    FORMULA(A6.2,  plasticity, von_mises_principal, stress1, stress2, stress3)                     \
+    FORMULA(A6.3,  plasticity, von_mises_frobenius, stress)                                        \
+    FORMULA(A6.4,  plasticity, von_mises, stress)                                                  \
+    FORMULA(A6.5,  plasticity, isotropic_stress, strain, lame_lambda, shear_modulus)               \
+    FORMULA(A6.6,  plasticity, von_mises_from_strain, strain, shear_modulus)                       \
+    FORMULA(A6.7,  plasticity, yield_strain, yield_stress, shear_modulus)                          \
+    FORMULA(A6.8,  plasticity, plastic_flow, plastic_strain, stress, yield_stress, shear_modulus)
 // clang-format on
 
 namespace rigor {
