@@ -5,6 +5,10 @@
 // for changing mesh topology during simulation". Conventions: types.hpp. Stresses are symmetric, in
 // Pa, tension positive. Meshes, points and normals are all in one space, usually that of the solid at
 // rest.
+//
+// Meshes conform: two tetrahedra meet in a whole face, a whole edge, a vertex or nowhere, no more than
+// two share a face, and around each vertex they hang together by faces. What is returned does so too.
+// Indices are those of something; where one is not, anything finite may be returned.
 #pragma once
 
 #include "formulas/not_implemented.hpp"
@@ -43,12 +47,13 @@ int closest_face(const std::array<Vector3d, 4>& tetrahedron, const Vector3d& nor
 /// A7.5 The simplest way: the mesh comes apart along faces of its own.
 ///
 /// Around each vertex, tetrahedra that share a face which is not among `faces` stay together, and so do
-/// those that a chain of such faces joins. Each group that is left has a vertex of its own. So no
-/// tetrahedron changes its shape, a vertex doubles only where the mesh comes apart, and the rim of a
-/// crack that ends inside the solid stays closed.
+/// those that a chain of such faces joins, each of which has this vertex. Each group that is left has a
+/// vertex of its own. So no tetrahedron changes its shape, a vertex doubles only where the mesh comes
+/// apart, and the rim of a crack that ends inside the solid stays closed.
 ///
-/// @param faces  from either side; a face of the surface may be named and changes nothing
-/// @return  tetrahedra in the order of `mesh`; vertices in any order
+/// @param faces  from either side, in any order, also twice; a face of the surface may be named and
+///               changes nothing
+/// @return  tetrahedra in the order of `mesh`, their corners in their order; vertices in any order
 SplitMesh split_along_faces(const TetrahedralMesh& mesh, const std::vector<MeshFace>& faces);
 
 /// A7.6 Elements are cut: a crack through a vertex, along a plane (O'Brien and Hodgins 1999).
@@ -56,13 +61,16 @@ SplitMesh split_along_faces(const TetrahedralMesh& mesh, const std::vector<MeshF
 /// The plane through the vertex cuts the tetrahedra that have this vertex. A vertex of theirs that is
 /// nearer to the plane than 0.05 of the longest edge among them counts as lying on it. Each of their
 /// edges whose ends lie on both sides gets a vertex where it meets the plane, and all tetrahedra that
-/// have this edge are halved there, those beyond the vertex's own too, so that the mesh still conforms.
-/// Then the mesh comes apart, as in `split_along_faces`, along those faces of the vertex's tetrahedra
-/// whose three vertices lie on the plane. Volume is kept and no tetrahedron is inverted.
+/// have this edge are halved there, those beyond the vertex's own too, so that the mesh still conforms;
+/// one edge after another, in any order. Then each tetrahedron of the vertex is on one side of the
+/// plane: that of its vertices which do not lie on it, or of its center if all do. The mesh comes
+/// apart, as in `split_along_faces`, along the faces between those on different sides. Volume is kept
+/// and no tetrahedron is inverted.
 ///
 /// @param vertex  index into the vertices
 /// @param normal  of the plane, unit
-/// @return  unchanged where the plane lies to one side of all tetrahedra of the vertex
+/// @return  tetrahedra and vertices in any order; unchanged where no vertex of these tetrahedra is
+///          above the plane, or none below
 SplitMesh split_element(const TetrahedralMesh& mesh, int vertex, const Vector3d& normal);
 
 /// A7.7 Elements are duplicated, with the crack embedded (Molino, Bao and Fedkiw 2004).
@@ -72,12 +80,15 @@ SplitMesh split_element(const TetrahedralMesh& mesh, int vertex, const Vector3d&
 /// tetrahedron is copied once for each part; in its copy the part's corners are real, the others
 /// virtual. Two copies of tetrahedra that share a face are joined where a corner of that face is real in
 /// both: then all three corners of the face are the same vertices in both. Vertices that nothing joins
-/// are separate. A copy's share of the volume is that of its part: the matter on its side of every
-/// crack that separates it from another part.
+/// are separate.
 ///
-/// @param cracks  any number for a tetrahedron, in any order
-/// @return  copies in the order of their parents, those of one parent by their first real corner;
-///          vertices in any order
+/// A copy's share of the volume is that of its part. The cracks of a tetrahedron come one after another,
+/// and each divides the matter of the parts whose corners it separates, along its plane; it ends at
+/// the others. So the shares of a tetrahedron sum to 1.
+///
+/// @param cracks  any number for a tetrahedron, in the order in which they came
+/// @return  copies in the order of their parents, those of one parent by their first real corner, each
+///          with its corners in the parent's order; vertices in any order
 EmbeddedMesh virtual_nodes(const TetrahedralMesh& mesh, const std::vector<ElementCrack>& cracks);
 
 } // namespace rigor

@@ -6,6 +6,7 @@
 
 #include "formulas/collision.hpp"
 #include "formulas/contact.hpp"
+#include "formulas/fracture.hpp"
 #include "formulas/inertia.hpp"
 #include "formulas/kinematics.hpp"
 #include "formulas/pipeline.hpp"
@@ -80,7 +81,14 @@
     FORMULA(A6.5,  plasticity, isotropic_stress, strain, lame_lambda, shear_modulus)               \
     FORMULA(A6.6,  plasticity, von_mises_from_strain, strain, shear_modulus)                       \
     FORMULA(A6.7,  plasticity, yield_strain, yield_stress, shear_modulus)                          \
-    FORMULA(A6.8,  plasticity, plastic_flow, plastic_strain, stress, yield_stress, shear_modulus)
+    FORMULA(A6.8,  plasticity, plastic_flow, plastic_strain, stress, yield_stress, shear_modulus) \
+    FORMULA(A7.1,  fracture,   smooth_stress, stresses, neighbours, volumes)                       \
+    FORMULA(A7.2,  fracture,   principal_stress, stress)                                           \
+    FORMULA(A7.3,  fracture,   crack_plane, stress, threshold)                                     \
+    FORMULA(A7.4,  fracture,   closest_face, tetrahedron, normal)                                  \
+    FORMULA(A7.5,  fracture,   split_along_faces, mesh, faces)                                     \
+    FORMULA(A7.6,  fracture,   split_element, mesh, vertex, normal)                                \
+    FORMULA(A7.7,  fracture,   virtual_nodes, mesh, cracks)
 // clang-format on
 
 namespace rigor {

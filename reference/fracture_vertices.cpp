@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: MIT
+// A7.5 and A7.7: which corners of tetrahedra are one vertex.
+#include "formulas/fracture.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <set>
+
+namespace rigor {
+
+namespace {
+
+using Eigen::Matrix4d;
+using Eigen::Vector4d;
+using Tetrahedron = std::array<int, 4>;
+using Tetrahedra = std::vector<Tetrahedron>;
+
+// Corner c of tetrahedron t. What is joined, and what comes apart, are corners.
+int corner(int t, int c)
+{
+    return 4 * t + c;
+}
+
+// Corners in groups, each named by its lowest.
+class Groups {
+public:
+    explicit Groups(std::size_t corners) : above_(corners)
+    {
+        std::iota(above_.begin(), above_.end(), 0);
+    }
+    int find(int i)
+    {
+        while (above_[i] != i)
+            i = above_[i] = above_[above_[i]];
+        return i;
+    }
+    void join(int i, int j)
+    {
+        i = find(i), j = find(j);
+        above_[std::max(i, j)] = std::min(i, j);
+    }
+
+private:
+    std::vector<int> above_;
+};
+
+bool is_index(int i, std::size_t size)
+{
+    return i >= 0 && static_cast<std::size_t>(i) < size;
+}
+
+bool is_mesh(const TetrahedralMesh& mesh)
+{
+    for (const Tetrahedron& t : mesh.tetrahedra)
+        for (int v : t)
+            if (!is_index(v, mesh.vertices.size())) return false;
+    return true;
+}
+
+using FaceVertices = std::array<int, 3>; // ascending
+
+FaceVertices face_vertices(const Tetrahedron& t, int face)
+{
+    FaceVertices result = {t[(face + 1) % 4], t[(face + 2) % 4], t[(face + 3) % 4]};
+    std::sort(result.begin(), result.end());
+    return result;
+}
+
+struct SharedFace {
+    FaceVertices vertices;
+    int t1, t2; // the tetrahedra that share it
+};
+
+// The faces at some of the vertices that two tetrahedra share.
+std::vector<SharedFace> shared_faces(const Tetrahedra& tetrahedra, const std::vector<bool>& is_some)
+{
+    std::vector<std::pair<FaceVertices, int>> faces;
+    for (std::size_t t = 0; t < tetrahedra.size(); ++t)
+        for (int f = 0; f < 4; ++f) {
+            const FaceVertices face = face_vertices(tetrahedra[t], f);
+            if (is_some[face[0]] || is_some[face[1]] || is_some[face[2]])
+                faces.emplace_back(face, static_cast<int>(t));
+        }
+    std::sort(faces.begin(), faces.end());
+
+    std::vector<SharedFace> result;
+    for (std::size_t i = 1; i < faces.size(); ++i)
+        if (faces[i - 1].first == faces[i].first)
+            result.push_back({faces[i].first, faces[i - 1].second, faces[i].second});
+    return result;
+}
+
+int corner_of(const Tetrahedron& t, int vertex)
+{
+    return static_cast<int>(std::find(t.begin(), t.end(), vertex) - t.begin());
+}
+
+// Gives each group of corners a vertex of its own where `may_double`; the first of a vertex keeps its
+// number. Returns the parent of each vertex.
+std::vector<int> separate(Tetrahedra& tetrahedra, Groups& groups,
+                          const std::vector<bool>& may_double)
+{
+    std::vector<int> parents(may_double.size());
+    std::iota(parents.begin(), parents.end(), 0);
+    std::vector<bool> is_taken(may_double.size(), false);
+    std::map<int, int> vertex_of_group;
+    for (std::size_t t = 0; t < tetrahedra.size(); ++t)
+        for (int c = 0; c < 4; ++c) {
+            int& v = tetrahedra[t][c];
+            if (!may_double[v]) continue;
+            const int group = groups.find(corner(static_cast<int>(t), c));
+            const int next = is_taken[v] ? static_cast<int>(parents.size()) : v;
+            const auto [entry, is_new] = vertex_of_group.emplace(group, next);
+            if (is_new && is_taken[v]) parents.push_back(v);
+            is_taken[v] = true;
+            v = entry->second;
+        }
+    return parents;
+}
+
+// A tetrahedron inside a cracked one: a column of barycentric coordinates a corner.
+using Piece = Matrix4d;
+
+// A part of the matter of a cracked tetrahedron.
+struct Part {
+    Tetrahedron real = {1, 1, 1, 1};
+    std::vector<Piece> pieces = {Piece::Identity()};
+};
+
+// Halves a piece until no edge of it crosses the plane. h: heights of its corners.
+void clip(const Piece& piece, const Vector4d& h, std::vector<Piece>& above,
+          std::vector<Piece>& below)
+{
+    Eigen::Index i = 0, j = 0;
+    if (!(h.maxCoeff(&i) > 0 && h.minCoeff(&j) < 0)) {
+        (h.sum() > 0 ? above : below).push_back(piece);
+        return;
+    }
+    const double t = h[i] / (h[i] - h[j]);
+    const Vector4d p = (1 - t) * piece.col(i) + t * piece.col(j);
+    for (const Eigen::Index replaced : {i, j}) {
+        Piece half = piece;
+        Vector4d height = h;
+        half.col(replaced) = p;
+        height[replaced] = 0;
+        clip(half, height, above, below);
+    }
+}
+
+// A crack divides the parts that have corners on both its sides. h: heights of the corners.
+void divide(std::vector<Part>& parts, const Vector4d& h)
+{
+    for (std::size_t i = 0, count = parts.size(); i < count; ++i) {
+        Part above = {{}, {}}, below = {{}, {}};
+        for (int c = 0; c < 4; ++c)
+            (h[c] >= 0 ? above : below).real[c] = parts[i].real[c];
+        if (above.real == Tetrahedron() || below.real == Tetrahedron()) continue;
+
+        for (const Piece& piece : parts[i].pieces)
+            clip(piece, piece.transpose() * h, above.pieces, below.pieces);
+        parts[i] = above;
+        parts.push_back(below);
+    }
+}
+
+// A part's share of the volume.
+double fraction(const Part& part)
+{
+    double sum = 0;
+    for (const Piece& piece : part.pieces)
+        sum += std::abs(piece.determinant());
+    return std::min(sum, 1.0);
+}
+
+} // namespace
+
+SplitMesh split_along_faces(const TetrahedralMesh& mesh, const std::vector<MeshFace>& faces)
+{
+    SplitMesh result = {mesh, {}, std::vector<int>(mesh.tetrahedra.size())};
+    std::iota(result.parents.begin(), result.parents.end(), 0);
+    for (std::size_t v = 0; v < mesh.vertices.size(); ++v)
+        result.origins.push_back({static_cast<int>(v), static_cast<int>(v), 0});
+    Tetrahedra& tetrahedra = result.mesh.tetrahedra;
+    if (!is_mesh(mesh)) return result;
+
+    std::set<FaceVertices> cut;
+    std::vector<bool> may_double(mesh.vertices.size(), false);
+    for (const MeshFace& face : faces) {
+        if (!is_index(face.tetrahedron, tetrahedra.size()) || !is_index(face.face, 4)) continue;
+        const FaceVertices vertices = face_vertices(tetrahedra[face.tetrahedron], face.face);
+        cut.insert(vertices);
+        for (int v : vertices)
+            may_double[v] = true;
+    }
+
+    // Around a vertex, what shares a face that is not cut stays together.
+    Groups groups(4 * tetrahedra.size());
+    for (const SharedFace& face : shared_faces(tetrahedra, may_double))
+        if (!cut.contains(face.vertices))
+            for (int v : face.vertices)
+                groups.join(corner(face.t1, corner_of(tetrahedra[face.t1], v)),
+                            corner(face.t2, corner_of(tetrahedra[face.t2], v)));
+
+    const std::vector<int> parents = separate(tetrahedra, groups, may_double);
+    for (std::size_t v = mesh.vertices.size(); v < parents.size(); ++v) {
+        result.mesh.vertices.push_back(mesh.vertices[parents[v]]);
+        result.origins.push_back({parents[v], parents[v], 0});
+    }
+    return result;
+}
+
+EmbeddedMesh virtual_nodes(const TetrahedralMesh& mesh, const std::vector<ElementCrack>& cracks)
+{
+    if (!is_mesh(mesh)) return {mesh, {}, {}, {}, {}};
+
+    std::map<int, std::vector<Part>> cracked;
+    std::vector<bool> may_double(mesh.vertices.size(), false);
+    for (const ElementCrack& crack : cracks) {
+        if (!is_index(crack.tetrahedron, mesh.tetrahedra.size())) continue;
+        Vector4d h; // n · (x - p) of each corner
+        for (int c = 0; c < 4; ++c) {
+            const int v = mesh.tetrahedra[crack.tetrahedron][c];
+            h[c] = crack.normal.dot(mesh.vertices[v] - crack.point);
+            may_double[v] = true;
+        }
+        if (!h.allFinite()) continue;
+        divide(cracked.try_emplace(crack.tetrahedron, 1).first->second, h);
+    }
+
+    EmbeddedMesh result;
+    std::vector<int> holder(4 * mesh.tetrahedra.size()); // the copy where a corner is real
+    for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t) {
+        const int parent = static_cast<int>(t);
+        std::vector<Part> parts(1);
+        if (cracked.contains(parent)) parts = cracked.at(parent);
+        std::sort(parts.begin(), parts.end(),
+                  [](const Part& a, const Part& b) { return a.real > b.real; });
+        for (const Part& part : parts) {
+            for (int c = 0; c < 4; ++c)
+                if (part.real[c] == 1)
+                    holder[corner(parent, c)] = static_cast<int>(result.parents.size());
+            result.mesh.tetrahedra.push_back(mesh.tetrahedra[t]);
+            result.parents.push_back(parent);
+            result.real.push_back(part.real);
+            result.fractions.push_back(fraction(part));
+        }
+    }
+
+    // Copies that have a real corner in common have the whole face in common.
+    Tetrahedra& copies = result.mesh.tetrahedra;
+    Groups groups(4 * copies.size());
+    for (const SharedFace& face : shared_faces(mesh.tetrahedra, may_double))
+        for (int v : face.vertices) {
+            const Tetrahedron &whole1 = mesh.tetrahedra[face.t1],
+                              &whole2 = mesh.tetrahedra[face.t2];
+            const int copy1 = holder[corner(face.t1, corner_of(whole1, v))];
+            const int copy2 = holder[corner(face.t2, corner_of(whole2, v))];
+            for (int w : face.vertices)
+                groups.join(corner(copy1, corner_of(whole1, w)),
+                            corner(copy2, corner_of(whole2, w)));
+        }
+
+    result.vertex_parents = separate(copies, groups, may_double);
+    for (int parent : result.vertex_parents)
+        result.mesh.vertices.push_back(mesh.vertices[parent]);
+    return result;
+}
+
+} // namespace rigor
