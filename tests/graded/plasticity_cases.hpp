@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// Stresses, strains and the one material that all exact answers are for.
+#pragma once
+
+#include "support/close.hpp"
+#include "support/random.hpp"
+
+#include <cmath>
+
+namespace rigor::testing {
+
+/// A steel.
+namespace steel {
+inline constexpr double E = 200e9, nu = 0.3;    // Young's modulus [Pa], Poisson's ratio
+inline constexpr double yield_stress = 250e6;   // [Pa]
+inline constexpr double G = E / (2 * (1 + nu)); // shear modulus [Pa]
+inline constexpr double lambda = E * nu / ((1 + nu) * (1 - 2 * nu)); // [Pa]
+inline constexpr double bulk_modulus = E / (3 * (1 - 2 * nu));       // [Pa]
+} // namespace steel
+
+inline Matrix3d diagonal(double x, double y, double z)
+{
+    return Vector3d(x, y, z).asDiagonal();
+}
+
+/// Nothing but shear in the xy plane.
+inline Matrix3d shear(double tau)
+{
+    Matrix3d sigma = Matrix3d::Zero();
+    sigma(0, 1) = sigma(1, 0) = tau;
+    return sigma;
+}
+
+/// A σ Aᵀ, symmetric to the last bit.
+inline Matrix3d turned(const Matrix3d& R, const Matrix3d& sigma)
+{
+    const Matrix3d result = R * sigma * R.transpose();
+    return (result + result.transpose()) / 2;
+}
+
+/// Entries in [-1, 1).
+inline Matrix3d random_symmetric(Random& random)
+{
+    Matrix3d A;
+    A << random.vector(), random.vector(), random.vector();
+    return (A + A.transpose()) / 2;
+}
+
+} // namespace rigor::testing
