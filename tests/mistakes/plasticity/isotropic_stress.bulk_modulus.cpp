@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// λ taken for the bulk modulus, so that only the deviator gets 2 G.
+#include "formulas/plasticity.hpp"
+
+namespace rigor {
+
+Matrix3d isotropic_stress(const Matrix3d& strain, double lame_lambda, double shear_modulus)
+{
+    const double lambda = lame_lambda, G = shear_modulus;
+    const Matrix3d e = strain - strain.trace() / 3 * Matrix3d::Identity();
+    return lambda * strain.trace() * Matrix3d::Identity() + 2 * G * e;
+}
+
+} // namespace rigor

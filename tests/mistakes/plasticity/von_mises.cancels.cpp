@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// The difference of two squares: a small shear drowns in a large pressure.
+#include "formulas/plasticity.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rigor {
+
+double von_mises(const Matrix3d& stress)
+{
+    const double square = stress.squaredNorm() - std::pow(stress.trace(), 2) / 3;
+    return std::sqrt(1.5 * std::max(square, 0.0));
+}
+
+} // namespace rigor

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// √(2/3), which makes an equivalent strain, for √(3/2).
+#include "formulas/plasticity.hpp"
+
+#include <cmath>
+
+namespace rigor {
+
+double von_mises_from_strain(const Matrix3d& strain, double shear_modulus)
+{
+    const double G = shear_modulus;
+    const Matrix3d e = strain - strain.trace() / 3 * Matrix3d::Identity();
+    return 2 * G * std::sqrt(2.0 / 3) * e.norm();
+}
+
+} // namespace rigor

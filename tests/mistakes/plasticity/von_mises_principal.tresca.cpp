@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// The criterion of Tresca: the largest difference. Equal for a rod, not in shear.
+#include "formulas/plasticity.hpp"
+
+#include <algorithm>
+
+namespace rigor {
+
+double von_mises_principal(double stress1, double stress2, double stress3)
+{
+    return std::max({stress1, stress2, stress3}) - std::min({stress1, stress2, stress3});
+}
+
+} // namespace rigor
