@@ -107,8 +107,6 @@ public:
                 change = std::max(change, row.normal_K * (row.lambda - before).norm());
                 total = std::max(total, row.normal_K * row.lambda.norm());
             }
-            if (getenv("DBG"))
-                fprintf(stderr, "round %d w %g change %g total %g\n", round, weight, change, total);
             if (change <= settled * total) break;
             weight = std::min(last_weight, growth * weight);
         }
@@ -271,9 +269,6 @@ private:
             const VectorXd dv = -solver_.solve(gradient);
             if (!dv.allFinite()) return false;
             const double t = lowest(dv);
-            if (getenv("DBG"))
-                fprintf(stderr, "step %d t %g grad %g dv %g\n", step, t, gradient.norm(),
-                        dv.cwiseAbs().maxCoeff());
             v_ += t * dv;
             const double size = v_.cwiseAbs().maxCoeff() + v_free_.cwiseAbs().maxCoeff();
             const double moved = t * dv.cwiseAbs().maxCoeff();
