@@ -2,7 +2,6 @@
 #include "rigid/neighbourhood.hpp"
 
 #include "rigid/broad_phase.hpp"
-#include "rigid/groups.hpp"
 
 #include <algorithm>
 #include <future>
@@ -45,22 +44,13 @@ double travel(const RigidState& from, const RigidState& to, double radius, doubl
            2.5 * std::sqrt(std::min(same, opposite)) * radius;
 }
 
-// A body at rest may be hit in this step, and then move as fast as whatever moves fastest among those
-// it could be hit by, hand to hand; but looking farther than half its radius is never needed.
-std::vector<double> margins_of(const World& world, const std::vector<BodyPair>& pairs,
-                               const std::vector<double>& travels, const std::vector<double>& radii)
+constexpr int most_hands = 8; // that a blow is passed on through in a step
+
+// Of the speed that body j has, what body i gets when j hits it: (1 + ε) m_j / (m_i + m_j), but never more.
+double passed_on(const RigidBody& i, const RigidBody& j)
 {
-    Groups groups(world.bodies.size());
-    for (const auto& [i, j] : pairs)
-        if (!world.bodies[i].is_still() && !world.bodies[j].is_still()) groups.join(i, j);
-    std::vector<double> farthest(world.bodies.size(), 0.0), margins;
-    for (std::size_t i = 0; i < farthest.size(); ++i) {
-        double& travelled = farthest[groups.of(static_cast<int>(i))];
-        travelled = std::max(travelled, travels[i]);
-    }
-    for (std::size_t i = 0; i < farthest.size(); ++i)
-        margins.push_back(std::min(farthest[groups.of(static_cast<int>(i))], radii[i] / 2));
-    return margins;
+    const double restitution = std::min(i.material.restitution, j.material.restitution);
+    return std::min(1.0, (1 + restitution) * j.mass / (i.mass + j.mass));
 }
 
 // Everything that looking closely at a pair needs to know.
@@ -71,6 +61,43 @@ struct Surroundings {
     std::vector<double> travels; // [m]
     Neighbourhood near;          // margins and radii are there, contacts not yet
 };
+
+// Whether two bodies come near each other, if they look as far as this beyond their paths.
+bool come_near(const Surroundings& at, const BodyPair& pair, double reach)
+{
+    Bounds bounds = at.bounds[pair.body1];
+    bounds.grow(reach);
+    return bounds.overlaps(at.bounds[pair.body2]);
+}
+
+// A body at rest may be hit in this step, and then move with what the blow leaves it of the speed of whatever
+// hits it, hand to hand; but looking farther than half its radius is never needed.
+std::vector<double> margins_of(const Surroundings& at, const std::vector<BodyPair>& pairs)
+{
+    const std::vector<RigidBody>& bodies = at.world.bodies;
+    const std::vector<double>& radii = at.near.radii;
+    const auto margin = [&](int i, double farthest) { return std::min(farthest, radii[i] / 2); };
+    std::vector<double> farthest = at.travels;
+    bool any = true;
+    for (int hand = 0; hand < most_hands && any; ++hand) {
+        any = false;
+        const std::vector<double> before = farthest;
+        for (const BodyPair& pair : pairs) {
+            auto [hit, hits] = pair;
+            if (bodies[hit].is_still() || bodies[hits].is_still()) continue;
+            if (before[hit] > before[hits]) std::swap(hit, hits);
+            const double passed = passed_on(bodies[hit], bodies[hits]) * before[hits];
+            if (passed <= farthest[hit]) continue;
+            const double reach = margin(hit, before[hit]) + margin(hits, before[hits]);
+            if (!come_near(at, pair, reach)) continue;
+            farthest[hit] = passed;
+            any = true;
+        }
+    }
+    for (int i = 0; i < static_cast<int>(farthest.size()); ++i)
+        farthest[i] = margin(i, farthest[i]);
+    return farthest;
+}
 
 // What looking closely at some pairs found.
 struct Found {
@@ -85,9 +112,7 @@ Found look_closely(const Surroundings& at, std::span<const BodyPair> pairs)
     Found found;
     for (const auto& [i, j] : pairs) {
         const double margin = at.near.margins[i] + at.near.margins[j];
-        Bounds reach = at.bounds[i];
-        reach.grow(margin);
-        if (!reach.overlaps(at.bounds[j])) continue;
+        if (!come_near(at, {i, j}, margin)) continue;
         ++found.counters.pairs_tested;
         const double path = at.travels[i] + at.travels[j];
         const std::size_t first = found.contacts.size();
@@ -132,7 +157,6 @@ Neighbourhood neighbourhood(const World& world, std::span<const RigidState> flow
                             Counters& counters)
 {
     Surroundings at{world, {}, {}, {}, {}};
-    std::vector<Bounds> wide;
     std::vector<double>& radii = at.near.radii;
     for (std::size_t i = 0; i < flown.size(); ++i) {
         const RigidBody& body = world.bodies[i];
@@ -142,11 +166,14 @@ Neighbourhood neighbourhood(const World& world, std::span<const RigidState> flow
         radii.push_back(body.is_static ? 0 : body_radius(body));
         at.travels.push_back(
             body.is_still() ? 0 : travel(body.state, flown[i], radii.back(), time_step));
-        wide.push_back(at.bounds.back());
-        wide.back().grow(radii.back() / 2);
     }
+    // what may be hit at all: by none faster than the fastest
+    const double fastest = *std::max_element(at.travels.begin(), at.travels.end());
+    std::vector<Bounds> wide = at.bounds;
+    for (std::size_t i = 0; i < wide.size(); ++i)
+        wide[i].grow(std::min(fastest, radii[i] / 2));
     const std::vector<BodyPair> pairs = near_pairs(world, at.poses, wide, counters);
-    at.near.margins = margins_of(world, pairs, at.travels, radii);
+    at.near.margins = margins_of(at, pairs);
 
     Neighbourhood& near = at.near;
     bool any_may_meet = false;
