@@ -25,8 +25,10 @@ struct Bounds {
     }
     bool overlaps(const Bounds& other) const
     {
-        return (low.array() <= other.high.array()).all() &&
-               (other.low.array() <= high.array()).all();
+        const auto overlap = [&](int axis) -> bool {
+            return low[axis] <= other.high[axis] && other.low[axis] <= high[axis];
+        };
+        return overlap(0) && overlap(1) && overlap(2);
     }
 };
 

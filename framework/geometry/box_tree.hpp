@@ -4,6 +4,7 @@
 
 #include "geometry/bounds.hpp"
 
+#include <array>
 #include <vector>
 
 namespace rigor {
@@ -20,14 +21,17 @@ public:
     template <class Visit> void for_each_overlap(const Bounds& bounds, const Visit& visit) const
     {
         if (nodes_.empty()) return;
-        std::vector<int> open{0};
-        while (!open.empty()) {
-            const Node& node = nodes_[open.back()];
-            open.pop_back();
+        std::array<int, 64> open; // a node for each level, and one more
+        int size = 0;
+        open[size++] = 0;
+        while (size > 0) {
+            const Node& node = nodes_[open[--size]];
             if (!node.bounds.overlaps(bounds)) continue;
             for (int k = node.first; k < node.last && node.is_leaf(); ++k)
                 if (boxes_[members_[k]].overlaps(bounds)) visit(members_[k]);
-            if (!node.is_leaf()) open.insert(open.end(), {node.right, node.left});
+            if (node.is_leaf()) continue;
+            open[size++] = node.right;
+            open[size++] = node.left;
         }
     }
 
@@ -35,25 +39,31 @@ public:
     template <class Visit> void for_each_pair(const Visit& visit) const
     {
         if (nodes_.empty()) return;
-        std::vector<std::pair<int, int>> open{{0, 0}};
+        std::vector<std::pair<int, int>> open;
+        open.reserve(128);
+        open.emplace_back(0, 0);
         while (!open.empty()) {
             const auto [a, b] = open.back();
             open.pop_back();
             const Node &p = nodes_[a], &q = nodes_[b];
             if (a == b) {
-                if (p.is_leaf())
+                if (p.is_leaf()) {
                     within(p, visit);
-                else
-                    open.insert(open.end(),
-                                {{p.left, p.left}, {p.left, p.right}, {p.right, p.right}});
+                    continue;
+                }
+                open.emplace_back(p.left, p.left);
+                open.emplace_back(p.left, p.right);
+                open.emplace_back(p.right, p.right);
             } else if (!p.bounds.overlaps(q.bounds)) {
                 continue;
             } else if (p.is_leaf() && q.is_leaf()) {
                 between(p, q, visit);
             } else if (q.is_leaf() || (!p.is_leaf() && p.last - p.first >= q.last - q.first)) {
-                open.insert(open.end(), {{p.left, b}, {p.right, b}});
+                open.emplace_back(p.left, b);
+                open.emplace_back(p.right, b);
             } else {
-                open.insert(open.end(), {{a, q.left}, {a, q.right}});
+                open.emplace_back(a, q.left);
+                open.emplace_back(a, q.right);
             }
         }
     }

@@ -72,23 +72,26 @@ Axis best_other_face(const Placed& a, const Placed& b, const Relation& of)
     return best;
 }
 
-// The best of the nine pairs of edges, by Gottschalk, Lin and Manocha (1996). Parallel edges separate no
-// better than a face does.
-Axis best_edges(const Placed& a, const Placed& b, const Relation& of)
+// The best of the nine pairs of edges, by Gottschalk, Lin and Manocha (1996), if it is better than `least`.
+// Parallel edges separate no better than a face does.
+Axis best_edges(const Placed& a, const Placed& b, const Relation& of, double least)
 {
     Axis best;
+    best.separation = least;
     for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j) {
-            const double c = of.C(i, j), squared = 1 - c * c; // of the length of the axis
-            if (squared < 1e-6) continue;
             const int i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
             const double distance = std::abs(of.d_a[i2] * of.C(i1, j) - of.d_a[i1] * of.C(i2, j));
             const double reach = a.half[i1] * of.C_abs(i2, j) + a.half[i2] * of.C_abs(i1, j) +
                                  b.half[j1] * of.C_abs(i, j2) + b.half[j2] * of.C_abs(i, j1);
-            const double separation = (distance - reach) / std::sqrt(squared);
+            const double between = distance - reach; // times the length of the axis, at most 1
+            if (between <= std::min(best.separation, 0.0)) continue;
+            const double c = of.C(i, j), squared = 1 - c * c; // of the length of the axis
+            if (squared < 1e-6) continue;
+            const double separation = between / std::sqrt(squared);
             if (separation > best.separation) best = {separation, i, j, Vector3d::Zero()};
         }
-    if (best.separation > -std::numeric_limits<double>::infinity()) {
+    if (best.separation > least) {
         const Vector3d l = a.R.col(best.axis1).cross(b.R.col(best.axis2)).normalized();
         best.direction = oriented(l, b.center - a.center);
     }
@@ -98,7 +101,7 @@ Axis best_edges(const Placed& a, const Placed& b, const Relation& of)
 // A polygon with at most 8 vertices, in the frame of the reference face: the face is |x| ≤ half x,
 // |y| ≤ half y, and z is the height above it.
 struct Polygon {
-    std::array<Vector3d, 8> vertices;
+    std::array<Vector3d, 8> vertices; // the first `size` are set
     int size = 0;
 
     void add(const Vector3d& v)
@@ -109,25 +112,28 @@ struct Polygon {
 
 // Keeps what lies on the inner side of sign x[axis] ≤ limit (Sutherland and Hodgman 1974). A vertex
 // within rounding of the border is inside: otherwise aligned boxes get chance vertices.
-Polygon clip(const Polygon& polygon, int axis, double sign, double limit)
+void clip(Polygon& polygon, int axis, double sign, double limit)
 {
     const double border = limit * (1 + 1e-9);
+    const auto is_inside = [&](const Vector3d& v) { return sign * v[axis] <= border; };
+    const auto begin = polygon.vertices.begin(), end = begin + polygon.size;
+    if (std::all_of(begin, end, is_inside)) return;
     Polygon kept;
     for (int i = 0; i < polygon.size; ++i) {
         const Vector3d& from = polygon.vertices[i];
-        const Vector3d& to = polygon.vertices[(i + 1) % polygon.size];
+        const Vector3d& to = polygon.vertices[i + 1 < polygon.size ? i + 1 : 0];
+        if (is_inside(from)) kept.add(from);
+        if (is_inside(from) == is_inside(to)) continue;
         const double a = sign * from[axis], b = sign * to[axis];
-        if (a <= border) kept.add(from);
-        if ((a <= border) != (b <= border)) kept.add(from + (limit - a) / (b - a) * (to - from));
+        kept.add(from + (limit - a) / (b - a) * (to - from));
     }
-    return kept;
+    polygon = kept;
 }
 
-// Up to 4 vertices that span the polygon: the lowest, the farthest from it, and the farthest from
+// 4 vertices or less that span the polygon: the lowest, the farthest from it, and the farthest from
 // their line on either side.
 Polygon spanning(const Polygon& polygon)
 {
-    if (polygon.size <= 4) return polygon;
     const auto begin = polygon.vertices.begin(), end = begin + polygon.size;
     const auto best = [&](auto&& value) {
         return *std::max_element(
@@ -150,22 +156,26 @@ Polygon spanning(const Polygon& polygon)
     return result;
 }
 
-// The face of `box` that looks most against `direction`, in the frame (R, origin).
-Polygon incident_face(const Placed& box, const Vector3d& direction, const Matrix3d& R,
-                      const Vector3d& origin)
+// The face of `box` that looks most against the third axis of the frame (R, origin), in that frame.
+Polygon incident_face(const Placed& box, const Matrix3d& R, const Vector3d& origin)
 {
-    const Vector3d facing = box.R.transpose() * direction;
+    Matrix3d A; // Rᵀ R_box: the axes of the box in the frame
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j)
+            A(i, j) = R.col(i).dot(box.R.col(j));
     int k = 0;
-    facing.cwiseAbs().maxCoeff(&k);
+    A.row(2).cwiseAbs().maxCoeff(&k);
     const int u = (k + 1) % 3, v = (k + 2) % 3;
-    const Vector3d outward = (facing[k] > 0 ? -1 : 1) * box.half[k] * box.R.col(k);
-    const Vector3d e_u = box.half[u] * box.R.col(u), e_v = box.half[v] * box.R.col(v);
-    const Vector3d center = box.center + outward - origin;
+    const Vector3d d = box.center - origin;
+    const Vector3d to_center(R.col(0).dot(d), R.col(1).dot(d), R.col(2).dot(d));
+    const Vector3d center = to_center + (A(2, k) > 0 ? -1 : 1) * box.half[k] * A.col(k);
+    const Vector3d e_u = box.half[u] * A.col(u), e_v = box.half[v] * A.col(v);
 
     Polygon face;
-    for (const Vector3d& p : {Vector3d(center + e_u + e_v), Vector3d(center - e_u + e_v),
-                              Vector3d(center - e_u - e_v), Vector3d(center + e_u - e_v)})
-        face.add(R.transpose() * p);
+    face.add(center + e_u + e_v);
+    face.add(center - e_u + e_v);
+    face.add(center - e_u - e_v);
+    face.add(center + e_u - e_v);
     return face;
 }
 
@@ -179,12 +189,12 @@ void touch_face(const Placed& reference, const Placed& other, const Axis& axis,
     R << reference.R.col(u), reference.R.col(v), axis.direction;
     const Vector3d origin = reference.center + reference.half[k] * axis.direction;
 
-    Polygon polygon = incident_face(other, axis.direction, R, origin);
+    Polygon polygon = incident_face(other, R, origin);
     for (const double sign : {-1.0, 1.0}) {
-        polygon = clip(polygon, 0, sign, reference.half[u]);
-        polygon = clip(polygon, 1, sign, reference.half[v]);
+        clip(polygon, 0, sign, reference.half[u]);
+        clip(polygon, 1, sign, reference.half[v]);
     }
-    polygon = spanning(polygon);
+    if (polygon.size > 4) polygon = spanning(polygon);
     for (int i = 0; i < polygon.size; ++i) {
         Vector3d p = polygon.vertices[i];
         const double gap = p.z();
@@ -236,12 +246,14 @@ void touch_boxes(const Box& box1, const Pose& pose1, const Box& box2, const Pose
     if (face1.separation >= reach) return;
     const Axis face2 = best_other_face(a, b, relation); // its direction points from 2 to 1
     if (face2.separation >= reach) return;
-    const Axis edges = best_edges(a, b, relation);
-    if (edges.separation >= reach) return;
 
     const double clearly = 0.01 * std::min(a.half.minCoeff(), b.half.minCoeff());
-    if (edges.separation > std::max(face1.separation, face2.separation) + clearly)
-        return touch_edges(a, b, edges, reach, touches);
+    const double least = std::max(face1.separation, face2.separation) + clearly;
+    const Axis edges = best_edges(a, b, relation, least);
+    if (edges.separation > least) {
+        if (edges.separation < reach) touch_edges(a, b, edges, reach, touches);
+        return;
+    }
 
     const double better = face1.separation - face2.separation;
     const double larger = face_area(a, face1.axis1) - face_area(b, face2.axis1);

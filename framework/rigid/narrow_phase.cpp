@@ -131,9 +131,11 @@ void find_contacts(const World& world, const std::vector<Pose>& poses, int body1
     const std::vector<Part>& parts2 = world.bodies[body2].parts;
     const bool is_compound = parts1.size() * parts2.size() > 1;
     std::vector<Touch> touches;
+    touches.reserve(4); // of two faces
     for (const Part& part1 : parts1) {
         const Pose pose1 = part_pose(poses[body1], part1);
-        Bounds bounds1 = bounds_of(part1.shape, pose1);
+        Bounds bounds1;
+        if (is_compound) bounds1 = bounds_of(part1.shape, pose1);
         bounds1.grow(reach);
         for (const Part& part2 : parts2) {
             const Pose pose2 = part_pose(poses[body2], part2);
