@@ -11,6 +11,7 @@
 #include "rigid/world.hpp"
 
 #include <limits>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -59,6 +60,7 @@ struct HandleMoment {
 /// Nodes that go where they are told, in some or all of x, y and z.
 struct Handle {
     std::vector<int> nodes;
+    std::vector<Vector3d> first_places; // of the nodes [m]; empty: where the first step finds them
     std::array<bool, 3> axes = {true, true, true}; // which coordinates it holds
     Vector3d pivot = Vector3d::Zero();             // world space [m]
     std::vector<HandleMoment> path;                // times ascending; empty: held in place
@@ -70,6 +72,19 @@ struct NodeLoad {
     std::vector<int> nodes;
     Vector3d force = Vector3d::Zero(); // the sum over the nodes [N]
     double start = 0, end = never;     // [s]
+};
+
+struct Workspace;
+
+/// Room to work in. A copy of a solid begins without, and makes its own.
+struct WorkspaceOf {
+    WorkspaceOf();
+    WorkspaceOf(const WorkspaceOf&);
+    WorkspaceOf(WorkspaceOf&&) noexcept;
+    WorkspaceOf& operator=(WorkspaceOf) noexcept;
+    ~WorkspaceOf();
+
+    std::unique_ptr<Workspace> content;
 };
 
 /// A deformable solid and its state.
@@ -87,6 +102,10 @@ struct Deformable {
     std::vector<Handle> handles;
     std::vector<NodeLoad> loads;
 
+    // Of each element and face, whether a crack runs there, open or still closed. Empty without cracks.
+    std::vector<std::array<bool, 4>> crack_faces;
+    double least_height = 0; // that a cut may leave an element; the first cut says [m]
+
     // With virtual nodes: the solid before its first crack, its cracks, and what of each element is
     // filled. Empty without cracks: then every element is.
     TetrahedralMesh uncracked;
@@ -94,6 +113,8 @@ struct Deformable {
     EmbeddedMesh embedded;
 
     int topology = 0; // counts the changes of the mesh
+
+    WorkspaceOf workspace; // what a step derives from all of this; never state
 };
 
 /// A point of the drawn surface, which moves with an element: Σ weights[i] x_corner i.

@@ -85,6 +85,7 @@ struct Skips {
     bool sleep = true;      ///< bodies that have come to rest are left alone
     bool warm_start = true; ///< impulses start from those of the step before
     bool early_exit = true; ///< sweeps end once nothing changes any more
+    bool stress_bound = true; ///< eigenvalues of a stress only where a bound on the largest is too high
     /// The reference's formulas in a faster form, proved equal; never for another implementation.
     bool readable_formulas = true;
 };
@@ -99,6 +100,10 @@ struct Counters {
     std::uint64_t contact_sweeps = 0, early_exits = 0, newton_solves = 0;
     std::uint64_t healed_contacts = 0;
     std::uint64_t level_sets_built = 0, level_set_samples = 0;
+    // of deformable solids
+    std::uint64_t deformable_substeps = 0, system_solves = 0, solver_iterations = 0;
+    std::uint64_t node_impulses = 0, elements_flowed = 0, flow_skipped = 0;
+    std::uint64_t eigenvalues = 0, eigenvalues_skipped = 0, cracks = 0, mesh_changes = 0;
 };
 
 /// What held a contact in the step before: where the next step's sweeps start from.

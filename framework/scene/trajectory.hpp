@@ -77,6 +77,16 @@ inline constexpr CounterField counter_fields[] = {
     {"healed contacts", &Counters::healed_contacts},
     {"level sets built", &Counters::level_sets_built},
     {"level set samples", &Counters::level_set_samples},
+    {"deformable substeps", &Counters::deformable_substeps},
+    {"system solves", &Counters::system_solves},
+    {"solver iterations", &Counters::solver_iterations},
+    {"node impulses", &Counters::node_impulses},
+    {"elements flowed", &Counters::elements_flowed},
+    {"flow skipped", &Counters::flow_skipped},
+    {"eigenvalues", &Counters::eigenvalues},
+    {"eigenvalues skipped", &Counters::eigenvalues_skipped},
+    {"cracks", &Counters::cracks},
+    {"mesh changes", &Counters::mesh_changes},
 };
 static_assert(sizeof(Counters) == sizeof(std::uint64_t) * std::size(counter_fields));
 
