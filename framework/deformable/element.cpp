@@ -36,7 +36,7 @@ Matrix3d closest_rotation(const Matrix3d& F)
 
 Polar polar_decomposition(const Matrix3d& F)
 {
-    const double norm = F.stableNorm();
+    const double norm = F.cwiseAbs().maxCoeff(); // whatever its size
     if (norm == 0) return {Matrix3d::Identity(), Matrix3d::Zero()};
     Square3<double> scaled;
     for (int i = 0; i < 9; ++i)

@@ -46,6 +46,7 @@ public:
             motion_.counters.solver_iterations +=
                 work_.system.solve(work_.right_side, work_.ties, work_.bodies, v);
             ++motion_.counters.system_solves;
+            note_impulses();
             if (!revise_holds()) break;
         }
         keep_momentum();
@@ -185,6 +186,13 @@ private:
                    : j;
     }
 
+    void note_impulses()
+    {
+        work_.impulses.assign(contacts_.size(), Vector3d::Zero());
+        for (int k = 0; k < static_cast<int>(contacts_.size()); ++k)
+            if (is_tied(k)) work_.impulses[k] = impulse(k);
+    }
+
     // @return whether any contact holds otherwise than in the round before
     bool revise_holds()
     {
@@ -208,7 +216,7 @@ private:
     bool revise_tied(int k)
     {
         const NodeContact& c = contacts_[k];
-        const Vector3d n = c.normal, j = impulse(k);
+        const Vector3d n = c.normal, j = work_.impulses[k];
         const double j_n = n.dot(j);
         if (j_n < 0) { // it would pull
             hold(k, Hold::off);
@@ -231,9 +239,9 @@ private:
         const double speed = v_t.norm();
         if (speed == 0) return false;
         const Vector3d friction = -c.friction * j_n / speed * v_t;
-        const bool is_new = (friction - work_.frictions[k]).norm() > 1e-3 * friction.norm();
+        if ((friction - work_.frictions[k]).norm() <= 1e-3 * friction.norm()) return false;
         work_.frictions[k] = friction;
-        return is_new;
+        return true;
     }
 
     // Of a solid that nothing touches the sum of momenta is right to rounding, whatever the solver left.
@@ -254,12 +262,12 @@ private:
 
     void push_bodies()
     {
-        for (int k = 0; k < static_cast<int>(contacts_.size()); ++k)
-            if (work_.ties.size() > 0 && is_tied(k)) {
-                motion_.rigid.push(contacts_[k].body, solid_.positions[contacts_[k].node],
-                                   -impulse(k));
-                ++motion_.counters.node_impulses;
-            }
+        for (int k = 0; k < static_cast<int>(contacts_.size()); ++k) {
+            if (!is_tied(k)) continue;
+            const NodeContact& c = contacts_[k];
+            motion_.rigid.push(c.body, solid_.positions[c.node], -work_.impulses[k]);
+            ++motion_.counters.node_impulses;
+        }
     }
 
     const NodeMotion& motion_;

@@ -35,6 +35,17 @@ std::vector<char> surface_nodes(const Deformable& solid,
     return is_surface;
 }
 
+std::vector<std::vector<int>>
+uncracked_neighbours(const Deformable& solid, const std::vector<std::array<int, 4>>& neighbours)
+{
+    std::vector<std::vector<int>> lists(neighbours.size());
+    for (std::size_t t = 0; t < neighbours.size(); ++t)
+        for (int f = 0; f < 4; ++f)
+            if (neighbours[t][f] >= 0 && (solid.crack_faces.empty() || !solid.crack_faces[t][f]))
+                lists[t].push_back(neighbours[t][f]);
+    return lists;
+}
+
 } // namespace
 
 WorkspaceOf::WorkspaceOf() = default;
@@ -50,6 +61,7 @@ WorkspaceOf::~WorkspaceOf() = default;
 Workspace::Workspace(const Deformable& solid)
     : topology(solid.topology), material(solid.material),
       face_neighbours(rigor::face_neighbours(solid.rest)),
+      stress_neighbours(uncracked_neighbours(solid, face_neighbours)),
       is_surface(surface_nodes(solid, face_neighbours)), elements(solid),
       stable_step(rigor::stable_step(solid, elements)), forces(solid.rest.vertices.size()),
       is_held(solid.rest.vertices.size(), 0)

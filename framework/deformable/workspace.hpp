@@ -22,6 +22,8 @@ struct Workspace {
     int topology;
     SolidMaterial material;
     std::vector<std::array<int, 4>> face_neighbours;
+    std::vector<std::vector<int>>
+        stress_neighbours;        // of each element, across faces that no crack runs along
     std::vector<char> is_surface; // of each node: on the boundary of the mesh, and with matter
     Elements elements;
     double stable_step; // of explicit substeps, the longest [s]
@@ -40,6 +42,7 @@ struct Workspace {
     std::vector<int> tied_by;        // of each node, the contact; -1: none
     std::vector<char> holds;         // of each contact, how
     std::vector<Vector3d> frictions; // of each contact that slides [N s]
+    std::vector<Vector3d> impulses;  // of each contact, on its node [N s]
     std::vector<int> body_numbers;   // of each rigid body, in the system; -1: it is not in it
     std::vector<SystemBody> free_bodies, bodies;
 };

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+#include "rigid/mass.hpp"
+#include "support/close.hpp"
+#include "support/deformables.hpp"
+
+using namespace rigor;
+using namespace rigor::testing;
+
+namespace {
+
+constexpr std::array integrators = {NodeIntegrator::explicit_step, NodeIntegrator::implicit_step};
+
+double lowest(const Deformable& solid)
+{
+    double y = never;
+    for (const Vector3d& x : solid.positions)
+        y = std::min(y, x.y());
+    return y;
+}
+
+DeformableWorld block_above_floor(NodeIntegrator integrator, double height)
+{
+    SolidMaterial material = soft_material();
+    material.damping = 0.01;
+    material.surface = {0, 0.5};
+    Deformable block =
+        make_deformable("block", block_tetrahedra({0.4, 0.2, 0.4}, {4, 2, 4}), material,
+                        Matrix3d::Identity(), Vector3d(0, 0.1 + height, 0));
+    block.integrator = integrator;
+    DeformableWorld world = world_of(block);
+    world.rigid.gravity = {0, -9.81, 0};
+    add_floor(world);
+    return world;
+}
+
+RigidBody ball(double radius, const Vector3d& position, const Vector3d& velocity)
+{
+    RigidBody body;
+    body.name = "ball";
+    body.parts = {Part{Sphere{radius}, Vector3d::Zero(), Quaternion{}, 1000}};
+    set_mass_from_parts(body);
+    body.state.position = position;
+    body.state.velocity = velocity;
+    return body;
+}
+
+} // namespace
+
+TEST_CASE("contact: a block lands on the floor and rests there", "[deformable]")
+{
+    for (const NodeIntegrator integrator : integrators) {
+        DeformableWorld world = block_above_floor(integrator, 0.3);
+        for (int i = 0; i < 180; ++i) {
+            step(world, 1.0 / 60);
+            REQUIRE(lowest(world.solids[0]) > -0.02);
+        }
+        const DeformableTotals sum = totals(world.solids[0]);
+        check_at_most(sum.kinetic_energy, 1e-5, "kinetic energy");
+        CHECK_THAT(lowest(world.solids[0]), IsClose(0.0, Order(1e-4)));
+        // ρ g H² / (2 E) = 2 mm lower than without weight, and a bit more as its sides are free
+        CHECK_THAT(sum.center_of_mass.y(), IsClose(0.0985, Order(1.5e-3)));
+        CHECK(world.rigid.counters.node_impulses > 0);
+    }
+}
+
+TEST_CASE("contact: on a slope a block slides or sticks as friction says", "[deformable]")
+{
+    for (const NodeIntegrator integrator : integrators)
+        for (const double friction : {0.2, 1.0}) {
+            CAPTURE(friction);
+            DeformableWorld world = block_above_floor(integrator, 0.0);
+            world.rigid.gravity = {9.81 * std::sin(0.5), -9.81 * std::cos(0.5), 0}; // tan 0.546
+            world.solids[0].material.surface.friction = friction;
+            world.rigid.bodies[0].material.friction = friction;
+            run(world, 1.0 / 60, 60);
+            const double x = totals(world.solids[0]).center_of_mass.x();
+            const double a = 9.81 * (std::sin(0.5) - friction * std::cos(0.5));
+            if (friction > 0.546)
+                check_at_most(x, 0.02, "shift by leaning");
+            else
+                CHECK_THAT(x, IsClose(0.5 * a, Order(0.2 * a)));
+        }
+}
+
+TEST_CASE("contact: a ball and a block give each other the same impulse", "[deformable]")
+{
+    for (const NodeIntegrator integrator : integrators) {
+        DeformableWorld world = block_above_floor(integrator, 0);
+        world.rigid.gravity.setZero();
+        world.rigid.bodies.clear();
+        world.rigid.bodies.push_back(ball(0.1, {0.05, 0.35, 0.02}, {0.5, -3, 0}));
+        const RigidBody& b = world.rigid.bodies[0];
+        const auto momentum = [&] {
+            return Vector3d(totals(world.solids[0]).momentum + b.mass * b.state.velocity);
+        };
+        const Vector3d before = momentum();
+        double speed = 0;
+        for (int i = 0; i < 60; ++i) {
+            step(world, 1.0 / 120);
+            speed = std::max(speed, totals(world.solids[0]).momentum.norm());
+        }
+        CHECK(b.state.velocity.y() > -1); // it was thrown back, or nearly stopped
+        CHECK(speed > 1);
+        const bool is_explicit = integrator == NodeIntegrator::explicit_step;
+        CHECK_THAT(momentum(),
+                   IsClose(before, is_explicit ? Rounding(1000) : Order(1e-4 * before.norm())));
+    }
+}
+
+TEST_CASE("contact: a ball rests on a soft block", "[deformable]")
+{
+    for (const NodeIntegrator integrator : integrators) {
+        DeformableWorld world = block_above_floor(integrator, 0);
+        world.rigid.bodies.push_back(ball(0.1, {0, 0.31, 0}, Vector3d::Zero()));
+        run(world, 1.0 / 60, 240);
+        const RigidState& state = world.rigid.bodies[1].state;
+        check_at_most(state.velocity.norm(), 0.05, "speed");
+        CHECK(state.position.y() > 0.2);
+        CHECK(state.position.y() < 0.31);
+    }
+}
+
+TEST_CASE("contact: a block that starts deep in the floor comes out of it without a jump",
+          "[deformable]")
+{
+    for (const NodeIntegrator integrator : integrators) {
+        DeformableWorld world = block_above_floor(integrator, -0.05);
+        double fastest = 0;
+        for (int i = 0; i < 240; ++i) {
+            step(world, 1.0 / 60);
+            for (const Vector3d& v : world.solids[0].velocities)
+                fastest = std::max(fastest, v.norm());
+        }
+        check_at_most(fastest, 1.5, "speed"); // of a fall from 0.11 m, twice the depth
+        CHECK_THAT(lowest(world.solids[0]), IsClose(0.0, Order(1e-3)));
+    }
+}
