@@ -4,6 +4,7 @@
 #include "deformable/element.hpp"
 #include "deformable/lumped_mass.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace rigor {
@@ -74,7 +75,8 @@ struct PolarPair {
     return polar;
 }
 
-// z = (s δ - S)⁻¹ a, by cofactors; 0 where that is no number worth having.
+// z = (s δ - S)⁻¹ a, by cofactors. Where R is hardly unique z grows beyond all bounds, and with it the
+// stiffness: from there on it fades out.
 [[gnu::always_inline]] inline void solve_spin(const PolarPair& polar, const Two (&a)[3],
                                               Two (&z)[3])
 {
@@ -84,9 +86,12 @@ struct PolarPair {
     const Two cxy = S.xz * S.yz + S.xy * zz, cxz = S.xy * S.yz + S.xz * yy,
               cyz = S.xy * S.xz + S.yz * xx;
     const Two det = xx * cxx - S.xy * cxy - S.xz * cxz;
-    Two inverse;
-    for (int lane = 0; lane < 2; ++lane)
-        inverse[lane] = polar.conditioning[lane] > 1e-6 ? 1 / det[lane] : 0;
+    Two inverse{0, 0};
+    for (int lane = 0; lane < 2; ++lane) {
+        constexpr double none = 0.02, all = 0.1; // of the conditioning, 0.59 at rest
+        const double part = std::clamp((polar.conditioning[lane] - none) / (all - none), 0.0, 1.0);
+        inverse[lane] = part > 0 ? part / det[lane] : 0;
+    }
     z[0] = (cxx * a[0] + cxy * a[1] + cxz * a[2]) * inverse;
     z[1] = (cxy * a[0] + cyy * a[1] + cyz * a[2]) * inverse;
     z[2] = (cxz * a[0] + cyz * a[1] + czz * a[2]) * inverse;

@@ -7,7 +7,7 @@
 namespace rigor {
 
 /// Plastic flow of each element that yields, by `plastic_flow`. The von Mises stress of the others is all
-/// that is computed of them.
+/// that is computed of them. ‖ε_p‖ stays below 1.1: no solid flows until it is inside out.
 /// @param strains  at the step's end; the elastic ones are updated
 void flow(Deformable& solid, Workspace& work, World& world);
 

@@ -17,6 +17,15 @@ double shear_strain2(const Matrix3d& strain)
     return 1.5 * dev.squaredNorm();
 }
 
+// A plastic strain at most so large that the shape it makes the rest, δ + ε_p, is not inside out: its
+// lowest eigenvalue is at least -√⅔ ‖ε_p‖ as it has no trace.
+Matrix3d limited(const Matrix3d& plastic_strain)
+{
+    constexpr double most = 1.1; // 0.9 √(3/2)
+    const double size = plastic_strain.norm();
+    return size > most ? Matrix3d(most / size * plastic_strain) : plastic_strain;
+}
+
 } // namespace
 
 void flow(Deformable& solid, Workspace& work, World& world)
@@ -34,7 +43,7 @@ void flow(Deformable& solid, Workspace& work, World& world)
             continue;
         }
         const Matrix3d stress = isotropic_stress(strain, lambda, G);
-        const Matrix3d flowed = plastic_flow(solid.plastic_strains[e], stress, sigma_Y, G);
+        const Matrix3d flowed = limited(plastic_flow(solid.plastic_strains[e], stress, sigma_Y, G));
         strain -= flowed - solid.plastic_strains[e];
         solid.plastic_strains[e] = flowed;
         work.elements.set_plastic_strain(e, flowed);

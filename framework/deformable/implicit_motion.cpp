@@ -85,22 +85,14 @@ private:
         work_.free_bodies.clear();
         for (const NodeContact& c : contacts_) {
             const Body& body = motion_.rigid.bodies[c.body];
-            if (body.is_static() || work_.body_numbers[c.body] >= 0 || rests(c.body)) continue;
+            if (body.is_static() || work_.body_numbers[c.body] >= 0 || motion_.rigid.rests(c.body))
+                continue;
             work_.body_numbers[c.body] = static_cast<int>(work_.free_bodies.size());
             work_.free_bodies.push_back({1 / body.inverse_mass, body.inverse_inertia.inverse(),
                                          body.velocity + h_ * world.gravity,
                                          body.angular_velocity});
         }
     }
-    bool rests(int body) const
-    {
-        const World& world = motion_.rigid.world;
-        return world.bodies[body].rest.is_asleep() ||
-               std::any_of(
-                   world.warm_contacts.begin(), world.warm_contacts.end(),
-                   [&](const WarmContact& c) { return c.body1 == body || c.body2 == body; });
-    }
-
     Vector3d arm(const NodeContact& c) const
     {
         return solid_.positions[c.node] - motion_.rigid.bodies[c.body].position;

@@ -75,11 +75,22 @@ void RigidSide::push(int body, const Vector3d& point, const Vector3d& impulse)
     is_pushed[body] = 1;
 }
 
-void RigidSide::give_back(World& to) const
+bool RigidSide::rests(int body) const
+{
+    return world.bodies[body].rest.is_asleep() ||
+           std::any_of(world.warm_contacts.begin(), world.warm_contacts.end(),
+                       [&](const WarmContact& c) { return c.body1 == body || c.body2 == body; });
+}
+
+void RigidSide::give_back(World& to, double time_step) const
 {
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         if (!is_pushed[i]) continue;
         if (to.bodies[i].rest.is_asleep()) wake(to, {static_cast<int>(i)});
+        // Its flight will add h V + ½ g h². Held by nodes it does not fly, but drifts with the velocity
+        // that it has in the end, V + g h.
+        if (!rests(static_cast<int>(i)))
+            to.bodies[i].state.position += 0.5 * time_step * time_step * to.gravity;
         to.bodies[i].state.velocity = bodies[i].velocity;
         to.bodies[i].state.angular_momentum = bodies[i].angular_momentum;
     }

@@ -16,7 +16,9 @@ struct RigidSide {
     /// Moves the surfaces on.
     void advance(double time_step);
     /// Gives bodies the velocities that impulses gave them, and wakes those that got any.
-    void give_back(World& world) const;
+    void give_back(World& to, double time_step) const;
+    /// Whether other bodies hold it, or hold on to it.
+    bool rests(int body) const;
     void push(int body, const Vector3d& point, const Vector3d& impulse);
 
     const World& world;

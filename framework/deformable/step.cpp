@@ -59,7 +59,7 @@ std::vector<ContactRecord> step(DeformableWorld& world, double time_step)
             require_finite(solid, world.rigid.time + time_step);
             rigid.surfaces = surfaces;
         }
-        rigid.give_back(world.rigid);
+        rigid.give_back(world.rigid, time_step);
     }
     return step(world.rigid, time_step);
 }

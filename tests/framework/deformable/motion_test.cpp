@@ -31,12 +31,12 @@ double energy(const Deformable& solid)
 }
 
 // A bar along x, held at its lower end.
-Deformable held_bar(int cells, double poisson_ratio)
+Deformable held_bar(int cells, double poisson_ratio, int length = 4)
 {
     SolidMaterial material = soft_material();
     material.poisson_ratio = poisson_ratio;
     Deformable bar =
-        solid_of(block_tetrahedra({1, 0.25, 0.25}, {4 * cells, cells, cells}), material);
+        solid_of(block_tetrahedra({1, 0.25, 0.25}, {length * cells, cells, cells}), material);
     Handle handle;
     for (int i = 0; i < static_cast<int>(bar.positions.size()); ++i)
         if (bar.positions[i].x() < -0.5 + 1e-9) handle.nodes.push_back(i);
@@ -224,21 +224,22 @@ TEST_CASE("motion: no element bears more than it yields at, however fast it is p
           "[deformable]")
 {
     for (const NodeIntegrator integrator : integrators) {
-        DeformableWorld world = world_of(held_bar(1, 0.3));
+        DeformableWorld world = world_of(held_bar(1, 0.3, 1));
         Deformable& bar = world.solids[0];
         bar.integrator = integrator;
-        bar.material.yield_stress = 1000; // at a strain of 1 %
+        bar.material.yield_stress = 500; // at a strain of ½ %
         Handle pull;
         for (int i = 0; i < static_cast<int>(bar.positions.size()); ++i)
             if (bar.positions[i].x() > 0.5 - 1e-9) pull.nodes.push_back(i);
-        pull.path = {{0, Vector3d::Zero(), Vector3d::Zero()},
-                     {0.02, Vector3d(1, 0, 0), Vector3d::Zero()}}; // doubles its length in one step
+        pull.path = {
+            {0, Vector3d::Zero(), Vector3d::Zero()},
+            {0.02, Vector3d(0.5, 0, 0), Vector3d::Zero()}}; // a hundred times that in one step
         bar.handles.push_back(pull);
         step(world, 0.02);
         for (const Matrix3d& stress : element_stresses(bar)) {
             Matrix3d dev = stress;
             dev.diagonal().array() -= stress.trace() / 3;
-            check_at_most(std::sqrt(1.5) * dev.norm(), 1000 * (1 + 1e-9), "von Mises stress");
+            check_at_most(std::sqrt(1.5) * dev.norm(), 500 * (1 + 1e-9), "von Mises stress");
         }
         CHECK(world.rigid.counters.elements_flowed > 0);
         double most = 0;
@@ -246,7 +247,7 @@ TEST_CASE("motion: no element bears more than it yields at, however fast it is p
             CHECK_THAT(strain.trace(), IsClose(0.0, Rounding(100, 1)));
             most = std::max(most, strain.norm());
         }
-        CHECK(most > 0.5);
+        CHECK(most > 0.3);
         run(world, 0.02, 100);
         CHECK(energy(bar) < 1e4);
     }
