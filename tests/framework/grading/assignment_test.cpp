@@ -58,6 +58,16 @@ std::string content(const std::filesystem::path& file)
     return text.str();
 }
 
+// As a handout introduces a task: "### A2.14 `combine` (3 points)".
+std::string heading(const Task& task)
+{
+    const std::string name = task.formula.empty() ? task.title : "`" + task.formula + "`";
+    std::ostringstream points;
+    points << task.points << (task.points == 1 ? " point" : " points");
+    return "### " + task.tag + " " + name + " (" + points.str() +
+           (task.is_hidden ? ", hidden)" : ")");
+}
+
 } // namespace
 
 TEST_CASE("assignment: a good file is read whole", "[assignment]")
@@ -138,8 +148,8 @@ TEST_CASE("assignment: what ships is explained and there", "[assignment]")
         CAPTURE(assignment.name);
         const std::string handout = content(assignment.folder / "README.md");
         for (const Task& task : assignment.tasks) {
-            CAPTURE(task.tag);
-            REQUIRE(handout.find(task.tag) != std::string::npos);
+            CAPTURE(task.tag, heading(task));
+            REQUIRE(handout.find("\n" + heading(task)) != std::string::npos);
             for (const std::string& below : task.builds_on) {
                 CAPTURE(below);
                 REQUIRE(below != task.tag);
