@@ -36,7 +36,7 @@ const std::string& known_name(const std::string& name, const std::vector<std::st
 }
 
 // The benchmarks that draw.
-constexpr std::array<std::string_view, 1> with_plots = {"accuracy"};
+constexpr std::array<std::string_view, 2> with_plots = {"accuracy", "plasticity"};
 
 bool draws(const std::string& name)
 {

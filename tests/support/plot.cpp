@@ -63,36 +63,69 @@ std::string power_of_ten(int exponent)
                   std::abs(exponent));
 }
 
-// Whole decades about the data, and where they lie on the picture.
-struct Axis {
-    int first = 0, last = 1;   // powers of ten
-    double begin = 0, end = 1; // [px]
+std::string number(double value)
+{
+    return (value < 0 ? "−" : "") + format("%g", std::abs(value));
+}
 
-    double at(double value) const
+// Whole decades or round steps about the data, and where they lie on the picture.
+struct Axis {
+    bool is_linear = false;
+    double first = 0, last = 1, step = 1; // powers of ten, or values
+    double begin = 0, end = 1;            // [px]
+
+    double at(double value) const { return place(is_linear ? value : std::log10(value)); }
+    int lines() const { return static_cast<int>(std::lround((last - first) / step)); }
+    double line(int i) const { return place(first + i * step); }
+    bool has_label(int i) const { return is_linear || i % (lines() / 9 + 1) == 0; }
+    std::string label(int i) const
     {
-        return begin + (end - begin) * (std::log10(value) - first) / (last - first);
+        const double value = first + i * step;
+        return is_linear ? number(std::abs(value) < step / 2 ? 0 : value)
+                         : power_of_ten(static_cast<int>(value));
     }
-    int decades_a_label() const { return (last - first) / 9 + 1; }
+
+private:
+    double place(double position) const
+    {
+        return begin + (end - begin) * (position - first) / (last - first);
+    }
 };
 
-Axis axis_about(const std::vector<double>& values, double begin, double end)
+// 1, 2 or 5 times a power of ten, so that three to eight of them make the range.
+double round_step(double range)
+{
+    const double decade = std::pow(10, std::floor(std::log10(range / 4)));
+    return decade * (range >= 16 * decade ? 5 : range >= 8 * decade ? 2 : 1);
+}
+
+Axis axis_about(const std::vector<double>& values, double begin, double end, bool is_linear)
 {
     Axis axis;
+    axis.is_linear = is_linear;
     axis.begin = begin;
     axis.end = end;
     if (values.empty()) return axis;
     const auto [low, high] = std::minmax_element(values.begin(), values.end());
-    axis.first = static_cast<int>(std::floor(std::log10(*low)));
-    axis.last = std::max(axis.first + 1, static_cast<int>(std::ceil(std::log10(*high))));
+    if (is_linear) {
+        axis.step = *high > *low ? round_step(*high - *low) : 1;
+        const double slack = 1e-9; // rounding does not ask for one more step
+        axis.first = std::floor(*low / axis.step + slack) * axis.step;
+        axis.last =
+            std::max(axis.first + axis.step, std::ceil(*high / axis.step - slack) * axis.step);
+    } else {
+        axis.first = std::floor(std::log10(*low));
+        axis.last = std::max(axis.first + 1, std::ceil(std::log10(*high)));
+    }
     return axis;
 }
 
-std::vector<std::pair<double, double>> drawable(const Series& series, double least_y)
+std::vector<std::pair<double, double>> drawable(const Series& series, const Plot& plot)
 {
     std::vector<std::pair<double, double>> points;
     for (const auto& [x, y] : series.points)
-        if (std::isfinite(x) && std::isfinite(y) && x > 0)
-            points.emplace_back(x, std::max(y, least_y));
+        if (std::isfinite(x) && std::isfinite(y) && (plot.is_linear || x > 0))
+            points.emplace_back(x, plot.is_linear ? y : std::max(y, plot.least_y));
     return points;
 }
 
@@ -151,17 +184,15 @@ std::string marks(std::size_t kind, const std::string& markers)
 std::string grid(const Axis& x, const Axis& y)
 {
     std::string lines, texts;
-    for (int e = x.first; e <= x.last; ++e) {
-        const double at = x.begin + (x.end - x.begin) * (e - x.first) / (x.last - x.first);
-        lines += format("M%.1f %.1fV%.1f", at, top, bottom);
-        if ((e - x.first) % x.decades_a_label() == 0)
-            texts += text_at(at, bottom + 20, "text-anchor='middle'", power_of_ten(e));
+    for (int i = 0; i <= x.lines(); ++i) {
+        lines += format("M%.1f %.1fV%.1f", x.line(i), top, bottom);
+        if (x.has_label(i))
+            texts += text_at(x.line(i), bottom + 20, "text-anchor='middle'", x.label(i));
     }
-    for (int e = y.first; e <= y.last; ++e) {
-        const double at = y.begin + (y.end - y.begin) * (e - y.first) / (y.last - y.first);
-        lines += format("M%.1f %.1fH%.1f", left, at, right);
-        if ((e - y.first) % y.decades_a_label() == 0)
-            texts += text_at(left - 8, at + 4.5, "text-anchor='end'", power_of_ten(e));
+    for (int i = 0; i <= y.lines(); ++i) {
+        lines += format("M%.1f %.1fH%.1f", left, y.line(i), right);
+        if (y.has_label(i))
+            texts += text_at(left - 8, y.line(i) + 4.5, "text-anchor='end'", y.label(i));
     }
     return "<path fill='none' " + painted(faint) + " d='" + lines + "'/>\n<path fill='none' " +
            painted(frame) + format(" d='M%.1f %.1fV%.1fH%.1f'/>\n", left, top, bottom, right) +
@@ -169,21 +200,21 @@ std::string grid(const Axis& x, const Axis& y)
 }
 
 std::string curve(const Series& series, std::size_t kind, const Axis& x, const Axis& y,
-                  double least_y)
+                  const Plot& plot)
 {
     std::string line, markers;
-    for (const auto& [px, py] : drawable(series, least_y)) {
+    for (const auto& [px, py] : drawable(series, plot)) {
         line += format("%s%.1f %.1f", line.empty() ? "M" : "L", x.at(px), y.at(py));
-        markers += marker(kind, x.at(px), y.at(py));
+        if (!plot.is_linear) markers += marker(kind, x.at(px), y.at(py));
     }
     if (line.empty()) return {};
     return "<path " + line_style(series, kind) + " d='" + line + "'/>\n" + marks(kind, markers);
 }
 
-std::string legend_entry(const Series& series, std::size_t kind, double y)
+std::string legend_entry(const Series& series, std::size_t kind, double y, bool has_marker)
 {
     return "<path " + line_style(series, kind) + format(" d='M%.1f %.1fh34'/>\n", right + 24, y) +
-           marks(kind, marker(kind, right + 41, y)) +
+           (has_marker ? marks(kind, marker(kind, right + 41, y)) : "") +
            text_at(right + 68, y + 4.5, "", escaped(series.name));
 }
 
@@ -193,11 +224,12 @@ std::string svg_of(const Plot& plot)
 {
     std::vector<double> xs, ys;
     for (const Series& series : plot.series)
-        for (const auto& [x, y] : drawable(series, plot.least_y)) {
+        for (const auto& [x, y] : drawable(series, plot)) {
             xs.push_back(x);
             ys.push_back(y);
         }
-    const Axis x = axis_about(xs, left, right), y = axis_about(ys, bottom, top);
+    const Axis x = axis_about(xs, left, right, plot.is_linear),
+               y = axis_about(ys, bottom, top, plot.is_linear);
 
     std::string svg =
         format("<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 %.0f %.0f' width='%.0f' "
@@ -213,9 +245,9 @@ std::string svg_of(const Plot& plot)
                        (top + bottom) / 2),
                 escaped(plot.y_label));
     for (std::size_t i = 0; i < plot.series.size(); ++i) {
-        svg += curve(plot.series[i], i % inks.size(), x, y, plot.least_y);
-        svg +=
-            legend_entry(plot.series[i], i % inks.size(), top + 14 + 24 * static_cast<double>(i));
+        svg += curve(plot.series[i], i % inks.size(), x, y, plot);
+        svg += legend_entry(plot.series[i], i % inks.size(), top + 14 + 24 * static_cast<double>(i),
+                            !plot.is_linear);
     }
     return svg + "</g>\n</svg>\n";
 }

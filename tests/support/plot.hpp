@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Curves on two logarithmic axes, as one SVG file that needs nothing else.
+// Curves on two logarithmic or two linear axes, as one SVG file that needs nothing else.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@ namespace rigor {
 
 struct Series {
     std::string name;
-    std::vector<std::pair<double, double>> points; // x > 0, y ≥ 0
+    std::vector<std::pair<double, double>> points; // on logarithmic axes x > 0, y ≥ 0
     bool dashed = false;
 };
 
@@ -18,10 +18,11 @@ struct Plot {
     std::string title, x_label, y_label; // with units
     std::vector<Series> series;          // told apart by color and by marker, up to eight
     double least_y = 1e-17;              // what is below, 0 too, is drawn here
+    bool is_linear = false;              // both axes; then least_y means nothing
 };
 
-/// The picture: axes with decades, a legend, its own background; dark where the reader's screen is. A
-/// point that is not finite, or whose x is not positive, is left out.
+/// The picture: axes with decades or round steps, a legend, its own background; dark where the reader's screen is. A
+/// point that is not finite, or whose x no axis can show, is left out. Linear curves have no markers.
 std::string svg_of(const Plot& plot);
 
 /// @throws std::runtime_error if the file cannot be written whole

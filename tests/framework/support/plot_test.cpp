@@ -34,6 +34,19 @@ TEST_CASE("plot: a decade is as wide as the next", "[plot]")
     REQUIRE(count(svg, "M84.0 52.0L352.0 52.0L620.0 404.0") == 1);
 }
 
+TEST_CASE("plot: linear axes begin and end with a round value", "[plot]")
+{
+    // x from -1 to 1 in steps of 0.5, 0 in the middle; y from 0 to 300
+    Plot plot = one_curve({{-0.9, 1}, {0, 150}, {1, 300}});
+    plot.is_linear = true;
+    const std::string svg = svg_of(plot);
+    REQUIRE(count(svg, "L352.0 228.0L620.0 52.0") == 1);
+    REQUIRE(count(svg, ">−0.5</text>") == 1);
+    REQUIRE(count(svg, ">300</text>") == 1);
+    INFO("no marker turns a curve of a thousand points into a caterpillar");
+    REQUIRE(count(svg, "translate(") == 1); // y's label
+}
+
 TEST_CASE("plot: every point has its marker and the legend one more", "[plot]")
 {
     REQUIRE(count(svg_of(one_curve({{1, 1}, {2, 1}, {3, 1}})), "translate(") ==
