@@ -65,7 +65,7 @@ void judge(Alternative& alternative, const std::vector<Assignment>& assignments,
         if (assignment.topic != alternative.topic) continue;
         Selection selection = {assignment, {}};
         for (const Task& task : assignment.tasks)
-            if (!task.formula.empty()) selection.tags.push_back(task.tag);
+            selection.tags.push_back(task.tag);
         Implementation implementation;
         implementation.name = "alternative";
         implementation.worker = alternative.worker;
@@ -100,6 +100,7 @@ int run(const std::string& wanted)
     std::vector<Alternative> alternatives = find_alternatives(assignments, wanted);
     GradingRun grading;
     grading.test_program = RIGOR_GRADED_TESTS;
+    grading.oracle = RIGOR_ORACLE;
 
     std::atomic<std::size_t> next = 0;
     const auto work = [&] {

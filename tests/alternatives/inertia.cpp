@@ -149,7 +149,7 @@ MassProperties sampled_mass_properties(const std::vector<DensitySample>& samples
     const double each = volume / static_cast<double>(samples.size());
     of_all.mass *= each;
     of_all.inertia *= each;
-    return of_all;
+    return of_all.mass == 0 ? MassProperties{} : of_all;
 }
 
 MassProperties mesh_mass_properties(const TriangleMesh& mesh, double density)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "support/scene_run.hpp"
 
+#include "support/random.hpp"
 #include "worker/client.hpp"
 #include "worker/proxy.hpp"
 
@@ -9,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace rigor::testing {
@@ -40,6 +42,64 @@ Quaternion same_sign(const Quaternion& q, const Quaternion& other)
 {
     const double dot = q.s * other.s + q.v.dot(other.v);
     return dot < 0 ? Quaternion{-q.s, -q.v} : q;
+}
+
+// A step adds and multiplies some hundred numbers of the state's own size: 1e4 eps of that size bounds the rounding
+// of any way to write the formulas, and no wrong formula is that close.
+constexpr double k = 1e4, eps = std::numeric_limits<double>::epsilon();
+
+// The size of the numbers that a step to a state adds up.
+struct Scales {
+    double X, V, L;
+};
+
+Scales scales_of(const RigidState& before, const RigidState& after, double h, double mass)
+{
+    const double V = after.velocity.norm() + before.velocity.norm();
+    const double L = after.angular_momentum.norm() + before.angular_momentum.norm();
+    return {after.position.norm() + h * V + 1, V + 1, L + mass};
+}
+
+bool agree(const RigidState& a, const RigidState& b, const Scales& scales)
+{
+    const auto near = [](const Vector3d& x, const Vector3d& y, double scale) {
+        return ((x - y).array().abs() <= k * eps * scale).all();
+    };
+    const Quaternion q = same_sign(a.orientation, b.orientation);
+    return near(a.position, b.position, scales.X) && near(a.velocity, b.velocity, scales.V) &&
+           near(a.angular_momentum, b.angular_momentum, scales.L) &&
+           near(q.v, b.orientation.v, 1) && std::abs(q.s - b.orientation.s) <= k * eps;
+}
+
+// The state next door, some eps away.
+RigidState nudged(const RigidState& state, double mass, Random& random)
+{
+    const auto nudge = [&](double scale) -> Vector3d { return 16 * eps * scale * random.vector(); };
+    RigidState next = state;
+    next.position += nudge(state.position.norm() + 1);
+    next.orientation.v += nudge(1);
+    next.velocity += nudge(state.velocity.norm() + 1);
+    next.angular_momentum += nudge(state.angular_momentum.norm() + mass);
+    return next;
+}
+
+// Whether the reference itself goes elsewhere from next door: where points are equally deep, rounding
+// decides which of them comes first, and no way to write the formulas is the right one.
+bool hangs_on_rounding(const Trajectory& run, const Worker::Start& start,
+                       const std::vector<RigidState>& expected)
+{
+    Random random(1);
+    std::vector<Worker::Start> next_door(8, start);
+    for (auto& [time, states] : next_door)
+        for (std::size_t i = 0; i < states.size(); ++i)
+            if (!run.bodies[i].is_static) states[i] = nudged(states[i], run.bodies[i].mass, random);
+    for (const auto& states : oracle()->advance(run.scene.text, run.scene.name, next_door, 1))
+        for (std::size_t i = 0; i < states.size(); ++i) {
+            const Scales scales =
+                scales_of(start.second[i], expected[i], run.scene.time_step, run.bodies[i].mass);
+            if (!run.bodies[i].is_static && !agree(states[i], expected[i], scales)) return true;
+        }
+    return false;
 }
 
 } // namespace
@@ -84,6 +144,36 @@ double angle_between(const Quaternion& a, const Quaternion& b)
     return 2 * std::atan2(difference.vec().norm(), std::abs(difference.w()));
 }
 
+namespace {
+
+// @return whether the step could be judged
+bool check_step(const Trajectory& run, std::size_t n, const Worker::Start& start,
+                const std::vector<RigidState>& expected)
+{
+    for (std::size_t i = 0; i < run.bodies.size(); ++i) {
+        if (run.bodies[i].is_static) continue;
+        const RigidState& found = run.frames[n + 1].bodies[i];
+        const RigidState& wanted = expected[i];
+        const Scales scales =
+            scales_of(start.second[i], wanted, run.scene.time_step, run.bodies[i].mass);
+        if (!agree(found, wanted, scales) && hangs_on_rounding(run, start, expected)) return false;
+        const auto judge = [&](const char* quantity, const auto& actual, const auto& exact,
+                               double scale) {
+            INFO(fmt::format("{} of body '{}' after step {} of scene {} (t = {:.6g} s)", quantity,
+                             run.scene.bodies[i].name, n + 1, run.scene.name,
+                             run.frames[n + 1].time));
+            REQUIRE_THAT(actual, IsClose(exact, Rounding(k, scale)));
+        };
+        judge("X", found.position, wanted.position, scales.X);
+        judge("q", same_sign(found.orientation, wanted.orientation), wanted.orientation, 1);
+        judge("V", found.velocity, wanted.velocity, scales.V);
+        judge("L", found.angular_momentum, wanted.angular_momentum, scales.L);
+    }
+    return true;
+}
+
+} // namespace
+
 void check_every_step(const std::string& scene_name, const std::string& changes)
 {
     REQUIRE(oracle() != nullptr);
@@ -96,31 +186,11 @@ void check_every_step(const std::string& scene_name, const std::string& changes)
     const auto expected = oracle()->advance(run.scene.text, run.scene.name, starts, 1);
     REQUIRE(expected.size() == starts.size());
 
-    // A step adds and multiplies some hundred numbers of the state's own size: 1e4 eps of that size bounds the rounding
-    // of any way to write the formulas, and no wrong formula is that close.
-    constexpr double k = 1e4;
+    std::size_t left_out = 0;
     for (std::size_t n = 0; n < starts.size(); ++n)
-        for (std::size_t i = 0; i < run.bodies.size(); ++i) {
-            if (run.bodies[i].is_static) continue;
-            const RigidState& found = run.frames[n + 1].bodies[i];
-            const RigidState& wanted = expected[n][i];
-            const RigidState& before = starts[n].second[i];
-            const double h = run.scene.time_step;
-            const double V = wanted.velocity.norm() + before.velocity.norm();
-            const double L = wanted.angular_momentum.norm() + before.angular_momentum.norm();
-            const double X = wanted.position.norm() + h * V + 1;
-            const auto judge = [&](const char* quantity, const auto& actual, const auto& exact,
-                                   double scale) {
-                INFO(fmt::format("{} of body '{}' after step {} of scene {} (t = {:.6g} s)",
-                                 quantity, run.scene.bodies[i].name, n + 1, scene_name,
-                                 run.frames[n + 1].time));
-                REQUIRE_THAT(actual, IsClose(exact, Rounding(k, scale)));
-            };
-            judge("X", found.position, wanted.position, X);
-            judge("q", same_sign(found.orientation, wanted.orientation), wanted.orientation, 1);
-            judge("V", found.velocity, wanted.velocity, V + 1);
-            judge("L", found.angular_momentum, wanted.angular_momentum, L + run.bodies[i].mass);
-        }
+        if (!check_step(run, n, starts[n], expected[n])) ++left_out;
+    INFO("steps that hang on rounding alone");
+    REQUIRE(2 * left_out < starts.size());
 }
 
 } // namespace rigor::testing

@@ -40,7 +40,8 @@ inline double steps_of(const Frame& frame)
 
 /// Every step of a run, judged from the state before it: the worker under test and the oracle both take that one step.
 /// One wrong step is one wrong step, and chaos does not matter. Both run `without_memory`. Compares X, q (up to sign), V and L of every body, class
-/// R, and names step, body and quantity. Needs an oracle.
+/// R, and names step, body and quantity. A step is left out where rounding alone decides what the reference does (from
+/// next door it goes elsewhere); that must be fewer than half of them. Needs an oracle.
 /// @param changes  a JSON object of keys to replace in the scene
 void check_every_step(const std::string& scene_name, const std::string& changes = "{}");
 
