@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "deformable/deformable.hpp"
+
+namespace rigor {
+
+/// A face of the part of an element that a virtual-node copy holds: a convex polygon, counter-clockwise
+/// seen from outside.
+struct ClippedFace {
+    std::vector<Eigen::Vector4d> weights; // barycentric coordinates of its vertices
+    int face = -1;                        // of the element that it lies in; -1: in a crack
+    bool is_crack = false;
+};
+
+/// What bounds the matter of a copy: its tetrahedron, cut by each crack that separates its real corners
+/// from others that the cracks before it had left together with them.
+std::vector<ClippedFace> clipped_element(const Deformable& solid, int element);
+
+} // namespace rigor

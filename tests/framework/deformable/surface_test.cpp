@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include "deformable/remesh.hpp"
+#include "formulas/fracture.hpp"
+#include "geometry/mesh_checks.hpp"
+#include "support/close.hpp"
+#include "support/deformables.hpp"
+
+using namespace rigor;
+using namespace rigor::testing;
+
+namespace {
+
+// The drawn triangles of some elements, at rest.
+TriangleMesh drawn(const Deformable& solid, const EmbeddedSurface& surface, int element)
+{
+    TriangleMesh mesh;
+    for (const EmbeddedPoint& p : surface.points) {
+        Vector3d x = Vector3d::Zero();
+        for (int i = 0; i < 4; ++i)
+            x += p.weights[i] * solid.rest.vertices[solid.rest.tetrahedra[p.element][i]];
+        mesh.vertices.push_back(x);
+    }
+    for (const EmbeddedTriangle& t : surface.triangles)
+        if (element < 0 || t.element == element) mesh.triangles.push_back(t.points);
+    return mesh;
+}
+
+} // namespace
+
+TEST_CASE("surface: of a whole solid it is the boundary of its mesh", "[deformable]")
+{
+    const Deformable solid = solid_of(ball_tetrahedra(1, 3), soft_material());
+    const EmbeddedSurface surface = drawn_surface(solid);
+    const TriangleMesh mesh = drawn(solid, surface, -1);
+    CHECK_NOTHROW(check_mesh(mesh));
+    CHECK_THAT(signed_volume(mesh), IsClose(totals(solid).volume, Rounding(100)));
+    for (const EmbeddedTriangle& t : surface.triangles)
+        CHECK(!t.is_crack);
+}
+
+TEST_CASE("surface: faces that came apart are cracks, all others are not", "[deformable]")
+{
+    Deformable solid = solid_of(block_tetrahedra({2, 1, 1}, {4, 2, 2}), soft_material());
+    const double area = 2 * (2 * 1 + 1 * 1 + 2 * 1);
+    std::vector<MeshFace> faces;
+    for (int t = 0; t < static_cast<int>(solid.rest.tetrahedra.size()); ++t)
+        for (int f = 0; f < 4; ++f) {
+            bool is_middle = true;
+            for (const int i : tetrahedron_faces[f])
+                if (solid.rest.vertices[solid.rest.tetrahedra[t][i]].x() != 0) is_middle = false;
+            if (is_middle) faces.push_back({t, f});
+        }
+    remesh(solid, split_along_faces(solid.rest, faces));
+    const EmbeddedSurface surface = drawn_surface(solid);
+    const TriangleMesh mesh = drawn(solid, surface, -1);
+    double whole = 0, cracked = 0;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        const auto& [i, j, k] = mesh.triangles[t];
+        const Vector3d &a = mesh.vertices[i], &b = mesh.vertices[j], &c = mesh.vertices[k];
+        (surface.triangles[t].is_crack ? cracked : whole) += 0.5 * (b - a).cross(c - a).norm();
+    }
+    CHECK_THAT(whole, IsClose(area, Rounding(100)));
+    CHECK_THAT(cracked, IsClose(2.0, Rounding(100))); // both sides
+    CHECK_THAT(signed_volume(mesh), IsClose(2.0, Rounding(100)));
+}
+
+TEST_CASE("surface: the parts of a cracked element close around their share of its volume",
+          "[deformable]")
+{
+    for (unsigned seed = 0; seed < 100; ++seed) {
+        CAPTURE(seed);
+        Random random(seed);
+        TetrahedralMesh mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 1, 2, 3}}};
+        for (Vector3d& x : mesh.vertices)
+            x += 0.1 * random.vector();
+        Deformable solid = solid_of(mesh, soft_material());
+        solid.uncracked = solid.rest;
+        Vector3d middle = Vector3d::Zero();
+        for (const Vector3d& x : mesh.vertices)
+            middle += x / 4;
+        const int cracks = 1 + static_cast<int>(seed % 3);
+        for (int k = 0; k < cracks; ++k)
+            solid.cracks.push_back({0, middle + 0.05 * random.vector(), random.unit_vector()});
+        remesh(solid, virtual_nodes(solid.uncracked, solid.cracks));
+        const EmbeddedSurface surface = drawn_surface(solid);
+        double sum = 0;
+        for (int t = 0; t < static_cast<int>(solid.rest.tetrahedra.size()); ++t) {
+            const double V = signed_volume(drawn(solid, surface, t));
+            const double expected = solid.embedded.fractions[t] * tetrahedron_volume(mesh, 0);
+            REQUIRE_THAT(V, IsClose(expected, Rounding(1000, 1)));
+            sum += V;
+        }
+        REQUIRE_THAT(sum, IsClose(tetrahedron_volume(mesh, 0), Rounding(1000, 1)));
+        REQUIRE(solid.rest.tetrahedra.size() >= 2);
+    }
+}
