@@ -49,7 +49,8 @@ int closest_face(const std::array<Vector3d, 4>& tetrahedron, const Vector3d& nor
 /// Around each vertex, tetrahedra that share a face which is not among `faces` stay together, and so do
 /// those that a chain of such faces joins, each of which has this vertex. Each group that is left has a
 /// vertex of its own. So no tetrahedron changes its shape, a vertex doubles only where the mesh comes
-/// apart, and the rim of a crack that ends inside the solid stays closed.
+/// apart, and the rim of a crack that ends inside the solid stays closed. A single face inside stays
+/// closed altogether, and holds again in the next call: name all faces of a crack at once.
 ///
 /// @param faces  from either side, in any order, also twice; a face of the surface may be named and
 ///               changes nothing

@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: MIT
+// The laws that hold for every mesh that comes apart, in whatever way.
+#pragma once
+
+#include "fracture_cases.hpp"
+
+namespace rigor::testing {
+
+/// Indices as plain text, so that a test compares and prints them at once.
+template <class T> std::vector<T> sorted(std::vector<T> values)
+{
+    std::sort(values.begin(), values.end());
+    return values;
+}
+
+inline int vertex_count(const TetrahedralMesh& mesh)
+{
+    return static_cast<int>(mesh.vertices.size());
+}
+
+inline int tetrahedron_count(const TetrahedralMesh& mesh)
+{
+    return static_cast<int>(mesh.tetrahedra.size());
+}
+
+inline double volume(const TetrahedralMesh& mesh, std::size_t t)
+{
+    const Tetrahedron& c = mesh.tetrahedra[t];
+    const Vector3d& x = mesh.vertices[c[0]];
+    return (mesh.vertices[c[1]] - x).dot((mesh.vertices[c[2]] - x).cross(mesh.vertices[c[3]] - x)) /
+           6;
+}
+
+inline double volume(const TetrahedralMesh& mesh)
+{
+    double sum = 0;
+    for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t)
+        sum += volume(mesh, t);
+    return sum;
+}
+
+inline Vector3d center(const TetrahedralMesh& mesh, std::size_t t)
+{
+    Vector3d sum = Vector3d::Zero();
+    for (int v : mesh.tetrahedra[t])
+        sum += mesh.vertices[v] / 4;
+    return sum;
+}
+
+/// ∫ x dV, which over the volume is the center of mass.
+inline Vector3d first_moment(const TetrahedralMesh& mesh)
+{
+    Vector3d sum = Vector3d::Zero();
+    for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t)
+        sum += volume(mesh, t) * center(mesh, t);
+    return sum;
+}
+
+inline double size_of(const TetrahedralMesh& mesh)
+{
+    double size = 1;
+    for (const Vector3d& x : mesh.vertices)
+        size = std::max(size, x.norm());
+    return size;
+}
+
+/// Numbers 0 … size - 1 in groups, each number labelled by the lowest of its group.
+inline std::vector<int> groups(std::size_t size, const std::vector<std::array<int, 2>>& links)
+{
+    std::vector<std::vector<int>> linked(size);
+    for (const auto& [a, b] : links) {
+        linked[a].push_back(b);
+        linked[b].push_back(a);
+    }
+    std::vector<int> label(size, -1);
+    for (std::size_t first = 0; first < size; ++first) {
+        std::vector<int> open = {static_cast<int>(first)};
+        while (!open.empty()) {
+            const int i = open.back();
+            open.pop_back();
+            if (label[i] >= 0) continue;
+            label[i] = static_cast<int>(first);
+            open.insert(open.end(), linked[i].begin(), linked[i].end());
+        }
+    }
+    return label;
+}
+
+inline int group_count(const std::vector<int>& label)
+{
+    return static_cast<int>(std::set<int>(label.begin(), label.end()).size());
+}
+
+/// Of each tetrahedron the lowest number of those that hang together with it by vertices.
+inline std::vector<int> piece_labels(const TetrahedralMesh& mesh)
+{
+    std::map<int, int> last;
+    std::vector<std::array<int, 2>> links;
+    for (int t = 0; t < tetrahedron_count(mesh); ++t)
+        for (int v : mesh.tetrahedra[t]) {
+            if (last.contains(v)) links.push_back({last[v], t});
+            last[v] = t;
+        }
+    return groups(mesh.tetrahedra.size(), links);
+}
+
+inline int piece_count(const TetrahedralMesh& mesh)
+{
+    return group_count(piece_labels(mesh));
+}
+
+/// The volumes of the pieces, ascending.
+inline std::vector<double> piece_volumes(const TetrahedralMesh& mesh)
+{
+    std::map<int, double> sums;
+    const std::vector<int> label = piece_labels(mesh);
+    for (std::size_t t = 0; t < label.size(); ++t)
+        sums[label[t]] += volume(mesh, t);
+    std::vector<double> result;
+    for (const auto& [piece, sum] : sums)
+        result.push_back(sum);
+    return sorted(result);
+}
+
+/// The tetrahedra's corners, with vertices numbered in the order in which they occur: two meshes whose
+/// tetrahedra have the same order are the same but for their vertices' numbers where these agree.
+inline std::vector<Tetrahedron> canonical(const std::vector<Tetrahedron>& tetrahedra)
+{
+    std::map<int, int> number;
+    std::vector<Tetrahedron> result = tetrahedra;
+    for (Tetrahedron& t : result)
+        for (int& v : t)
+            v = number.emplace(v, static_cast<int>(number.size())).first->second;
+    return result;
+}
+
+/// Where each corner of each tetrahedron is.
+inline std::vector<std::array<Vector3d, 4>> corners(const TetrahedralMesh& mesh)
+{
+    std::vector<std::array<Vector3d, 4>> result;
+    for (int t = 0; t < static_cast<int>(mesh.tetrahedra.size()); ++t)
+        result.push_back(corners_of(mesh, t));
+    return result;
+}
+
+/// Each index is that of a vertex, and each vertex belongs to a tetrahedron.
+inline void check_indices(const TetrahedralMesh& mesh)
+{
+    std::set<int> used;
+    for (const Tetrahedron& t : mesh.tetrahedra)
+        for (int v : t) {
+            REQUIRE(v >= 0);
+            REQUIRE(v < vertex_count(mesh));
+            used.insert(v);
+        }
+    REQUIRE(static_cast<int>(used.size()) == vertex_count(mesh));
+}
+
+/// The tetrahedra that share a face, and of each face how many have it.
+inline std::map<std::array<int, 3>, std::vector<int>>
+tetrahedra_of_faces(const TetrahedralMesh& mesh)
+{
+    std::map<std::array<int, 3>, std::vector<int>> result;
+    for (int t = 0; t < tetrahedron_count(mesh); ++t)
+        for (int f = 0; f < 4; ++f)
+            result[face_vertices(mesh.tetrahedra[t], f)].push_back(t);
+    return result;
+}
+
+inline int corner_of(const Tetrahedron& t, int vertex)
+{
+    return static_cast<int>(std::find(t.begin(), t.end(), vertex) - t.begin());
+}
+
+/// Corner c of tetrahedron t is 4 t + c. Those of the same vertex on both sides of a face that holds are
+/// linked.
+template <class Holds>
+std::vector<std::array<int, 2>> links_through_faces(const TetrahedralMesh& mesh, Holds holds)
+{
+    std::vector<std::array<int, 2>> links;
+    for (const auto& [face, sharing] : tetrahedra_of_faces(mesh)) {
+        if (sharing.size() != 2 || !holds(face)) continue;
+        const int t1 = sharing[0], t2 = sharing[1];
+        for (int v : face)
+            links.push_back({4 * t1 + corner_of(mesh.tetrahedra[t1], v),
+                             4 * t2 + corner_of(mesh.tetrahedra[t2], v)});
+    }
+    return links;
+}
+
+/// No tetrahedron is inverted, a face has two sides at most, and around each vertex the tetrahedra hang
+/// together by faces. (That there is no vertex in the middle of an edge: `check_surface`.)
+inline void check_conforms(const TetrahedralMesh& mesh)
+{
+    check_indices(mesh);
+    for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t) {
+        CAPTURE(t);
+        check_at_most(0, volume(mesh, t), "0 against the volume of a tetrahedron");
+        REQUIRE(volume(mesh, t) > 0);
+    }
+    for (const auto& [face, sharing] : tetrahedra_of_faces(mesh)) {
+        CAPTURE(face[0], face[1], face[2]);
+        REQUIRE(sharing.size() <= 2);
+    }
+    const std::vector<int> label =
+        groups(4 * mesh.tetrahedra.size(),
+               links_through_faces(mesh, [](const std::array<int, 3>&) { return true; }));
+    REQUIRE(group_count(label) == vertex_count(mesh));
+}
+
+/// The area of the faces that have one tetrahedron, and of those of them that another one faces: these
+/// are what cracks have opened.
+struct SurfaceAreas {
+    double all = 0, cracks = 0;
+};
+
+inline SurfaceAreas surface_areas(const TetrahedralMesh& mesh)
+{
+    using Key = std::array<std::array<double, 3>, 3>;
+    std::map<Key, std::vector<double>> open; // by where their vertices are
+    for (const auto& [face, sharing] : tetrahedra_of_faces(mesh)) {
+        if (sharing.size() != 1) continue;
+        Key key;
+        for (int i = 0; i < 3; ++i)
+            for (int axis = 0; axis < 3; ++axis)
+                key[i][axis] = mesh.vertices[face[i]][axis];
+        std::sort(key.begin(), key.end());
+        const Vector3d& a = mesh.vertices[face[0]];
+        open[key].push_back((mesh.vertices[face[1]] - a).cross(mesh.vertices[face[2]] - a).norm() /
+                            2);
+    }
+    SurfaceAreas areas;
+    for (const auto& [key, sides] : open) {
+        REQUIRE(sides.size() <= 2);
+        for (double area : sides) {
+            areas.all += area;
+            if (sides.size() == 2) areas.cracks += area;
+        }
+    }
+    return areas;
+}
+
+/// Where there were no cracks before: the surface is the one from before, and both sides of each crack.
+/// A vertex in the middle of a neighbour's edge would open more.
+inline void check_surface(const TetrahedralMesh& before, const TetrahedralMesh& after)
+{
+    const SurfaceAreas old = surface_areas(before), now = surface_areas(after);
+    REQUIRE_THAT(now.all - now.cracks, IsClose(old.all - old.cracks, Rounding(256, now.all)));
+}
+
+/// What holds for every SplitMesh: volume and center are kept, nothing is inverted, vertices and
+/// tetrahedra lie where they come from.
+inline void check_matter(const TetrahedralMesh& before, const SplitMesh& split)
+{
+    const TetrahedralMesh& after = split.mesh;
+    REQUIRE(split.parents.size() == after.tetrahedra.size());
+    REQUIRE(split.origins.size() == after.vertices.size());
+    check_conforms(after);
+
+    const double size = size_of(before);
+    for (std::size_t v = 0; v < after.vertices.size(); ++v) {
+        CAPTURE(v);
+        const auto& [first, second, t] = split.origins[v];
+        REQUIRE(std::min(first, second) >= 0);
+        REQUIRE(std::max(first, second) < vertex_count(before));
+        REQUIRE(t >= 0);
+        REQUIRE(t <= 1);
+        REQUIRE_THAT(after.vertices[v], IsClose(Vector3d((1 - t) * before.vertices[first] +
+                                                         t * before.vertices[second]),
+                                                Rounding(8, size)));
+    }
+
+    std::vector<double> volumes(before.tetrahedra.size(), 0);
+    for (std::size_t t = 0; t < after.tetrahedra.size(); ++t) {
+        CAPTURE(t);
+        REQUIRE(split.parents[t] >= 0);
+        REQUIRE(split.parents[t] < tetrahedron_count(before));
+        const Tetrahedron& parent = before.tetrahedra[split.parents[t]];
+        for (int v : after.tetrahedra[t]) { // it lies inside of its parent
+            REQUIRE(corner_of(parent, split.origins[v].first) < 4);
+            REQUIRE(corner_of(parent, split.origins[v].second) < 4);
+        }
+        volumes[split.parents[t]] += volume(after, t);
+    }
+    for (std::size_t t = 0; t < volumes.size(); ++t) {
+        CAPTURE(t);
+        REQUIRE_THAT(volumes[t], IsClose(volume(before, t), Rounding(256, size * size * size)));
+    }
+    REQUIRE_THAT(first_moment(after),
+                 IsClose(first_moment(before), Rounding(256, volume(before) * size)));
+}
+
+/// And for one of a mesh without cracks.
+inline void check_split(const TetrahedralMesh& before, const SplitMesh& split)
+{
+    check_matter(before, split);
+    check_surface(before, split.mesh);
+}
+
+} // namespace rigor::testing
