@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+// By magnitude: what pushes hard opens a crack.
+#include "formulas/fracture.hpp"
+
+namespace rigor {
+
+std::optional<Vector3d> crack_plane(const Matrix3d& stress, double threshold)
+{
+    const Eigen::SelfAdjointEigenSolver<Matrix3d> eigen(stress);
+    Eigen::Index i = 0;
+    if (eigen.eigenvalues().cwiseAbs().maxCoeff(&i) <= threshold) return {};
+    return eigen.eigenvectors().col(i);
+}
+
+} // namespace rigor

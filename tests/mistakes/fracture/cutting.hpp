@@ -1,0 +1,312 @@
+// SPDX-License-Identifier: MIT
+// A7.5 to A7.7, right by default, with a switch for each mistake.
+#pragma once
+
+#include "formulas/fracture.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <set>
+
+namespace rigor::cutting {
+
+using Tetrahedron = std::array<int, 4>;
+using Face = std::array<int, 3>;
+
+inline Face face_of(const Tetrahedron& t, int f)
+{
+    Face face = {t[(f + 1) % 4], t[(f + 2) % 4], t[(f + 3) % 4]};
+    std::sort(face.begin(), face.end());
+    return face;
+}
+
+inline int corner_of(const Tetrahedron& t, int vertex)
+{
+    return static_cast<int>(std::find(t.begin(), t.end(), vertex) - t.begin());
+}
+
+inline std::map<Face, std::vector<int>> faces_of(const TetrahedralMesh& mesh)
+{
+    std::map<Face, std::vector<int>> faces;
+    for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t)
+        for (int f = 0; f < 4; ++f)
+            faces[face_of(mesh.tetrahedra[t], f)].push_back(static_cast<int>(t));
+    return faces;
+}
+
+/// Corners that were joined are one vertex.
+class Corners {
+public:
+    explicit Corners(std::size_t tetrahedra) : above_(4 * tetrahedra)
+    {
+        std::iota(above_.begin(), above_.end(), 0);
+    }
+    int find(int i)
+    {
+        while (above_[i] != i)
+            i = above_[i] = above_[above_[i]];
+        return i;
+    }
+    void join(int t1, int c1, int t2, int c2) { above_[find(4 * t1 + c1)] = find(4 * t2 + c2); }
+
+private:
+    std::vector<int> above_;
+};
+
+/// Numbers the vertices anew. @return the parent of each
+inline std::vector<int> number_vertices(std::vector<Tetrahedron>& tetrahedra, Corners& corners)
+{
+    std::map<int, int> number;
+    std::vector<int> parents;
+    for (std::size_t t = 0; t < tetrahedra.size(); ++t)
+        for (int c = 0; c < 4; ++c) {
+            const int next = static_cast<int>(parents.size());
+            const auto [entry, is_new] =
+                number.emplace(corners.find(4 * static_cast<int>(t) + c), next);
+            if (is_new) parents.push_back(tetrahedra[t][c]);
+            tetrahedra[t][c] = entry->second;
+        }
+    return parents;
+}
+
+/// The mesh with these corners joined.
+inline SplitMesh with_joined(const TetrahedralMesh& mesh, Corners& corners)
+{
+    SplitMesh result = {{{}, mesh.tetrahedra}, {}, std::vector<int>(mesh.tetrahedra.size())};
+    std::iota(result.parents.begin(), result.parents.end(), 0);
+    for (int parent : number_vertices(result.mesh.tetrahedra, corners)) {
+        result.mesh.vertices.push_back(mesh.vertices[parent]);
+        result.origins.push_back({parent, parent, 0});
+    }
+    return result;
+}
+
+/// A7.5, of faces that `is_cut(face)`.
+template <class IsCut> SplitMesh split_where(const TetrahedralMesh& mesh, IsCut is_cut)
+{
+    Corners corners(mesh.tetrahedra.size());
+    for (const auto& [face, sharing] : faces_of(mesh))
+        if (sharing.size() == 2 && !is_cut(face))
+            for (int v : face)
+                corners.join(sharing[0], corner_of(mesh.tetrahedra[sharing[0]], v), sharing[1],
+                             corner_of(mesh.tetrahedra[sharing[1]], v));
+    return with_joined(mesh, corners);
+}
+
+/// The mistakes of A7.6.
+struct ElementRules {
+    bool halves_neighbours = true; // else only the tetrahedra of the vertex
+    bool opens = true;             // else the mesh only gets finer
+    bool opens_rim = false;        // the whole mesh comes apart at the plane's vertices
+    bool halves_in_the_middle = false;
+    bool swaps_corners = false; // in one of the halves
+    double snap_distance = 0.05;
+};
+
+inline bool has(const Tetrahedron& t, int vertex)
+{
+    return corner_of(t, vertex) < 4;
+}
+
+/// How far above the plane the vertices of the vertex's tetrahedra are, 0 where they count as on it.
+inline std::map<int, double> heights_at(const TetrahedralMesh& mesh, int vertex, const Vector3d& n,
+                                        double snap_distance)
+{
+    std::map<int, double> heights;
+    double longest = 0;
+    for (const Tetrahedron& t : mesh.tetrahedra)
+        for (int a : t)
+            for (int b : t)
+                if (has(t, vertex)) {
+                    heights[a] = n.dot(mesh.vertices[a] - mesh.vertices[vertex]);
+                    longest = std::max(longest, (mesh.vertices[a] - mesh.vertices[b]).norm());
+                }
+    for (auto& [v, h] : heights)
+        if (v == vertex || std::abs(h) < snap_distance * longest) h = 0;
+    return heights;
+}
+
+inline SplitMesh split_by(const ElementRules& rules, const TetrahedralMesh& mesh, int vertex,
+                          const Vector3d& n)
+{
+    SplitMesh split = split_along_faces(mesh, {});
+    std::map<int, double> heights = heights_at(mesh, vertex, n, rules.snap_distance);
+    std::vector<Tetrahedron>& tetrahedra = split.mesh.tetrahedra;
+    std::vector<Vector3d>& x = split.mesh.vertices;
+
+    std::set<std::pair<int, int>> edges;
+    for (const Tetrahedron& t : mesh.tetrahedra)
+        for (int a : t)
+            for (int b : t)
+                if (has(t, vertex) && heights[a] > 0 && heights[b] < 0) edges.insert({a, b});
+    for (const auto& [a, b] : edges) {
+        const double exact = heights[a] / (heights[a] - heights[b]);
+        const double t = rules.halves_in_the_middle ? 0.5 : exact;
+        const int p = static_cast<int>(x.size());
+        x.push_back((1 - t) * x[a] + t * x[b]);
+        split.origins.push_back({a, b, t});
+        heights[p] = 0;
+        for (std::size_t i = 0, count = tetrahedra.size(); i < count; ++i) {
+            const Tetrahedron whole = tetrahedra[i];
+            if (!has(whole, a) || !has(whole, b)) continue;
+            if (!rules.halves_neighbours && !has(whole, vertex)) continue;
+            tetrahedra[i][corner_of(whole, b)] = p;
+            tetrahedra.push_back(whole);
+            tetrahedra.back()[corner_of(whole, a)] = p;
+            if (rules.swaps_corners) std::swap(tetrahedra.back()[0], tetrahedra.back()[1]);
+            split.parents.push_back(split.parents[i]);
+        }
+    }
+
+    const auto side = [&](const Tetrahedron& t) {
+        double sum = 0;
+        for (int v : t)
+            sum += heights[v];
+        return sum;
+    };
+    std::vector<MeshFace> faces;
+    for (const auto& [face, sharing] : faces_of(split.mesh)) {
+        if (sharing.size() != 2 || !rules.opens) continue;
+        const Tetrahedron &t1 = tetrahedra[sharing[0]], &t2 = tetrahedra[sharing[1]];
+        if (rules.opens_rim) {
+            if (!has(t1, vertex) && !has(t2, vertex)) continue;
+        } else if (!has(t1, vertex) || !has(t2, vertex) || side(t1) * side(t2) >= 0)
+            continue;
+        for (int f = 0; f < 4; ++f)
+            if (face_of(t1, f) == face) faces.push_back({sharing[0], f});
+    }
+    const std::vector<VertexOrigin> origins = split.origins;
+    const std::vector<int> parents = split.parents;
+    split = split_along_faces(split.mesh, faces);
+    for (VertexOrigin& origin : split.origins)
+        origin = origins[origin.first];
+    split.parents = parents;
+    return split;
+}
+
+/// The mistakes of A7.7.
+struct CopyRules {
+    bool joins_always = false;       // also where no corner is real in both
+    bool joins_only_corners = false; // the real ones, not the whole face
+    bool on_plane_is_below = false;
+    bool first_crack_only = false;
+    bool whole_shares = false;  // each copy has all of the matter
+    bool corner_shares = false; // by the number of real corners
+    bool clips_all = false;     // every part by every crack that separates it from another
+};
+
+/// The share of a tetrahedron on the given sides of planes, by halving edges. h: heights, a row a plane.
+inline double share(const Eigen::Matrix4d& piece,
+                    std::vector<std::pair<Eigen::Vector4d, bool>> planes)
+{
+    if (planes.empty()) return std::abs(piece.determinant());
+    const auto [plane, is_above] = planes.back();
+    const Eigen::Vector4d h = piece.transpose() * plane * (is_above ? 1 : -1);
+    Eigen::Index i = 0, j = 0;
+    const double tiny = 1e-13 * plane.cwiseAbs().maxCoeff();
+    if (h.maxCoeff(&i) <= tiny) return 0;
+    if (h.minCoeff(&j) >= -tiny) {
+        planes.pop_back();
+        return share(piece, planes);
+    }
+    const double t = h[i] / (h[i] - h[j]);
+    Eigen::Matrix4d first = piece, second = piece;
+    first.col(j) = second.col(i) = (1 - t) * piece.col(i) + t * piece.col(j);
+    return share(first, planes) + share(second, planes);
+}
+
+struct Part {
+    Tetrahedron real = {1, 1, 1, 1};
+    std::vector<std::pair<Eigen::Vector4d, bool>> planes; // that bound it
+};
+
+inline std::vector<Part> parts_of(const CopyRules& rules,
+                                  const std::vector<Eigen::Vector4d>& planes)
+{
+    std::vector<Part> parts(1);
+    for (const Eigen::Vector4d& h : planes)
+        for (std::size_t i = 0, count = parts.size(); i < count; ++i) {
+            Part above = parts[i], below = parts[i];
+            for (int c = 0; c < 4; ++c) {
+                const bool is_above = rules.on_plane_is_below ? h[c] > 0 : h[c] >= 0;
+                (is_above ? below : above).real[c] = 0;
+            }
+            const Tetrahedron none = {0, 0, 0, 0};
+            if (above.real == none || below.real == none) continue;
+            above.planes.push_back({h, true});
+            below.planes.push_back({h, false});
+            parts[i] = above;
+            parts.push_back(below);
+        }
+    std::sort(parts.begin(), parts.end(),
+              [](const Part& a, const Part& b) { return a.real > b.real; });
+    return parts;
+}
+
+inline double share_of(const CopyRules& rules, const Part& part, std::size_t parts,
+                       const std::vector<Eigen::Vector4d>& planes)
+{
+    const int corners = std::accumulate(part.real.begin(), part.real.end(), 0);
+    if (rules.whole_shares) return 1;
+    if (rules.corner_shares) return corners / 4.0;
+    if (!rules.clips_all) return share(Eigen::Matrix4d::Identity(), part.planes);
+    std::vector<std::pair<Eigen::Vector4d, bool>> all;
+    for (const Eigen::Vector4d& h : planes) {
+        const int own = corner_of(part.real, 1);
+        if ((h.array() >= 0).any() && (h.array() < 0).any()) all.push_back({h, h[own] >= 0});
+    }
+    return share(Eigen::Matrix4d::Identity(), all);
+}
+
+inline EmbeddedMesh copies_by(const CopyRules& rules, const TetrahedralMesh& mesh,
+                              const std::vector<ElementCrack>& cracks)
+{
+    std::vector<std::vector<Eigen::Vector4d>> planes(mesh.tetrahedra.size());
+    for (const ElementCrack& crack : cracks) {
+        Eigen::Vector4d h;
+        for (int c = 0; c < 4; ++c)
+            h[c] = crack.normal.dot(mesh.vertices[mesh.tetrahedra[crack.tetrahedron][c]] -
+                                    crack.point);
+        if (rules.first_crack_only && !planes[crack.tetrahedron].empty()) continue;
+        planes[crack.tetrahedron].push_back(h);
+    }
+
+    EmbeddedMesh result;
+    std::vector<std::vector<int>> copies(mesh.tetrahedra.size());
+    for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t) {
+        const std::vector<Part> parts = parts_of(rules, planes[t]);
+        for (const Part& part : parts) {
+            copies[t].push_back(static_cast<int>(result.parents.size()));
+            result.parents.push_back(static_cast<int>(t));
+            result.real.push_back(part.real);
+            result.fractions.push_back(share_of(rules, part, parts.size(), planes[t]));
+            result.mesh.tetrahedra.push_back(mesh.tetrahedra[t]);
+        }
+    }
+
+    Corners corners(result.parents.size());
+    for (const auto& [face, sharing] : faces_of(mesh)) {
+        if (sharing.size() != 2) continue;
+        const Tetrahedron &t1 = mesh.tetrahedra[sharing[0]], &t2 = mesh.tetrahedra[sharing[1]];
+        for (int copy1 : copies[sharing[0]])
+            for (int copy2 : copies[sharing[1]]) {
+                const auto is_real = [&](int v) {
+                    return result.real[copy1][corner_of(t1, v)] == 1 &&
+                           result.real[copy2][corner_of(t2, v)] == 1;
+                };
+                const bool is_joined =
+                    rules.joins_always || is_real(face[0]) || is_real(face[1]) || is_real(face[2]);
+                for (int v : face)
+                    if (is_joined && (!rules.joins_only_corners || is_real(v)))
+                        corners.join(copy1, corner_of(t1, v), copy2, corner_of(t2, v));
+            }
+    }
+    result.vertex_parents = number_vertices(result.mesh.tetrahedra, corners);
+    for (int parent : result.vertex_parents)
+        result.mesh.vertices.push_back(mesh.vertices[parent]);
+    return result;
+}
+
+} // namespace rigor::cutting

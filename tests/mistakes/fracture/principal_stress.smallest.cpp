@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+// The first eigenvalue, as if they were sorted the other way.
+#include "formulas/fracture.hpp"
+
+namespace rigor {
+
+PrincipalStress principal_stress(const Matrix3d& stress)
+{
+    const Eigen::SelfAdjointEigenSolver<Matrix3d> eigen(stress);
+    return {eigen.eigenvalues()[0], eigen.eigenvectors().col(0)};
+}
+
+} // namespace rigor
