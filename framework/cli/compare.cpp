@@ -57,20 +57,26 @@ void print(const std::vector<Difference>& differences)
 // How the differences grow: the largest of each quantity at ten moments.
 void print_growth(const Comparison& comparison, const Trajectory& actual, std::size_t first)
 {
-    constexpr const char* quantities[] = {"X [m]", "q [rad]", "V [m/s]", "L [kg m²/s]"};
-    fmt::print("\n  {:>8} {:>9}  {:>10} {:>10} {:>10} {:>11}\n", "step", "t [s]", "X [m]",
-               "q [rad]", "V [m/s]", "L [kg m²/s]");
+    std::vector<const char*> quantities;
+    if (!actual.scene.bodies.empty()) quantities = {"X [m]", "q [rad]", "V [m/s]", "L [kg m²/s]"};
+    if (!actual.scene.solids.empty())
+        quantities.insert(quantities.end(), {"x [m]", "v [m/s]", "σ [Pa]", "ε_p"});
+    fmt::print("\n  {:>8} {:>9} ", "step", "t [s]");
+    for (const char* quantity : quantities)
+        fmt::print(" {:>10}", quantity);
+    fmt::print("\n");
     const std::size_t last = actual.frames.size() - 1,
                       stride = std::max<std::size_t>(1, (last - first) / 9);
     for (std::size_t i = first; i <= last; i += stride) {
         std::map<std::string, double> largest;
         for (const Difference& d : comparison.frame(actual.frames[i]))
             largest[d.quantity] = std::max(largest[d.quantity], d.size);
+        const bool same_mesh = largest.count("mesh, cracked otherwise") == 0;
         fmt::print("  {:>8} {:>9.4g} ", actual.frames[i].step, actual.frames[i].time);
         for (const char* quantity : quantities)
             fmt::print(" {:>10}",
                        largest.count(quantity) ? fmt::format("{:.2e}", largest[quantity]) : "same");
-        fmt::print("\n");
+        fmt::print("{}\n", same_mesh ? "" : "  another mesh");
     }
 }
 

@@ -32,6 +32,35 @@ void add(std::vector<Difference>& differences, Difference difference)
     if (!(difference.size <= difference.allowed)) differences.push_back(std::move(difference));
 }
 
+// Stresses and strains are recorded as floats.
+constexpr double same_float = 1e-6;
+
+// Where two lists of the same size are farthest apart.
+template <class T, class Distance>
+std::size_t farthest(const std::vector<T>& a, const std::vector<T>& b, const Distance& distance)
+{
+    std::size_t at = 0;
+    for (std::size_t i = 1; i < a.size(); ++i)
+        if (distance(a[i], b[i]) > distance(a[at], b[at])) at = i;
+    return at;
+}
+
+double distance(const Vector3d& a, const Vector3d& b)
+{
+    return (a - b).norm();
+}
+
+double gap(float a, float b)
+{
+    return std::abs(static_cast<double>(a) - static_cast<double>(b));
+}
+
+std::string mesh_text(const SolidFrame& solid)
+{
+    return fmt::format("{} nodes, {} elements in {} pieces", solid.topology->nodes,
+                       solid.topology->elements.size(), solid.topology->pieces);
+}
+
 } // namespace
 
 Comparison::Comparison(Trajectory expected) : expected_(std::move(expected))
@@ -41,6 +70,17 @@ Comparison::Comparison(Trajectory expected) : expected_(std::move(expected))
             length_ = std::max(length_, state.position.norm());
             speed_ = std::max(speed_, state.velocity.norm());
             spin_ = std::max(spin_, state.angular_momentum.norm());
+        }
+    for (const Frame& frame : expected_.frames)
+        for (const SolidFrame& solid : frame.solids) {
+            for (std::size_t i = 0; i < solid.positions.size(); ++i) {
+                length_ = std::max(length_, solid.positions[i].norm());
+                speed_ = std::max(speed_, solid.velocities[i].norm());
+            }
+            for (std::size_t i = 0; i < solid.stresses.size(); ++i) {
+                stress_ = std::max<double>(stress_, solid.stresses[i]);
+                plastic_strain_ = std::max<double>(plastic_strain_, solid.plastic_strains[i]);
+            }
         }
 }
 
@@ -63,6 +103,35 @@ std::vector<Difference> Comparison::bodies(const std::vector<RecordedBody>& actu
     return result;
 }
 
+void Comparison::compare_solid(std::vector<Difference>& differences, const std::string& name,
+                               const SolidFrame& a, const SolidFrame& b) const
+{
+    if (a.topology->elements != b.topology->elements || a.topology->nodes != b.topology->nodes) {
+        const double apart = std::abs(static_cast<double>(a.topology->elements.size()) -
+                                      static_cast<double>(b.topology->elements.size()));
+        differences.push_back(
+            {name, "mesh, cracked otherwise", mesh_text(a), mesh_text(b), apart, 0});
+        return; // nodes and elements are not the same ones
+    }
+    const auto compare = [&](const char* quantity, const std::vector<Vector3d>& x,
+                             const std::vector<Vector3d>& y, double scale) {
+        const std::size_t i = farthest(x, y, distance);
+        add(differences, {fmt::format("{}, node {}", name, i), quantity, text(x[i]), text(y[i]),
+                          distance(x[i], y[i]), same_within * scale});
+    };
+    const auto compare_elements = [&](const char* quantity, const std::vector<float>& x,
+                                      const std::vector<float>& y, double scale) {
+        const std::size_t i = farthest(x, y, gap);
+        add(differences,
+            {fmt::format("{}, element {}", name, i), quantity, fmt::format("{:.7g}", x[i]),
+             fmt::format("{:.7g}", y[i]), gap(x[i], y[i]), same_float * scale});
+    };
+    compare("x [m]", a.positions, b.positions, length_);
+    compare("v [m/s]", a.velocities, b.velocities, speed_);
+    compare_elements("σ [Pa]", a.stresses, b.stresses, stress_);
+    compare_elements("ε_p", a.plastic_strains, b.plastic_strains, plastic_strain_);
+}
+
 std::vector<Difference> Comparison::frame(const Frame& actual) const
 {
     std::vector<Difference> result;
@@ -82,6 +151,8 @@ std::vector<Difference> Comparison::frame(const Frame& actual) const
         compare("V [m/s]", a.velocity, b.velocity, speed_);
         compare("L [kg m²/s]", a.angular_momentum, b.angular_momentum, spin_);
     }
+    for (std::size_t i = 0; i < found->solids.size() && i < actual.solids.size(); ++i)
+        compare_solid(result, expected_.scene.solids[i].name, found->solids[i], actual.solids[i]);
     return result;
 }
 

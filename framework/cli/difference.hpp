@@ -31,14 +31,20 @@ public:
     /// What mass and inertia the bodies were given.
     std::vector<Difference> bodies(const std::vector<RecordedBody>& actual) const;
 
-    /// What differs in a frame: at most one entry a body and quantity, in the order X, q, V, L.
+    /// What differs in a frame: at most one entry a body and quantity, in the order X, q, V, L; of a
+    /// deformable solid its mesh, or the node whose x or v is farthest off, and the element whose
+    /// stress or plastic strain is.
     std::vector<Difference> frame(const Frame& actual) const;
 
     const Trajectory& expected() const { return expected_; }
 
 private:
+    void compare_solid(std::vector<Difference>& differences, const std::string& name,
+                       const SolidFrame& expected, const SolidFrame& actual) const;
+
     Trajectory expected_;
     double length_ = 0, speed_ = 0, spin_ = 0; // largest of |X|, |V|, |L| in the run
+    double stress_ = 0, plastic_strain_ = 0;   // largest in the run
 };
 
 } // namespace rigor

@@ -22,6 +22,21 @@ struct SimulateOptions {
     bool stats = false, json = false, every_step = false;
 };
 
+// The most that a deformable solid went through.
+struct SolidExtremes {
+    double stress = 0, plastic_strain = 0;   // [Pa]
+    double mass_drift = 0, volume_drift = 0; // relative, of the first frame's
+
+    void take(const SolidStatistics& now, const SolidStatistics& first)
+    {
+        stress = std::max(stress, now.largest_stress);
+        plastic_strain = std::max(plastic_strain, now.largest_plastic_strain);
+        mass_drift = std::max(mass_drift, std::abs(now.totals.mass / first.totals.mass - 1));
+        volume_drift =
+            std::max(volume_drift, std::abs(now.totals.volume / first.totals.volume - 1));
+    }
+};
+
 // What --stats tells, gathered frame by frame.
 struct Summary {
     FrameStatistics first, last;
@@ -29,22 +44,56 @@ struct Summary {
     std::int64_t frames = 0;
     Counters counters;
     MotionHash hash;
+    std::vector<std::string> solids; // names
+    std::vector<SolidExtremes> extremes;
 
     void take(const FrameStatistics& now)
     {
         if (frames++ == 0) {
             first = now;
             largest_energy = now.total_energy();
+            extremes.resize(now.solids.size());
         }
         last = now;
         largest_energy = std::max(largest_energy, now.total_energy());
         deepest = std::max(deepest, now.deepest_penetration);
+        for (std::size_t i = 0; i < now.solids.size(); ++i)
+            extremes[i].take(now.solids[i], first.solids[i]);
     }
 };
 
 nlohmann::ordered_json numbers(const Vector3d& v)
 {
     return {v.x(), v.y(), v.z()};
+}
+
+nlohmann::ordered_json solids_json(const Summary& summary)
+{
+    const auto moment = [](const SolidStatistics& s) -> nlohmann::ordered_json {
+        return {{"mass", s.totals.mass},
+                {"volume", s.totals.volume},
+                {"kinetic_energy", s.totals.kinetic_energy},
+                {"elastic_energy", s.totals.elastic_energy},
+                {"momentum", numbers(s.totals.momentum)},
+                {"angular_momentum", numbers(s.totals.angular_momentum)},
+                {"center_of_mass", numbers(s.totals.center_of_mass)},
+                {"elements", s.elements},
+                {"pieces", s.pieces},
+                {"largest_stress", s.largest_stress},
+                {"largest_plastic_strain", s.largest_plastic_strain}};
+    };
+    nlohmann::ordered_json solids = nlohmann::ordered_json::array();
+    for (std::size_t i = 0; i < summary.solids.size() && i < summary.extremes.size(); ++i) {
+        const SolidExtremes& extremes = summary.extremes[i];
+        solids.push_back({{"name", summary.solids[i]},
+                          {"first", moment(summary.first.solids[i])},
+                          {"last", moment(summary.last.solids[i])},
+                          {"largest_stress", extremes.stress},
+                          {"largest_plastic_strain", extremes.plastic_strain},
+                          {"mass_drift", extremes.mass_drift},
+                          {"volume_drift", extremes.volume_drift}});
+    }
+    return solids;
 }
 
 void print_json(const std::string& scene, const SimulateOptions& options, const Summary& summary,
@@ -63,7 +112,7 @@ void print_json(const std::string& scene, const SimulateOptions& options, const 
         std::replace(key.begin(), key.end(), ' ', '_');
         counters[key] = summary.counters.*member;
     }
-    const nlohmann::ordered_json value = {
+    nlohmann::ordered_json value = {
         {"scene", scene},
         {"with", options.with},
         {"frames", summary.frames},
@@ -75,6 +124,7 @@ void print_json(const std::string& scene, const SimulateOptions& options, const 
         {"seconds", seconds},
         {"steps_per_second", static_cast<double>(summary.counters.steps) / seconds},
         {"counters", counters}};
+    if (!summary.solids.empty()) value["solids"] = solids_json(summary);
     fmt::print("{}\n", value.dump(2));
 }
 
@@ -83,12 +133,39 @@ std::string vector_text(const Vector3d& v)
     return fmt::format("({:.6g}, {:.6g}, {:.6g})", v.x(), v.y(), v.z());
 }
 
+void line(const char* what, const std::string& start, const std::string& end)
+{
+    fmt::print("  {:<32} {:<22} {}\n", what, start, end);
+}
+
+std::string number(double x)
+{
+    return fmt::format("{:.8g}", x);
+}
+
+void print_solid(const std::string& name, const SolidStatistics& first, const SolidStatistics& last,
+                 const SolidExtremes& extremes)
+{
+    fmt::print("  solid \"{}\"\n", name);
+    line("  mass [kg]", number(first.totals.mass), number(last.totals.mass));
+    line("  volume [m³]", number(first.totals.volume), number(last.totals.volume));
+    line("  kinetic energy [J]", number(first.totals.kinetic_energy),
+         number(last.totals.kinetic_energy));
+    line("  elastic energy [J]", number(first.totals.elastic_energy),
+         number(last.totals.elastic_energy));
+    fmt::print("  {:<32} {}\n  {:<32} {}\n", "  momentum [kg m/s]",
+               vector_text(first.totals.momentum), "", vector_text(last.totals.momentum));
+    line("  elements", std::to_string(first.elements), std::to_string(last.elements));
+    line("  pieces", std::to_string(first.pieces), std::to_string(last.pieces));
+    line("  largest stress [Pa]", number(first.largest_stress), number(last.largest_stress));
+    line("  largest plastic strain", number(first.largest_plastic_strain),
+         number(last.largest_plastic_strain));
+    fmt::print("  {:<32} {:.8g}\n", "  largest stress of all [Pa]", extremes.stress);
+    fmt::print("  {:<32} {:.3g}\n", "  drift of the mass, relative", extremes.mass_drift);
+}
+
 void print_stats(const Summary& summary, double seconds)
 {
-    const auto line = [](const char* what, const std::string& start, const std::string& end) {
-        fmt::print("  {:<32} {:<22} {}\n", what, start, end);
-    };
-    const auto number = [](double x) { return fmt::format("{:.8g}", x); };
     line("", "at the start", "at the end");
     fmt::print("  {:<32} {}\n", "hash of the motion", summary.hash.text());
     line("time [s]", number(summary.first.time), number(summary.last.time));
@@ -109,6 +186,9 @@ void print_stats(const Summary& summary, double seconds)
                static_cast<double>(summary.counters.steps) / seconds);
     for (const auto& [name, member] : counter_fields)
         fmt::print("  {:<32} {}\n", name, summary.counters.*member);
+    for (std::size_t i = 0; i < summary.extremes.size(); ++i)
+        print_solid(summary.solids[i], summary.first.solids[i], summary.last.solids[i],
+                    summary.extremes[i]);
 }
 
 int simulate(const SimulateOptions& options)
@@ -136,6 +216,8 @@ int simulate(const SimulateOptions& options)
     run.on_start = [&](const Scene& started, const std::vector<RecordedBody>& bodies) {
         statistics.emplace(started, bodies);
         summary.hash.take(bodies);
+        for (const SolidDescription& solid : started.solids)
+            summary.solids.push_back(solid.name);
     };
     run.on_frame = [&](const Frame& frame) {
         summary.take(statistics->of(frame));

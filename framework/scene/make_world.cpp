@@ -30,9 +30,31 @@ private:
     std::map<const SolidMesh*, std::shared_ptr<const SolidMesh>> own_;
 };
 
+// A solid in its place, moving as a rigid body would.
+Deformable make_solid(const SolidDescription& described)
+{
+    Deformable solid = make_deformable(described.name, *described.mesh, described.material,
+                                       rotation_matrix(described.orientation), described.position);
+    solid.integrator = described.integrator;
+    solid.fracture_method = described.fracture_method;
+    solid.handles = described.handles;
+    solid.loads = described.loads;
+    const Vector3d X = totals(solid).center_of_mass;
+    const Vector3d &V = described.velocity, &w = described.angular_velocity;
+    // v = V + ω × (x - X)
+    for (std::size_t i = 0; i < solid.positions.size(); ++i)
+        solid.velocities[i] = V + w.cross(solid.positions[i] - X);
+    return solid;
+}
+
 } // namespace
 
 World make_world(const Scene& scene, const RunSettings& settings)
+{
+    return make_recorded_world(scene, settings).world.rigid;
+}
+
+DeformableWorld make_deformable_world(const Scene& scene, const RunSettings& settings)
 {
     return make_recorded_world(scene, settings).world;
 }
@@ -40,7 +62,7 @@ World make_world(const Scene& scene, const RunSettings& settings)
 RecordedWorld make_recorded_world(const Scene& scene, const RunSettings& settings)
 {
     RecordedWorld made;
-    World& world = made.world;
+    World& world = made.world.rigid;
     world.gravity = scene.gravity;
     world.integrator = scene.integrator;
     world.contact_method = scene.contact_method;
@@ -82,6 +104,8 @@ RecordedWorld make_recorded_world(const Scene& scene, const RunSettings& setting
     }
     for (AppliedForce& force : world.forces)
         shift(force.body, force.point);
+    for (const SolidDescription& solid : scene.solids)
+        made.world.solids.push_back(make_solid(solid));
     return made;
 }
 

@@ -7,7 +7,7 @@ namespace rigor {
 
 /// A world, and what its trajectory records about the bodies.
 struct RecordedWorld {
-    World world;
+    DeformableWorld world; // without solids: the rigid one is all of it
     std::vector<RecordedBody> bodies;
 };
 

@@ -2,6 +2,7 @@
 #include "scene/mesh_library.hpp"
 
 #include "geometry/mesh_checks.hpp"
+#include "geometry/tetrahedra_files.hpp"
 #include "scene/keys.hpp"
 #include "scene/scene.hpp"
 
@@ -16,19 +17,38 @@ namespace {
 
 constexpr std::uintmax_t most_mesh_bytes = 64'000'000, most_scene_bytes = 16'000'000;
 
+// A mesh file that the scene names.
+struct NamedFile {
+    const Value* name;
+    bool is_solid; // of tetrahedra
+};
+
 // The names of mesh files under a value, {"mesh": {"file": …}}.
-void find_files(const Value& value, std::vector<const Value*>& files)
+void find_files(const Value& value, bool in_solids, std::vector<NamedFile>& files)
 {
     for (const Value& item : value.items) {
         const Value* file = item.key == "mesh" ? find(item, "file") : nullptr;
-        if (file && file->kind == Value::Kind::string) files.push_back(file);
-        find_files(item, files);
+        if (file && file->kind == Value::Kind::string) files.push_back({file, in_solids});
+        find_files(item, in_solids || item.key == "solids", files);
     }
 }
 
-// A mesh file, checked, as the shortest text of the same mesh.
-std::string mesh_text(const Value& name, const std::filesystem::path& scene_file)
+// A mesh, checked, as the shortest text of the same mesh.
+std::string checked_text(std::string_view text, bool is_solid)
 {
+    if (is_solid) {
+        const TetrahedraText read = read_tetrahedra(text);
+        check_mesh(read.mesh, read.lines);
+        return medit_text(read.mesh);
+    }
+    const ObjMesh read = read_obj(text);
+    check_mesh(read.mesh, read.lines);
+    return obj_text(read.mesh);
+}
+
+std::string mesh_text(const NamedFile& file, const std::filesystem::path& scene_file)
+{
+    const Value& name = *file.name;
     const std::filesystem::path path = scene_file.parent_path() / name.text;
     std::error_code error;
     if (!std::filesystem::is_regular_file(path, error))
@@ -48,9 +68,7 @@ std::string mesh_text(const Value& name, const std::filesystem::path& scene_file
     const std::string text{std::istreambuf_iterator<char>(stream), {}};
     if (!stream) refuse(0, "expected a readable file, found it unreadable");
     try {
-        const ObjMesh read = read_obj(text);
-        check_mesh(read.mesh, read.lines);
-        return obj_text(read.mesh);
+        return checked_text(text, file.is_solid);
     } catch (const MeshError& mistake) {
         refuse(mistake.line, mistake.what());
     }
@@ -79,7 +97,7 @@ std::string escaped(std::string_view text)
 
 void MeshLibrary::read_texts(const Value& value)
 {
-    constexpr std::string_view what = "OBJ texts by name {\"ring.obj\": \"v 0 0 0 …\"}";
+    constexpr std::string_view what = "texts of meshes by name {\"ring.obj\": \"v 0 0 0 …\"}";
     if (value.kind != Value::Kind::object) expected(what, value);
     for (const Value& item : value.items) {
         if (item.kind != Value::Kind::string) expected("the text of a mesh", item);
@@ -87,28 +105,49 @@ void MeshLibrary::read_texts(const Value& value)
     }
 }
 
-SharedMesh MeshLibrary::from_file(const Value& file, double scale, int cells)
+const Value& MeshLibrary::text_of(const Value& file) const
 {
-    const std::string& name = file.text;
-    const auto text = texts_.find(name);
+    const auto text = texts_.find(file.text);
     if (text == texts_.end())
         throw Mistake{file.line,
                       fmt::format("expected the text of the mesh {} among the scene's \"meshes\", "
                                   "found none",
-                                  in_quotes(name))};
+                                  in_quotes(file.text))};
+    return *text->second;
+}
+
+SharedMesh MeshLibrary::from_file(const Value& file, double scale, int cells)
+{
+    const std::string& name = file.text;
+    const Value& text = text_of(file);
     SharedMesh& mesh = known_[fmt::format("{} {} {}", name, scale, cells)];
     if (mesh) return mesh;
     try {
-        ObjMesh read = read_obj(text->second->text);
+        ObjMesh read = read_obj(text.text);
         for (Vector3d& v : read.mesh.vertices)
             v *= scale;
         check_mesh(read.mesh, read.lines);
         mesh = std::make_shared<SolidMesh>(std::move(read.mesh), name, cells);
     } catch (const MeshError& error) {
-        throw Mistake{text->second->line,
+        throw Mistake{text.line,
                       fmt::format("{}:{}: {}", in_quotes(name), error.line, error.what())};
     }
     return mesh;
+}
+
+std::shared_ptr<const TetrahedralMesh> MeshLibrary::tetrahedra(const Value& file, double scale)
+{
+    const Value& text = text_of(file);
+    try {
+        TetrahedraText read = read_tetrahedra(text.text);
+        for (Vector3d& v : read.mesh.vertices)
+            v *= scale;
+        check_mesh(read.mesh, read.lines);
+        return std::make_shared<TetrahedralMesh>(std::move(read.mesh));
+    } catch (const MeshError& error) {
+        throw Mistake{text.line,
+                      fmt::format("{}:{}: {}", in_quotes(file.text), error.line, error.what())};
+    }
 }
 
 SharedMesh MeshLibrary::generated(const std::string& key, const Value& value, int cells,
@@ -130,21 +169,22 @@ std::string with_mesh_texts(const std::string& text, const std::filesystem::path
 {
     if (text.find("\"mesh\"") == std::string::npos) return text;
     const Value root = parse_json(text);
-    std::vector<const Value*> files;
-    find_files(root, files);
+    std::vector<NamedFile> files;
+    find_files(root, false, files);
     const std::size_t start = text.find('{');
     if (files.empty() || root.kind != Value::Kind::object || find(root, "meshes")) return text;
 
     std::string meshes;
     std::set<std::string_view> names;
-    for (const Value* file : files) {
-        if (!names.insert(file->text).second) continue;
-        meshes += fmt::format("{}\"{}\": \"{}\"", meshes.empty() ? "" : ", ", escaped(file->text),
-                              escaped(mesh_text(*file, scene_file)));
+    for (const NamedFile& file : files) {
+        if (!names.insert(file.name->text).second) continue;
+        meshes += fmt::format("{}\"{}\": \"{}\"", meshes.empty() ? "" : ", ",
+                              escaped(file.name->text), escaped(mesh_text(file, scene_file)));
         if (text.size() + meshes.size() > most_scene_bytes)
-            throw Mistake{file->line, fmt::format("expected a scene of at most {} bytes with its "
-                                                  "meshes, found more",
-                                                  most_scene_bytes)};
+            throw Mistake{file.name->line,
+                          fmt::format("expected a scene of at most {} bytes with its "
+                                      "meshes, found more",
+                                      most_scene_bytes)};
     }
     std::string whole = text;
     whole.insert(start + 1, fmt::format("\"meshes\": {{{}}}, ", meshes));

@@ -16,7 +16,7 @@ using SharedMesh = std::shared_ptr<const SolidMesh>;
 
 class MeshLibrary {
 public:
-    /// The key "meshes" of a scene: OBJ texts by file name.
+    /// The key "meshes" of a scene: texts of meshes by file name.
     /// @throws Mistake
     void read_texts(const Value& value);
 
@@ -24,6 +24,10 @@ public:
     /// @param file  its name, where the scene says it
     /// @throws Mistake
     SharedMesh from_file(const Value& file, double scale, int cells);
+
+    /// The tetrahedra of a file, likewise.
+    /// @throws Mistake
+    std::shared_ptr<const TetrahedralMesh> tetrahedra(const Value& file, double scale);
 
     /// The mesh of this key, made by `make` unless it is known already.
     /// @param key    names the kind and every parameter
@@ -33,6 +37,8 @@ public:
                          const std::function<TriangleMesh()>& make);
 
 private:
+    const Value& text_of(const Value& file) const;
+
     std::map<std::string, const Value*, std::less<>> texts_;
     std::map<std::string, SharedMesh, std::less<>> known_;
 };

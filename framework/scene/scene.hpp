@@ -2,10 +2,11 @@
 // A scene as its file describes it: nothing computed yet, no formula called.
 #pragma once
 
+#include "deformable/deformable.hpp"
 #include "geometry/shape.hpp"
-#include "rigid/world.hpp"
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -34,16 +35,37 @@ struct BodyDescription {
     std::optional<Vector3d> color;                // red, green, blue in 0 … 1
 };
 
+/// A solid that deforms.
+struct SolidDescription {
+    std::string name;
+    std::shared_ptr<const TetrahedralMesh> mesh; // in the solid's own frame, as written
+    SolidMaterial material;
+    NodeIntegrator integrator = NodeIntegrator::implicit_step;
+    FractureMethod fracture_method = FractureMethod::faces;
+    Vector3d position = Vector3d::Zero(); // of the frame's origin [m]
+    Quaternion orientation;
+    Vector3d velocity = Vector3d::Zero();         // of the center of mass [m/s]
+    Vector3d angular_velocity = Vector3d::Zero(); // world space [rad/s]
+    std::optional<Vector3d> color;                // red, green, blue in 0 … 1
+    std::vector<Handle> handles;                  // in world space already
+    std::vector<NodeLoad> loads;                  // likewise
+};
+
 struct Camera {
     Vector3d position = Vector3d(4, 3, 6);
     Vector3d target = Vector3d::Zero();
     double field_of_view = 40; // vertical [degrees]
 };
 
+/// What the colors of deformable solids mean.
+enum class SolidColors { color, stress, plastic_strain };
+
 /// What to draw besides the bodies.
 struct Overlays {
     bool axes = false, angular_velocity = false, angular_momentum = false, contacts = false,
          labels = false, grid = true;
+    SolidColors solids = SolidColors::color;
+    std::optional<std::array<double, 2>> solids_range; // of the colors [Pa], or without unit
 };
 
 struct Scene {
@@ -51,6 +73,7 @@ struct Scene {
     std::string description; // one sentence: what to see
     std::string text;        // the file itself
     std::vector<BodyDescription> bodies;
+    std::vector<SolidDescription> solids;
     std::vector<Spring> springs;              // their points in the bodies' frames, as written
     std::vector<AppliedForce> forces;         // likewise
     Vector3d gravity = Vector3d(0, -9.81, 0); // [m/s²]
@@ -83,5 +106,8 @@ struct RunSettings {
 
 /// Shapes to bodies: calls the formulas of topic `inertia` where the scene gives densities.
 World make_world(const Scene& scene, const RunSettings& settings = {});
+
+/// The same, and the deformable solids.
+DeformableWorld make_deformable_world(const Scene& scene, const RunSettings& settings = {});
 
 } // namespace rigor

@@ -17,41 +17,10 @@ constexpr double most_steps = 10'000'000;
 
 struct SceneDraft {
     Scene scene;
-    const Value *meshes = nullptr, *bodies = nullptr, *springs = nullptr, *forces = nullptr,
-                *time_step = nullptr, *end = nullptr, *frames_per_second = nullptr;
+    const Value *meshes = nullptr, *bodies = nullptr, *solids = nullptr, *springs = nullptr,
+                *forces = nullptr, *time_step = nullptr, *end = nullptr,
+                *frames_per_second = nullptr;
 };
-
-constexpr Key<Camera> camera_keys[] = {
-    {"position", "of the eye, default [4, 3, 6] [m]",
-     [](Camera& c, const Value& v) { c.position = vector3(v); }},
-    {"target", "what it looks at, default [0, 0, 0] [m]",
-     [](Camera& c, const Value& v) { c.target = vector3(v); }},
-    {"field_of_view", "vertical, from 1 to 170, default 40 [degrees]",
-     [](Camera& c, const Value& v) { c.field_of_view = in_range(v, "a field of view", 1, 170); }},
-};
-
-constexpr Key<Overlays> overlay_keys[] = {
-    {"axes", "the axes of each body's frame, default false",
-     [](Overlays& o, const Value& v) { o.axes = boolean(v); }},
-    {"angular_velocity", "ω of each body, default false",
-     [](Overlays& o, const Value& v) { o.angular_velocity = boolean(v); }},
-    {"angular_momentum", "L of each body, default false",
-     [](Overlays& o, const Value& v) { o.angular_momentum = boolean(v); }},
-    {"contacts", "contact points and impulses, default false",
-     [](Overlays& o, const Value& v) { o.contacts = boolean(v); }},
-    {"labels", "the names of the bodies, default false",
-     [](Overlays& o, const Value& v) { o.labels = boolean(v); }},
-    {"grid", "the grid of the ground, default true",
-     [](Overlays& o, const Value& v) { o.grid = boolean(v); }},
-};
-
-void read_camera(SceneDraft& draft, const Value& value)
-{
-    Camera& camera = draft.scene.camera;
-    read_object<Camera>(value, "a camera {\"position\": …, \"target\": …}", camera_keys, camera);
-    if (!((camera.position - camera.target).norm() > 1e-9))
-        expected("a camera whose position is not its target", value);
-}
 
 constexpr std::string_view integrators[] = {"matrix", "linear", "exponential", "buss",
                                             "runge_kutta"};
@@ -71,6 +40,9 @@ constexpr Key<Skips> skip_keys[] = {
     {"readable_formulas",
      "the reference's formulas in a faster form of the same result, default true",
      [](Skips& s, const Value& v) { s.readable_formulas = boolean(v); }},
+    {"stress_bound",
+     "the largest principal stress only where a bound on it exceeds the strength, default true",
+     [](Skips& s, const Value& v) { s.stress_bound = boolean(v); }},
 };
 
 constexpr Key<SceneDraft> scene_keys[] = {
@@ -101,17 +73,18 @@ constexpr Key<SceneDraft> scene_keys[] = {
          read_object<Skips>(v, "what to skip {\"sleep\": false}", skip_keys, d.scene.skips);
      }},
     {"meshes",
-     "OBJ texts by file name; those of the files that the scene names are put here as it is loaded",
+     "texts of meshes by file name; those of the files that the scene names are put here as it is "
+     "loaded",
      [](SceneDraft& d, const Value& v) { d.meshes = &v; }},
-    {"bodies", "needed: a list of at least one body",
+    {"bodies", "a list of rigid bodies; at least one body or solid is needed",
      [](SceneDraft& d, const Value& v) { d.bodies = &v; }},
+    {"solids", "a list of deformable solids", [](SceneDraft& d, const Value& v) { d.solids = &v; }},
     {"springs", "a list of springs", [](SceneDraft& d, const Value& v) { d.springs = &v; }},
     {"forces", "a list of forces", [](SceneDraft& d, const Value& v) { d.forces = &v; }},
-    {"camera", "where to look from", [](SceneDraft& d, const Value& v) { read_camera(d, v); }},
+    {"camera", "where to look from",
+     [](SceneDraft& d, const Value& v) { d.scene.camera = read_camera(v); }},
     {"draw", "what to draw besides the bodies",
-     [](SceneDraft& d, const Value& v) {
-         read_object<Overlays>(v, "what to draw {\"axes\": true}", overlay_keys, d.scene.overlays);
-     }},
+     [](SceneDraft& d, const Value& v) { d.scene.overlays = read_overlays(v); }},
 };
 
 void read_times(SceneDraft& draft)
@@ -136,15 +109,10 @@ void read_times(SceneDraft& draft)
                  *draft.frames_per_second);
 }
 
-void read_bodies(SceneDraft& draft, const Value& root)
+void read_bodies(const Value& value, MeshLibrary& meshes, std::vector<BodyDescription>& bodies)
 {
-    if (!draft.bodies) throw Mistake{root.line, "expected \"bodies\" in the scene, found none"};
-    MeshLibrary meshes;
-    if (draft.meshes) meshes.read_texts(*draft.meshes);
-    std::vector<BodyDescription>& bodies = draft.scene.bodies;
-    std::set<std::string_view> names;
     std::size_t shapes = 0, done = 0;
-    for (const Value& item : array(*draft.bodies, "a list of bodies")) {
+    for (const Value& item : array(value, "a list of bodies")) {
         read_body(item, meshes, bodies);
         for (; done < bodies.size(); ++done)
             shapes += bodies[done].parts.size();
@@ -153,16 +121,51 @@ void read_bodies(SceneDraft& draft, const Value& root)
                                                  "more",
                                                  most_bodies, most_shapes)};
     }
-    if (bodies.empty()) expected("at least one body", *draft.bodies);
-    for (const BodyDescription& body : bodies)
-        if (!names.insert(body.name).second) {
-            const Value* second = &draft.bodies->items.back();
-            for (const Value& item : draft.bodies->items)
-                if (find(item, "name")->text == body.name) second = &item;
-            throw Mistake{find(*second, "name")->line,
-                          fmt::format("expected a name of its own for each body, found {} twice",
-                                      in_quotes(body.name))};
-        }
+}
+
+void read_solids(const Value& value, MeshLibrary& meshes, std::vector<SolidDescription>& solids)
+{
+    std::size_t tetrahedra = 0;
+    for (const Value& item : array(value, "a list of solids")) {
+        read_solid(item, meshes, solids);
+        tetrahedra += solids.back().mesh->tetrahedra.size();
+        if (tetrahedra > most_scene_tetrahedra)
+            throw Mistake{item.line, fmt::format("expected solids of at most {} tetrahedra, found "
+                                                 "{}",
+                                                 most_scene_tetrahedra, tetrahedra)};
+    }
+}
+
+// Refuses a name that stands there twice.
+void check_names(const SceneDraft& draft)
+{
+    std::set<std::string_view> names;
+    const auto check = [&](const std::string& name, const Value& list) {
+        if (names.insert(name).second) return;
+        const Value* second = &list.items.back();
+        for (const Value& item : list.items)
+            if (find(item, "name")->text == name) second = &item;
+        throw Mistake{find(*second, "name")->line,
+                      fmt::format("expected a name of its own for each {}, found {} twice",
+                                  draft.solids ? "body and solid" : "body", in_quotes(name))};
+    };
+    for (const BodyDescription& body : draft.scene.bodies)
+        check(body.name, *draft.bodies);
+    for (const SolidDescription& solid : draft.scene.solids)
+        check(solid.name, *draft.solids);
+}
+
+void read_matter(SceneDraft& draft, const Value& root)
+{
+    if (!draft.bodies && !draft.solids)
+        throw Mistake{root.line, "expected \"bodies\" or \"solids\" in the scene, found none"};
+    MeshLibrary meshes;
+    if (draft.meshes) meshes.read_texts(*draft.meshes);
+    if (draft.bodies) read_bodies(*draft.bodies, meshes, draft.scene.bodies);
+    if (draft.solids) read_solids(*draft.solids, meshes, draft.scene.solids);
+    if (draft.scene.bodies.empty() && draft.scene.solids.empty())
+        expected("at least one body or solid", draft.bodies ? *draft.bodies : *draft.solids);
+    check_names(draft);
 }
 
 Scene read_scene(const std::string& text)
@@ -171,7 +174,7 @@ Scene read_scene(const std::string& text)
     SceneDraft draft;
     read_object<SceneDraft>(root, "a scene {\"bodies\": […], …}", scene_keys, draft);
     read_times(draft);
-    read_bodies(draft, root);
+    read_matter(draft, root);
     if (draft.springs) draft.scene.springs = read_springs(*draft.springs, draft.scene.bodies);
     if (draft.forces) draft.scene.forces = read_forces(*draft.forces, draft.scene.bodies);
     return std::move(draft.scene);
@@ -245,10 +248,10 @@ std::vector<KeyMeaning> scene_language()
     body_meanings(meanings);
     orientation_meanings(meanings);
     grid_meanings(meanings);
+    solid_meanings(meanings);
     force_meanings(meanings);
     add_meanings<Skips>("skip", skip_keys, meanings);
-    add_meanings<Camera>("camera", camera_keys, meanings);
-    add_meanings<Overlays>("draw", overlay_keys, meanings);
+    picture_meanings(meanings);
     return meanings;
 }
 

@@ -3,6 +3,8 @@
 
 #include "geometry/pose.hpp"
 
+#include <algorithm>
+
 namespace rigor {
 
 namespace {
@@ -18,7 +20,18 @@ Matrix3d pseudo_inverse(const Matrix3d& I)
     return eigen.eigenvectors() * inverse.asDiagonal() * eigen.eigenvectors().transpose();
 }
 
+double largest(const std::vector<float>& numbers)
+{
+    return numbers.empty() ? 0.0 : *std::max_element(numbers.begin(), numbers.end());
+}
+
 } // namespace
+
+SolidStatistics statistics_of(const SolidFrame& solid)
+{
+    return {solid.totals, solid.topology->pieces, solid.topology->elements.size(),
+            largest(solid.stresses), largest(solid.plastic_strains)};
+}
 
 Statistics::Statistics(const Scene& scene, const std::vector<RecordedBody>& bodies)
     : scene_(scene), bodies_(bodies)
@@ -47,6 +60,15 @@ FrameStatistics Statistics::of(const Frame& frame) const
         sums.potential_energy -= M * scene_.gravity.dot(X);
         sums.momentum += M * V;
         sums.angular_momentum += X.cross(M * V) + L;
+    }
+    for (const SolidFrame& solid : frame.solids) {
+        const DeformableTotals& totals = solid.totals;
+        sums.kinetic_energy += totals.kinetic_energy;
+        sums.potential_energy +=
+            totals.elastic_energy - totals.mass * scene_.gravity.dot(totals.center_of_mass);
+        sums.momentum += totals.momentum;
+        sums.angular_momentum += totals.angular_momentum;
+        sums.solids.push_back(statistics_of(solid));
     }
     const auto world_point = [&](int body, const Vector3d& point) -> Vector3d {
         if (body < 0) return point;

@@ -3,13 +3,21 @@
 // written.
 //
 // Little-endian binary:
-//     "RIGORTRJ"  u32 version = 1
+//     "RIGORTRJ"  u32 version: 1 without deformable solids, 2 with
 //     u32 bytes, name of the scene       u32 bytes, scene file as text
 //     u32 bodies, each: u8 is_static, f64 mass, 3 f64 center of mass, 9 f64 inertia (I_body by
 //         columns)
+//     version 2: u32 solids
 // then records until the end:
 //     'F'  i64 step, f64 time, bodies × 13 f64 (X, q = s x y z, V, L),
 //          u32 contacts, each: i32 body1, i32 body2, f64 depth, 9 f64 (point, normal, impulse)
+//          version 2, each solid: u8 whether its mesh is another than in the frame before, if so
+//              u32 nodes, u32 elements, u32 points, u32 triangles, u32 pieces,
+//              elements × 4 i32 (nodes), points × (i32 element, 4 f32 weights),
+//              triangles × (3 i32 points, i32 element, u8 is_crack);
+//              then 13 f64 (mass, volume, kinetic energy, elastic energy, momentum, angular
+//              momentum, center of mass), nodes × 6 f64 (x, v),
+//              elements × 2 f32 (von Mises stress [Pa], equivalent plastic strain √(2/3) ‖ε_p‖)
 //     'E'  u32 counters, each u64 in the order of Counters: the run is complete
 // A file that stops before 'E' holds the run up to there.
 #pragma once
@@ -28,12 +36,32 @@
 
 namespace rigor {
 
+/// The mesh of a deformable solid, as far as it is drawn. It changes only where the solid cracks.
+struct SolidTopology {
+    std::size_t nodes = 0;
+    std::vector<std::array<int, 4>> elements; // their nodes
+    EmbeddedSurface surface;                  // its weights with the precision of a float
+    std::size_t pieces = 0;
+};
+
+/// A deformable solid at one moment.
+struct SolidFrame {
+    std::shared_ptr<const SolidTopology> topology; // not null
+    bool is_new_topology = true;                   // another one than in the frame before
+    DeformableTotals totals;
+    std::vector<Vector3d> positions;    // of each node, world space [m]
+    std::vector<Vector3d> velocities;   // of each node [m/s]
+    std::vector<float> stresses;        // of each element, of von Mises [Pa]
+    std::vector<float> plastic_strains; // of each element, equivalent: √(2/3) ‖ε_p‖
+};
+
 /// The world at one moment.
 struct Frame {
     std::int64_t step = 0;
     double time = 0; // [s]
     std::vector<RigidState> bodies;
     std::vector<ContactRecord> contacts; // of the step that led here
+    std::vector<SolidFrame> solids = {};
 };
 
 /// Mass and inertia of a body as the worker computed them.
@@ -104,7 +132,8 @@ void run_scene(const Scene& scene, Record record, const ByteSink& write,
 /// The states of all bodies at a moment.
 using Moment = std::pair<double, std::vector<RigidState>>;
 
-/// The states that each moment of a scene leads to after some steps.
+/// The states that each moment of a scene leads to after some steps. Deformable solids start from each
+/// as they are when the scene begins.
 /// @param starts  each time a multiple of the time step, each with a state for every body
 std::vector<std::vector<RigidState>> advance(const Scene& scene, const std::vector<Moment>& starts,
                                              int steps, const RunSettings& settings = {});
@@ -142,9 +171,19 @@ private:
     void read_name(Cursor& bytes);
     void read_text(Cursor& bytes);
     void read_bodies(Cursor& bytes);
+    void read_solid_count(Cursor& bytes);
+    void start();
     void read_tag(Cursor& bytes);
     void read_frame(Cursor& bytes);
     void read_contacts(Cursor& bytes);
+    void next_solid();
+    void read_solid(Cursor& bytes);
+    void read_topology_counts(Cursor& bytes);
+    void read_topology(Cursor& bytes);
+    void expect_solid_frame();
+    void read_solid_frame(Cursor& bytes);
+    std::string solid_place() const; // of the one being read, for an error
+    void finish_frame();
     void read_counter_count(Cursor& bytes);
     void read_counters(Cursor& bytes);
 
@@ -153,8 +192,13 @@ private:
     Stage stage_;
     std::size_t needed_ = 0; // bytes that it takes
     Scene scene_;
+    std::uint32_t version_ = 1;
     std::string name_;
-    Frame frame_; // the one being read
+    std::vector<RecordedBody> bodies_; // of the start
+    Frame frame_;                      // the one being read
+    std::size_t element_count_ = 0, point_count_ = 0, triangle_count_ = 0;
+    std::shared_ptr<SolidTopology> topology_; // the new one of the solid being read, or null
+    std::vector<std::shared_ptr<const SolidTopology>> topologies_; // of each solid, the last
     std::int64_t last_step_ = -1;
     bool started_ = false, complete_ = false, broken_ = false;
 };

@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "scene/trajectory.hpp"
-
 #include "scene/json.hpp"
-
-#include <fmt/format.h>
+#include "scene/trajectory_cursor.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <cstring>
 #include <fstream>
 
 namespace rigor {
@@ -19,27 +14,7 @@ constexpr std::size_t most_name_bytes = 255, most_text_bytes = 16'000'000,
 constexpr std::size_t body_bytes = 1 + 13 * sizeof(double), state_bytes = 13 * sizeof(double),
                       contact_bytes = 2 * sizeof(std::int32_t) + 10 * sizeof(double);
 
-[[noreturn]] void fail(const std::string& where, const std::string& wanted,
-                       const std::string& found)
-{
-    throw InputError(fmt::format("{}: expected {}, found {}", where, wanted, found));
-}
-
-void check_finite(double number, const std::string& where, std::string_view quantity)
-{
-    if (!std::isfinite(number))
-        fail(where, fmt::format("a finite {}", quantity), fmt::format("{}", number));
-}
-
-template <class Derived>
-void check_finite(const Eigen::MatrixBase<Derived>& numbers, const std::string& where,
-                  std::string_view quantity)
-{
-    for (int i = 0; i < numbers.size(); ++i)
-        check_finite(numbers.derived().data()[i], where, quantity);
-}
-
-void check_finite(const RigidState& state, std::int64_t step, const std::string& body)
+void check_state(const RigidState& state, std::int64_t step, const std::string& body)
 {
     const bool is_finite = state.position.allFinite() && std::isfinite(state.orientation.s) &&
                            state.orientation.v.allFinite() && state.velocity.allFinite() &&
@@ -53,40 +28,7 @@ void check_finite(const RigidState& state, std::int64_t step, const std::string&
     check_finite(state.angular_momentum, where, "angular momentum");
 }
 
-std::size_t count_of(const std::string& where, std::string_view what, std::size_t count,
-                     std::size_t most)
-{
-    if (count > most)
-        fail(where, fmt::format("at most {} {}", most, what), fmt::format("{}", count));
-    return count;
-}
-
 } // namespace
-
-// Bytes that are known to be there.
-class TrajectoryReader::Cursor {
-public:
-    explicit Cursor(std::span<const std::byte> bytes) : bytes_(bytes) {}
-
-    void raw(void* data, std::size_t size)
-    {
-        std::memcpy(data, bytes_.data(), size);
-        bytes_ = bytes_.subspan(size);
-    }
-    template <class T> T take()
-    {
-        T value;
-        if constexpr (std::is_arithmetic_v<T>)
-            raw(&value, sizeof value);
-        else
-            raw(value.data(), sizeof(double) * static_cast<std::size_t>(value.size()));
-        return value;
-    }
-    std::size_t left() const { return bytes_.size(); }
-
-private:
-    std::span<const std::byte> bytes_;
-};
 
 TrajectoryReader::TrajectoryReader(Handlers handlers) : handlers_(std::move(handlers))
 {
@@ -122,8 +64,9 @@ void TrajectoryReader::read_magic(Cursor& bytes)
     bytes.raw(magic, 8);
     if (std::memcmp(magic, "RIGORTRJ", 8) != 0)
         fail("header", "a trajectory (\"RIGORTRJ\")", in_quotes(std::string_view(magic, 8)));
-    const std::uint32_t version = bytes.take<std::uint32_t>();
-    if (version != 1) fail("header", "version 1", fmt::format("version {}", version));
+    version_ = bytes.take<std::uint32_t>();
+    if (version_ != 1 && version_ != 2)
+        fail("header", "version 1 or 2", fmt::format("version {}", version_));
     next(&TrajectoryReader::read_name_size, 4);
 }
 
@@ -153,6 +96,10 @@ void TrajectoryReader::read_text(Cursor& bytes)
     bytes.raw(text.data(), text.size());
     scene_ = parse_scene(text, name_);
     scene_.name = name_;
+    if (version_ == 1 && !scene_.solids.empty())
+        fail("header", "version 2 of a scene with solids", "version 1");
+    if (version_ == 2 && scene_.solids.empty())
+        fail("header", "version 1 of a scene without solids", "version 2");
     const std::size_t count = bytes.take<std::uint32_t>();
     if (count != scene_.bodies.size())
         fail("header", fmt::format("the {} bodies of the scene", scene_.bodies.size()),
@@ -162,7 +109,6 @@ void TrajectoryReader::read_text(Cursor& bytes)
 
 void TrajectoryReader::read_bodies(Cursor& bytes)
 {
-    std::vector<RecordedBody> bodies;
     for (const BodyDescription& described : scene_.bodies) {
         const std::string where = fmt::format("header, body {}", in_quotes(described.name));
         RecordedBody body;
@@ -177,10 +123,28 @@ void TrajectoryReader::read_bodies(Cursor& bytes)
         check_finite(body.mass, where, "mass");
         check_finite(body.center_of_mass, where, "center of mass");
         check_finite(body.inertia, where, "inertia");
-        bodies.push_back(body);
+        bodies_.push_back(body);
     }
+    if (version_ == 1)
+        start();
+    else
+        next(&TrajectoryReader::read_solid_count, 4);
+}
+
+void TrajectoryReader::read_solid_count(Cursor& bytes)
+{
+    const std::size_t count = bytes.take<std::uint32_t>();
+    if (count != scene_.solids.size())
+        fail("header", fmt::format("the {} solids of the scene", scene_.solids.size()),
+             fmt::format("{}", count));
+    topologies_.resize(count);
+    start();
+}
+
+void TrajectoryReader::start()
+{
     started_ = true;
-    if (handlers_.on_start) handlers_.on_start(scene_, bodies);
+    if (handlers_.on_start) handlers_.on_start(scene_, bodies_);
     next(&TrajectoryReader::read_tag, 1);
 }
 
@@ -217,7 +181,7 @@ void TrajectoryReader::read_frame(Cursor& bytes)
         state.orientation.v = bytes.take<Vector3d>();
         state.velocity = bytes.take<Vector3d>();
         state.angular_momentum = bytes.take<Vector3d>();
-        check_finite(state, frame_.step, body.name);
+        check_state(state, frame_.step, body.name);
         frame_.bodies.push_back(state);
     }
     const std::size_t contacts =
@@ -247,6 +211,11 @@ void TrajectoryReader::read_contacts(Cursor& bytes)
         check_finite(contact.impulse, where, "impulse");
         frame_.contacts.push_back(contact);
     }
+    next_solid();
+}
+
+void TrajectoryReader::finish_frame()
+{
     if (handlers_.on_frame) handlers_.on_frame(std::move(frame_));
     next(&TrajectoryReader::read_tag, 1);
 }

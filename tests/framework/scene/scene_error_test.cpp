@@ -170,8 +170,8 @@ TEST_CASE("scene: a body that cannot be is refused")
 
 TEST_CASE("scene: settings that contradict each other are refused")
 {
-    CHECK(refusal("{}") == ":1: expected \"bodies\" in the scene, found none");
-    CHECK(refusal("{\n\"bodies\": []}") == ":2: expected at least one body, found []");
+    CHECK(refusal("{}") == ":1: expected \"bodies\" or \"solids\" in the scene, found none");
+    CHECK(refusal("{\n\"bodies\": []}") == ":2: expected at least one body or solid, found []");
     CHECK(refused_scene("\"time_step\": 0") == ":5: expected a time step > 0, found 0");
     CHECK(refused_scene("\"time_step\": 1,\n\"end\": 0.5") ==
           ":6: expected an end of at least one time step (1 s), found 0.5");

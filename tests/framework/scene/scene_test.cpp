@@ -218,6 +218,8 @@ TEST_CASE("scene: the handbook's examples are what they say")
     CHECK(scene.bodies.size() == 3);
     const std::string hammer = block(text.find("Example of a compound body"));
     CHECK(parse_scene("{\"bodies\": [" + hammer + "]}", "hammer").bodies.at(0).parts.size() == 2);
+    const Scene bar = parse_scene(block(text.find("## Deformable solids")), "bar");
+    CHECK(bar.solids.at(0).handles.size() == 2);
 }
 
 TEST_CASE("scene: the handbook explains every key in the words of the table")
