@@ -44,6 +44,24 @@ struct Model {
     std::vector<Instance> instances;
 };
 
+/// A corner of a triangle of a surface that deforms, in the world.
+struct SkinVertex {
+    Vector3f position, normal;                 // [m]
+    Vector3f edges = Vector3f::Constant(1e6F); // as of a surface
+    Vector4f color = Vector4f::Ones();         // linear red, green, blue, opacity
+};
+
+/// What colors mean: a bar at the right border, with numbers.
+struct ColorScale {
+    std::string title;            // with the unit
+    std::vector<Vector4f> colors; // from the low end up, linear
+    struct Tick {
+        float place = 0; // 0 at the low end, 1 at the high one
+        std::string text;
+    };
+    std::vector<Tick> ticks;
+};
+
 /// A plane through `position`, its normal the y axis, with a grid of lines.
 struct Ground {
     Matrix3f axes = Matrix3f::Identity(); // a rotation
@@ -70,11 +88,14 @@ struct Picture {
     std::vector<Model> models;                      // likewise
     std::vector<Instance> ghost_boxes, ghost_balls; // translucent
     std::vector<Model> ghost_models;
+    std::vector<SkinVertex> skins;       // of deforming solids, three a triangle; cast shadows
+    std::vector<SkinVertex> ghost_skins; // translucent
     // Overlays: cylinders and cones with base 0 and tip z = 1, small balls. Their opacity is that of
     // what lies behind a body; the rest is opaque.
     std::vector<Instance> rods, cones, dots;
     std::vector<Ground> grounds;
     std::vector<Text> texts;
+    std::optional<ColorScale> color_scale;
 };
 
 /// Linear light of an sRGB color, opaque unless said.

@@ -34,6 +34,9 @@ Stage::Stage(const Scene& scene, const std::vector<RecordedBody>& bodies, const 
         if (!actor.is_static)
             lowest = std::min(lowest, scene.bodies[i].position.y() - 1.5 * actor.radius);
     }
+    add_solids();
+    for (std::size_t i = 0; i < scene.solids.size(); ++i)
+        lowest = std::min(lowest, scene.solids[i].position.y() - 1.5 * solid_radii_[i]);
     start_.eye = scene.camera.position.cast<float>();
     start_.target = scene.camera.target.cast<float>();
     start_.field_of_view = static_cast<float>(scene.camera.field_of_view);
@@ -132,6 +135,9 @@ Picture Stage::empty_picture(const Frame& frame) const
     if (frame.bodies.size() != actors_.size())
         throw InputError(fmt::format("{}: step {}: expected {} bodies, found {}", scene_.name,
                                      frame.step, actors_.size(), frame.bodies.size()));
+    if (frame.solids.size() != solid_colors_.size())
+        throw InputError(fmt::format("{}: step {}: expected {} solids, found {}", scene_.name,
+                                     frame.step, solid_colors_.size(), frame.solids.size()));
     return start_;
 }
 
@@ -142,6 +148,7 @@ Picture Stage::picture(const Frame& frame) const
         add_body(picture, actors_[i], frame.bodies[i], false);
         add_arrows(picture, actors_[i], frame.bodies[i]);
     }
+    if (!frame.solids.empty()) draw_solids(picture, frame);
     add_springs(picture, frame);
     if (overlays_.contacts) add_contacts(picture, frame);
     if (overlays_.axes || overlays_.angular_velocity || overlays_.angular_momentum ||
@@ -172,13 +179,19 @@ Picture Stage::comparison(const Frame& frame, const Frame& other, const std::str
             add_rod(result, state1.position.cast<float>(), state2.position.cast<float>(),
                     0.8F * thickness_, colors::difference);
     }
+    for (std::size_t i = 0; i < frame.solids.size(); ++i)
+        if (lies_apart(i, frame.solids[i], other.solids[i])) {
+            ++apart;
+            add_ghost(result, other.solids[i]);
+        }
     if (result.texts.empty()) add_title(result, frame);
     const auto line = [&](const std::string& text, const Vector4f& color) {
         result.texts.push_back({text, colors::opaque(color), false, {}});
     };
     line(fmt::format("■ {}", name), colors::dark);
     line(fmt::format("□ {}", other_name), colors::ghostly);
-    line(fmt::format("{} of {} bodies lie apart", apart, actors_.size()), colors::difference);
+    line(fmt::format("{} of {} bodies lie apart", apart, actors_.size() + frame.solids.size()),
+         colors::difference);
     return result;
 }
 

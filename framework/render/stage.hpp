@@ -43,10 +43,24 @@ private:
         Vector4f color;
     };
 
+    /// What the colors of solids mean in a picture.
+    struct Colors {
+        SolidColors kind = SolidColors::color;
+        std::array<double, 2> range = {0, 1};
+    };
+
     void add_actor(const BodyDescription& body, const RecordedBody& recorded);
     int model_of(const Shape& shape);
     Picture empty_picture(const Frame& frame) const;
     void add_body(Picture& picture, const Actor& actor, const RigidState& state, bool ghost) const;
+
+    // stage_solids.cpp
+    void add_solids();
+    Colors solid_colors(const std::vector<std::vector<float>>& values) const;
+    void draw_solids(Picture& picture, const Frame& frame) const;
+    void add_color_scale(Picture& picture, const Colors& colors) const;
+    bool lies_apart(std::size_t solid, const SolidFrame& frame, const SolidFrame& other) const;
+    void add_ghost(Picture& picture, const SolidFrame& solid) const;
 
     // stage_overlays.cpp
     void add_arrows(Picture& picture, const Actor& actor, const RigidState& state) const;
@@ -59,6 +73,8 @@ private:
     Scene scene_;
     Overlays overlays_;
     std::vector<Actor> actors_;
+    std::vector<Vector4f> solid_colors_;      // of each deformable solid
+    std::vector<double> solid_radii_;         // around the middle of each, at first [m]
     std::map<SurfaceKey, int> model_numbers_; // among the picture's models
     Picture start_;           // camera and, where the scene has no plane, lines to see motion by
     float thickness_ = 0.01F; // of a rod [m]

@@ -148,6 +148,14 @@ void Stage::add_names(Picture& picture, const Frame& frame) const
         if (in_sight(above))
             picture.texts.push_back({actors_[i].name, colors::dark, false, above.cast<float>()});
     }
+    for (std::size_t i = 0; i < frame.solids.size(); ++i) {
+        Vector3d above = frame.solids[i].totals.center_of_mass;
+        for (const Vector3d& x : frame.solids[i].positions)
+            above.y() = std::max(above.y(), x.y() + 2.5 * thickness_);
+        if (in_sight(above))
+            picture.texts.push_back(
+                {scene_.solids[i].name, colors::dark, false, above.cast<float>()});
+    }
 }
 
 } // namespace rigor

@@ -20,6 +20,12 @@
 namespace rigor {
 namespace {
 
+void send(std::optional<SkinDrawing>& skins, std::span<const SkinVertex> triangles)
+{
+    if (!triangles.empty() && !skins) skins.emplace();
+    if (skins) skins->send(triangles);
+}
+
 class Drawing final : public Renderer {
 public:
     Drawing(int width, int height)
@@ -49,6 +55,7 @@ private:
         GlBuffer view;
         GlArrays no_attributes;
         FlatDrawing ground;
+        std::optional<SkinDrawing> skins, ghost_skins;
         std::optional<ShadowMap> shadow_map;
         std::optional<Lettering> lettering;
         std::map<std::string, Program> programs;
@@ -65,6 +72,7 @@ private:
     void draw_solids(Solid solid, std::span<const Instance> instances);
     void draw_balls(const Picture& picture, std::span<const Instance> balls);
     void draw_models(std::span<const Model> models, Look look, const std::string& definitions);
+    void draw_skins(const std::optional<SkinDrawing>& skins, const std::string& definitions);
     void draw_shadows(const Picture& picture);
     void draw_bodies(const Picture& picture);
     void draw_ghosts(const Picture& picture);
@@ -142,11 +150,18 @@ void Drawing::draw_models(std::span<const Model> models, Look look, const std::s
     }
 }
 
+void Drawing::draw_skins(const std::optional<SkinDrawing>& skins, const std::string& definitions)
+{
+    if (!skins) return;
+    use(Look::model, definitions + "#define CONTRAST 0.0\n#define TINT smooth\n");
+    skins->draw();
+}
+
 void Drawing::draw_shadows(const Picture& picture)
 {
     shadows_.clear();
-    const bool has_casters =
-        !picture.boxes.empty() || !picture.balls.empty() || !picture.models.empty();
+    const bool has_casters = !picture.boxes.empty() || !picture.balls.empty() ||
+                             !picture.models.empty() || !picture.skins.empty();
     if (!picture.shadows || !has_casters) return;
     shadows_ = "#define SHADOWS\n";
     if (!parts_->shadow_map) parts_->shadow_map.emplace();
@@ -157,6 +172,8 @@ void Drawing::draw_shadows(const Picture& picture)
     draw_solids(Solid::cube, picture.boxes);
     draw_solids(Solid::ball, picture.balls);
     draw_models(picture.models, Look::shadow, "");
+    use(Look::shadow, "");
+    if (parts_->skins) parts_->skins->draw();
     glDisable(GL_POLYGON_OFFSET_FILL);
     parts_->shadow_map->bind();
 }
@@ -172,6 +189,7 @@ void Drawing::draw_bodies(const Picture& picture)
         draw_balls(picture, picture.balls);
     }
     draw_models(picture.models, Look::model, shadows_);
+    draw_skins(parts_->skins, shadows_);
 }
 
 void Drawing::draw_ghosts(const Picture& picture)
@@ -185,6 +203,7 @@ void Drawing::draw_ghosts(const Picture& picture)
         draw_balls(picture, picture.ghost_balls);
     }
     draw_models(picture.ghost_models, Look::model, "#define GHOST\n");
+    draw_skins(parts_->ghost_skins, "#define GHOST\n");
 }
 
 void Drawing::draw_overlays(const Picture& picture, const std::string& definitions)
@@ -238,6 +257,8 @@ Image Drawing::draw(const Picture& picture)
     glDepthFunc(GL_LEQUAL);
     glDepthMask(GL_TRUE);
     glDisable(GL_CULL_FACE); // both sides cast
+    send(parts_->skins, picture.skins);
+    send(parts_->ghost_skins, picture.ghost_skins);
     draw_shadows(picture);
 
     glEnable(GL_CULL_FACE);
@@ -261,7 +282,7 @@ Image Drawing::draw(const Picture& picture)
     draw_overlays(picture, "#define THROUGH\n");
 
     parts_->target.resolve();
-    if (!picture.texts.empty()) {
+    if (!picture.texts.empty() || picture.color_scale) {
         if (!parts_->lettering) parts_->lettering.emplace(width_, height_);
         parts_->lettering->draw(picture, view);
     }

@@ -83,6 +83,29 @@ void Lettering::add_label(const Text& text, const View& view)
     add_line(text, size, x - width_of(text, size) / 2, y - 0.25F * static_cast<float>(size));
 }
 
+// At the right border, its numbers to the right of it, its title above.
+void Lettering::draw_scale(const ColorScale& scale)
+{
+    const auto pixels = [](int n) { return static_cast<float>(n); };
+    const auto label = [](const std::string& text) {
+        return Text{text, Vector4f(0.022F, 0.033F, 0.055F, 1), false, {}};
+    };
+    const float border = pixels(width_) - 0.8F * pixels(large_), step = 0.5F * pixels(small_);
+    float widest = 0;
+    for (const ColorScale::Tick& tick : scale.ticks)
+        widest = std::max(widest, width_of(label(tick.text), small_));
+    const float left = std::round(border - widest - 3.6F * step);
+    const BarPlace place{left, left + std::round(2 * step), std::round(0.28F * pixels(height_)),
+                         std::round(0.74F * pixels(height_))};
+    const Text title = label(scale.title);
+    add_line(title, small_, border - width_of(title, small_), place.top - 1.4F * step);
+    for (const ColorScale::Tick& tick : scale.ticks)
+        add_line(label(tick.text), small_, place.right + 1.6F * step,
+                 place.at(tick.place) + 0.7F * step);
+    if (!bar_) bar_.emplace();
+    bar_->draw(scale, place);
+}
+
 void Lettering::upload()
 {
     glBindTexture(GL_TEXTURE_2D, atlas_);
@@ -107,6 +130,7 @@ void Lettering::draw(const Picture& picture, const View& view)
         add_line(text, size, margin, y + 0.8F * static_cast<float>(size));
         y += 1.3F * static_cast<float>(size);
     }
+    if (picture.color_scale) draw_scale(*picture.color_scale);
     if (corners_.empty()) return;
     upload();
     glBindVertexArray(arrays_);

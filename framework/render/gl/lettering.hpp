@@ -2,11 +2,13 @@
 // The texts of a picture, pixel by pixel on the finished picture.
 #pragma once
 
+#include "render/gl/color_bar.hpp"
 #include "render/gl/font.hpp"
 #include "render/gl/gl.hpp"
 #include "render/gl/shaders.hpp"
 #include "render/picture.hpp"
 
+#include <optional>
 #include <vector>
 
 namespace rigor {
@@ -23,6 +25,7 @@ private:
     };
     void add_line(const Text& text, int size, float x, float y);
     void add_label(const Text& text, const View& view);
+    void draw_scale(const ColorScale& scale);
     float width_of(const Text& text, int size);
     int size_of(const Text& text) const { return text.large ? large_ : small_; }
     void upload();
@@ -36,6 +39,7 @@ private:
     GlArrays arrays_;
     GlBuffer buffer_;
     std::vector<Corner> corners_;
+    std::optional<ColorBar> bar_;
 };
 
 } // namespace rigor

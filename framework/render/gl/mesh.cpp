@@ -123,6 +123,35 @@ void SolidDrawing::draw(std::span<const Instance> instances)
     glDrawArraysInstanced(GL_TRIANGLES, 0, count_, static_cast<GLsizei>(instances.size()));
 }
 
+SkinDrawing::SkinDrawing()
+{
+    glBindVertexArray(arrays_);
+    glBindBuffer(GL_ARRAY_BUFFER, vertices_);
+    attribute(0, 3, sizeof(SkinVertex), offsetof(SkinVertex, position), 0);
+    attribute(1, 3, sizeof(SkinVertex), offsetof(SkinVertex, normal), 0);
+    attribute(7, 3, sizeof(SkinVertex), offsetof(SkinVertex, edges), 0);
+    attribute(6, 4, sizeof(SkinVertex), offsetof(SkinVertex, color), 0);
+}
+
+void SkinDrawing::send(std::span<const SkinVertex> triangles)
+{
+    count_ = static_cast<GLsizei>(triangles.size());
+    glBindBuffer(GL_ARRAY_BUFFER, vertices_);
+    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(triangles.size_bytes()), triangles.data(),
+                 GL_STREAM_DRAW);
+}
+
+void SkinDrawing::draw() const
+{
+    if (count_ == 0) return;
+    glBindVertexArray(arrays_);
+    glVertexAttrib3f(2, 1, 0, 0); // of one instance, which stands where its corners say
+    glVertexAttrib3f(3, 0, 1, 0);
+    glVertexAttrib3f(4, 0, 0, 1);
+    glVertexAttrib3f(5, 0, 0, 0);
+    glDrawArrays(GL_TRIANGLES, 0, count_);
+}
+
 FlatDrawing::FlatDrawing()
 {
     glBindVertexArray(arrays_);

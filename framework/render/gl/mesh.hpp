@@ -31,6 +31,19 @@ private:
     GLsizei count_;
 };
 
+/// Triangles in the world, sent anew for each picture.
+class SkinDrawing {
+public:
+    SkinDrawing();
+    void send(std::span<const SkinVertex> triangles);
+    void draw() const;
+
+private:
+    GlArrays arrays_;
+    GlBuffer vertices_;
+    GLsizei count_ = 0;
+};
+
 /// Triangles on a ground, sent anew for each picture.
 class FlatDrawing {
 public:

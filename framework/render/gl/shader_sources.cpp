@@ -39,6 +39,13 @@ vec3 lit(vec3 color, vec3 point, vec3 normal, float gloss) {
 }
 )";
 
+// A color is that of an instance, or goes over from corner to corner.
+constexpr const char* tint = R"(
+#ifndef TINT
+#define TINT flat
+#endif
+)";
+
 constexpr const char* solid_vertex = R"(
 layout(location = 0) in vec3 corner;
 layout(location = 1) in vec3 corner_normal;
@@ -56,7 +63,7 @@ out vec3 normal;
 out vec3 local;
 flat out vec3 side_x, side_y, side_z; // unit
 flat out vec3 half_size;
-flat out vec4 color;
+TINT out vec4 color;
 void main() {
     point = mat3(axis_x, axis_y, axis_z) * corner + place;
     half_size = vec3(length(axis_x), length(axis_y), length(axis_z));
@@ -79,7 +86,7 @@ in vec3 normal;
 in vec3 local;
 flat in vec3 side_x, side_y, side_z;
 flat in vec3 half_size;
-flat in vec4 color;
+TINT in vec4 color;
 out vec4 pixel;
 )";
 
@@ -227,50 +234,21 @@ void main() {
 }
 )";
 
-constexpr const char* text_vertex = R"(
-layout(location = 0) in vec4 place; // on the screen, in the atlas [pixels]
-layout(location = 1) in vec4 ink;
-out vec2 at;
-flat out vec4 color;
-void main() {
-    at = place.zw;
-    color = ink;
-    gl_Position = vec4(place.xy / screen.xy * 2.0 - 1.0, 0.0, 1.0);
-}
-)";
-
-// Letters with a pale rim, to be read on anything.
-constexpr const char* text_fragment = R"(
-uniform sampler2D atlas;
-in vec2 at;
-flat in vec4 color;
-out vec4 pixel;
-void main() {
-    ivec2 here = ivec2(floor(at));
-    float rim = 0.0;
-    for (int i = -1; i <= 1; ++i)
-        for (int j = -1; j <= 1; ++j)
-            rim = max(rim, texelFetch(atlas, here + ivec2(i, j), 0).r * (i * j == 0 ? 1.0 : 0.7));
-    float letter = texelFetch(atlas, here, 0).r;
-    float alpha = max(letter, 0.75 * rim) * color.a;
-    pixel = vec4(mix(vec3(0.98), color.rgb, letter), alpha);
-}
-)";
-
 } // namespace
 
 ShaderSource source(Look look)
 {
-    const std::string solid = std::string(lighting) + solid_inputs;
+    const std::string solid = std::string(tint) + lighting + solid_inputs;
+    const std::string corners = std::string(tint) + solid_vertex;
     switch (look) {
     case Look::box:
-        return {solid_vertex, solid + box_fragment};
+        return {corners, solid + box_fragment};
     case Look::ball:
-        return {solid_vertex, solid + ball_fragment};
+        return {corners, solid + ball_fragment};
     case Look::model:
-        return {std::string("#define EDGES\n") + solid_vertex, solid + model_fragment};
+        return {"#define EDGES\n" + corners, solid + model_fragment};
     case Look::overlay:
-        return {solid_vertex, std::string(solid_inputs) + overlay_fragment};
+        return {corners, std::string(tint) + solid_inputs + overlay_fragment};
     case Look::ground:
         return {ground_vertex, std::string(sky) + lighting + ground_fragment};
     case Look::background:
@@ -278,7 +256,8 @@ ShaderSource source(Look look)
     case Look::shadow:
         return {shadow_vertex, "void main() {}\n"};
     case Look::text:
-        return {text_vertex, text_fragment};
+    case Look::patch:
+        return letter_source(look);
     case Look::count:
         break;
     }

@@ -8,7 +8,7 @@
 
 namespace rigor {
 
-enum class Look { box, ball, model, overlay, ground, background, shadow, text, count };
+enum class Look { box, ball, model, overlay, ground, background, shadow, text, patch, count };
 
 /// What one picture's shaders share, in the layout of their uniform block (std140).
 struct View {
@@ -23,6 +23,7 @@ struct ShaderSource {
     std::string vertex, fragment;
 };
 ShaderSource source(Look look);
+ShaderSource letter_source(Look look); // of text and patches
 
 /// A compiled look. `definitions` are names its source asks for: SHADOWS, GHOST, CONTRAST, THROUGH.
 /// @throws std::runtime_error with the compiler's words
