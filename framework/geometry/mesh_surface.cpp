@@ -69,14 +69,14 @@ void MeshSurface::add_edges(const TriangleMesh& mesh, const std::vector<Vector3d
     for (const MeshEdge& edge : mesh_edges(mesh, normals)) {
         const Vector3d &from = mesh.vertices[edge.from], &to = mesh.vertices[edge.to];
         const Vector3d &n1 = normals[edge.left], &n2 = normals[edge.right];
-        // a thin wedge bends by almost 180 degrees: its sine is small again
-        const bool is_sharp = edge.bend > sharp || (edge.bend > 0 && n1.dot(n2) < 0);
-        if (!is_sharp) continue;
+        const bool is_convex = edge.bend > same;
+        if (!is_convex) continue;
         const Vector3d along = (to - from).normalized();
         // into the faces, away from the edge
         const Vector3d into1 = n1.cross(along), into2 = along.cross(n2);
         const int cone = add_cone({n1, n2}, {along, -along, into1, into2});
-        edges_.push_back({from, to, n1, n2, cone});
+        // a thin wedge bends by almost 180 degrees: its sine is small again
+        if (edge.bend > sharp || n1.dot(n2) < 0) edges_.push_back({from, to, n1, n2, cone});
         const int pieces = static_cast<int>(std::ceil((to - from).norm() / spacing_));
         for (int i = 1; i < pieces; ++i)
             points_.push_back({from + static_cast<double>(i) / pieces * (to - from), cone});

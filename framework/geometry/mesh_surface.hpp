@@ -22,9 +22,9 @@ struct SharpEdge {
     int cone = 0;
 };
 
-/// Points about a spacing apart along edges and two on faces, and the edges at which the surface bends by more than ten
-/// degrees, in trees. Edges and faces that the surface bends away from are left out: what sticks out
-/// elsewhere gets there first.
+/// Points about a spacing apart on faces and along edges that bend outwards, and the edges that do so
+/// by more than ten degrees, in trees. Edges and faces that the surface bends away from are left out:
+/// what sticks out elsewhere gets there first.
 class MeshSurface {
 public:
     /// @param spacing  > 0 [m]

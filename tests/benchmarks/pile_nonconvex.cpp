@@ -18,7 +18,7 @@ namespace rigor {
 
 namespace {
 
-constexpr int layers = 5, falling = 120, lying = 120,
+constexpr int layers = 5, falling = 90, lying = 60,
               sampled = 10;         // steps; every tenth is looked into
 constexpr double spacing = 1.4;     // [m]
 constexpr double most_beyond = 0.1; // exponent of the time over N log N

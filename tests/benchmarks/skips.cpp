@@ -60,7 +60,7 @@ void measure(Bench& bench, const SkipCase& skip)
 int main(int argc, char** argv)
 {
     Bench bench("skips");
-    for (const auto& cases : {switchable_skips, built_in_skips, process_skips})
+    for (const auto& cases : {switchable_skips, built_in_skips, mesh_skips, process_skips})
         for (const SkipCase& skip : cases())
             measure(bench, skip);
     bench.note("Each pair runs in turns, " + std::to_string(rounds) +

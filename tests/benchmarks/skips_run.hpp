@@ -33,7 +33,9 @@ SkipRun run_steps(const World& world, int steps, std::uint64_t Counters::*counte
 std::vector<SkipCase> switchable_skips();
 /// Those that a scene cannot turn off: against a scene that means the same, or the work done plainly.
 std::vector<SkipCase> built_in_skips();
-/// What a process does not load, and meshes that nobody asks.
+/// Level sets that no scene asked for.
+std::vector<SkipCase> mesh_skips();
+/// What a process does not load.
 std::vector<SkipCase> process_skips();
 
 } // namespace rigor

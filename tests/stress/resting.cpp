@@ -59,6 +59,16 @@ World pyramid()
     return world_of(std::move(bodies));
 }
 
+// Bricks 2 × 1 × 1 in bond, eight in a row: the ends of every other row stand over by half a brick.
+World brick_wall()
+{
+    std::vector<RigidBody> bodies = {ground()};
+    for (int row = 0; row < 8; ++row)
+        for (int i = 0; i < 8; ++i)
+            bodies.push_back(body_of(Box{{2, 1, 1}}, {2.02 * i + 0.5 * (row % 2), row + 0.5, 0}));
+    return world_of(std::move(bodies));
+}
+
 // Where each body of `world` went, for every numbering of the bodies.
 std::vector<Vector3d> places_after(const World& world, const std::vector<int>& order,
                                    Record& record)
@@ -102,6 +112,8 @@ void add_resting(Suite& suite)
     add_stacks(suite);
     suite.push_back({"stacks, h = 1/60 s, 10 s, no sleep", "pyramid of 15 cubes", false,
                      [](Record& record) { stand(record, pyramid(), 1); }});
+    suite.push_back({"stacks, h = 1/60 s, 10 s, no sleep", "wall of 64 bricks", false,
+                     [](Record& record) { stand(record, brick_wall(), 1); }});
     add_heavy(suite);
     suite.push_back({"order of the bodies shuffled, 4 times", "stack of 10 cubes", false,
                      [](Record& record) { shuffle_bodies(record, stack(10)); }});

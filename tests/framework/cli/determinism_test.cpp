@@ -5,20 +5,23 @@
 
 #include <nlohmann/json.hpp>
 
+#include <filesystem>
+
 namespace rigor::testing {
 
 namespace {
 
-std::string hash_of(const std::vector<std::string>& more = {})
+const std::string tree = RIGOR_SOURCE_DIR;
+const std::vector<std::string> hammer = {"a2-inertia/hammer", "--with",
+                                         tree + "/tests/samples/complete"};
+
+std::string hash_of(const std::vector<std::string>& scene,
+                    const std::vector<std::string>& more = {})
 {
     std::string output;
     Command command;
-    command.arguments = {std::string(RIGOR_BINARY_DIR) + "/bin/rigor",
-                         "simulate",
-                         "a2-inertia/hammer",
-                         "--with",
-                         std::string(RIGOR_SOURCE_DIR) + "/tests/samples/complete",
-                         "--json"};
+    command.arguments = {std::string(RIGOR_BINARY_DIR) + "/bin/rigor", "simulate", "--json"};
+    command.arguments.insert(command.arguments.end(), scene.begin(), scene.end());
     command.arguments.insert(command.arguments.end(), more.begin(), more.end());
     const Ended ended =
         run(command, [&](std::string_view line) { output += std::string(line) + "\n"; });
@@ -31,11 +34,20 @@ std::string hash_of(const std::vector<std::string>& more = {})
 
 TEST_CASE("determinism: simulate tells the same hash every time", "[cli][scene]")
 {
-    const std::string hash = hash_of();
+    const std::string hash = hash_of(hammer);
     REQUIRE(hash.size() == 16);
     REQUIRE(hash.find_first_not_of("0123456789abcdef") == std::string::npos);
-    REQUIRE(hash_of() == hash);
-    REQUIRE(hash_of({"--every-step"}) != hash); // more frames were recorded
+    REQUIRE(hash_of(hammer) == hash);
+    REQUIRE(hash_of(hammer, {"--every-step"}) != hash); // more frames were recorded
+}
+
+TEST_CASE("determinism: simulate tells the same hash for any number of threads", "[cli][scene]")
+{
+    if (!std::filesystem::is_directory(tree + "/reference")) return;
+    const std::vector<std::string> scene = {"a4-collision/billiard_break", "--with", "reference"};
+    const std::string hash = hash_of(scene);
+    REQUIRE(hash_of(scene, {"--threads", "2"}) == hash);
+    REQUIRE(hash_of(scene, {"--threads", "3"}) == hash);
 }
 
 } // namespace rigor::testing

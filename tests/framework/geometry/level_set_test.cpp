@@ -58,7 +58,8 @@ const std::vector<TriangleMesh>& solids()
                                                   bowl_mesh(1, 0.2, 12),
                                                   gear_mesh(8, 1, 0.3, 0.3),
                                                   angle_mesh({1, 1, 0.4}, 0.3),
-                                                  voussoir_mesh(1, 1.4, 30, 0.5)};
+                                                  voussoir_mesh(1, 1.4, 30, 0.5),
+                                                  ring_mesh(0.2, 0.3, 2, 48)};
     return all;
 }
 

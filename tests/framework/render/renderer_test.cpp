@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "pictures.hpp"
+#include "render/surfaces.hpp"
 #include "scene/scene.hpp"
 #include "support/catch.hpp"
 
+#include <cmath>
 #include <cstdio>
+#include <utility>
 
 using namespace rigor;
 
@@ -51,6 +54,35 @@ TEST_CASE("render: a red box is red and a blue one blue", "[render]")
     CHECK(b.pixel(80, 60)[2] > b.pixel(80, 60)[0] + 60);
     CHECK(brightness(a.pixel(2, 2)) > 600); // the pale sky
     CHECK(largest_difference(a, b) > 60);
+}
+
+TEST_CASE("render: a ring has a hole to look through and casts its shadow", "[render]")
+{
+    Picture picture;
+    picture.eye = Vector3f(0, 6, 0.01F);
+    picture.grounds.push_back({Matrix3f::Identity(), Vector3f(0, -1, 0), true, false});
+    const auto surface = std::make_shared<Surface>(surface_of(Torus{1, 0.3}));
+    picture.models.push_back({surface, {{Matrix3f::Identity(), Vector3f::Zero(), red}}});
+    const Image image = drawn(picture, 240, 240);
+    const auto is_red = [&](const Vector3f& p) {
+        const Eigen::Vector2f at = on_screen(picture, p, 240, 240);
+        const auto* pixel = image.pixel(static_cast<int>(at.x()), static_cast<int>(at.y()));
+        return pixel[0] > pixel[1] + 10; // the ground is bluish
+    };
+    for (int i = 0; i < 8; ++i) { // in both tones of its octants
+        const float angle = 0.2F + 0.785F * static_cast<float>(i);
+        const Vector3f out(std::cos(angle), 0, std::sin(angle));
+        CHECK(is_red(out));
+        CHECK_FALSE(is_red(0.5F * out));
+        CHECK_FALSE(is_red(1.5F * out));
+    }
+    Picture without = picture;
+    without.shadows = false;
+    CHECK(largest_difference(image, drawn(without, 240, 240)) > 40);
+    picture.ghost_models = std::exchange(picture.models, {});
+    const Image ghost = drawn(picture, 240, 240);
+    picture.ghost_models.clear();
+    CHECK(largest_difference(ghost, drawn(picture, 240, 240)) > 20);
 }
 
 TEST_CASE("render: the picture stands upright", "[render]")

@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: MIT
+#include "geometry/generators.hpp"
+#include "geometry/signed_distance.hpp"
+#include "geometry/solid_mesh.hpp"
 #include "pictures.hpp"
 #include "render/stage.hpp"
+#include "render/surfaces.hpp"
 #include "support/catch.hpp"
 
+#include <algorithm>
 #include <numbers>
 
 using namespace rigor;
@@ -27,6 +32,79 @@ TEST_CASE("stage: each part becomes a solid where its body is", "[render]")
     CHECK((picture.boxes[0].axes.col(0) - Vector3f(0, 0.5F, 0)).norm() < 1e-6F);
     CHECK((picture.balls[0].axes - 0.5F * Matrix3f::Identity()).norm() < 1e-6F);
     CHECK((picture.boxes[0].color - picture.balls[0].color).norm() > 0.1F);
+}
+
+TEST_CASE("stage: shapes of one make are drawn from one surface", "[render]")
+{
+    SmallRun run = small_run();
+    const auto cross = std::make_shared<SolidMesh>(cross_mesh(1, 0.3));
+    const auto add = [&](const Shape& shape) {
+        run.scene.bodies.push_back(run.scene.bodies[1]);
+        run.scene.bodies.back().parts[0].shape = shape;
+        run.bodies.push_back(run.bodies[1]);
+        run.frame.bodies.push_back(run.frame.bodies[1]);
+    };
+    for (const Shape& shape : {Shape(Cylinder{1, 2}), Shape(Cylinder{1, 2}), Shape(Cylinder{1, 3}),
+                               Shape(Cone{1, 2}), Shape(Capsule{1, 2}), Shape(Torus{2, 1}),
+                               Shape(Mesh{cross}), Shape(Mesh{cross}), Shape(Ellipsoid{{1, 2, 3}})})
+        add(shape);
+    const Picture picture = Stage(run.scene, run.bodies, Overlays()).picture(run.frame);
+    REQUIRE(picture.models.size() == 6);
+    std::vector<std::size_t> instances;
+    for (const Model& model : picture.models)
+        instances.push_back(model.instances.size());
+    CHECK(instances == std::vector<std::size_t>{2, 1, 1, 1, 1, 2});
+    CHECK(picture.boxes.size() == 1);
+    REQUIRE(picture.balls.size() == 2); // the ellipsoid is one
+    CHECK((picture.balls[1].axes.colwise().norm().transpose() - Vector3f(1, 2, 3)).norm() < 1e-5F);
+}
+
+TEST_CASE("stage: a surface has the size of its shape and normals that point out of it", "[render]")
+{
+    for (const Shape& shape :
+         {Shape(Cylinder{1, 2}), Shape(Cone{1, 2}), Shape(Capsule{1, 2}), Shape(Torus{2, 1})}) {
+        CAPTURE(shape.index());
+        const Surface surface = surface_of(shape);
+        REQUIRE(surface.triangles.size() > 100);
+        for (std::size_t i = 0; i < surface.triangles.size(); i += 3) {
+            const auto corner = [&](std::size_t k) {
+                return Vector3d(
+                    (surface.triangles[i + k].position + surface.center).cast<double>());
+            };
+            const Vector3d face = (corner(1) - corner(0)).cross(corner(2) - corner(0)).normalized();
+            for (std::size_t k = 0; k < 3; ++k) {
+                const SurfaceVertex& v = surface.triangles[i + k];
+                REQUIRE(std::abs(signed_distance(shape, corner(k)).distance) < 1e-5);
+                REQUIRE(std::abs(v.normal.norm() - 1) < 1e-5F);
+                REQUIRE(v.normal.cast<double>().dot(face) > 0.8);
+                REQUIRE(v.position.norm() <= surface.radius);
+            }
+        }
+    }
+}
+
+TEST_CASE("stage: sharp edges are marked and smooth ones are not", "[render]")
+{
+    const auto marked = [](const Shape& shape) {
+        std::size_t count = 0;
+        for (const SurfaceVertex& v : surface_of(shape).triangles)
+            count += v.edges.minCoeff() < 1e5F;
+        return count;
+    };
+    CHECK(marked(Torus{2, 1}) == 0);
+    CHECK(marked(Capsule{1, 2}) == 0);
+    CHECK(marked(Cylinder{1, 2}) > 0); // its rims
+    const Surface cube = surface_of(Mesh{std::make_shared<SolidMesh>(box_mesh({2, 2, 2}))});
+    for (std::size_t i = 0; i < cube.triangles.size(); i += 3) {
+        // half of a square: two edges at right angles are sharp, the diagonal is none
+        Vector3f farthest = Vector3f::Zero();
+        for (std::size_t k = 0; k < 3; ++k)
+            farthest = farthest.cwiseMax(cube.triangles[i + k].edges);
+        std::sort(farthest.data(), farthest.data() + 3);
+        CHECK(std::abs(farthest[0] - 2) < 1e-5F);
+        CHECK(std::abs(farthest[1] - 2) < 1e-5F);
+        CHECK(farthest[2] > 1e5F);
+    }
 }
 
 TEST_CASE("stage: a color that a scene names is taken", "[render]")

@@ -3,6 +3,7 @@
 #include "contact_shapes.hpp"
 #include "formulas/collision.hpp"
 #include "geometry/level_set.hpp"
+#include "rigid/non_finite.hpp"
 #include "rigid/reduce_touches.hpp"
 
 using namespace rigor;
@@ -180,6 +181,37 @@ TEST_CASE("mesh contact: an aligned block on a block of its size is held along t
     CHECK(low.z() < -0.4);
     CHECK(high.x() > 0.4);
     CHECK(high.z() > 0.4);
+}
+
+TEST_CASE("mesh contact: tubes that cross touch where no vertex is near", "[rigid]")
+{
+    const Shape tube = mesh(ring_mesh(0.2, 0.3, 3, 48)); // vertices at its ends only
+    const Pose across = turned({0, 0, 1}, 90, {0, 0.1, 0.6 - 1e-3});
+    const auto touches = touches_of(tube, {}, tube, across, 0.01);
+    REQUIRE(!touches.empty());
+    // facets: between (0.3 + 0.3) cos 3.75° and 0.6
+    CHECK(deepest(touches) < 0.6 * (1 - std::cos(3.75 * std::numbers::pi / 180)));
+    CHECK(deepest(touches) > -2e-3);
+}
+
+TEST_CASE("mesh contact: a level set that is no number is told by the body and when", "[rigid]")
+{
+    TriangleMesh endless = cross_mesh(1, 0.3);
+    for (Vector3d& v : endless.vertices)
+        v *= 1e200; // its distances overflow
+    World world = world_of({fixed(Mesh{std::make_shared<SolidMesh>(endless, "rock", 8)}, {}),
+                            body_of(mesh(cross_mesh(1, 0.3)), {0, 0, 0})});
+    world.bodies[0].name = "rock";
+    world.time = 1.5;
+    std::vector<Contact> contacts;
+    try {
+        find_contacts(world, {{}, {}}, 0, 1, 0.1, contacts);
+        FAIL("a level set of nothing was taken for one");
+    } catch (const NonFiniteState& e) {
+        CHECK(e.body == "rock");
+        CHECK(e.quantity == "signed distance of the level set");
+        CHECK(e.time == 1.5);
+    }
 }
 
 TEST_CASE("mesh contact: a ball in a corner touches both walls", "[rigid]")
