@@ -28,8 +28,8 @@ Matrix3d inverse_inertia(Integrator integrator, const RigidBody& body, const Rig
 /// The state of one body that gravity alone acts on, after a time step; without gravity if `drifts`.
 ///
 /// A body that would turn by more than a quarter turn takes equal substeps that do not
-/// (`max_time_step`). Those do not: an isotropic body with an integrator that turns it exactly, and
-/// the integrator `matrix`, which comes before that formula.
+/// (`max_time_step`). Those do not: an isotropic body with an integrator that turns it exactly, a
+/// symmetric one with the default, and the integrator `matrix`, which comes before that formula.
 RigidState fly(const World& world, const RigidBody& body, RigidState state, double time_step,
                Counters& counters, bool drifts = false);
 

@@ -30,6 +30,17 @@ Vector3d mean_angular_velocity(const Matrix3d& J, const Vector3d& L, const Vecto
            h * h * h / 24 * w2.cross(w);
 }
 
+// Two turns, see the header.
+Quaternion turned_symmetric(const RigidBody& body, const RigidState& state, double h)
+{
+    const Matrix3d& J_body = body.inverse.inverse_inertia;
+    const Vector3d& L = state.angular_momentum;
+    const double along = body.symmetry_axis.dot(J_body * body.symmetry_axis); // i + k
+    const double i = (J_body.trace() - along) / 2, k = along - i;
+    const Vector3d a = body_rotation(Integrator::runge_kutta, state) * body.symmetry_axis;
+    return advance_exact(advance_exact(state.orientation, k * L.dot(a) * a, h), i * L, h);
+}
+
 } // namespace
 
 RigidState step_under_constant_wrench(const RigidBody& body, const RigidState& state,
@@ -38,14 +49,19 @@ RigidState step_under_constant_wrench(const RigidBody& body, const RigidState& s
     const double h = time_step;
     const Vector3d A = body.inverse.inverse_mass * wrench.force;
     const Vector3d& L = state.angular_momentum;
-    const Matrix3d J = inverse_inertia(Integrator::runge_kutta, body, state);
-    const bool is_steady = body.is_isotropic && wrench.torque.isZero(0);
-    const Vector3d w = is_steady ? J * L : mean_angular_velocity(J, L, wrench.torque, h);
 
     RigidState next = state;
     next.position += h * state.velocity + h * h / 2 * A;
     next.velocity += h * A;
     next.angular_momentum += h * wrench.torque;
+    const bool is_free = wrench.torque.isZero(0);
+    if (body.is_symmetric() && is_free) {
+        next.orientation = turned_symmetric(body, state, h);
+        return next;
+    }
+    const Matrix3d J = inverse_inertia(Integrator::runge_kutta, body, state);
+    const Vector3d w =
+        body.is_isotropic && is_free ? J * L : mean_angular_velocity(J, L, wrench.torque, h);
     next.orientation = advance_exact(state.orientation, w, h);
     return next;
 }

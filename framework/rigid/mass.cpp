@@ -95,20 +95,36 @@ bool is_isotropic(const Matrix3d& inertia)
     return ((inertia - i * Matrix3d::Identity()).array().abs() <= tolerance).all();
 }
 
-BodyInertia inverse_mass_properties(double mass, const Matrix3d& inertia)
+namespace {
+
+// a, where two of the principal moments are the same to rounding.
+Vector3d symmetry_axis_of(const PrincipalAxes& axes)
 {
-    BodyInertia inverse;
-    inverse.inverse_mass = 1 / mass;
-    if (is_isotropic(inertia)) {
-        const double i = inertia.trace() / 3;
-        inverse.inverse_inertia = (i > 0 ? 1 / i : 0.0) * Matrix3d::Identity();
-        return inverse;
-    }
-    const PrincipalAxes axes = principal_axes(inertia);
-    const Matrix3d& Q = axes.rotation;
-    inverse.inverse_inertia = Q * invert_moments(axes.moments).asDiagonal() * Q.transpose();
-    return inverse;
+    const Vector3d& m = axes.moments; // ascending
+    const double tolerance = 64 * std::numeric_limits<double>::epsilon() * m.z();
+    if (m.y() - m.x() <= tolerance) return axes.rotation.col(2);
+    if (m.z() - m.y() <= tolerance) return axes.rotation.col(0);
+    return Vector3d::Zero();
 }
+
+// I_body⁻¹ = Q diag(1/m) Qᵀ, by `principal_axes` and `invert_moments`. An isotropic inertia takes the
+// short way, 1/i δ, and no formula is called.
+void invert_inertia(RigidBody& body)
+{
+    body.is_isotropic = is_isotropic(body.inertia);
+    body.symmetry_axis.setZero();
+    if (body.is_isotropic) {
+        const double i = body.inertia.trace() / 3;
+        body.inverse.inverse_inertia = (i > 0 ? 1 / i : 0.0) * Matrix3d::Identity();
+        return;
+    }
+    const PrincipalAxes axes = principal_axes(body.inertia);
+    const Matrix3d& Q = axes.rotation;
+    body.inverse.inverse_inertia = Q * invert_moments(axes.moments).asDiagonal() * Q.transpose();
+    body.symmetry_axis = symmetry_axis_of(axes);
+}
+
+} // namespace
 
 Vector3d set_mass_from_parts(RigidBody& body)
 {
@@ -132,14 +148,15 @@ void set_mass(RigidBody& body, double mass, const Matrix3d& inertia)
         body.inertia.setZero();
         body.inverse = {};
         body.is_isotropic = false;
+        body.symmetry_axis.setZero();
         return;
     }
     body.mass = mass;
     body.inertia = inertia;
     if (!std::isfinite(mass)) throw NonFiniteState(body.name, "mass", 0);
     if (!inertia.allFinite()) throw NonFiniteState(body.name, "inertia", 0);
-    body.is_isotropic = is_isotropic(inertia);
-    body.inverse = inverse_mass_properties(mass, inertia);
+    body.inverse.inverse_mass = 1 / mass;
+    invert_inertia(body);
     if (!std::isfinite(body.inverse.inverse_mass))
         throw NonFiniteState(body.name, "inverse mass", 0);
     if (!body.inverse.inverse_inertia.allFinite())

@@ -16,10 +16,6 @@ MassProperties mass_properties(const std::vector<Part>& parts);
 /// Whether I = i δ, to 64 roundings: cubes and spheres are, however they are turned. Zero is.
 bool is_isotropic(const Matrix3d& inertia);
 
-/// 1/M and I_body⁻¹ = Q diag(1/m) Qᵀ, by `principal_axes` and `invert_moments`. An isotropic
-/// inertia takes the short way: 1/i δ, and no formula is called.
-BodyInertia inverse_mass_properties(double mass, const Matrix3d& inertia);
-
 /// Gives a body its mass from its parts' densities, and moves the parts so that object space has its
 /// origin at the center of mass. A static body is left alone: its origin stays.
 ///
@@ -27,7 +23,8 @@ BodyInertia inverse_mass_properties(double mass, const Matrix3d& inertia);
 /// @throws NonFiniteState if a formula did not return a number
 Vector3d set_mass_from_parts(RigidBody& body);
 
-/// Gives a body this mass and inertia about the origin of object space, its center of mass.
+/// Gives a body this mass and inertia about the origin of object space, its center of mass, and what
+/// follows from them: 1/M, I_body⁻¹ through its principal axes, and how far it is symmetric.
 ///
 /// @throws NonFiniteState if a formula did not return a number
 void set_mass(RigidBody& body, double mass, const Matrix3d& inertia);

@@ -35,8 +35,12 @@ struct RigidBody {
     Matrix3d inertia = Matrix3d::Zero(); // I_body, about the center of mass [kg m²]
     BodyInertia inverse;       // computed once, through the principal axes; zero if static
     bool is_isotropic = false; // I_body = i δ: then I(t)⁻¹ = I_body⁻¹
+    // a, unit, in object space, where I_body⁻¹ = i δ + k a aᵀ, as of what is turned about a; else zero
+    Vector3d symmetry_axis = Vector3d::Zero();
     RigidState state;
     Rest rest;
+
+    bool is_symmetric() const { return !symmetry_axis.isZero(0); }
 
     /// Static or asleep: nothing moves it in this step.
     bool is_still() const { return is_static || rest.is_asleep(); }
