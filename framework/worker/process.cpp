@@ -5,6 +5,7 @@
 #include <csignal>
 #include <cstring>
 #include <fcntl.h>
+#include <fstream>
 #include <new>
 #include <spawn.h>
 #include <sys/mman.h>
@@ -208,6 +209,15 @@ std::optional<Broken> Process::ending() const
     default:
         return Broken{WorkerFailure::crashed, "crashed: " + signal_name(info.si_status)};
     }
+}
+
+std::chrono::nanoseconds Process::time_without_processor() const
+{
+    // of its main thread, see proc(5): time on a processor, time waiting for one [ns], time slices
+    std::ifstream file("/proc/" + std::to_string(pid_) + "/schedstat");
+    std::int64_t with = 0, without = 0;
+    file >> with >> without; // a kernel that does not tell: never
+    return std::chrono::nanoseconds(without);
 }
 
 std::size_t Process::drain(std::string& kept, std::size_t keep)

@@ -15,7 +15,8 @@ namespace rigor {
 
 /// What an implementation may use. A limit on time is the greater of its floor and `multiple` times
 /// what the oracle took for the same request; without an oracle it is the floor. Time runs from the
-/// request, while its client waits.
+/// request, while its client waits and the worker has a processor or sleeps: what a busy machine takes
+/// counts a tenth.
 struct Limits {
     std::chrono::duration<double> start{10}; // from exec until it is ready
     std::chrono::duration<double> call{2};   // floor for a formula, or 256 kB of states to advance
@@ -52,6 +53,9 @@ public:
 
     /// How it ended or stopped; empty: it runs.
     std::optional<Broken> ending() const;
+
+    /// How long it was ready to run so far but other processes had the processors.
+    std::chrono::nanoseconds time_without_processor() const;
 
     /// Takes what it has printed so far. @return bytes taken
     std::size_t drain(std::string& kept, std::size_t keep);

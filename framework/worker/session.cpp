@@ -69,15 +69,28 @@ Reply Session::ask(const Question& question, Allowance& allowance)
     return take_reply(question.largest);
 }
 
+/// How much of the time that passed the worker could use, that is, all but what it waited for a
+/// processor; at least a tenth, so that it cannot wait for ever behind threads of its own.
+Allowance::Seconds Session::usable(Allowance::Seconds passed,
+                                   std::optional<Allowance::Seconds>& starved) const
+{
+    const Allowance::Seconds now = process_.time_without_processor();
+    const Allowance::Seconds lost = now - starved.value_or(now);
+    starved = now;
+    return std::max(passed - lost, passed / 10);
+}
+
 /// Waits until the reply with our sequence number is there. Looks after the process meanwhile.
 void Session::await_reply(Allowance& allowance, const ByteSink* sink)
 {
     const std::atomic<std::uint32_t>& reply = process_.channel().reply;
     std::chrono::milliseconds slice(1);
+    std::optional<Allowance::Seconds> starved;
     for (;;) {
         const Clock::time_point start = Clock::now();
         const std::uint32_t now = await_change(reply, sequence_ - 1, slice);
-        allowance.waited += Clock::now() - start; // what the sink takes is not the worker's fault
+        const Allowance::Seconds passed = Clock::now() - start; // without what the sink takes
+        allowance.waited += now == sequence_ ? passed : usable(passed, starved);
         if (sink && hand_on_stream(*sink) && allowance.by_silence) allowance.waited = {};
         if (now == sequence_) return;
         if (now != sequence_ - 1) throw Broken{WorkerFailure::malformed, "answered out of turn"};

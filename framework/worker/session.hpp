@@ -54,6 +54,8 @@ public:
 
 private:
     void await_reply(Allowance& allowance, const ByteSink* sink);
+    Allowance::Seconds usable(Allowance::Seconds passed,
+                              std::optional<Allowance::Seconds>& starved) const;
     Reply take_reply(std::size_t largest);
     bool hand_on_stream(const ByteSink& sink);
     void collect_output();
