@@ -21,7 +21,7 @@ template <std::size_t n>
 std::array<int, n> whole_numbers(const Value& value, std::string_view what, int most)
 {
     if (array(value, what).size() != n) expected(what, value);
-    std::array<int, n> numbers;
+    std::array<int, n> numbers{};
     for (std::size_t i = 0; i < n; ++i)
         numbers[i] = static_cast<int>(integer(value.items[i], "a number of cells", 1, most));
     return numbers;
