@@ -104,24 +104,33 @@ bool hangs_on_rounding(const Trajectory& run, const Worker::Start& start,
 
 } // namespace
 
-Trajectory run_scene(const std::string& name, std::optional<double> time_step,
-                     const std::string& changes)
+namespace {
+
+Trajectory run_in(Worker& worker, const Scene& scene)
 {
     Trajectory trajectory;
-    trajectory.scene = shipped_scene(name, time_step, changes);
+    trajectory.scene = scene;
     TrajectoryReader reader({
         .on_start = [&](const Scene&,
                         const std::vector<RecordedBody>& bodies) { trajectory.bodies = bodies; },
         .on_frame = [&](Frame frame) { trajectory.frames.push_back(std::move(frame)); },
         .on_end = [&](const Counters& counters) { trajectory.counters = counters; },
     });
-    worker().run_scene(trajectory.scene.text, trajectory.scene.name, Record::every_step,
-                       [&](std::span<const std::byte> bytes) { reader.feed(bytes); });
+    worker.run_scene(scene.text, scene.name, Record::every_step,
+                     [&](std::span<const std::byte> bytes) { reader.feed(bytes); });
     trajectory.complete = reader.complete();
-    INFO("the run of scene " + name + " ended early");
+    INFO("the run of scene " + scene.name + " ended early");
     REQUIRE(trajectory.complete);
     REQUIRE(trajectory.frames.size() >= 2);
     return trajectory;
+}
+
+} // namespace
+
+Trajectory run_scene(const std::string& name, std::optional<double> time_step,
+                     const std::string& changes)
+{
+    return run_in(worker(), shipped_scene(name, time_step, changes));
 }
 
 int body_index(const Trajectory& trajectory, const std::string& name)
@@ -191,6 +200,24 @@ void check_every_step(const std::string& scene_name, const std::string& changes)
         if (!check_step(run, n, starts[n], expected[n])) ++left_out;
     INFO("steps that hang on rounding alone");
     REQUIRE(2 * left_out < starts.size());
+}
+
+void check_solids(const std::string& scene_name, double k)
+{
+    REQUIRE(oracle() != nullptr);
+    const Trajectory run = run_scene(scene_name);
+    const Trajectory wanted = run_in(*oracle(), run.scene);
+    REQUIRE(run.frames.size() == wanted.frames.size());
+    for (std::size_t n = 0; n < run.frames.size(); ++n)
+        for (std::size_t i = 0; i < run.frames[n].solids.size(); ++i) {
+            const SolidFrame &found = run.frames[n].solids[i], &exact = wanted.frames[n].solids[i];
+            double scale = 0;
+            for (const Vector3d& x : exact.positions)
+                scale = std::max(scale, x.norm());
+            INFO(fmt::format("nodes of '{}' after step {} of scene {} (t = {:.6g} s)",
+                             run.scene.solids[i].name, n, scene_name, run.frames[n].time));
+            REQUIRE_THAT(found.positions, IsClose(exact.positions, Rounding(k, scale)));
+        }
 }
 
 } // namespace rigor::testing

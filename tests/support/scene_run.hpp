@@ -45,4 +45,8 @@ inline double steps_of(const Frame& frame)
 /// @param changes  a JSON object of keys to replace in the scene
 void check_every_step(const std::string& scene_name, const std::string& changes = "{}");
 
+/// A run with deformable solids, from beginning to end: the nodes of the worker under test against those of the oracle,
+/// class R with k eps. Only for motion that forgets: pulled by handles and damped.
+void check_solids(const std::string& scene_name, double k);
+
 } // namespace rigor::testing

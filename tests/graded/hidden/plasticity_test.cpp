@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// Compares with the reference, so it runs only where the reference is.
+#include "support/scene_run.hpp"
+
+using namespace rigor::testing;
+
+// Every step solves a linear system to 1e-7 of its change: that, and rounding, bounds how near two right runs are.
+TEST_CASE("plasticity: the stretched bar moves as the reference's", "[A6.10][plasticity][hidden]")
+{
+    check_solids("a6-plasticity/stretched_bar", 1e7);
+}
+
+TEST_CASE("plasticity: the bar under cyclic load moves as the reference's",
+          "[A6.10][plasticity][hidden]")
+{
+    check_solids("a6-plasticity/cyclic_load", 1e7);
+}
+
+TEST_CASE("plasticity: the twisted bar moves as the reference's", "[A6.10][plasticity][hidden]")
+{
+    check_solids("a6-plasticity/twisted_bar", 1e7);
+}
