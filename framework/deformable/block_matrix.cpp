@@ -37,8 +37,8 @@ void ImplicitSystem::analyse(const Elements& elements, int nodes)
         auto& row = neighbours[i];
         std::sort(row.begin(), row.end());
         row.erase(std::unique(row.begin(), row.end()), row.end());
-        const auto here = std::lower_bound(row.begin(), row.end(), i);
-        diagonal_[i] = row_starts_.back() + static_cast<int>(here - row.begin());
+        row.erase(row.begin(), std::lower_bound(row.begin(), row.end(), i));
+        diagonal_[i] = row_starts_.back();
         columns_.insert(columns_.end(), row.begin(), row.end());
         row_starts_.push_back(static_cast<int>(columns_.size()));
     }
@@ -51,9 +51,9 @@ void ImplicitSystem::analyse(const Elements& elements, int nodes)
     places_.resize(elements.size());
     for (int e = 0; e < elements.size(); ++e) {
         const auto t = elements.nodes(e);
-        for (int i = 0; i < 4; ++i)
-            for (int j = 0; j < 4; ++j)
-                places_[e][4 * i + j] = place(t[i], t[j]);
+        for (int i = 0, k = 0; i < 4; ++i)
+            for (int j = i; j < 4; ++j)
+                places_[e][k++] = place(std::min(t[i], t[j]), std::max(t[i], t[j]));
     }
     inverse_diagonal_.resize(nodes);
 }
@@ -74,29 +74,41 @@ void ImplicitSystem::assemble(const Elements& elements, const std::vector<Elemen
         for (int i = 0; i < 4; ++i)
             a[i] = strains[e].R * gradients[i];
         const double V = factor * elements.volume(e);
-        for (int i = 0; i < 4; ++i)
-            for (int j = i; j < 4; ++j) {
+        const auto t = elements.nodes(e);
+        for (int i = 0, k = 0; i < 4; ++i)
+            for (int j = i; j < 4; ++j, ++k) {
                 // K_ij = V (λ aᵢ aⱼᵀ + G aⱼ aᵢᵀ + G aᵢ·aⱼ δ)
                 const Matrix3d outer = a[i] * a[j].transpose();
                 Matrix3d K = V * lambda * outer + V * G * outer.transpose();
                 K.diagonal().array() += V * G * outer.trace();
-                blocks_[places_[e][4 * i + j]] += K;
-                if (i != j) blocks_[places_[e][4 * j + i]] += K.transpose();
+                Matrix3d& block = blocks_[places_[e][k]];
+                if (t[i] <= t[j])
+                    block += K;
+                else
+                    block += K.transpose();
             }
     }
 }
 
 void ImplicitSystem::multiply(const Vectors& x, Vectors& y) const
 {
+    std::fill(y.begin(), y.begin() + nodes_, Vector3d::Zero());
     for (int i = 0; i < nodes_; ++i) {
-        double s0 = 0, s1 = 0, s2 = 0;
-        for (int k = row_starts_[i]; k < row_starts_[i + 1]; ++k) {
+        const double x0 = x[i][0], x1 = x[i][1], x2 = x[i][2];
+        const double* D = blocks_[diagonal_[i]].data();
+        double s0 = D[0] * x0 + D[3] * x1 + D[6] * x2, s1 = D[1] * x0 + D[4] * x1 + D[7] * x2,
+               s2 = D[2] * x0 + D[5] * x1 + D[8] * x2;
+        for (int k = row_starts_[i] + 1; k < row_starts_[i + 1]; ++k) {
             const double *A = blocks_[k].data(), *v = x[columns_[k]].data();
             s0 += A[0] * v[0] + A[3] * v[1] + A[6] * v[2];
             s1 += A[1] * v[0] + A[4] * v[1] + A[7] * v[2];
             s2 += A[2] * v[0] + A[5] * v[1] + A[8] * v[2];
+            double* w = y[columns_[k]].data(); // by the block below the diagonal, Aᵀ
+            w[0] += A[0] * x0 + A[1] * x1 + A[2] * x2;
+            w[1] += A[3] * x0 + A[4] * x1 + A[5] * x2;
+            w[2] += A[6] * x0 + A[7] * x1 + A[8] * x2;
         }
-        y[i] = {s0, s1, s2};
+        y[i] += Vector3d(s0, s1, s2);
     }
     for (std::size_t b = 0; b < bodies_->size(); ++b) {
         y[nodes_ + 2 * b] = (*bodies_)[b].mass * x[nodes_ + 2 * b];
@@ -228,12 +240,13 @@ int ImplicitSystem::solve(const Vectors& b, const std::vector<TiedNode>& tied,
     return iterations;
 }
 
-Vector3d ImplicitSystem::missing(const Vectors& b, const Vectors& velocities, int node) const
+const Vectors& ImplicitSystem::missing(const Vectors& b, const Vectors& velocities)
 {
-    Vector3d sum = -b[node];
-    for (int k = row_starts_[node]; k < row_starts_[node + 1]; ++k)
-        sum += blocks_[k] * velocities[columns_[k]];
-    return sum;
+    std::copy(velocities.begin(), velocities.end(), x_.begin());
+    multiply(x_, q_);
+    for (int i = 0; i < nodes_; ++i)
+        q_[i] -= b[i];
+    return q_;
 }
 
 } // namespace rigor

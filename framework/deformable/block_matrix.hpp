@@ -48,12 +48,16 @@ public:
     int solve(const std::vector<Vector3d>& b, const std::vector<TiedNode>& tied,
               std::vector<SystemBody>& bodies, std::vector<Vector3d>& velocities);
 
-    /// A v - b of a node: after `solve`, the impulse that ties give it [N s].
-    Vector3d missing(const std::vector<Vector3d>& b, const std::vector<Vector3d>& velocities,
-                     int node) const;
-    /// Of a node, δ's share of its diagonal block: how much impulse a change of velocity takes.
-    const Matrix3d& diagonal(int node) const { return blocks_[diagonal_[node]]; }
-    std::size_t blocks() const { return blocks_.size(); }
+    /// A v - b of each node after `solve`: where ties are, the impulses that they give [N s].
+    const std::vector<Vector3d>& missing(const std::vector<Vector3d>& b,
+                                         const std::vector<Vector3d>& velocities);
+    /// Calls `visit(i, j, A_ij)` for each block that is kept: those with i ≤ j.
+    template <class Visit> void for_each_block(const Visit& visit) const
+    {
+        for (int i = 0; i < nodes_; ++i)
+            for (int k = row_starts_[i]; k < row_starts_[i + 1]; ++k)
+                visit(i, columns_[k], blocks_[k]);
+    }
 
 private:
     void multiply(const std::vector<Vector3d>& x, std::vector<Vector3d>& y) const;
@@ -63,9 +67,10 @@ private:
     void precondition(const std::vector<Vector3d>& r, std::vector<Vector3d>& z) const;
 
     int nodes_ = 0;
+    // A is symmetric: the blocks on and above the diagonal are kept, row by row
     std::vector<int> row_starts_, columns_, diagonal_;
     std::vector<Matrix3d> blocks_;
-    std::vector<std::array<int, 16>> places_; // of each element's blocks
+    std::vector<std::array<int, 10>> places_; // of each element's blocks ij, i ≤ j
 
     // of the solve at hand
     const std::vector<TiedNode>* tied_ = nullptr;

@@ -168,21 +168,18 @@ private:
         work_.ties.push_back({c.node, N, N * surface, number, arm(c)});
     }
 
-    // What the tie of a contact gave its node.
-    Vector3d impulse(int k) const
-    {
-        const NodeContact& c = contacts_[k];
-        const Vector3d j = work_.system.missing(work_.right_side, work_.next_velocities, c.node);
-        return held_how(k) == Hold::sliding
-                   ? Vector3d(c.normal.dot(j) * c.normal + work_.frictions[k])
-                   : j;
-    }
-
+    // What the ties of contacts gave their nodes.
     void note_impulses()
     {
         work_.impulses.assign(contacts_.size(), Vector3d::Zero());
-        for (int k = 0; k < static_cast<int>(contacts_.size()); ++k)
-            if (is_tied(k)) work_.impulses[k] = impulse(k);
+        if (contacts_.empty()) return;
+        const auto& missing = work_.system.missing(work_.right_side, work_.next_velocities);
+        for (int k = 0; k < static_cast<int>(contacts_.size()); ++k) {
+            if (!is_tied(k)) continue;
+            const Vector3d n = contacts_[k].normal, j = missing[contacts_[k].node];
+            work_.impulses[k] =
+                held_how(k) == Hold::sliding ? Vector3d(n.dot(j) * n + work_.frictions[k]) : j;
+        }
     }
 
     // @return whether any contact holds otherwise than in the round before
