@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "deformable/handles.hpp"
 #include "deformable/node_motion.hpp"
+#include "deformable/stable_step.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -37,6 +38,7 @@ void move_explicitly(const NodeMotion& motion)
     Deformable& solid = motion.solid;
     Workspace& work = motion.work;
     const double step = motion.time_step;
+    if (work.stable_step == 0) work.stable_step = stable_step(solid, work.elements);
     const int substeps =
         std::max(1, static_cast<int>(std::ceil(step / (safety * work.stable_step))));
     const double h = step / substeps;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "deformable/workspace.hpp"
 
-#include "deformable/stable_step.hpp"
 #include "geometry/tetrahedra.hpp"
 
 #include <tuple>
@@ -63,8 +62,7 @@ Workspace::Workspace(const Deformable& solid)
       face_neighbours(rigor::face_neighbours(solid.rest)),
       stress_neighbours(uncracked_neighbours(solid, face_neighbours)),
       is_surface(surface_nodes(solid, face_neighbours)), elements(solid),
-      stable_step(rigor::stable_step(solid, elements)), forces(solid.rest.vertices.size()),
-      is_held(solid.rest.vertices.size(), 0)
+      forces(solid.rest.vertices.size()), is_held(solid.rest.vertices.size(), 0)
 {
 }
 

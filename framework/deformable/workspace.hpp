@@ -26,7 +26,7 @@ struct Workspace {
         stress_neighbours;        // of each element, across faces that no crack runs along
     std::vector<char> is_surface; // of each node: on the boundary of the mesh, and with matter
     Elements elements;
-    double stable_step; // of explicit substeps, the longest [s]
+    double stable_step = 0; // of explicit substeps, the longest; 0: not asked for yet [s]
 
     // of a step
     std::vector<Vector3d> forces;
