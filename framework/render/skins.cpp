@@ -22,19 +22,22 @@ private:
         int from, to, triangle, side; // from < to
     };
     void find_edges();
+    void add_line(const Edge& edge, const Edge& other_side);
     bool is_sharp(int triangle1, int triangle2) const;
     double angle(int triangle, int corner) const;
     Vector3d normal(int triangle, int corner) const;
+    const Vector3d* line_through(int triangle, int corner) const;
     const Vector3d& place(int triangle, int corner) const
     {
         return places_[triangles_[triangle].points[corner % 3]];
     }
 
     const std::vector<EmbeddedTriangle>& triangles_;
-    std::vector<Vector3d> places_;            // of each point [m]
-    std::vector<Vector3d> normals_;           // of each triangle, unit
-    std::vector<std::array<bool, 3>> sharp_;  // of each triangle: the sides 0 1, 1 2, 2 0
-    std::vector<int> corners_, first_corner_; // 3 triangle + corner, sorted by their points
+    std::vector<Vector3d> places_;             // of each point [m]
+    std::vector<Vector3d> normals_;            // of each triangle, unit
+    std::vector<std::vector<Vector3d>> lines_; // of each point, unit vectors along its sharp edges
+    std::vector<std::array<bool, 3>> sharp_;   // of each triangle: the sides 0 1, 1 2, 2 0
+    std::vector<int> corners_, first_corner_;  // 3 triangle + corner, sorted by their points
 };
 
 Skin::Skin(const SolidFrame& solid) : triangles_(solid.topology->surface.triangles)
@@ -84,16 +87,34 @@ void Skin::find_edges()
                std::tie(b.from, b.to, b.triangle, b.side);
     });
     sharp_.assign(triangles_.size(), {false, false, false});
+    lines_.resize(places_.size());
     for (std::size_t i = 0; i < edges.size();) {
         std::size_t end = i + 1;
         while (end < edges.size() && edges[end].from == edges[i].from &&
                edges[end].to == edges[i].to)
             ++end;
         if (end - i == 2 && is_sharp(edges[i].triangle, edges[i + 1].triangle))
-            for (const Edge& edge : {edges[i], edges[i + 1]})
-                sharp_[edge.triangle][edge.side] = true;
+            add_line(edges[i], edges[i + 1]);
         i = end;
     }
+}
+
+void Skin::add_line(const Edge& edge, const Edge& other_side)
+{
+    sharp_[edge.triangle][edge.side] = sharp_[other_side.triangle][other_side.side] = true;
+    const Vector3d along = (places_[edge.to] - places_[edge.from]).normalized();
+    for (const int point : {edge.from, edge.to})
+        lines_[point].push_back(along);
+}
+
+// A sharp edge in the triangle's plane that only touches it in this corner: without its part here the
+// line would have gaps.
+const Vector3d* Skin::line_through(int triangle, int corner) const
+{
+    if (sharp_[triangle][corner] || sharp_[triangle][(corner + 2) % 3]) return nullptr;
+    for (const Vector3d& along : lines_[triangles_[triangle].points[corner]])
+        if (std::abs(along.dot(normals_[triangle])) < 0.5) return &along;
+    return nullptr;
 }
 
 double Skin::angle(int triangle, int corner) const
@@ -125,6 +146,13 @@ SkinVertex Skin::vertex(int triangle, int corner) const
     for (int side = 0; side < 3; ++side) // a corner lies on two of them
         if (sharp_[triangle][side])
             vertex.edges[side] = side == (corner + 1) % 3 ? static_cast<float>(height) : 0.0F;
+    for (int at = 0; at < 3;
+         ++at) { // what touches corner `at` takes the place of the side opposite
+        const int side = (at + 1) % 3;
+        const Vector3d* along = sharp_[triangle][side] ? nullptr : line_through(triangle, at);
+        if (along)
+            vertex.edges[side] = static_cast<float>((p - place(triangle, at)).cross(*along).norm());
+    }
     return vertex;
 }
 
