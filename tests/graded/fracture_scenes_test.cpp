@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: MIT
+// A7.8: what breaks, breaks into the right pieces, and loses nothing.
+#include "support/scene_run.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+
+using namespace rigor;
+using namespace rigor::testing;
+
+namespace {
+
+const SolidFrame& solid(const Frame& frame, std::size_t index = 0)
+{
+    REQUIRE(frame.solids.size() > index);
+    return frame.solids[index];
+}
+
+// No crack makes or destroys matter; every number is finite, as the run checks.
+void check_matter(const Trajectory& run)
+{
+    REQUIRE(run.complete);
+    for (std::size_t i = 0; i < run.frames.front().solids.size(); ++i) {
+        const DeformableTotals& first = solid(run.frames.front(), i).totals;
+        for (const Frame& frame : run.frames) {
+            const DeformableTotals& now = solid(frame, i).totals;
+            CAPTURE(i, frame.time);
+            // a sum over some thousand elements, cut again and again
+            REQUIRE_THAT(now.mass, IsClose(first.mass, Rounding(1 << 16, first.mass)));
+            REQUIRE_THAT(now.volume, IsClose(first.volume, Rounding(1 << 16, first.volume)));
+        }
+    }
+}
+
+// Pieces only become more.
+void check_pieces(const Trajectory& run, std::size_t index, std::size_t least, std::size_t most)
+{
+    std::size_t before = 1;
+    for (const Frame& frame : run.frames) {
+        const std::size_t now = solid(frame, index).topology->pieces;
+        CAPTURE(frame.time);
+        REQUIRE(now >= before);
+        before = now;
+    }
+    CAPTURE(index);
+    REQUIRE(before >= least);
+    REQUIRE(before <= most);
+}
+
+// A side of a solid: how much of its volume it has, and where along x its elements are, at first [m].
+struct Side {
+    double share = 0, from = 1e9, to = -1e9;
+};
+
+// The two largest pieces of a solid whose elements stay what they are, from left to right.
+std::array<Side, 2> sides_of(const Trajectory& run, std::size_t index)
+{
+    const SolidFrame &first = solid(run.frames.front(), index),
+                     &last = solid(run.frames.back(), index);
+    const std::vector<std::array<int, 4>>& elements = last.topology->elements;
+    REQUIRE(elements.size() == first.topology->elements.size());
+
+    std::vector<int> piece(last.positions.size()); // of each node, its lowest
+    std::iota(piece.begin(), piece.end(), 0);
+    for (bool is_changed = true; is_changed;) {
+        is_changed = false;
+        for (const auto& nodes : elements) {
+            int lowest = piece[nodes[0]];
+            for (int v : nodes)
+                lowest = std::min(lowest, piece[v]);
+            for (int v : nodes) {
+                is_changed |= piece[v] != lowest;
+                piece[v] = lowest;
+            }
+        }
+    }
+    std::map<int, Side> sides;
+    double whole = 0;
+    for (std::size_t e = 0; e < elements.size(); ++e) {
+        std::array<Vector3d, 4> x;
+        for (int c = 0; c < 4; ++c)
+            x[c] = first.positions[first.topology->elements[e][c]];
+        const double volume = (x[1] - x[0]).dot((x[2] - x[0]).cross(x[3] - x[0])) / 6;
+        const double center = (x[0] + x[1] + x[2] + x[3]).x() / 4;
+        Side& side = sides[piece[elements[e][0]]];
+        side.share += volume;
+        side.from = std::min(side.from, center);
+        side.to = std::max(side.to, center);
+        whole += volume;
+    }
+    std::vector<Side> sorted;
+    for (const auto& [label, side] : sides)
+        sorted.push_back({side.share / whole, side.from, side.to});
+    REQUIRE(sorted.size() >= 2);
+    std::sort(sorted.begin(), sorted.end(),
+              [](const Side& a, const Side& b) { return a.share > b.share; });
+    if (sorted[0].from > sorted[1].from) std::swap(sorted[0], sorted[1]);
+    return {sorted[0], sorted[1]};
+}
+
+// In two halves, but for splinters, at x = 0.
+void check_torn_at(const Trajectory& run, std::size_t index, double width)
+{
+    const auto [left, right] = sides_of(run, index);
+    CAPTURE(left.share, left.from, left.to, right.share, right.from, right.to);
+    REQUIRE(left.share > 0.35);
+    REQUIRE(right.share > 0.35);
+    REQUIRE(std::abs(left.to) < width);
+    REQUIRE(std::abs(right.from) < width);
+}
+
+} // namespace
+
+TEST_CASE("fracture: a notched plate tears below its notch", "[A7.8][fracture]")
+{
+    const Trajectory run = run_scene("a7-fracture/notched_plate");
+    check_matter(run);
+    check_pieces(run, 0, 2, 8);
+    check_torn_at(run, 0, 2.0 / 11); // two columns of elements
+}
+
+TEST_CASE("fracture: a bar snaps at its nick", "[A7.8][fracture]")
+{
+    const Trajectory run = run_scene("a7-fracture/bar_snapped", {}, R"({"end": 1})");
+    check_matter(run);
+    check_pieces(run, 0, 2, 20);
+    check_torn_at(run, 0, 0.2); // the thickness of the bar
+}
+
+TEST_CASE("fracture: a plate holds below its strength", "[A7.8][fracture]")
+{
+    // class B: it bears 3 %, and is pulled by less than 1 % here and by 12 % above
+    const Trajectory run = run_scene("a7-fracture/notched_plate", {}, R"({"end": 0.04})");
+    check_matter(run);
+    check_pieces(run, 0, 1, 1);
+    REQUIRE(solid(run.frames.back()).positions.size() ==
+            solid(run.frames.front()).positions.size());
+}
+
+TEST_CASE("fracture: what flies apart keeps momentum and angular momentum", "[A7.8][fracture]")
+{
+    const Trajectory run = run_scene("a7-fracture/spun_apart");
+    check_matter(run);
+    check_pieces(run, 0, 2, 20);
+    const DeformableTotals& first = solid(run.frames.front()).totals;
+    const double spin = first.angular_momentum.norm();
+    for (const Frame& frame : run.frames) {
+        const DeformableTotals& now = solid(frame).totals;
+        CAPTURE(frame.time);
+        // rounding, of some thousand substeps with a thousand forces each
+        REQUIRE_THAT(now.momentum, IsClose(first.momentum, Rounding(1 << 16, 2 * spin)));
+        REQUIRE_THAT(now.angular_momentum,
+                     IsClose(first.angular_momentum, Rounding(1 << 20, 2 * spin)));
+        check_at_most(now.kinetic_energy + now.elastic_energy, first.kinetic_energy * 1.001,
+                      "the energy against that at first");
+    }
+}
+
+TEST_CASE("fracture: a ball shatters a plate", "[A7.8][fracture]")
+{
+    // into how many pieces is chance
+    const Trajectory run = run_scene("a7-fracture/shattered", {}, R"({"end": 0.3})");
+    check_matter(run);
+    check_pieces(run, 0, 5, 500);
+}
+
+TEST_CASE("fracture: a plate tears whatever becomes of its mesh", "[A7.8][fracture]")
+{
+    const Trajectory run = run_scene("a7-fracture/three_ways", {}, R"({"end": 0.4})");
+    check_matter(run);
+    for (std::size_t i = 0; i < 3; ++i)
+        check_pieces(run, i, 2, 200);
+    // along faces there are as many elements as before, the other two have more
+    const auto elements = [&](const Frame& frame, std::size_t i) {
+        return solid(frame, i).topology->elements.size();
+    };
+    const Frame &first = run.frames.front(), &last = run.frames.back();
+    REQUIRE(elements(last, 0) == elements(first, 0));
+    REQUIRE(elements(last, 1) > elements(first, 1));
+    REQUIRE(elements(last, 2) > elements(first, 2));
+}
