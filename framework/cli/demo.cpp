@@ -29,7 +29,7 @@ struct DemoOptions {
 // One scene of each assignment on motion, two on collision, one of a solid that bends, one of one that breaks.
 constexpr const char* scenes[] = {"a2-inertia/hammer",           "a3-rotation/tennis_racket",
                                   "a4-collision/billiard_break", "a4-collision/hundred_boxes",
-                                  "a6-plasticity/paper_clip",    "a7-fracture/shattered"};
+                                  "a6-plasticity/paper_clip",    "a7-fracture/notched_plate"};
 
 // Submissions of assignment A2: one that is complete, one half done with the usual mistakes, one that crashes in one task
 // and never returns from another.
