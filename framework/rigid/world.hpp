@@ -85,11 +85,11 @@ enum class ContactMethod {
 /// Work that a step leaves out where the scene does not need it. Each can be turned off, to see that
 /// nothing else changes and what it saves.
 struct Skips {
-    bool islands = true;    ///< bodies that touch are solved apart from those that they don't
-    bool sleep = true;      ///< bodies that have come to rest are left alone
-    bool warm_start = true; ///< impulses start from those of the step before
-    bool early_exit = true; ///< sweeps end once nothing changes any more
-    bool stress_bound = true; ///< eigenvalues of a stress only where a bound on the largest is too high
+    bool islands = true;      ///< bodies that touch are solved apart from those that they don't
+    bool sleep = true;        ///< bodies that have come to rest are left alone
+    bool warm_start = true;   ///< impulses start from those of the step before
+    bool early_exit = true;   ///< sweeps end once nothing changes any more
+    bool stress_bound = true; ///< eigenvalues of a stress only where a bound on them is too high
     /// The reference's formulas in a faster form, proved equal; never for another implementation.
     bool readable_formulas = true;
 };
