@@ -166,14 +166,14 @@ TEST_CASE("motion: explicit steps are stable up to their limit and not far beyon
 
 TEST_CASE("motion: implicit steps of any length come to rest", "[deformable]")
 {
-    for (const double time_step : {0.05, 1.0, 1000.0}) {
+    for (const double time_step : {0.2, 1.0, 1000.0}) {
         CAPTURE(time_step);
         DeformableWorld world = world_of(held_bar(2, 0.3));
         Random random(3);
         for (Vector3d& v : world.solids[0].velocities)
             v = 10 * random.vector();
         world.rigid.gravity = {0, -1, 0};
-        run(world, time_step, time_step < 1 ? 3000 : 400);
+        run(world, time_step, 400);
         const DeformableTotals sum = totals(world.solids[0]);
         check_at_most(sum.kinetic_energy, 1e-6, "kinetic energy");
         CHECK(sum.elastic_energy > 0);
