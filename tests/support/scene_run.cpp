@@ -202,7 +202,7 @@ void check_every_step(const std::string& scene_name, const std::string& changes)
     REQUIRE(2 * left_out < starts.size());
 }
 
-void check_solids(const std::string& scene_name, double k)
+void check_solids(const std::string& scene_name, double multiple)
 {
     REQUIRE(oracle() != nullptr);
     const Trajectory run = run_scene(scene_name);
@@ -216,7 +216,7 @@ void check_solids(const std::string& scene_name, double k)
                 scale = std::max(scale, x.norm());
             INFO(fmt::format("nodes of '{}' after step {} of scene {} (t = {:.6g} s)",
                              run.scene.solids[i].name, n, scene_name, run.frames[n].time));
-            REQUIRE_THAT(found.positions, IsClose(exact.positions, Rounding(k, scale)));
+            REQUIRE_THAT(found.positions, IsClose(exact.positions, Rounding(multiple, scale)));
         }
 }
 

@@ -46,7 +46,7 @@ inline double steps_of(const Frame& frame)
 void check_every_step(const std::string& scene_name, const std::string& changes = "{}");
 
 /// A run with deformable solids, from beginning to end: the nodes of the worker under test against those of the oracle,
-/// class R with k eps. Only for motion that forgets: pulled by handles and damped.
-void check_solids(const std::string& scene_name, double k);
+/// class R with `multiple` eps. Only for motion that forgets: pulled by handles and damped.
+void check_solids(const std::string& scene_name, double multiple);
 
 } // namespace rigor::testing
