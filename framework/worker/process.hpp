@@ -13,6 +13,12 @@
 
 namespace rigor {
 
+#ifdef RIGOR_SANITIZED
+inline constexpr double patience = 20; // what a sanitizer slows a scene down by, and more
+#else
+inline constexpr double patience = 1;
+#endif
+
 /// What an implementation may use. A limit on time is the greater of its floor and `multiple` times
 /// what the oracle took for the same request; without an oracle it is the floor. Time runs from the
 /// request, while its client waits and the worker has a processor or sleeps: what a busy machine takes
@@ -20,9 +26,9 @@ namespace rigor {
 struct Limits {
     std::chrono::duration<double> start{10}; // from exec until it is ready
     std::chrono::duration<double> call{2};   // floor for a formula, or 256 kB of states to advance
-    std::chrono::duration<double> scene{20}; // floor for a whole scene
+    std::chrono::duration<double> scene{20 * patience}; // floor for a whole scene
     bool scene_by_silence = false; // a scene's limit is for a record, not for all: someone watches
-    std::chrono::duration<double> oracle{60}; // for the oracle's own run
+    std::chrono::duration<double> oracle{60 * patience}; // for the oracle's own run
     double multiple = 50;
     std::size_t memory = std::size_t{2} << 30; // address space [bytes]; unlimited under a sanitizer
     std::size_t output = std::size_t{1} << 20; // a request may print [bytes]
