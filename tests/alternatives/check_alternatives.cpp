@@ -5,15 +5,13 @@
 //     check_alternatives [TOPIC]
 #include "formulas/table.hpp"
 #include "grading/run_tests.hpp"
+#include "support/judge_all.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
-#include <thread>
 
 namespace {
 
@@ -28,18 +26,6 @@ struct Alternative {
     std::string fault; // what lost points, or went wrong
 };
 
-std::string second_line(const fs::path& file)
-{
-    std::ifstream in(file);
-    std::string line;
-    std::getline(in, line);
-    std::getline(in, line);
-    if (!line.starts_with("// "))
-        throw std::runtime_error(file.string() +
-                                 ": expected line 2 to be a comment that says what is different");
-    return line.substr(3);
-}
-
 std::vector<Alternative> find_alternatives(const std::vector<Assignment>& assignments,
                                            const std::string& wanted)
 {
@@ -51,7 +37,7 @@ std::vector<Alternative> find_alternatives(const std::vector<Assignment>& assign
         if (!fs::exists(file)) continue;
         Alternative alternative;
         alternative.topic = topic;
-        alternative.explanation = second_line(file);
+        alternative.explanation = testing::second_line(file, "says what is different");
         alternative.worker = fs::path(RIGOR_ALTERNATIVE_WORKERS) / ("worker_alternative_" + topic);
         alternatives.push_back(std::move(alternative));
     }
@@ -102,14 +88,8 @@ int run(const std::string& wanted)
     grading.test_program = RIGOR_GRADED_TESTS;
     grading.oracle = RIGOR_ORACLE;
 
-    std::atomic<std::size_t> next = 0;
-    const auto work = [&] {
-        for (std::size_t i = next++; i < alternatives.size(); i = next++)
-            judge(alternatives[i], assignments, grading);
-    };
-    std::thread other(work);
-    work();
-    other.join();
+    testing::judge_all(alternatives,
+                       [&](Alternative& alternative) { judge(alternative, assignments, grading); });
     return report(alternatives);
 }
 

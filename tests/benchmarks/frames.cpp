@@ -4,6 +4,7 @@
 #include "render/png.hpp"
 #include "render/stage.hpp"
 #include "support/bench.hpp"
+#include "support/temporary_folder.hpp"
 #include "worker/client.hpp"
 
 #include <algorithm>
@@ -17,6 +18,7 @@
 #include <vector>
 
 using namespace rigor;
+using rigor::testing::TemporaryFolder;
 
 namespace {
 
@@ -48,27 +50,12 @@ private:
     Scene scene_;
 };
 
-/// Its own folder for files, gone at the end.
-struct Folder {
-    Folder()
-    {
-        std::string name =
-            (std::filesystem::temp_directory_path() / "bench_frames_XXXXXX").string();
-        if (!mkdtemp(name.data())) throw std::runtime_error("no temporary folder");
-        path = name;
-    }
-    Folder(const Folder&) = delete;
-    Folder& operator=(const Folder&) = delete;
-    ~Folder() { std::filesystem::remove_all(path); }
-    std::filesystem::path path;
-};
-
 /// Encoding alone, on two threads, with the files written.
-void encode(const std::vector<Image>& images, const Folder& folder)
+void encode(const std::vector<Image>& images, const TemporaryFolder& folder)
 {
     const auto half = [&](std::size_t first) {
         for (std::size_t i = first; i < images.size(); i += 2)
-            write_whole(folder.path / ("alone_" + std::to_string(i) + ".png"),
+            write_whole(folder.path() / ("alone_" + std::to_string(i) + ".png"),
                         png_bytes(images[i]));
     };
     std::thread other(half, 1);
@@ -87,7 +74,7 @@ void measure(Bench& bench)
     std::vector<Image> images;
     for (const Picture& picture : pictures)
         images.push_back(opened.renderer->draw(picture));
-    const Folder folder;
+    const TemporaryFolder folder;
 
     // All four in turns, and their ratio within a turn: a slow spell of the machine hits all.
     std::vector<double> simulating, drawing, encoding, whole, ratio;
@@ -99,7 +86,7 @@ void measure(Bench& bench)
         }));
         encoding.push_back(seconds([&] { encode(images, folder); }));
         FrameOptions options;
-        options.directory = folder.path / "whole";
+        options.directory = folder.path() / "whole";
         options.width = width;
         options.height = height;
         FrameSequence sequence(options);

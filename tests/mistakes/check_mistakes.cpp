@@ -4,17 +4,14 @@
 //     check_mistakes [TAG or FORMULA]
 #include "formulas/table.hpp"
 #include "grading/run_tests.hpp"
+#include "support/judge_all.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <map>
-#include <mutex>
-#include <thread>
 
 namespace {
 
@@ -41,18 +38,6 @@ const Formula& formula_of(const fs::path& file)
                              topic + "::" + name + "'");
 }
 
-std::string second_line(const fs::path& file)
-{
-    std::ifstream in(file);
-    std::string line;
-    std::getline(in, line);
-    std::getline(in, line);
-    if (!line.starts_with("// "))
-        throw std::runtime_error(file.string() +
-                                 ": expected line 2 to be a comment that explains the mistake");
-    return line.substr(3);
-}
-
 std::vector<Mistake> find_mistakes(const std::string& wanted)
 {
     std::vector<Mistake> mistakes;
@@ -66,7 +51,8 @@ std::vector<Mistake> find_mistakes(const std::string& wanted)
         const fs::path worker =
             fs::path(RIGOR_MISTAKE_WORKERS) /
             ("worker_mistake_" + std::string(formula.topic) + "." + file.stem().string());
-        mistakes.push_back({&formula, what, second_line(file), worker, "", ""});
+        mistakes.push_back(
+            {&formula, what, testing::second_line(file, "explains the mistake"), worker, "", ""});
     }
     std::sort(mistakes.begin(), mistakes.end(), [](const Mistake& a, const Mistake& b) {
         return std::pair(a.formula, a.name) < std::pair(b.formula, b.name);
@@ -133,14 +119,7 @@ int run(const std::string& wanted)
     GradingRun grading;
     grading.test_program = RIGOR_GRADED_TESTS;
 
-    std::atomic<std::size_t> next = 0;
-    const auto work = [&] {
-        for (std::size_t i = next++; i < mistakes.size(); i = next++)
-            judge(mistakes[i], assignments, grading);
-    };
-    std::thread other(work);
-    work();
-    other.join();
+    testing::judge_all(mistakes, [&](Mistake& mistake) { judge(mistake, assignments, grading); });
     return report(mistakes, wanted.empty());
 }
 

@@ -2,14 +2,12 @@
 // `rigor check`, run as a user runs it.
 #pragma once
 
-#include "../grading/files.hpp"
-#include "grading/process.hpp"
-#include "support/catch.hpp"
+#include "command.hpp"
+#include "support/temporary_folder.hpp"
 
 #include <nlohmann/json.hpp>
 
 #include <sstream>
-#include <vector>
 
 namespace rigor::testing {
 
@@ -25,22 +23,14 @@ inline Checked check(const std::vector<std::string>& what, const std::filesystem
 {
     const TemporaryFolder results;
     const auto file = results.path() / "result.json";
-    Command command;
-    command.arguments = {std::string(RIGOR_BINARY_DIR) + "/bin/rigor",
-                         "check",
-                         "--with",
-                         with.string(),
-                         "--out",
-                         file.string()};
-    command.arguments.insert(command.arguments.end(), what.begin(), what.end());
-    std::string output;
-    const Ended ended =
-        run(command, [&](std::string_view line) { output += std::string(line) + "\n"; });
-    CAPTURE(output);
+    std::vector<std::string> arguments = {"check", "--with", with.string(), "--out", file.string()};
+    arguments.insert(arguments.end(), what.begin(), what.end());
+    const Run run = rigor(arguments);
+    CAPTURE(run.output);
     REQUIRE(std::filesystem::exists(file));
     std::stringstream text;
     text << std::ifstream(file).rdbuf();
-    return {ended.status, json::parse(text.str())};
+    return {run.status, json::parse(text.str())};
 }
 
 } // namespace rigor::testing

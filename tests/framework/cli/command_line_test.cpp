@@ -1,33 +1,14 @@
 // SPDX-License-Identifier: MIT
 // The program as its users meet it: exit statuses and one clear line for whatever is wrong.
-#include "../grading/files.hpp"
-#include "grading/process.hpp"
+#include "command.hpp"
 #include "report/terminal.hpp"
-#include "support/catch.hpp"
+#include "support/temporary_folder.hpp"
 
 #include <nlohmann/json.hpp>
 
 namespace rigor::testing {
 
 namespace {
-
-struct Run {
-    int status = 0;
-    std::string output;
-};
-
-Run rigor(const std::vector<std::string>& arguments)
-{
-    Run result;
-    Command command;
-    command.arguments = {std::string(RIGOR_BINARY_DIR) + "/bin/rigor"};
-    command.arguments.insert(command.arguments.end(), arguments.begin(), arguments.end());
-    const Ended ended =
-        run(command, [&](std::string_view line) { result.output += std::string(line) + "\n"; });
-    REQUIRE(ended.signal == 0);
-    result.status = ended.status;
-    return result;
-}
 
 void require_one_line(const std::vector<std::string>& arguments, const std::string& words)
 {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // `simulate --json` tells the hash of a motion: the same in every process.
-#include "grading/process.hpp"
-#include "support/catch.hpp"
+#include "command.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -18,15 +17,13 @@ const std::vector<std::string> hammer = {"a2-inertia/hammer", "--with",
 std::string hash_of(const std::vector<std::string>& scene,
                     const std::vector<std::string>& more = {})
 {
-    std::string output;
-    Command command;
-    command.arguments = {std::string(RIGOR_BINARY_DIR) + "/bin/rigor", "simulate", "--json"};
-    command.arguments.insert(command.arguments.end(), scene.begin(), scene.end());
-    command.arguments.insert(command.arguments.end(), more.begin(), more.end());
-    const Ended ended =
-        run(command, [&](std::string_view line) { output += std::string(line) + "\n"; });
-    CAPTURE(output);
-    REQUIRE(ended.ok());
+    std::vector<std::string> arguments = {"simulate", "--json"};
+    arguments.insert(arguments.end(), scene.begin(), scene.end());
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Run run = rigor(arguments);
+    CAPTURE(run.output);
+    REQUIRE(run.status == 0);
+    const std::string& output = run.output;
     return nlohmann::json::parse(output.substr(output.find('{')))["hash"];
 }
 

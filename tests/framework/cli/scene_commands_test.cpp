@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Scenes from the command line: run, stored, drawn, compared.
-#include "../grading/files.hpp"
 #include "cli/difference.hpp"
-#include "grading/process.hpp"
-#include "support/catch.hpp"
+#include "command.hpp"
+#include "support/temporary_folder.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -12,24 +11,6 @@
 namespace rigor::testing {
 
 namespace {
-
-struct Run {
-    int status = 0;
-    std::string output;
-};
-
-Run rigor(const std::vector<std::string>& arguments)
-{
-    Run result;
-    Command command;
-    command.arguments = {std::string(RIGOR_BINARY_DIR) + "/bin/rigor"};
-    command.arguments.insert(command.arguments.end(), arguments.begin(), arguments.end());
-    const Ended ended =
-        run(command, [&](std::string_view line) { result.output += std::string(line) + "\n"; });
-    REQUIRE(ended.signal == 0);
-    result.status = ended.status;
-    return result;
-}
 
 const std::string complete = std::string(RIGOR_SOURCE_DIR) + "/tests/samples/complete";
 const std::string half_done = std::string(RIGOR_SOURCE_DIR) + "/tests/samples/half_done";

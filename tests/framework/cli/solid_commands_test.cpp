@@ -1,33 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Scenes of deformable solids from the command line.
-#include "../grading/files.hpp"
 #include "cli/difference.hpp"
-#include "grading/process.hpp"
-#include "support/catch.hpp"
+#include "command.hpp"
+#include "support/temporary_folder.hpp"
 
 #include <nlohmann/json.hpp>
 
 namespace rigor::testing {
 
 namespace {
-
-struct Run {
-    int status = 0;
-    std::string output;
-};
-
-Run rigor(const std::vector<std::string>& arguments)
-{
-    Run result;
-    Command command;
-    command.arguments = {std::string(RIGOR_BINARY_DIR) + "/bin/rigor"};
-    command.arguments.insert(command.arguments.end(), arguments.begin(), arguments.end());
-    const Ended ended =
-        run(command, [&](std::string_view line) { result.output += std::string(line) + "\n"; });
-    REQUIRE(ended.signal == 0);
-    result.status = ended.status;
-    return result;
-}
 
 // A bar that falls for three steps.
 std::string falling_bar(const std::string& material)

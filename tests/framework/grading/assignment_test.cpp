@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "grading/assignment.hpp"
 
-#include "files.hpp"
 #include "formulas/table.hpp"
 #include "scene/scene.hpp"
 #include "support/catch.hpp"
+#include "support/temporary_folder.hpp"
 
 #include <map>
 #include <sstream>

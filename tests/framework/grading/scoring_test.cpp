@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // How test cases become points, with a shell script in the place of the test program.
-#include "files.hpp"
 #include "grading/run_tests.hpp"
 #include "grading/verdicts.hpp"
 #include "support/catch.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace rigor::testing {
 

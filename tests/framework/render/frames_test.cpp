@@ -4,6 +4,7 @@
 #include "render/png.hpp"
 #include "render/stage.hpp"
 #include "support/catch.hpp"
+#include "support/temporary_folder.hpp"
 
 #include <sys/resource.h>
 
@@ -12,13 +13,14 @@
 #include <fstream>
 
 using namespace rigor;
+using rigor::testing::TemporaryFolder;
 
 namespace {
 
-FrameOptions options_for(const Folder& folder)
+FrameOptions options_for(const TemporaryFolder& folder)
 {
     FrameOptions options;
-    options.directory = folder.path;
+    options.directory = folder.path();
     options.width = 64;
     options.height = 48;
     return options;
@@ -88,20 +90,20 @@ bool has_ffmpeg()
 
 TEST_CASE("frames: a PNG holds the pixels that were drawn", "[render]")
 {
-    const Folder folder;
+    const TemporaryFolder folder;
     for (const auto& [width, height] : {std::pair(1, 1), {7, 3}, {320, 200}}) {
         Image image{width, height, {}};
         for (int i = 0; i < 4 * width * height; ++i)
             image.rgba.push_back(static_cast<std::uint8_t>(i % 4 == 3 ? 255 : i * 7 + i / 97));
-        write_whole(folder.path / "a.png", png_bytes(image));
-        CHECK(decoded(folder.path / "a.png").rgba == image.rgba);
+        write_whole(folder.path() / "a.png", png_bytes(image));
+        CHECK(decoded(folder.path() / "a.png").rgba == image.rgba);
     }
-    CHECK(folder.names() == std::vector<std::string>{"a.png"});
+    CHECK(names_in(folder.path()) == std::vector<std::string>{"a.png"});
 }
 
 TEST_CASE("frames: every picture becomes its file and the same files the next time", "[render]")
 {
-    const Folder first, second;
+    const TemporaryFolder first, second;
     FrameOptions options = options_for(first);
     std::vector<std::size_t> done;
     options.expected = 9;
@@ -113,33 +115,34 @@ TEST_CASE("frames: every picture becomes its file and the same files the next ti
     CHECK(report.removed == 0);
     CHECK_FALSE(report.video);
     CHECK(done == std::vector<std::size_t>{1, 2, 3, 4, 5, 6, 7, 8, 9});
-    REQUIRE(first.names().size() == 9);
-    CHECK(first.names() == second.names());
-    CHECK(first.names()[8] == "frame_00008.png");
+    REQUIRE(names_in(first.path()).size() == 9);
+    CHECK(names_in(first.path()) == names_in(second.path()));
+    CHECK(names_in(first.path())[8] == "frame_00008.png");
     const OpenRenderer opened = open_renderer(64, 48);
     for (int i = 0; i < 9; ++i) {
-        const std::string name = first.names()[i];
-        CHECK(decoded(first.path / name).rgba == opened.renderer->draw(picture_of(i)).rgba);
-        CHECK(decoded(first.path / name).rgba == decoded(second.path / name).rgba);
+        const std::string name = names_in(first.path())[i];
+        CHECK(decoded(first.path() / name).rgba == opened.renderer->draw(picture_of(i)).rgba);
+        CHECK(decoded(first.path() / name).rgba == decoded(second.path() / name).rgba);
     }
 }
 
 TEST_CASE("frames: those of an earlier run are gone and other files stay", "[render]")
 {
-    const Folder folder;
+    const TemporaryFolder folder;
     run(options_for(folder), 5);
-    write(folder.path / "frame_00007.png.part", "torn");
-    write(folder.path / "frame_notes.png", "mine");
-    write(folder.path / "frame_000001.png", "mine");
+    write(folder.path() / "frame_00007.png.part", "torn");
+    write(folder.path() / "frame_notes.png", "mine");
+    write(folder.path() / "frame_000001.png", "mine");
     const FrameReport report = run(options_for(folder), 2);
     CHECK(report.removed == 6);
-    CHECK(folder.names() == std::vector<std::string>{"frame_00000.png", "frame_000001.png",
-                                                     "frame_00001.png", "frame_notes.png"});
+    CHECK(names_in(folder.path()) == std::vector<std::string>{"frame_00000.png", "frame_000001.png",
+                                                              "frame_00001.png",
+                                                              "frame_notes.png"});
 }
 
 TEST_CASE("frames: a run that ends early leaves the frames up to there", "[render]")
 {
-    const Folder folder;
+    const TemporaryFolder folder;
     const auto worker_dies = [&] {
         FrameSequence sequence(options_for(folder));
         for (int i = 0; i < 4; ++i)
@@ -147,13 +150,13 @@ TEST_CASE("frames: a run that ends early leaves the frames up to there", "[rende
         throw std::logic_error("the worker died");
     };
     CHECK_THROWS_AS(worker_dies(), std::logic_error);
-    CHECK(folder.names().size() == 4);
-    CHECK(folder.names().back() == "frame_00003.png");
+    CHECK(names_in(folder.path()).size() == 4);
+    CHECK(names_in(folder.path()).back() == "frame_00003.png");
 }
 
 TEST_CASE("frames: a full disk is told and leaves no torn file and no gap", "[render]")
 {
-    const Folder folder;
+    const TemporaryFolder folder;
     FrameSequence sequence(options_for(folder));
     for (int i = 0; i < 2; ++i)
         sequence.push(picture_of(i));
@@ -169,9 +172,9 @@ TEST_CASE("frames: a full disk is told and leaves no torn file and no gap", "[re
     } catch (const InputError& error) {
         CHECK(std::string(error.what()).find("cannot be written: File too large") !=
               std::string::npos);
-        CHECK(std::string(error.what()).starts_with((folder.path / "frame_").string()));
+        CHECK(std::string(error.what()).starts_with((folder.path() / "frame_").string()));
     }
-    const auto names = folder.names();
+    const auto names = names_in(folder.path());
     for (std::size_t i = 0; i < names.size(); ++i)
         CHECK(names[i] == "frame_0000" + std::to_string(i) + ".png");
     CHECK(names.size() < 3);
@@ -179,20 +182,20 @@ TEST_CASE("frames: a full disk is told and leaves no torn file and no gap", "[re
 
 TEST_CASE("frames: a directory that cannot be is told at once", "[render]")
 {
-    const Folder folder;
-    write(folder.path / "file", "not a directory");
+    const TemporaryFolder folder;
+    write(folder.path() / "file", "not a directory");
     FrameOptions options = options_for(folder);
-    options.directory = folder.path / "file" / "frames";
+    options.directory = folder.path() / "file" / "frames";
     CHECK_THROWS_AS(FrameSequence(options), InputError);
     options.directory = "/proc/frames";
     CHECK_THROWS_AS(FrameSequence(options), InputError);
-    options.directory = folder.path;
+    options.directory = folder.path();
     options.width = 100000;
     CHECK_THROWS_AS(FrameSequence(options), InputError);
     options.width = 64;
     options.expected = 100001;
     CHECK_THROWS_AS(FrameSequence(options), InputError);
-    CHECK_THROWS_AS(write_whole(folder.path / "none" / "a.png", {}), InputError);
+    CHECK_THROWS_AS(write_whole(folder.path() / "none" / "a.png", {}), InputError);
 }
 
 TEST_CASE("frames: a video is whole, of odd sizes too", "[render]")
@@ -202,7 +205,7 @@ TEST_CASE("frames: a video is whole, of odd sizes too", "[render]")
         SUCCEED();
         return;
     }
-    const Folder folder;
+    const TemporaryFolder folder;
     FrameOptions options = options_for(folder);
     options.width = 65;
     options.height = 47;
@@ -210,9 +213,9 @@ TEST_CASE("frames: a video is whole, of odd sizes too", "[render]")
     options.frames_per_second = 10;
     const FrameReport report = run(options, 12);
     REQUIRE(report.video);
-    CHECK(folder.names().size() == 13);
+    CHECK(names_in(folder.path()).size() == 13);
     // decoded by ffmpeg itself: as many pictures, a row and a column more
-    const std::string raw = (folder.path / "raw").string();
+    const std::string raw = (folder.path() / "raw").string();
     const std::string command = "ffmpeg -loglevel error -i '" + report.video->string() +
                                 "' -f rawvideo -pix_fmt gray '" + raw + "'";
     REQUIRE(std::system(command.c_str()) == 0);
@@ -221,7 +224,7 @@ TEST_CASE("frames: a video is whole, of odd sizes too", "[render]")
 
 TEST_CASE("frames: without ffmpeg a video is refused with the way to get it", "[render]")
 {
-    const Folder folder;
+    const TemporaryFolder folder;
     FrameOptions options = options_for(folder);
     options.video = true;
     const Path nowhere("/nowhere");
@@ -232,14 +235,14 @@ TEST_CASE("frames: without ffmpeg a video is refused with the way to get it", "[
 
 TEST_CASE("frames: what ffmpeg died of is told and no torn video stays", "[render]")
 {
-    const Folder folder, tools;
-    write(tools.path / "ffmpeg", "#!/bin/sh\necho no codec today >&2\nexit 1\n");
-    std::filesystem::permissions(tools.path / "ffmpeg", std::filesystem::perms::all);
+    const TemporaryFolder folder, tools;
+    write(tools.path() / "ffmpeg", "#!/bin/sh\necho no codec today >&2\nexit 1\n");
+    std::filesystem::permissions(tools.path() / "ffmpeg", std::filesystem::perms::all);
     FrameOptions options = options_for(folder);
     options.video = true;
-    const Path fake(tools.path.string());
+    const Path fake(tools.path().string());
     CHECK_THROWS_WITH(run(options, 30),
-                      (folder.path / "out.mp4").string() + ": ffmpeg failed: no codec today");
-    for (const std::string& name : folder.names())
+                      (folder.path() / "out.mp4").string() + ": ffmpeg failed: no codec today");
+    for (const std::string& name : names_in(folder.path()))
         CHECK(name.ends_with(".png"));
 }

@@ -118,17 +118,10 @@ SmallRun small_run()
     return run;
 }
 
-Folder::Folder()
-{
-    std::string name = (std::filesystem::temp_directory_path() / "rigor_frames_XXXXXX").string();
-    if (!mkdtemp(name.data())) throw std::runtime_error("no temporary folder");
-    path = name;
-}
-
-std::vector<std::string> Folder::names() const
+std::vector<std::string> names_in(const std::filesystem::path& folder)
 {
     std::vector<std::string> result;
-    for (const auto& entry : std::filesystem::directory_iterator(path))
+    for (const auto& entry : std::filesystem::directory_iterator(folder))
         result.push_back(entry.path().filename().string());
     std::sort(result.begin(), result.end());
     return result;

@@ -45,16 +45,7 @@ struct SmallRun {
 };
 SmallRun small_run();
 
-/// An empty folder, gone after the test.
-class Folder {
-public:
-    Folder();
-    Folder(const Folder&) = delete;
-    Folder& operator=(const Folder&) = delete;
-    ~Folder() { std::filesystem::remove_all(path); }
-    std::vector<std::string> names() const; // of its files, sorted
-
-    std::filesystem::path path;
-};
+/// Of the files in a folder, sorted.
+std::vector<std::string> names_in(const std::filesystem::path& folder);
 
 } // namespace rigor

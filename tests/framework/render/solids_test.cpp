@@ -7,11 +7,13 @@
 #include "render/stage.hpp"
 #include "scene/record_solid.hpp"
 #include "support/catch.hpp"
+#include "support/temporary_folder.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 using namespace rigor;
+using rigor::testing::TemporaryFolder;
 
 namespace {
 
@@ -217,9 +219,9 @@ TEST_CASE("solids: another run's solid is a ghost where it lies apart", "[render
 
 TEST_CASE("solids: a run becomes files", "[render]")
 {
-    const Folder folder;
+    const TemporaryFolder folder;
     FrameOptions options;
-    options.directory = folder.path;
+    options.directory = folder.path();
     options.width = 64;
     options.height = 48;
     FrameSequence sequence(options);
@@ -234,6 +236,6 @@ TEST_CASE("solids: a run becomes files", "[render]")
     run_scene(bar_scene(R"("solids": "stress")"), Record::frames,
               [&](std::span<const std::byte> bytes) { reader.feed(bytes); });
     CHECK(sequence.finish().frames == 4);
-    CHECK(folder.names().size() == 4);
-    CHECK(decoded(folder.path / "frame_00003.png").width == 64);
+    CHECK(names_in(folder.path()).size() == 4);
+    CHECK(decoded(folder.path() / "frame_00003.png").width == 64);
 }

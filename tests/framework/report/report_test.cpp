@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "../grading/files.hpp"
 #include "report/result_json.hpp"
 #include "report/table.hpp"
 #include "report/terminal.hpp"
 #include "scene/scene.hpp"
 #include "support/catch.hpp"
+#include "support/temporary_folder.hpp"
 
 #include <nlohmann/json.hpp>
 

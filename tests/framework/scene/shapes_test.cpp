@@ -3,38 +3,15 @@
 #include "geometry/solid_mesh.hpp"
 #include "scene/scene.hpp"
 #include "support/close.hpp"
+#include "support/temporary_folder.hpp"
 
 #include <filesystem>
 #include <fstream>
-#include <unistd.h>
 
 using namespace rigor;
 using namespace rigor::testing;
 
 namespace {
-
-// A folder for the files of one test.
-class Folder {
-public:
-    Folder()
-        : path_(std::filesystem::temp_directory_path() /
-                ("rigor_shapes_" + std::to_string(getpid())))
-    {
-        std::filesystem::create_directories(path_);
-    }
-    ~Folder() { std::filesystem::remove_all(path_); }
-    Folder(const Folder&) = delete;
-    Folder& operator=(const Folder&) = delete;
-
-    std::filesystem::path write(const std::string& name, const std::string& text) const
-    {
-        std::ofstream(path_ / name, std::ios::binary) << text;
-        return path_ / name;
-    }
-
-private:
-    std::filesystem::path path_;
-};
 
 std::string bodies_of(const std::vector<std::string>& shapes)
 {
@@ -162,7 +139,7 @@ TEST_CASE("shapes: sizes that cannot be are refused")
 
 TEST_CASE("shapes: a mesh file travels inside the scene that names it")
 {
-    const Folder folder;
+    const TemporaryFolder folder;
     folder.write("tetra.obj", "# by hand\nvn 0 0 1\n" + tetrahedron);
     const std::string text = bodies_of({R"({"mesh": {"file": "tetra.obj"}})",
                                         R"({"mesh": {"file": "tetra.obj", "scale": 2}})",
@@ -189,7 +166,7 @@ TEST_CASE("shapes: a mesh file travels inside the scene that names it")
 
 TEST_CASE("shapes: a bad mesh file is refused with its place")
 {
-    const Folder folder;
+    const TemporaryFolder folder;
     const std::string named =
         bodies_of({R"({"sphere": {"radius": 1}})", R"({"mesh": {"file": "m.obj"}})"});
     const auto load = [&] { return refusal([&] { load_scene(folder.write("s.json", named)); }); };

@@ -2,12 +2,13 @@
 // Files of tetrahedra that a scene names.
 #include "scene/scene.hpp"
 #include "support/close.hpp"
+#include "support/temporary_folder.hpp"
 
 #include <filesystem>
 #include <fstream>
-#include <unistd.h>
 
 using namespace rigor;
+using namespace rigor::testing;
 
 namespace {
 
@@ -23,29 +24,6 @@ template <class Read> std::string refusal_of(const Read& read)
     return "accepted";
 }
 
-// A folder for the files of one test.
-class Folder {
-public:
-    Folder()
-        : path_(std::filesystem::temp_directory_path() /
-                ("rigor_solids_" + std::to_string(getpid())))
-    {
-        std::filesystem::create_directories(path_);
-    }
-    ~Folder() { std::filesystem::remove_all(path_); }
-    Folder(const Folder&) = delete;
-    Folder& operator=(const Folder&) = delete;
-
-    std::filesystem::path write(const std::string& name, const std::string& text) const
-    {
-        std::ofstream(path_ / name, std::ios::binary) << text;
-        return path_ / name;
-    }
-
-private:
-    std::filesystem::path path_;
-};
-
 // Two tetrahedra on one face, as Medit writes them; `second` are the vertices of the second.
 std::string medit(const std::string& second)
 {
@@ -58,7 +36,7 @@ std::string medit(const std::string& second)
 
 TEST_CASE("solids: a file of tetrahedra travels inside the scene that names it")
 {
-    const Folder folder;
+    const TemporaryFolder folder;
     folder.write("two.mesh", medit("2 3 4 5"));
     const std::string named =
         "{\"solids\": [\n{\"name\": \"a\", \"mesh\": {\"file\": \"two.mesh\"}},"
@@ -77,7 +55,7 @@ TEST_CASE("solids: a file of tetrahedra travels inside the scene that names it")
 
 TEST_CASE("solids: a file that is no solid is refused with its place")
 {
-    const Folder folder;
+    const TemporaryFolder folder;
     const std::filesystem::path scene = folder.write(
         "s.json", "{\"solids\": [{\"name\": \"a\",\n\"mesh\": {\"file\": \"m.mesh\"}}]}");
     const auto refused_file = [&](const std::string& text) {

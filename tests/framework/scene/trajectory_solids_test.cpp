@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Deformable solids in a trajectory.
 #include "scene/motion_hash.hpp"
-#include "support/close.hpp"
 #include "support/random.hpp"
+#include "trajectory_bytes.hpp"
 
-#include <cstring>
 #include <limits>
 
 using namespace rigor;
@@ -66,9 +65,16 @@ std::vector<Frame> frames()
             frame_of(2, solid_of(after, true, 3)), frame_of(5, solid_of(after, false, 4))};
 }
 
-void append(Bytes& bytes, const Bytes& more)
+void check_indices(const SolidFrame& solid)
 {
-    bytes.insert(bytes.end(), more.begin(), more.end());
+    const SolidTopology& mesh = *solid.topology;
+    REQUIRE(solid.positions.size() == mesh.nodes);
+    for (const EmbeddedPoint& point : mesh.surface.points)
+        for (const int node : mesh.elements.at(point.element))
+            REQUIRE(solid.positions.at(node).allFinite());
+    for (const EmbeddedTriangle& triangle : mesh.surface.triangles)
+        for (const int point : triangle.points)
+            REQUIRE(static_cast<std::size_t>(point) < mesh.surface.points.size());
 }
 
 Bytes whole_trajectory()
@@ -77,37 +83,6 @@ Bytes whole_trajectory()
     for (const Frame& frame : frames())
         append(bytes, encode_frame(frame));
     append(bytes, encode_end({}));
-    return bytes;
-}
-
-Trajectory read(std::span<const std::byte> bytes, std::size_t piece)
-{
-    Trajectory trajectory;
-    TrajectoryReader reader({
-        [&](const Scene& scene, const std::vector<RecordedBody>&) { trajectory.scene = scene; },
-        [&](Frame frame) { trajectory.frames.push_back(std::move(frame)); },
-        nullptr,
-    });
-    for (; !bytes.empty(); bytes = bytes.subspan(std::min(piece, bytes.size())))
-        reader.feed(bytes.first(std::min(piece, bytes.size())));
-    trajectory.complete = reader.complete();
-    return trajectory;
-}
-
-std::string refusal(const Bytes& bytes)
-{
-    try {
-        read(bytes, bytes.size());
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "accepted";
-}
-
-template <class T> Bytes with(Bytes bytes, std::size_t at, T value)
-{
-    REQUIRE(at + sizeof value <= bytes.size());
-    std::memcpy(bytes.data() + at, &value, sizeof value);
     return bytes;
 }
 
@@ -145,43 +120,18 @@ TEST_CASE("trajectory of solids: what is written is what is read in pieces of an
 
 TEST_CASE("trajectory of solids: bytes cut off anywhere are the run up to there")
 {
-    const Bytes bytes = whole_trajectory();
-    std::size_t frames_before = 0;
-    for (std::size_t size = 1; size < bytes.size(); ++size) {
-        const Trajectory trajectory = read(std::span(bytes).first(size), size);
-        REQUIRE(!trajectory.complete);
-        REQUIRE(trajectory.frames.size() >= frames_before);
-        frames_before = trajectory.frames.size();
-    }
-    CHECK(frames_before == 4);
+    check_cut_off_anywhere(whole_trajectory(), 4);
 }
 
 TEST_CASE("trajectory of solids: every single flipped byte is refused or harmless")
 {
-    const Bytes bytes = whole_trajectory();
     const std::size_t start = encode_start(one_solid(), {}).size();
-    int refused = 0;
-    for (std::size_t i = start; i < bytes.size(); ++i)
-        for (const int mask : {0x01, 0x80, 0xFF}) {
-            Bytes flipped = bytes;
-            flipped[i] ^= static_cast<std::byte>(mask);
-            try {
-                for (const Frame& frame : read(flipped, flipped.size()).frames)
-                    for (const SolidFrame& solid : frame.solids) {
-                        const SolidTopology& mesh = *solid.topology;
-                        REQUIRE(solid.positions.size() == mesh.nodes);
-                        for (const EmbeddedPoint& point : mesh.surface.points)
-                            for (const int node : mesh.elements.at(point.element))
-                                REQUIRE(solid.positions.at(node).allFinite());
-                        for (const EmbeddedTriangle& triangle : mesh.surface.triangles)
-                            for (const int point : triangle.points)
-                                REQUIRE(static_cast<std::size_t>(point) <
-                                        mesh.surface.points.size());
-                    }
-            } catch (const InputError&) {
-                ++refused;
-            }
-        }
+    const int refused =
+        flipped_bytes_refused(whole_trajectory(), start, [](const Trajectory& trajectory) {
+            for (const Frame& frame : trajectory.frames)
+                for (const SolidFrame& solid : frame.solids)
+                    check_indices(solid);
+        });
     CHECK(refused > 300);
 }
 

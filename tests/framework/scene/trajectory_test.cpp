@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "scene/trajectory.hpp"
-#include "support/close.hpp"
 #include "support/random.hpp"
+#include "trajectory_bytes.hpp"
 
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <limits>
@@ -48,11 +46,6 @@ Counters some_counters()
     return counters;
 }
 
-void append(Bytes& bytes, const Bytes& more)
-{
-    bytes.insert(bytes.end(), more.begin(), more.end());
-}
-
 Bytes start_bytes()
 {
     return encode_start(two_balls(), {moving_body(), {true}});
@@ -65,43 +58,6 @@ Bytes whole_trajectory()
     for (const std::int64_t step : {0, 1, 2, 5})
         append(bytes, encode_frame(frame_at(scene, step)));
     append(bytes, encode_end(some_counters()));
-    return bytes;
-}
-
-Trajectory read(std::span<const std::byte> bytes, std::size_t piece)
-{
-    Trajectory trajectory;
-    TrajectoryReader reader({
-        [&](const Scene& scene, const std::vector<RecordedBody>& bodies) {
-            trajectory.scene = scene;
-            trajectory.bodies = bodies;
-        },
-        [&](Frame frame) { trajectory.frames.push_back(std::move(frame)); },
-        [&](const Counters& counters) { trajectory.counters = counters; },
-    });
-    for (; !bytes.empty(); bytes = bytes.subspan(std::min(piece, bytes.size())))
-        reader.feed(bytes.first(std::min(piece, bytes.size())));
-    trajectory.complete = reader.complete();
-    return trajectory;
-}
-
-// The one line that bytes are refused with; "accepted" if they are not.
-std::string refusal(const Bytes& bytes)
-{
-    try {
-        read(bytes, bytes.size());
-    } catch (const InputError& error) {
-        const std::string message = error.what();
-        CHECK(message.find('\n') == std::string::npos);
-        return message;
-    }
-    return "accepted";
-}
-
-template <class T> Bytes with(Bytes bytes, std::size_t at, T value)
-{
-    REQUIRE(at + sizeof value <= bytes.size());
-    std::memcpy(bytes.data() + at, &value, sizeof value);
     return bytes;
 }
 
@@ -166,34 +122,17 @@ TEST_CASE("trajectory: a frame arrives as soon as its last byte does")
 
 TEST_CASE("trajectory: bytes cut off anywhere are the run up to there")
 {
-    const Bytes bytes = whole_trajectory();
-    std::size_t frames_before = 0;
-    for (std::size_t size = 1; size < bytes.size(); ++size) {
-        const Trajectory trajectory = read(std::span(bytes).first(size), size);
-        REQUIRE(!trajectory.complete);
-        REQUIRE(trajectory.frames.size() >= frames_before);
-        frames_before = trajectory.frames.size();
-    }
-    CHECK(frames_before == 4);
+    check_cut_off_anywhere(whole_trajectory(), 4);
 }
 
 TEST_CASE("trajectory: every single flipped byte is refused or harmless")
 {
-    const Bytes bytes = whole_trajectory();
-    int refused = 0;
-    for (std::size_t i = 0; i < bytes.size(); ++i)
-        for (const int mask : {0x01, 0x80, 0xFF}) {
-            Bytes flipped = bytes;
-            flipped[i] ^= static_cast<std::byte>(mask);
-            try {
-                const Trajectory trajectory = read(flipped, flipped.size());
-                for (const Frame& frame : trajectory.frames)
-                    for (const RigidState& state : frame.bodies)
-                        REQUIRE(state.position.allFinite());
-            } catch (const InputError&) {
-                ++refused;
-            }
-        }
+    const int refused =
+        flipped_bytes_refused(whole_trajectory(), 0, [](const Trajectory& trajectory) {
+            for (const Frame& frame : trajectory.frames)
+                for (const RigidState& state : frame.bodies)
+                    REQUIRE(state.position.allFinite());
+        });
     CHECK(refused > 100);
 }
 

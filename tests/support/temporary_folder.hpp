@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <stdexcept>
 #include <stdlib.h>
 #include <string>
 
@@ -14,7 +15,9 @@ public:
     TemporaryFolder()
     {
         std::string name = (std::filesystem::temp_directory_path() / "rigor-XXXXXX").string();
-        path_ = mkdtemp(name.data());
+        if (!mkdtemp(name.data()))
+            throw std::runtime_error("expected to make a folder like " + name);
+        path_ = name;
     }
     ~TemporaryFolder() { std::filesystem::remove_all(path_); }
     TemporaryFolder(const TemporaryFolder&) = delete;

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// The program, run as its users run it.
+#pragma once
+
+#include "grading/process.hpp"
+#include "support/catch.hpp"
+
+#include <string>
+#include <vector>
+
+namespace rigor::testing {
+
+struct Run {
+    int status = 0;
+    std::string output;
+};
+
+/// @param arguments  after the program's name
+inline Run rigor(const std::vector<std::string>& arguments)
+{
+    Run result;
+    Command command;
+    command.arguments = {std::string(RIGOR_BINARY_DIR) + "/bin/rigor"};
+    command.arguments.insert(command.arguments.end(), arguments.begin(), arguments.end());
+    const Ended ended =
+        run(command, [&](std::string_view line) { result.output += std::string(line) + "\n"; });
+    REQUIRE(ended.signal == 0);
+    result.status = ended.status;
+    return result;
+}
+
+} // namespace rigor::testing
