@@ -44,4 +44,25 @@ int BoxTree::build(int first, int last)
     return index;
 }
 
+std::vector<BoxTree::NodePair> BoxTree::parts(std::size_t least) const
+{
+    std::vector<NodePair> parts;
+    if (!nodes_.empty()) parts.emplace_back(0, 0);
+    for (bool any = true; any && parts.size() < least;) {
+        any = false;
+        std::vector<NodePair> finer;
+        for (const NodePair& nodes : parts) {
+            const bool can_be_divided =
+                !nodes_[nodes.first].is_leaf() || !nodes_[nodes.second].is_leaf();
+            if (can_be_divided)
+                divide(nodes, finer);
+            else
+                finer.push_back(nodes);
+            any |= can_be_divided;
+        }
+        parts = std::move(finer);
+    }
+    return parts;
+}
+
 } // namespace rigor

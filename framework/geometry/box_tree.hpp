@@ -5,6 +5,7 @@
 #include "geometry/bounds.hpp"
 
 #include <array>
+#include <utility>
 #include <vector>
 
 namespace rigor {
@@ -35,38 +36,36 @@ public:
         }
     }
 
+    /// Two nodes, whose members may overlap each other's; or one node twice.
+    using NodePair = std::pair<int, int>;
+
     /// Calls visit(i, j) once for each two members whose boxes overlap.
     template <class Visit> void for_each_pair(const Visit& visit) const
     {
-        if (nodes_.empty()) return;
-        std::vector<std::pair<int, int>> open;
+        if (!nodes_.empty()) for_each_pair({0, 0}, visit);
+    }
+
+    /// The same for the members of these nodes alone.
+    template <class Visit> void for_each_pair(const NodePair& nodes, const Visit& visit) const
+    {
+        std::vector<NodePair> open{nodes};
         open.reserve(128);
-        open.emplace_back(0, 0);
         while (!open.empty()) {
-            const auto [a, b] = open.back();
+            const NodePair next = open.back();
             open.pop_back();
-            const Node &p = nodes_[a], &q = nodes_[b];
-            if (a == b) {
-                if (p.is_leaf()) {
-                    within(p, visit);
-                    continue;
-                }
-                open.emplace_back(p.left, p.left);
-                open.emplace_back(p.left, p.right);
-                open.emplace_back(p.right, p.right);
-            } else if (!p.bounds.overlaps(q.bounds)) {
-                continue;
-            } else if (p.is_leaf() && q.is_leaf()) {
+            const Node &p = nodes_[next.first], &q = nodes_[next.second];
+            if (next.first == next.second && p.is_leaf())
+                within(p, visit);
+            else if (next.first != next.second && p.is_leaf() && q.is_leaf())
                 between(p, q, visit);
-            } else if (q.is_leaf() || (!p.is_leaf() && p.last - p.first >= q.last - q.first)) {
-                open.emplace_back(p.left, b);
-                open.emplace_back(p.right, b);
-            } else {
-                open.emplace_back(a, q.left);
-                open.emplace_back(a, q.right);
-            }
+            else
+                divide(next, open);
         }
     }
+
+    /// The whole in parts: at least `least` pairs of nodes, if there are as many. Together they have each
+    /// two members whose boxes overlap once.
+    std::vector<NodePair> parts(std::size_t least) const;
 
 private:
     static constexpr int leaf_size = 4;
@@ -79,6 +78,27 @@ private:
     };
 
     int build(int first, int last);
+
+    // Appends what a pair of nodes, not both leaves, consists of; without those that do not overlap.
+    void divide(const NodePair& nodes, std::vector<NodePair>& parts) const
+    {
+        const auto add = [&](int a, int b) {
+            if (a == b || nodes_[a].bounds.overlaps(nodes_[b].bounds)) parts.emplace_back(a, b);
+        };
+        const auto [a, b] = nodes;
+        const Node &p = nodes_[a], &q = nodes_[b];
+        if (a == b) {
+            add(p.left, p.left);
+            add(p.left, p.right);
+            add(p.right, p.right);
+        } else if (q.is_leaf() || (!p.is_leaf() && p.last - p.first >= q.last - q.first)) {
+            add(p.left, b);
+            add(p.right, b);
+        } else {
+            add(a, q.left);
+            add(a, q.right);
+        }
+    }
 
     template <class Visit> void within(const Node& p, const Visit& visit) const
     {

@@ -43,8 +43,34 @@ std::vector<BodyPair> in_order(const std::vector<BodyPair>& pairs, std::size_t b
 
 } // namespace
 
+namespace {
+
+// In an order that depends on the number of threads: they are put in order later.
+std::vector<BodyPair> overlapping(const BoxTree& tree, std::size_t members, Team& team)
+{
+    constexpr std::size_t worth_sharing = 128; // members
+    const int stretches = team.stretches_of(members, worth_sharing);
+    if (stretches == 0) return {};
+    constexpr std::size_t parts_a_stretch = 4; // they are not all the same size
+    const std::vector<BoxTree::NodePair> parts =
+        tree.parts(stretches < 2 ? 1 : parts_a_stretch * static_cast<std::size_t>(stretches));
+    std::vector<std::vector<BodyPair>> found(stretches);
+    team.share(stretches, [&](int k) {
+        const auto [first, last] = Team::stretch(parts.size(), stretches, k);
+        for (std::size_t part = first; part < last; ++part)
+            tree.for_each_pair(parts[part], [&](int i, int j) {
+                found[k].push_back({std::min(i, j), std::max(i, j)});
+            });
+    });
+    for (std::size_t k = 1; k < found.size(); ++k)
+        found[0].insert(found[0].end(), found[k].begin(), found[k].end());
+    return std::move(found[0]);
+}
+
+} // namespace
+
 std::vector<BodyPair> near_pairs(const World& world, const std::vector<Pose>& poses,
-                                 const std::vector<Bounds>& bounds, Counters& counters)
+                                 const std::vector<Bounds>& bounds, Counters& counters, Team& team)
 {
     std::vector<int> moving, still, endless;
     std::uint64_t fixed = 0;
@@ -60,10 +86,9 @@ std::vector<BodyPair> near_pairs(const World& world, const std::vector<Pose>& po
     };
     counters.pairs_possible += pairs_among(world.bodies.size()) - pairs_among(fixed);
 
-    std::vector<BodyPair> pairs;
-    const auto add = [&pairs](int i, int j) { pairs.push_back({std::min(i, j), std::max(i, j)}); };
     const BoxTree tree(bounds, moving);
-    tree.for_each_pair(add);
+    std::vector<BodyPair> pairs = overlapping(tree, moving.size(), team);
+    const auto add = [&pairs](int i, int j) { pairs.push_back({std::min(i, j), std::max(i, j)}); };
     for (int i : still)
         tree.for_each_overlap(bounds[i], [&](int j) { add(i, j); });
     for (int i : endless)

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "geometry/bounds.hpp"
+#include "rigid/team.hpp"
 #include "rigid/world.hpp"
 
 namespace rigor {
@@ -23,6 +24,14 @@ struct BodyPair {
 /// @param poses   of all bodies
 /// @param bounds  of all bodies over the step; infinite for those with a plane
 std::vector<BodyPair> near_pairs(const World& world, const std::vector<Pose>& poses,
-                                 const std::vector<Bounds>& bounds, Counters& counters);
+                                 const std::vector<Bounds>& bounds, Counters& counters, Team& team);
+
+/// The same by the calling thread alone.
+inline std::vector<BodyPair> near_pairs(const World& world, const std::vector<Pose>& poses,
+                                        const std::vector<Bounds>& bounds, Counters& counters)
+{
+    Team alone;
+    return near_pairs(world, poses, bounds, counters, alone);
+}
 
 } // namespace rigor

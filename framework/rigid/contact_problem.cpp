@@ -2,7 +2,7 @@
 #include "rigid/contact_problem.hpp"
 
 #include "formulas/collision.hpp"
-#include "geometry/bounds.hpp"
+#include "rigid/blocks.hpp"
 #include "rigid/flight.hpp"
 #include "rigid/groups.hpp"
 #include "rigid/optimised_forms.hpp"
@@ -48,25 +48,32 @@ std::tuple<double, double, double> place(const SolvedContact& c)
     return {c.height, c.point.x(), c.point.z()};
 }
 
-// Pairs from the lowest up, and so the contacts of each.
-std::vector<ContactPair> sorted_pairs(std::vector<SolvedContact>& contacts)
+// Contacts of the same two bodies, one after the other.
+std::vector<ContactPair> pairs_of(const std::vector<SolvedContact>& contacts)
 {
-    std::vector<std::pair<std::tuple<double, double, double>, ContactPair>> placed;
+    std::vector<ContactPair> pairs;
     for (int first = 0, last = 0, n = static_cast<int>(contacts.size()); first < n; first = last) {
         while (last < n && contacts[last].body1 == contacts[first].body1 &&
                contacts[last].body2 == contacts[first].body2)
             ++last;
-        std::sort(
-            contacts.begin() + first, contacts.begin() + last,
-            [](const SolvedContact& a, const SolvedContact& b) { return place(a) < place(b); });
-        placed.push_back({place(contacts[first]), {first, last}});
+        pairs.push_back({first, last});
     }
-    std::stable_sort(placed.begin(), placed.end(),
-                     [](const auto& a, const auto& b) { return a.first < b.first; });
-    std::vector<ContactPair> pairs;
-    for (const auto& [where, pair] : placed)
-        pairs.push_back(pair);
     return pairs;
+}
+
+// Pairs from the lowest up, and so the contacts of each.
+void sort(std::vector<ContactPair>& pairs, std::vector<SolvedContact>& contacts, Team& team)
+{
+    constexpr std::size_t worth_sharing = 256; // pairs
+    team.share_stretches(pairs.size(), worth_sharing, [&](std::size_t first, std::size_t last) {
+        for (std::size_t k = first; k < last; ++k)
+            std::sort(
+                contacts.begin() + pairs[k].first, contacts.begin() + pairs[k].last,
+                [](const SolvedContact& a, const SolvedContact& b) { return place(a) < place(b); });
+    });
+    std::stable_sort(pairs.begin(), pairs.end(), [&](const ContactPair& a, const ContactPair& b) {
+        return place(contacts[a.first]) < place(contacts[b.first]);
+    });
 }
 
 int moving_of(const World& world, const Contact& c)
@@ -159,9 +166,98 @@ void ContactProblem::apply(const SolvedContact& c, const Vector3d& x, const Vect
     if (!body2.is_static()) body2 = apply_impulse(body2, x, -j);
 }
 
+namespace {
+
+// The bodies that have contacts, as they are and as the step's forces would leave them.
+void take_bodies(const World& world, std::span<const RigidState> flown,
+                 std::span<const Contact> contacts, ContactProblem& problem,
+                 std::vector<Body>& after_forces)
+{
+    std::vector<char> touches(world.bodies.size(), false);
+    for (const Contact& contact : contacts)
+        touches[contact.body1] = touches[contact.body2] = true;
+    std::vector<int> touching;
+    for (int i = 0; i < static_cast<int>(touches.size()); ++i)
+        if (touches[i]) touching.push_back(i);
+    problem.bodies.resize(world.bodies.size());
+    after_forces.resize(world.bodies.size());
+    constexpr std::size_t worth_sharing = 64; // bodies
+    problem.team->share_stretches(
+        touching.size(), worth_sharing, [&](std::size_t first, std::size_t last) {
+            for (std::size_t k = first; k < last; ++k) {
+                const int i = touching[k];
+                problem.bodies[i] = body_in_world(world.integrator, world.bodies[i]);
+                after_forces[i] = pushed(problem.bodies[i], world.bodies[i].state, flown[i]);
+            }
+        });
+}
+
+// What makes a contact one that is solved.
+struct Filter {
+    const World& world;
+    const ContactProblem& problem;
+    std::span<const double> margins;
+    const std::vector<double>& radii;
+    const std::vector<Body>& after_forces;
+
+    // Appends it if it may close.
+    void take(const Contact& contact, const Vector3d& up, std::vector<SolvedContact>& taken) const
+    {
+        const Vector3d &n = contact.normal, &x = contact.point;
+        const double free_speed = problem.velocity_between(after_forces, contact, x).dot(n);
+        const double margin = margins[contact.body1] + margins[contact.body2];
+        if (contact.gap + problem.time_step * free_speed >= margin) return;
+
+        SolvedContact& c = taken.emplace_back(SolvedContact{contact});
+        c.free_speed = free_speed;
+        c.force_speed = free_speed - problem.velocity_at(c, x).dot(n);
+        c.height = up.dot(x);
+        const Material &a = world.bodies[c.body1].material, &b = world.bodies[c.body2].material;
+        c.restitution = std::min(a.restitution, b.restitution);
+        c.friction = std::sqrt(a.friction * b.friction);
+        const double r1 = radii[c.body1], r2 = radii[c.body2];
+        c.radius = r1 > 0 && r2 > 0 ? std::min(r1, r2) : std::max(r1, r2);
+    }
+};
+
+// In stretches, put together again in their order.
+void take_contacts(const Filter& filter, std::span<const Contact> contacts, ContactProblem& problem)
+{
+    constexpr std::size_t worth_sharing = 256; // contacts
+    const int stretches = problem.team->stretches_of(contacts.size(), worth_sharing);
+    const Vector3d up = problem.up();
+    std::vector<std::vector<SolvedContact>> taken(stretches);
+    problem.team->share(stretches, [&](int k) {
+        const auto [first, last] = Team::stretch(contacts.size(), stretches, k);
+        taken[k].reserve(last - first);
+        for (std::size_t i = first; i < last; ++i)
+            filter.take(contacts[i], up, taken[k]);
+    });
+    if (stretches == 1) problem.contacts = std::move(taken[0]);
+    for (const std::vector<SolvedContact>& part : taken)
+        problem.contacts.insert(problem.contacts.end(), part.begin(), part.end());
+}
+
+void set_impulse_matrices(ContactProblem& problem, const Island& island)
+{
+    constexpr std::size_t worth_sharing = 64; // pairs
+    problem.team->share_stretches(
+        island.pairs.size(), worth_sharing, [&](std::size_t first, std::size_t last) {
+            for (std::size_t k = first; k < last; ++k)
+                for (int i = island.pairs[k].first; i < island.pairs[k].last; ++i) {
+                    SolvedContact& c = problem.contacts[i];
+                    c.K = problem.impulse_matrix_at(c, c.point);
+                    c.normal_K = c.normal.dot(optimised::product(c.K, c.normal));
+                }
+        });
+}
+
+} // namespace
+
 ContactProblem contact_problem(const World& world, std::span<const RigidState> flown,
                                std::span<const double> margins, const std::vector<double>& radii,
-                               std::vector<Contact> contacts, double time_step, Counters& counters)
+                               std::span<const Contact> contacts, double time_step,
+                               Counters& counters, Team& team)
 {
     ContactProblem problem;
     problem.time_step = time_step;
@@ -170,46 +266,22 @@ ContactProblem contact_problem(const World& world, std::span<const RigidState> f
     problem.skips = world.skips;
     problem.optimised = world.formulas_are_reference && world.skips.readable_formulas;
     problem.counters = &counters;
-    problem.bodies.resize(world.bodies.size());
-    std::vector<Body> after_forces(world.bodies.size());
-    problem.contacts.reserve(contacts.size());
-    const Vector3d up = problem.up();
-    std::vector<bool> is_ready(world.bodies.size(), false);
-    for (const Contact& contact : contacts) {
-        for (int i : {contact.body1, contact.body2}) {
-            if (is_ready[i]) continue;
-            is_ready[i] = true;
-            problem.bodies[i] = body_in_world(world.integrator, world.bodies[i]);
-            after_forces[i] = pushed(problem.bodies[i], world.bodies[i].state, flown[i]);
-        }
-        SolvedContact c{contact};
-        const Vector3d& n = c.normal;
-        const double v_n = problem.velocity_at(c, c.point).dot(n);
-        c.free_speed = problem.velocity_between(after_forces, c, c.point).dot(n);
-        c.force_speed = c.free_speed - v_n;
-        const double margin = margins[c.body1] + margins[c.body2];
-        if (problem.predicted_gap(c, c.free_speed) >= margin) continue;
-        c.height = up.dot(c.point);
+    problem.team = &team;
+    std::vector<Body> after_forces;
+    take_bodies(world, flown, contacts, problem, after_forces);
+    take_contacts({world, problem, margins, radii, after_forces}, contacts, problem);
 
-        const Material &a = world.bodies[c.body1].material, &b = world.bodies[c.body2].material;
-        c.restitution = std::min(a.restitution, b.restitution);
-        c.friction = std::sqrt(a.friction * b.friction);
-        const double r1 = radii[c.body1], r2 = radii[c.body2];
-        c.radius = r1 > 0 && r2 > 0 ? std::min(r1, r2) : std::max(r1, r2);
-        problem.contacts.push_back(c);
-    }
+    std::vector<ContactPair> pairs = pairs_of(problem.contacts);
     const bool is_iterative =
         problem.method == ContactMethod::built_in || problem.method == ContactMethod::simultaneous;
     if (is_iterative && world.skips.warm_start)
-        start_warm(world, time_step, problem.contacts, counters);
-    problem.islands = islands_of(world, problem, sorted_pairs(problem.contacts));
-    for (const Island& island : problem.islands)
-        for (const ContactPair& pair : island.pairs)
-            for (int i = pair.first; i < pair.last; ++i) {
-                SolvedContact& c = problem.contacts[i];
-                c.K = problem.impulse_matrix_at(c, c.point);
-                c.normal_K = c.normal.dot(optimised::product(c.K, c.normal));
-            }
+        start_warm(world, time_step, pairs, problem.contacts, counters, team);
+    sort(pairs, problem.contacts, team);
+    problem.islands = islands_of(world, problem, pairs);
+    for (Island& island : problem.islands) {
+        set_impulse_matrices(problem, island);
+        split_into_blocks(problem, island);
+    }
     return problem;
 }
 

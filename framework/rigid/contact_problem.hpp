@@ -3,6 +3,7 @@
 #pragma once
 
 #include "rigid/narrow_phase.hpp"
+#include "rigid/team.hpp"
 #include "rigid/world.hpp"
 
 #include <span>
@@ -29,10 +30,18 @@ struct ContactPair {
     int first = 0, last = 0;
 };
 
+/// Pairs of an island, or blocks of them: [first, last).
+struct IslandStretch {
+    int first = 0, last = 0;
+};
+
 /// Bodies that contacts tie together, with nothing static between them.
 struct Island {
     std::vector<int> bodies;
-    std::vector<ContactPair> pairs; // from the lowest up
+    std::vector<ContactPair> pairs; // block after block; in each from the lowest up
+    // Of a large island, see `split_into_blocks`; of others there are none, or one.
+    std::vector<IslandStretch> blocks; // of pairs
+    std::vector<IslandStretch> stages; // of blocks that share no body that moves
 };
 
 /// Everything the stages work on.
@@ -46,6 +55,7 @@ struct ContactProblem {
     Skips skips;
     bool optimised = false; // the reference's formulas in a faster form
     Counters* counters = nullptr;
+    Team* team = nullptr; // none: work alone
 
     /// Against gravity, unit; along y without gravity.
     Vector3d up() const;
@@ -74,6 +84,7 @@ struct ContactProblem {
 ///                 flight are dropped [m]
 ContactProblem contact_problem(const World& world, std::span<const RigidState> flown,
                                std::span<const double> margins, const std::vector<double>& radii,
-                               std::vector<Contact> contacts, double time_step, Counters& counters);
+                               std::span<const Contact> contacts, double time_step,
+                               Counters& counters, Team& team);
 
 } // namespace rigor

@@ -35,36 +35,56 @@ double tangential_eigenvalue(const Matrix3d& K, const Vector3d& n)
     return (sum + std::sqrt(std::max(0.0, 2 * squares - sum * sum))) / 2;
 }
 
+// The largest of value(held), at least 0.
+template <class Value>
+double largest(const ContactProblem& problem, const std::vector<Held>& all, const Value& value)
+{
+    const auto largest_of = [&](std::size_t first, std::size_t last) {
+        double found = 0;
+        for (std::size_t k = first; k < last; ++k)
+            found = std::max(found, value(all[k]));
+        return found;
+    };
+    if (!problem.team) return largest_of(0, all.size());
+    constexpr std::size_t worth_sharing = 512; // contacts
+    const int stretches = problem.team->stretches_of(all.size(), worth_sharing);
+    std::vector<double> found(stretches, 0.0);
+    problem.team->share(stretches, [&](int k) {
+        const auto [first, last] = Team::stretch(all.size(), stretches, k);
+        found[k] = largest_of(first, last);
+    });
+    return *std::max_element(found.begin(), found.end());
+}
+
 // The fastest that anything moves at a contact: velocities cannot be told apart below its rounding [m/s].
 double fastest(const ContactProblem& problem, const std::vector<Held>& all)
 {
-    double speed = 0;
-    for (const Held& held : all) {
+    return largest(problem, all, [&](const Held& held) {
         const SolvedContact& c = problem.contacts[held.contact];
+        double speed = 0;
         for (int i : {c.body1, c.body2}) {
             const Body& b = problem.bodies[i];
             if (b.is_static()) continue;
             const double lever = (c.point - b.position).norm();
             speed = std::max(speed, b.velocity.norm() + b.angular_velocity.norm() * lever);
         }
-    }
-    return speed;
+        return speed;
+    });
 }
 
 // The fastest that a contact approaches: what the impulses are there to take away [m/s].
 double approach(const ContactProblem& problem, const std::vector<Held>& all)
 {
-    double speed = 0;
-    for (const Held& held : all) {
+    return largest(problem, all, [&](const Held& held) {
         const SolvedContact& c = problem.contacts[held.contact];
-        speed = std::max(speed, held.target - problem.velocity_at(c, c.point).dot(c.normal));
-    }
-    return speed;
+        return held.target - problem.velocity_at(c, c.point).dot(c.normal);
+    });
 }
 
-std::unique_ptr<Sweeps> sweeps_of(ContactProblem& problem, const std::vector<Held>& held)
+std::unique_ptr<Sweeps> sweeps_of(ContactProblem& problem, const Island& island,
+                                  const std::vector<Held>& held)
 {
-    if (problem.optimised) return optimised_sweeps(problem, held);
+    if (problem.optimised) return optimised_sweeps(problem, island, held);
     if (problem.method == ContactMethod::simultaneous) return simultaneous_sweeps(problem, held);
     return collision_law_sweeps(problem, held);
 }
@@ -146,7 +166,7 @@ void solve(ContactProblem& problem, const Island& island, const std::vector<Held
     const Limits limits{std::clamp(work / count, fewest_sweeps, most_sweeps),
                         rounding * speed + seen * approach(problem, all)};
     const std::vector<Body> free = may_jump ? problem.bodies : std::vector<Body>();
-    const std::unique_ptr<Sweeps> sweeps = sweeps_of(problem, all);
+    const std::unique_ptr<Sweeps> sweeps = sweeps_of(problem, island, all);
     std::vector<Vector3d> start = may_jump ? sweeps->impulses() : std::vector<Vector3d>();
     const Residuals swept = sweep_on(problem, *sweeps, all.size(), limits);
     if (!swept.is_done && may_jump) {

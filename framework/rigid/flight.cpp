@@ -166,15 +166,14 @@ RigidState fly(const World& world, const RigidBody& body, RigidState state, doub
 }
 
 std::vector<RigidState> fly_all(const World& world, const std::vector<bool>& pulled,
-                                double time_step, Counters& counters)
+                                double time_step, Counters& counters, Team& team)
 {
-    std::vector<RigidState> states;
-    states.reserve(world.bodies.size());
-    std::vector<int> together;
+    std::vector<RigidState> states(world.bodies.size());
+    std::vector<int> alone, together;
     int n = 1;
     for (std::size_t i = 0; i < world.bodies.size(); ++i) {
         const RigidBody& body = world.bodies[i];
-        states.push_back(body.state);
+        states[i] = body.state;
         if (body.is_static) {
             ++counters.static_skipped;
         } else if (body.rest.is_asleep()) {
@@ -184,8 +183,21 @@ std::vector<RigidState> fly_all(const World& world, const std::vector<bool>& pul
             n = std::max(n, substeps_for(world.integrator, body, body.state, time_step));
             if (body.is_isotropic) ++counters.isotropic_shortcuts;
         } else {
-            states.back() = fly(world, body, body.state, time_step, counters);
+            alone.push_back(static_cast<int>(i));
         }
+    }
+    constexpr std::size_t worth_sharing = 64; // bodies
+    const int stretches = team.stretches_of(alone.size(), worth_sharing);
+    std::vector<Counters> counted(stretches);
+    team.share(stretches, [&](int k) {
+        const auto [first, last] = Team::stretch(alone.size(), stretches, k);
+        for (std::size_t i = first; i < last; ++i)
+            states[alone[i]] =
+                fly(world, world.bodies[alone[i]], states[alone[i]], time_step, counted[k]);
+    });
+    for (const Counters& part : counted) {
+        counters.substeps += part.substeps;
+        counters.isotropic_shortcuts += part.isotropic_shortcuts;
     }
     if (together.empty()) return states;
 

@@ -14,6 +14,7 @@
 // X, V, L take the classical Runge–Kutta 4 with the same stages.
 #pragma once
 
+#include "rigid/team.hpp"
 #include "rigid/world.hpp"
 
 namespace rigor {
@@ -38,6 +39,6 @@ RigidState fly(const World& world, const RigidBody& body, RigidState state, doub
 ///
 /// @param pulled  see `pulled_bodies`
 std::vector<RigidState> fly_all(const World& world, const std::vector<bool>& pulled,
-                                double time_step, Counters& counters);
+                                double time_step, Counters& counters, Team& team);
 
 } // namespace rigor

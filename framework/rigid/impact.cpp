@@ -133,8 +133,9 @@ std::optional<std::vector<ContactRecord>> bounce_at_impact(const World& world,
         flown.push_back(body.is_static ? body.state
                                        : fly(pair_world, body, body.state, rest, uncounted));
     }
-    ContactProblem impact =
-        contact_problem(pair_world, flown, margins, radii, meeting.contacts, rest, uncounted);
+    Team alone;
+    ContactProblem impact = contact_problem(pair_world, flown, margins, radii, meeting.contacts,
+                                            rest, uncounted, alone);
     if (impact.islands.size() != 1) return std::nullopt;
     process_collisions(impact, impact.islands[0]);
 

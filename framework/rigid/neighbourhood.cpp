@@ -4,7 +4,6 @@
 #include "rigid/broad_phase.hpp"
 
 #include <algorithm>
-#include <future>
 #include <utility>
 
 namespace rigor {
@@ -46,10 +45,16 @@ double travel(const RigidState& from, const RigidState& to, double radius, doubl
 
 constexpr int most_hands = 8; // that a blow is passed on through in a step
 
+// What of a body matters when it is hit.
+struct Target {
+    double mass = 0, restitution = 0;
+    bool is_still = false;
+};
+
 // Of the speed that body j has, what body i gets when j hits it: (1 + ε) m_j / (m_i + m_j), but never more.
-double passed_on(const RigidBody& i, const RigidBody& j)
+double passed_on(const Target& i, const Target& j)
 {
-    const double restitution = std::min(i.material.restitution, j.material.restitution);
+    const double restitution = std::min(i.restitution, j.restitution);
     return std::min(1.0, (1 + restitution) * j.mass / (i.mass + j.mass));
 }
 
@@ -74,7 +79,10 @@ bool come_near(const Surroundings& at, const BodyPair& pair, double reach)
 // hits it, hand to hand; but looking farther than half its radius is never needed.
 std::vector<double> margins_of(const Surroundings& at, const std::vector<BodyPair>& pairs)
 {
-    const std::vector<RigidBody>& bodies = at.world.bodies;
+    std::vector<Target> bodies;
+    bodies.reserve(at.world.bodies.size());
+    for (const RigidBody& body : at.world.bodies)
+        bodies.push_back({body.mass, body.material.restitution, body.is_still()});
     const std::vector<double>& radii = at.near.radii;
     const auto margin = [&](int i, double farthest) { return std::min(farthest, radii[i] / 2); };
     std::vector<double> farthest = at.travels;
@@ -84,8 +92,9 @@ std::vector<double> margins_of(const Surroundings& at, const std::vector<BodyPai
         const std::vector<double> before = farthest;
         for (const BodyPair& pair : pairs) {
             auto [hit, hits] = pair;
-            if (bodies[hit].is_still() || bodies[hits].is_still()) continue;
             if (before[hit] > before[hits]) std::swap(hit, hits);
+            if (before[hits] <= farthest[hit]) continue; // it gets no more than that
+            if (bodies[hit].is_still || bodies[hits].is_still) continue;
             const double passed = passed_on(bodies[hit], bodies[hits]) * before[hits];
             if (passed <= farthest[hit]) continue;
             const double reach = margin(hit, before[hit]) + margin(hits, before[hits]);
@@ -130,55 +139,60 @@ Found look_closely(const Surroundings& at, std::span<const BodyPair> pairs)
     return found;
 }
 
-// The pairs in parts, a thread each, put together again in their order: the same bits for any number.
+// The pairs in stretches, put together again in their order: the same bits for any number of threads.
 std::vector<Found> look_closely(const Surroundings& at, const std::vector<BodyPair>& pairs,
-                                int threads)
+                                Team& team)
 {
-    constexpr std::size_t worth_a_thread = 256; // pairs
-    const std::size_t parts =
-        std::clamp<std::size_t>(pairs.size() / worth_a_thread, 1, std::max(threads, 1));
-    const auto part = [&](std::size_t k) {
-        const std::size_t first = pairs.size() * k / parts, last = pairs.size() * (k + 1) / parts;
-        return std::span(pairs).subspan(first, last - first);
-    };
-    std::vector<std::future<Found>> others;
-    for (std::size_t k = 1; k < parts; ++k)
-        others.push_back(
-            std::async(std::launch::async, [&at, part, k] { return look_closely(at, part(k)); }));
-    std::vector<Found> all{look_closely(at, part(0))};
-    for (std::future<Found>& other : others)
-        all.push_back(other.get());
+    constexpr std::size_t worth_sharing = 128; // pairs
+    const int stretches = team.stretches_of(pairs.size(), worth_sharing);
+    std::vector<Found> all(stretches);
+    team.share(stretches, [&](int k) {
+        const auto [first, last] = Team::stretch(pairs.size(), stretches, k);
+        all[k] = look_closely(at, std::span(pairs).subspan(first, last - first));
+    });
     return all;
+}
+
+// Where the bodies are and where they fly to.
+Surroundings surroundings(const World& world, std::span<const RigidState> flown, double time_step,
+                          Team& team)
+{
+    constexpr std::size_t worth_sharing = 32; // bodies
+    const std::size_t n = flown.size();
+    Surroundings at{
+        world, std::vector<Pose>(n), std::vector<Bounds>(n), std::vector<double>(n), {}};
+    at.near.radii.resize(n);
+    team.share_stretches(n, worth_sharing, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+            const RigidBody& body = world.bodies[i];
+            at.poses[i] = pose_of(body.state);
+            at.bounds[i] = body_bounds(body, at.poses[i]);
+            if (!body.is_static) at.near.radii[i] = body_radius(body);
+            if (body.is_still()) continue;
+            at.bounds[i].include(body_bounds(body, pose_of(flown[i])));
+            at.travels[i] = travel(body.state, flown[i], at.near.radii[i], time_step);
+        }
+    });
+    return at;
 }
 
 } // namespace
 
 Neighbourhood neighbourhood(const World& world, std::span<const RigidState> flown, double time_step,
-                            Counters& counters)
+                            Counters& counters, Team& team)
 {
-    Surroundings at{world, {}, {}, {}, {}};
-    std::vector<double>& radii = at.near.radii;
-    for (std::size_t i = 0; i < flown.size(); ++i) {
-        const RigidBody& body = world.bodies[i];
-        at.poses.push_back(pose_of(body.state));
-        at.bounds.push_back(body_bounds(body, at.poses.back()));
-        if (!body.is_still()) at.bounds.back().include(body_bounds(body, pose_of(flown[i])));
-        radii.push_back(body.is_static ? 0 : body_radius(body));
-        at.travels.push_back(
-            body.is_still() ? 0 : travel(body.state, flown[i], radii.back(), time_step));
-    }
+    Surroundings at = surroundings(world, flown, time_step, team);
     // what may be hit at all: by none faster than the fastest
     const double fastest = *std::max_element(at.travels.begin(), at.travels.end());
     std::vector<Bounds> wide = at.bounds;
     for (std::size_t i = 0; i < wide.size(); ++i)
-        wide[i].grow(std::min(fastest, radii[i] / 2));
-    const std::vector<BodyPair> pairs = near_pairs(world, at.poses, wide, counters);
+        wide[i].grow(std::min(fastest, at.near.radii[i] / 2));
+    const std::vector<BodyPair> pairs = near_pairs(world, at.poses, wide, counters, team);
     at.near.margins = margins_of(at, pairs);
 
     Neighbourhood& near = at.near;
     bool any_may_meet = false;
-    const int threads = world.formulas_are_reference ? world.threads : 1;
-    for (const Found& found : look_closely(at, pairs, threads)) {
+    for (const Found& found : look_closely(at, pairs, team)) {
         near.contacts.insert(near.contacts.end(), found.contacts.begin(), found.contacts.end());
         near.disturbed.insert(near.disturbed.end(), found.disturbed.begin(), found.disturbed.end());
         any_may_meet |= found.any_may_meet;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "rigid/narrow_phase.hpp"
+#include "rigid/team.hpp"
 #include "rigid/world.hpp"
 
 #include <span>
@@ -18,6 +19,6 @@ struct Neighbourhood {
 
 /// @param flown  the states after free flight
 Neighbourhood neighbourhood(const World& world, std::span<const RigidState> flown, double time_step,
-                            Counters& counters);
+                            Counters& counters, Team& team);
 
 } // namespace rigor

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "rigid/blocks.hpp"
 #include "rigid/sweeps.hpp"
 #include "rigid/two_bodies.hpp"
 
@@ -39,54 +40,41 @@ struct RowPair {
 
 class OptimisedSweeps : public Sweeps {
 public:
-    OptimisedSweeps(ContactProblem& problem, const std::vector<Held>& held)
-        : problem_(problem), held_(held)
+    OptimisedSweeps(ContactProblem& problem, const Island& island, const std::vector<Held>& held)
+        : problem_(problem), island_(island), held_(held), rows_(held.size())
     {
-        rows_.reserve(held.size());
-        for (const Held& h : held) {
-            const SolvedContact& c = problem.contacts[h.contact];
-            const Body &body1 = problem.bodies[c.body1], &body2 = problem.bodies[c.body2];
-            if (pairs_.empty() || pairs_.back().body1 != c.body1 ||
-                pairs_.back().body2 != c.body2) {
-                const int first = static_cast<int>(rows_.size());
-                pairs_.push_back({c.body1, c.body2, first, first, TwoMasses(body1, body2)});
+        find_pairs();
+        visit_blocks(island_, problem_.team, [&](int block) {
+            for (RowPair& pair : pairs_of(block)) {
+                pair.masses = TwoMasses(problem_.bodies[pair.body1], problem_.bodies[pair.body2]);
+                for (int k = pair.first; k < pair.last; ++k)
+                    rows_[k] = row_of(held_[k]);
+                visit(pair, [&](const Row& row, TwoMotions& motions) {
+                    motions.push(pair.masses, row.r, row.j);
+                });
             }
-            ++pairs_.back().last;
-            rows_.push_back({side_by_side(c.point - body1.position, c.point - body2.position),
-                             c.normal, c.guess, 1 / h.normal_K, 1 / h.tangential_K, h.target,
-                             c.friction});
-        }
-        for (const RowPair& pair : pairs_)
-            visit(pair, [&](const Row& row, TwoMotions& motions) {
-                motions.push(pair.masses, row.r, row.j);
-            });
+        });
     }
 
     Progress sweep(std::vector<Vector3d>& steps) override
     {
-        Progress progress;
-        std::uint64_t impulses = 0;
-        for (const RowPair& pair : pairs_)
-            visit(pair, [&](Row& row, TwoMotions& motions) {
-                Vector3d& step = steps[&row - rows_.data()];
-                const Vector3d v = motions.relative_velocity(row.r);
-                if (row.j.isZero(0) && v.dot(row.n) >= row.target) {
-                    step.setZero();
-                    return;
-                }
-                step = law(row, v);
-                row.j += step;
-                motions.push(pair.masses, row.r, step);
-                ++impulses;
-                const double K = 1 / row.per_normal_K, squared = step.squaredNorm();
-                progress.change = std::max(progress.change, K * K * squared);
-                progress.total = std::max(progress.total, K * K * row.j.squaredNorm());
-                progress.squared += K * squared;
-            });
-        progress.change = std::sqrt(progress.change);
-        progress.total = std::sqrt(progress.total);
-        problem_.counters->contact_impulses += impulses;
-        return progress;
+        std::vector<Progress> of_blocks(blocks_.size());
+        std::vector<std::uint64_t> impulses(blocks_.size(), 0);
+        visit_blocks(island_, problem_.team, [&](int block) {
+            for (const RowPair& pair : pairs_of(block))
+                sweep(pair, steps, of_blocks[block], impulses[block]);
+        });
+        Progress all;
+        for (const Progress& progress : of_blocks) {
+            all.change = std::max(all.change, progress.change);
+            all.total = std::max(all.total, progress.total);
+            all.squared += progress.squared;
+        }
+        all.change = std::sqrt(all.change);
+        all.total = std::sqrt(all.total);
+        for (const std::uint64_t of_block : impulses)
+            problem_.counters->contact_impulses += of_block;
+        return all;
     }
 
     std::vector<Vector3d> impulses() const override
@@ -110,19 +98,86 @@ public:
 
     void finish() override
     {
-        for (std::size_t k = 0; k < rows_.size(); ++k) {
-            const Row& row = rows_[k];
-            SolvedContact& c = problem_.contacts[held_[k].contact];
-            c.holding = row.j;
-            Body &body1 = problem_.bodies[c.body1], &body2 = problem_.bodies[c.body2];
-            if (!body1.is_static())
-                body1.angular_momentum += (c.point - body1.position).cross(row.j);
-            if (!body2.is_static())
-                body2.angular_momentum -= (c.point - body2.position).cross(row.j);
-        }
+        visit_blocks(island_, problem_.team, [&](int block) {
+            for (const RowPair& pair : pairs_of(block))
+                finish(pair);
+        });
     }
 
 private:
+    // The rows of each pair, and the pairs of each block.
+    void find_pairs()
+    {
+        int k = 0;
+        const int n = static_cast<int>(held_.size());
+        blocks_.reserve(island_.blocks.size());
+        for (const IslandStretch& block : island_.blocks) {
+            const int first_pair = static_cast<int>(pairs_.size());
+            for (int i = block.first; i < block.last; ++i) {
+                const int first = k, last_contact = island_.pairs[i].last;
+                const SolvedContact& c = problem_.contacts[island_.pairs[i].first];
+                while (k < n && held_[k].contact >= island_.pairs[i].first &&
+                       held_[k].contact < last_contact)
+                    ++k;
+                if (k > first) pairs_.push_back({c.body1, c.body2, first, k, {}});
+            }
+            blocks_.push_back({first_pair, static_cast<int>(pairs_.size())});
+        }
+    }
+
+    std::span<RowPair> pairs_of(int block)
+    {
+        const auto [first, last] = blocks_[block];
+        return std::span(pairs_).subspan(first, last - first);
+    }
+
+    Row row_of(const Held& h) const
+    {
+        const SolvedContact& c = problem_.contacts[h.contact];
+        const Body &body1 = problem_.bodies[c.body1], &body2 = problem_.bodies[c.body2];
+        return {side_by_side(c.point - body1.position, c.point - body2.position),
+                c.normal,
+                c.guess,
+                1 / h.normal_K,
+                1 / h.tangential_K,
+                h.target,
+                c.friction};
+    }
+
+    void sweep(const RowPair& pair, std::vector<Vector3d>& steps, Progress& progress,
+               std::uint64_t& impulses)
+    {
+        visit(pair, [&](Row& row, TwoMotions& motions) {
+            Vector3d& step = steps[&row - rows_.data()];
+            const Vector3d v = motions.relative_velocity(row.r);
+            if (row.j.isZero(0) && v.dot(row.n) >= row.target) {
+                step.setZero();
+                return;
+            }
+            step = law(row, v);
+            row.j += step;
+            motions.push(pair.masses, row.r, step);
+            ++impulses;
+            const double K = 1 / row.per_normal_K, squared = step.squaredNorm();
+            progress.change = std::max(progress.change, K * K * squared);
+            progress.total = std::max(progress.total, K * K * row.j.squaredNorm());
+            progress.squared += K * squared;
+        });
+    }
+
+    void finish(const RowPair& pair)
+    {
+        Body &body1 = problem_.bodies[pair.body1], &body2 = problem_.bodies[pair.body2];
+        for (int k = pair.first; k < pair.last; ++k) {
+            SolvedContact& c = problem_.contacts[held_[k].contact];
+            c.holding = rows_[k].j;
+            if (!body1.is_static())
+                body1.angular_momentum += (c.point - body1.position).cross(c.holding);
+            if (!body2.is_static())
+                body2.angular_momentum -= (c.point - body2.position).cross(c.holding);
+        }
+    }
+
     template <class Action>
     [[gnu::always_inline]] void visit(const RowPair& pair, const Action& action)
     {
@@ -133,26 +188,29 @@ private:
             action(rows_[k], motions);
         const auto& [V, w] = motions;
         if (!body1.is_static()) {
-            body1.velocity = {V.x[0], V.y[0], V.z[0]};
-            body1.angular_velocity = {w.x[0], w.y[0], w.z[0]};
+            body1.velocity = of_first(V);
+            body1.angular_velocity = of_first(w);
         }
         if (!body2.is_static()) {
-            body2.velocity = {V.x[1], V.y[1], V.z[1]};
-            body2.angular_velocity = {w.x[1], w.y[1], w.z[1]};
+            body2.velocity = of_second(V);
+            body2.angular_velocity = of_second(w);
         }
     }
 
     ContactProblem& problem_;
+    const Island& island_;
     const std::vector<Held>& held_;
     std::vector<Row> rows_;
     std::vector<RowPair> pairs_;
+    std::vector<IslandStretch> blocks_; // of these pairs
 };
 
 } // namespace
 
-std::unique_ptr<Sweeps> optimised_sweeps(ContactProblem& problem, const std::vector<Held>& held)
+std::unique_ptr<Sweeps> optimised_sweeps(ContactProblem& problem, const Island& island,
+                                         const std::vector<Held>& held)
 {
-    return std::make_unique<OptimisedSweeps>(problem, held);
+    return std::make_unique<OptimisedSweeps>(problem, island, held);
 }
 
 } // namespace rigor

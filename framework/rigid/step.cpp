@@ -63,23 +63,38 @@ void move(const World& world, const ContactProblem& problem, const std::vector<b
           std::vector<RigidState>& states, Counters& counters)
 {
     const Impulses impulses = impulses_of(problem);
-    for (const Island& island : problem.islands)
-        for (int i : island.bodies) {
-            const bool is_displaced = !displacements.empty() && !displacements[i].shift.isZero(0);
-            if (!impulses.bounced[i] && !impulses.held[i]) { // its flight was its motion
-                if (is_displaced) displace(states[i], displacements[i]);
-                continue;
-            }
-            --counters.free_flights;
-            const bool flies = !impulses.held[i] && !pulled[i];
-            const Body& body = flies ? bounced[i] : problem.bodies[i];
-            RigidState state = world.bodies[i].state;
-            state.velocity = body.velocity;
-            state.angular_momentum = body.angular_momentum;
-            require_finite(world.bodies[i], state, world.time + problem.time_step);
-            states[i] = fly(world, world.bodies[i], state, problem.time_step, counters, !flies);
+    const auto move_one = [&](int i, Counters& counted) {
+        const bool is_displaced = !displacements.empty() && !displacements[i].shift.isZero(0);
+        if (!impulses.bounced[i] && !impulses.held[i]) { // its flight was its motion
             if (is_displaced) displace(states[i], displacements[i]);
+            ++counted.free_flights;
+            return;
         }
+        const bool flies = !impulses.held[i] && !pulled[i];
+        const Body& body = flies ? bounced[i] : problem.bodies[i];
+        RigidState state = world.bodies[i].state;
+        state.velocity = body.velocity;
+        state.angular_momentum = body.angular_momentum;
+        require_finite(world.bodies[i], state, world.time + problem.time_step);
+        states[i] = fly(world, world.bodies[i], state, problem.time_step, counted, !flies);
+        if (is_displaced) displace(states[i], displacements[i]);
+    };
+    constexpr std::size_t worth_sharing = 64; // bodies
+    for (const Island& island : problem.islands) {
+        const int stretches = problem.team->stretches_of(island.bodies.size(), worth_sharing);
+        std::vector<Counters> counted(stretches);
+        problem.team->share(stretches, [&](int k) {
+            const auto [first, last] = Team::stretch(island.bodies.size(), stretches, k);
+            for (std::size_t at = first; at < last; ++at)
+                move_one(island.bodies[at], counted[k]);
+        });
+        counters.free_flights -= island.bodies.size();
+        for (const Counters& part : counted) {
+            counters.free_flights += part.free_flights;
+            counters.substeps += part.substeps;
+            counters.isotropic_shortcuts += part.isotropic_shortcuts;
+        }
+    }
 }
 
 std::vector<ContactRecord> records_of(const ContactProblem& problem)
@@ -140,7 +155,7 @@ struct Start {
     Neighbourhood near;
 };
 
-Start start_of_step(World& world, double time_step)
+Start start_of_step(World& world, double time_step, Team& team)
 {
     Start start;
     start.pulled = pulled_bodies(world, time_step);
@@ -148,13 +163,13 @@ Start start_of_step(World& world, double time_step)
         if (start.pulled[i] && world.bodies[i].rest.is_asleep()) wake(world, {static_cast<int>(i)});
     const Counters before = world.counters;
     for (;;) {
-        start.flown = fly_all(world, start.pulled, time_step, world.counters);
+        start.flown = fly_all(world, start.pulled, time_step, world.counters, team);
         for (std::size_t i = 0; i < start.flown.size(); ++i) {
             require_finite(world.bodies[i], start.flown[i], world.time + time_step);
             if (!world.bodies[i].is_still()) ++world.counters.free_flights;
         }
         if (world.bodies.size() < 2) return start;
-        start.near = neighbourhood(world, start.flown, time_step, world.counters);
+        start.near = neighbourhood(world, start.flown, time_step, world.counters, team);
         if (start.near.disturbed.empty()) return start;
         wake(world, start.near.disturbed);
         world.counters = before;
@@ -167,13 +182,14 @@ std::vector<ContactRecord> step(World& world, double time_step)
 {
     Counters& counters = world.counters;
     const double end = world.time + time_step;
-    const auto [pulled, flown, near] = start_of_step(world, time_step);
+    Team team(world.formulas_are_reference ? world.threads : 1);
+    const auto [pulled, flown, near] = start_of_step(world, time_step, team);
     std::vector<RigidState> states = flown;
     std::vector<ContactRecord> records;
     std::vector<WarmContact> held;
     if (!near.contacts.empty()) {
         ContactProblem problem = contact_problem(world, flown, near.margins, near.radii,
-                                                 near.contacts, time_step, counters);
+                                                 near.contacts, time_step, counters, team);
         for (const Island& island : problem.islands)
             process_collisions(problem, island);
         const std::vector<Body> bounced = problem.bodies;

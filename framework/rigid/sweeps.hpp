@@ -53,6 +53,9 @@ std::unique_ptr<Sweeps> collision_law_sweeps(ContactProblem& problem,
 std::unique_ptr<Sweeps> simultaneous_sweeps(ContactProblem& problem, const std::vector<Held>& held);
 
 /// The same sweeps as the reference's formulas do, of either kind, without calling them.
-std::unique_ptr<Sweeps> optimised_sweeps(ContactProblem& problem, const std::vector<Held>& held);
+///
+/// @param island  with its blocks: they are swept by all of the problem's team
+std::unique_ptr<Sweeps> optimised_sweeps(ContactProblem& problem, const Island& island,
+                                         const std::vector<Held>& held);
 
 } // namespace rigor

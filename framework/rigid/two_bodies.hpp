@@ -26,6 +26,16 @@ struct TwoVectors {
     return {Two{a[0], b[0]}, Two{a[1], b[1]}, Two{a[2], b[2]}};
 }
 
+/// That of body 1, and that of body 2.
+inline Vector3d of_first(const TwoVectors& a)
+{
+    return {a.x[0], a.y[0], a.z[0]};
+}
+inline Vector3d of_second(const TwoVectors& a)
+{
+    return {a.x[1], a.y[1], a.z[1]};
+}
+
 /// a × b
 [[gnu::always_inline]] inline TwoVectors cross(const TwoVectors& a, const TwoVectors& b)
 {
@@ -44,10 +54,17 @@ struct TwoVectors {
     return {a.x[0] - a.x[1], a.y[0] - a.y[1], a.z[0] - a.z[1]};
 }
 
+/// a·b of each.
+[[gnu::always_inline]] inline Two dot(const TwoVectors& a, const TwoVectors& b)
+{
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
 /// What j at a contact does to body 1 and -j to body 2: 1/M₁ beside -1/M₂, I₁⁻¹ beside -I₂⁻¹.
 struct TwoMasses {
     Two inverse_mass, xx, yy, zz, xy, xz, yz;
 
+    TwoMasses() = default;
     TwoMasses(const Body& b1, const Body& b2)
     {
         const Matrix3d &I = b1.inverse_inertia, &J = b2.inverse_inertia;
@@ -60,6 +77,13 @@ struct TwoMasses {
         yz = Two{I(1, 2), -J(1, 2)};
     }
 };
+
+/// I⁻¹ t of each.
+[[gnu::always_inline]] inline TwoVectors turned_by(const TwoMasses& of, const TwoVectors& t)
+{
+    return {of.xx * t.x + of.xy * t.y + of.xz * t.z, of.xy * t.x + of.yy * t.y + of.yz * t.z,
+            of.xz * t.x + of.yz * t.y + of.zz * t.z};
+}
 
 /// V and ω of both, in registers while the contacts between them are visited.
 struct TwoMotions {
@@ -78,9 +102,7 @@ struct TwoMotions {
     {
         const TwoVectors p = twice(j);
         V += {of.inverse_mass * p.x, of.inverse_mass * p.y, of.inverse_mass * p.z};
-        const TwoVectors t = cross(r, p);
-        w += {of.xx * t.x + of.xy * t.y + of.xz * t.z, of.xy * t.x + of.yy * t.y + of.yz * t.z,
-              of.xz * t.x + of.yz * t.y + of.zz * t.z};
+        w += turned_by(of, cross(r, p));
     }
 };
 

@@ -8,9 +8,9 @@ namespace rigor {
 /// Gives contacts the impulses that held them in the step before: of the same two bodies, the nearest
 /// one within a tenth of the smaller body's radius, turned to the contact's normal and cone.
 ///
-/// @param contacts  grouped by bodies, in ascending order
-void start_warm(const World& world, double time_step, std::vector<SolvedContact>& contacts,
-                Counters& counters);
+/// @param pairs  of contacts, whose bodies are in ascending order
+void start_warm(const World& world, double time_step, std::span<const ContactPair> pairs,
+                std::vector<SolvedContact>& contacts, Counters& counters, Team& team);
 
 /// What the next step can start from. @param contacts  grouped by bodies, in ascending order
 std::vector<WarmContact>

@@ -94,9 +94,11 @@ struct Phases {
 void look_into(const World& world, double whole, Phases& phases)
 {
     Counters counters;
+    Team alone;
     std::vector<RigidState> flown;
     const std::vector<bool> pulled = pulled_bodies(world, pile_step);
-    const double flight = seconds([&] { flown = fly_all(world, pulled, pile_step, counters); });
+    const double flight =
+        seconds([&] { flown = fly_all(world, pulled, pile_step, counters, alone); });
     std::vector<Pose> poses;
     std::vector<Bounds> bounds;
     for (const RigidBody& body : world.bodies) {
@@ -106,7 +108,7 @@ void look_into(const World& world, double whole, Phases& phases)
         if (!body.is_static) bounds.back().grow(bounding_radius(part) / 2);
     }
     const double broad = seconds([&] { near_pairs(world, poses, bounds, counters); });
-    const double near = seconds([&] { neighbourhood(world, flown, pile_step, counters); });
+    const double near = seconds([&] { neighbourhood(world, flown, pile_step, counters, alone); });
     phases.flight.push_back(flight);
     phases.broad.push_back(broad);
     phases.narrow.push_back(std::max(0.0, near - broad)); // differences of noisy times

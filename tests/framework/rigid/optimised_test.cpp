@@ -4,6 +4,7 @@
 
 #include "formulas/collision.hpp"
 #include "formulas/contact.hpp"
+#include "rigid/blocks.hpp"
 #include "rigid/contact_stage.hpp"
 #include "rigid/sweeps.hpp"
 #include "support/catch.hpp"
@@ -66,6 +67,7 @@ struct Heap {
             island.pairs.push_back({at, at + 1});
             problem.contacts.push_back(c);
         }
+        split_into_blocks(problem, island);
         for (const Held& h : held_contacts(problem, island)) {
             const SolvedContact& c = problem.contacts[h.contact];
             contacts.push_back(
@@ -104,7 +106,7 @@ TEST_CASE("optimised: the sweeps are those of resolve_simultaneously", "[rigid]"
             const ContactResult expected =
                 resolve_simultaneously(heap.problem.bodies, heap.contacts, sweeps);
             const std::vector<Held> held = held_contacts(heap.problem, heap.island);
-            const auto fast = optimised_sweeps(heap.problem, held);
+            const auto fast = optimised_sweeps(heap.problem, heap.island, held);
             std::vector<Vector3d> steps(held.size());
             for (int i = 0; i < sweeps; ++i)
                 fast->sweep(steps);

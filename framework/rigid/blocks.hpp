@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// An island that is too large for one thread, in parts that can be swept at the same time.
+#pragma once
+
+#include "rigid/contact_problem.hpp"
+
+namespace rigor {
+
+/// Puts the pairs of an island in blocks if it has many bodies: the bodies are halved again and again by a
+/// vertical plane, and a pair belongs to the smallest part that holds both of its bodies. Parts of one size
+/// share no body that moves. Within a block the pairs keep their order.
+void split_into_blocks(const ContactProblem& problem, Island& island);
+
+/// Calls work(k) for each block, one after the other or by several threads where the result cannot tell.
+template <class Work> void visit_blocks(const Island& island, Team* team, const Work& work)
+{
+    for (const IslandStretch& stage : island.stages) {
+        const auto of_stage = [&](int k) { work(stage.first + k); };
+        if (team)
+            team->share(stage.last - stage.first, of_stage);
+        else
+            for (int k = 0; k < stage.last - stage.first; ++k)
+                of_stage(k);
+    }
+}
+
+} // namespace rigor

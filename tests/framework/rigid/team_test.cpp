@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+// Threads that share the work of a step, and what they share.
+#include "rigid/team.hpp"
+
+#include "rigid/blocks.hpp"
+#include "support/catch.hpp"
+#include "worlds.hpp"
+
+#include <cstring>
+#include <set>
+#include <stdexcept>
+#include <string>
+
+using namespace rigor;
+using namespace rigor::testing;
+
+namespace {
+
+// A layer of cubes that lie on the ground and touch each other, with more on top of them.
+World large_heap()
+{
+    Random random(5);
+    std::vector<RigidBody> bodies = {fixed(Plane{}, {0, 0.5})};
+    for (int y = 0; y < 3; ++y)
+        for (int x = 0; x < 12; ++x)
+            for (int z = 0; z < 12; ++z) {
+                const Vector3d X(0.9995 * x + 0.3 * y, y + 0.5, 0.9995 * z + 0.1 * y);
+                bodies.push_back(body_of(Box{{1, 1, 1}}, X + 1e-4 * random.vector(), {0, 0.5}));
+            }
+    World world = world_of(std::move(bodies));
+    world.contact_method = ContactMethod::simultaneous;
+    world.formulas_are_reference = true;
+    return world;
+}
+
+// A chain of contacts along x: body k against body k + 1, and the first against the ground.
+ContactProblem chain(int bodies, Island& island)
+{
+    ContactProblem problem;
+    problem.gravity = {0, -g, 0};
+    problem.bodies.emplace_back(); // static
+    for (int i = 1; i <= bodies; ++i) {
+        Body& body = problem.bodies.emplace_back();
+        body.inverse_mass = 1;
+        body.position = {0.5 * i, 1, 0};
+        island.bodies.push_back(i);
+    }
+    for (int i = 0; i < bodies; ++i) {
+        SolvedContact c;
+        c.body1 = i;
+        c.body2 = i + 1;
+        problem.contacts.push_back(c);
+        island.pairs.push_back({i, i + 1});
+    }
+    return problem;
+}
+
+} // namespace
+
+TEST_CASE("team: each task is done once", "[rigid]")
+{
+    for (int threads : {1, 2, 4}) {
+        Team team(threads);
+        for (int tasks : {0, 1, 2, 7, 100})
+            for (int round = 0; round < 50; ++round) {
+                CAPTURE(threads, tasks, round);
+                std::vector<int> done(tasks, 0);
+                team.share(tasks, [&](int k) { ++done[k]; });
+                REQUIRE(done == std::vector<int>(tasks, 1));
+            }
+    }
+}
+
+TEST_CASE("team: stretches are all of it", "[rigid]")
+{
+    Team team(3);
+    for (std::size_t count : {0, 1, 5, 64, 1000}) {
+        CAPTURE(count);
+        std::vector<int> done(count, 0);
+        team.share_stretches(count, 8, [&](std::size_t first, std::size_t last) {
+            for (std::size_t i = first; i < last; ++i)
+                ++done[i];
+        });
+        REQUIRE(done == std::vector<int>(count, 1));
+    }
+}
+
+TEST_CASE("team: of several that throw the first is heard and work goes on", "[rigid]")
+{
+    for (int threads : {2, 3}) {
+        Team team(threads);
+        const auto fail = [](int k) {
+            if (k % 10 == 3) throw std::runtime_error(std::to_string(k));
+        };
+        REQUIRE_THROWS_WITH(team.share(40, fail), "3");
+        std::atomic<int> sum = 0;
+        team.share(40, [&](int k) { sum += k; });
+        REQUIRE(sum == 780);
+    }
+}
+
+TEST_CASE("team: blocks of one stage share no body and no pair is lost", "[rigid]")
+{
+    for (int bodies : {50, 400, 2000}) {
+        CAPTURE(bodies);
+        Island island;
+        const ContactProblem problem = chain(bodies, island);
+        split_into_blocks(problem, island);
+        std::set<int> seen;
+        int last = 0;
+        for (const IslandStretch& stage : island.stages) {
+            std::set<int> taken;
+            for (int k = stage.first; k < stage.last; ++k) {
+                REQUIRE(island.blocks[k].first == last);
+                last = island.blocks[k].last;
+                std::set<int> own;
+                for (int i = island.blocks[k].first; i < last; ++i) {
+                    const SolvedContact& c = problem.contacts[island.pairs[i].first];
+                    REQUIRE(seen.insert(island.pairs[i].first).second);
+                    for (int body : {c.body1, c.body2})
+                        if (!problem.bodies[body].is_static()) own.insert(body);
+                }
+                for (int body : own)
+                    REQUIRE(taken.insert(body).second);
+            }
+        }
+        REQUIRE(last == bodies);
+        REQUIRE((island.stages.size() > 1) == (bodies > 200));
+    }
+}
+
+TEST_CASE("team: a large heap moves by the same bits with any number of threads", "[rigid]")
+{
+    World one = large_heap(), three = one;
+    three.threads = 3;
+    for (int i = 0; i < 8; ++i) {
+        step(one, 1.0 / 60);
+        step(three, 1.0 / 60);
+    }
+    REQUIRE(one.counters.contact_impulses > 1000);
+    REQUIRE(std::memcmp(&one.counters, &three.counters, sizeof(Counters)) == 0);
+    for (std::size_t i = 1; i < one.bodies.size(); ++i) {
+        CAPTURE(i);
+        const RigidState &a = one.bodies[i].state, &b = three.bodies[i].state;
+        REQUIRE(a.position == b.position);
+        REQUIRE(a.orientation.s == b.orientation.s);
+        REQUIRE(a.orientation.v == b.orientation.v);
+        REQUIRE(a.velocity == b.velocity);
+        REQUIRE(a.angular_momentum == b.angular_momentum);
+    }
+}
