@@ -29,10 +29,6 @@ Vector3d turned_to(const SolvedContact& c, const Vector3d& impulse)
     return j_n * n + j_T;
 }
 
-} // namespace
-
-namespace {
-
 // Those of the step before between the two bodies.
 std::span<const WarmContact> warm_of(const World& world, const SolvedContact& c)
 {
@@ -47,37 +43,46 @@ std::span<const WarmContact> warm_of(const World& world, const SolvedContact& c)
     return {first, last};
 }
 
-// Where a contact of the step before is now.
-struct Choice {
-    Vector3d point;
-    bool is_taken;
+// A contact, one of the step before, and how far they are apart.
+struct Match {
+    double distance = 0; // squared [m²]
+    std::size_t contact = 0, before = 0;
+
+    auto operator<=>(const Match&) const = default;
 };
 
-// Each contact of the pair takes the nearest that no other has taken. @return how many did
+// Of one pair of bodies; the memory is used again for the next.
+struct Matches {
+    std::vector<Match> near;
+    std::vector<char> is_taken, is_started; // of the step before, of this one
+};
+
+// The nearest find each other first: else a contact that carries nothing takes what holds its neighbour.
+// @return how many there were
 std::uint64_t start_warm(const World& world, double time_step, std::span<SolvedContact> contacts,
-                         std::vector<Choice>& choices)
+                         Matches& matches)
 {
     const std::span<const WarmContact> before = warm_of(world, contacts.front());
     if (before.empty()) return 0;
     const RigidState& state = world.bodies[contacts.front().body1].state;
     const Matrix3d R = rotation_matrix(state.orientation);
-    choices.clear();
-    for (const WarmContact& warm : before)
-        choices.push_back({R * warm.point + state.position, false});
-    std::uint64_t count = 0;
-    for (SolvedContact& c : contacts) {
-        double nearest = near_fraction * c.radius * near_fraction * c.radius; // squared
-        std::size_t found = before.size();
-        for (std::size_t k = 0; k < before.size(); ++k) {
-            if (choices[k].is_taken) continue;
-            const double distance = (choices[k].point - c.point).squaredNorm();
-            if (distance > nearest) continue;
-            nearest = distance;
-            found = k;
+    matches.near.clear();
+    for (std::size_t k = 0; k < before.size(); ++k) {
+        const Vector3d x = R * before[k].point + state.position;
+        for (std::size_t i = 0; i < contacts.size(); ++i) {
+            const double farthest = near_fraction * contacts[i].radius;
+            const double distance = (x - contacts[i].point).squaredNorm();
+            if (distance <= farthest * farthest) matches.near.push_back({distance, i, k});
         }
-        if (found == before.size()) continue;
-        choices[found].is_taken = true;
-        c.guess = turned_to(c, time_step * before[found].impulse);
+    }
+    std::sort(matches.near.begin(), matches.near.end());
+    matches.is_taken.assign(before.size(), false);
+    matches.is_started.assign(contacts.size(), false);
+    std::uint64_t count = 0;
+    for (const auto& [distance, i, k] : matches.near) {
+        if (matches.is_started[i] || matches.is_taken[k]) continue;
+        matches.is_started[i] = matches.is_taken[k] = true;
+        contacts[i].guess = turned_to(contacts[i], time_step * before[k].impulse);
         ++count;
     }
     return count;
@@ -93,10 +98,10 @@ void start_warm(const World& world, double time_step, std::span<const ContactPai
     std::vector<std::uint64_t> counts(stretches, 0);
     team.share(stretches, [&](int k) {
         const auto [first, last] = Team::stretch(pairs.size(), stretches, k);
-        std::vector<Choice> choices; // of one pair, its memory used again
+        Matches matches;
         for (const ContactPair& pair : pairs.subspan(first, last - first)) {
             const auto of_pair = std::span(contacts).subspan(pair.first, pair.last - pair.first);
-            counts[k] += start_warm(world, time_step, of_pair, choices);
+            counts[k] += start_warm(world, time_step, of_pair, matches);
         }
     });
     for (const std::uint64_t count : counts)
