@@ -130,32 +130,6 @@ void clip(Polygon& polygon, int axis, double sign, double limit)
     polygon = kept;
 }
 
-// 4 vertices or less that span the polygon: the lowest, the farthest from it, and the farthest from
-// their line on either side.
-Polygon spanning(const Polygon& polygon)
-{
-    const auto begin = polygon.vertices.begin(), end = begin + polygon.size;
-    const auto best = [&](auto&& value) {
-        return *std::max_element(
-            begin, end, [&](const Vector3d& p, const Vector3d& q) { return value(p) < value(q); });
-    };
-    const Vector3d lowest = best([](const Vector3d& p) { return -p.z(); });
-    const Vector3d far = best([&](const Vector3d& p) { return (p - lowest).head<2>().norm(); });
-    const Vector3d line = far - lowest;
-    const auto side = [&](const Vector3d& p) {
-        return line.x() * (p - lowest).y() - line.y() * (p - lowest).x();
-    };
-    const Vector3d left = best(side);
-    const Vector3d right = best([&](const Vector3d& p) { return -side(p); });
-
-    Polygon result;
-    for (const Vector3d& p : {lowest, far, left, right})
-        if (std::find(result.vertices.begin(), result.vertices.begin() + result.size, p) ==
-            result.vertices.begin() + result.size)
-            result.add(p);
-    return result;
-}
-
 // The face of `box` that looks most against the third axis of the frame (R, origin), in that frame.
 Polygon incident_face(const Placed& box, const Matrix3d& R, const Vector3d& origin)
 {
@@ -194,7 +168,6 @@ void touch_face(const Placed& reference, const Placed& other, const Axis& axis,
         clip(polygon, 0, sign, reference.half[u]);
         clip(polygon, 1, sign, reference.half[v]);
     }
-    if (polygon.size > 4) polygon = spanning(polygon);
     for (int i = 0; i < polygon.size; ++i) {
         Vector3d p = polygon.vertices[i];
         const double gap = p.z();

@@ -123,6 +123,13 @@ std::vector<Island> islands_of(const World& world, const ContactProblem& problem
 
 } // namespace
 
+bool is_heap(const Island& island)
+{
+    constexpr std::size_t few_bodies = 8, many_bodies = 256;
+    const std::size_t bodies = island.bodies.size(), pairs = island.pairs.size();
+    return bodies > few_bodies && (bodies > many_bodies || 4 * pairs > 5 * bodies + 8);
+}
+
 Vector3d ContactProblem::up() const
 {
     const double g = gravity.norm();

@@ -44,6 +44,9 @@ struct Island {
     std::vector<IslandStretch> stages; // of blocks that share no body that moves
 };
 
+/// Whether it is more than a few bodies, and more tangled than a stack: everything touches everything.
+bool is_heap(const Island& island);
+
 /// Everything the stages work on.
 struct ContactProblem {
     std::vector<Body> bodies; // of the world, in order; those without a contact stay empty

@@ -16,13 +16,15 @@ namespace rigor {
 
 namespace {
 
-// An island of up to `small` contacts converges to rounding. A larger one stops at `fine` of the
+// An island of up to `small` contacts converges to rounding. A larger one stops at `fine` or `coarse` of the
 // velocity that its contacts have to take away, or after `work` contacts were visited: what is left is
-// corrected in the next steps.
-constexpr int small = 16, work = 4000, fewest_sweeps = 5, most_sweeps = 50, last_sweeps = 20;
-constexpr std::size_t large = 1000, few_bodies = 8, most_newton_bodies = 256;
+// corrected in the next steps. A heap at rest is worth more exactness: what is left makes it creep, and it would
+// never fall asleep.
+constexpr int small = 16, work = 4000, fewest_sweeps = 5, most_sweeps = 50, last_sweeps = 20,
+              times_at_rest = 3;
+constexpr std::size_t large = 1000, few_bodies = 8;
 constexpr double rounding = 2 * std::numeric_limits<double>::epsilon(), tiny = 1e-13, fine = 1e-8,
-                 coarse = 1e-3;
+                 coarse = 1e-3, coarse_at_rest = 1e-4;
 
 // The larger eigenvalue of K across n: of the two, the sum is tr K - nᵀKn and the sum of the squares
 // |K|² - 2 |K n|² + (nᵀKn)².
@@ -146,24 +148,22 @@ void go_to(Sweeps& sweeps, std::vector<Vector3d> impulses)
     sweeps.add(impulses);
 }
 
-// Whether Newton's method is worth it: bodies rest, with no velocity but what the weight of this step gave
-// them; and there are few, or hardly more pairs than bodies, as in a stack. In a heap, where everything
-// touches everything, its matrix fills up.
-bool is_newtons(const ContactProblem& problem, const Island& island, double fastest)
+// Whether bodies have no velocity but about what the weight of this step gave them.
+bool is_at_rest(const ContactProblem& problem, double fastest)
 {
-    if (fastest > 2 * problem.gravity.norm() * problem.time_step) return false;
-    const std::size_t bodies = island.bodies.size(), pairs = island.pairs.size();
-    return bodies <= few_bodies || (bodies <= most_newton_bodies && 4 * pairs <= 5 * bodies + 8);
+    return fastest <= 2 * problem.gravity.norm() * problem.time_step;
 }
 
 void solve(ContactProblem& problem, const Island& island, const std::vector<Held>& all)
 {
     const int count = static_cast<int>(all.size());
     const double speed = fastest(problem, all);
-    const bool may_jump = is_newtons(problem, island, speed);
+    const bool rests = is_at_rest(problem, speed);
+    const bool may_jump = rests && !is_heap(island); // of a heap, Newton's matrix would fill up
     const bool is_small = count <= small || (may_jump && island.bodies.size() <= few_bodies);
-    const double seen = is_small ? tiny : may_jump ? fine : coarse;
-    const Limits limits{std::clamp(work / count, fewest_sweeps, most_sweeps),
+    const double seen = is_small ? tiny : may_jump ? fine : rests ? coarse_at_rest : coarse;
+    const int times = rests && !may_jump ? times_at_rest : 1;
+    const Limits limits{std::clamp(times * work / count, times * fewest_sweeps, most_sweeps),
                         rounding * speed + seen * approach(problem, all)};
     const std::vector<Body> free = may_jump ? problem.bodies : std::vector<Body>();
     const std::unique_ptr<Sweeps> sweeps = sweeps_of(problem, island, all);

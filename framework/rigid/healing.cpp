@@ -13,7 +13,7 @@ namespace rigor {
 namespace {
 
 constexpr double healed_fraction = 0.2, healing_rate = 1 /* 1/s */;
-constexpr double seen_fraction = 1e-3, rounding_fraction = 1e-6; // of the radius
+constexpr double seen_fraction = 1e-3, left_fraction = 1e-6, left_in_a_heap = 1e-4; // of the radius
 constexpr int work = 2000, fewest_sweeps = 4, most_sweeps = 20;
 
 using namespace optimised;
@@ -47,7 +47,8 @@ Row row_of(const ContactProblem& problem, const SolvedContact& c, double distanc
         1 / c.normal_K, distance, 0};
 }
 
-Rows rows_of(const ContactProblem& problem, const Island& island, const IslandStretch& block)
+Rows rows_of(const ContactProblem& problem, const Island& island, const IslandStretch& block,
+             double left)
 {
     const double h = problem.time_step;
     Rows rows;
@@ -61,9 +62,11 @@ Rows rows_of(const ContactProblem& problem, const Island& island, const IslandSt
             if (gap > healing_rate * radius * h) continue; // nothing could close it
             double distance = -gap;
             if (gap < 0) {
-                const double excess = -gap - rounding_fraction * radius;
-                rows.any |= excess > 0;
-                distance = std::clamp(healed_fraction * excess, 0.0, healing_rate * radius * h);
+                const double excess = -gap - left * radius;
+                const bool heals = excess > left * radius; // so that it comes to an end
+                rows.any |= heals;
+                distance =
+                    heals ? std::min(healed_fraction * excess, healing_rate * radius * h) : 0;
                 ++rows.penetrating;
             }
             rows.all.push_back(row_of(problem, c, distance));
@@ -112,8 +115,9 @@ void heal(const ContactProblem& problem, const Island& island,
 {
     if (problem.gravity.isZero(0)) return;
     std::vector<Rows> rows(island.blocks.size());
+    const double left = is_heap(island) ? left_in_a_heap : left_fraction;
     visit_blocks(island, problem.team,
-                 [&](int k) { rows[k] = rows_of(problem, island, island.blocks[k]); });
+                 [&](int k) { rows[k] = rows_of(problem, island, island.blocks[k], left); });
     std::size_t count = 0;
     bool any = false;
     for (const Rows& of_block : rows) {

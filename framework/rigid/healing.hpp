@@ -16,6 +16,8 @@ struct Displacement {
 /// without bringing other contacts into penetration (projected Gauss–Seidel on the contacts' normals).
 /// As these motions carry no velocity, healing gives no energy of motion and nothing jumps. Any
 /// penetration heals that is not rounding: a stack whose contacts kept theirs would lean by the sum.
+/// In a heap 1e-4 of the radius is left, and up to twice that is no reason to heal: each contact that is
+/// healed disturbs others, and with no play at all a heap would never come to rest.
 ///
 /// Without gravity there is nothing to heal here: a motion without velocity does not keep angular
 /// momentum, so that `healing_speed` does it.

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 // What a step leaves out changes nothing, or no more than is said here.
 #include "geometry/box_tree.hpp"
+#include "rigid/warm_start.hpp"
 #include "support/catch.hpp"
 #include "worlds.hpp"
+
+#include <algorithm>
 
 using namespace rigor;
 using namespace rigor::testing;
@@ -21,6 +24,30 @@ World stacks(int count, int height)
                                      Vector3d(3 * i + 0.01 * random.uniform(-1, 1), 0.5 + k,
                                               0.01 * random.uniform(-1, 1)),
                                      {0, 0.5}));
+    World world = world_of(bodies);
+    world.contact_method = ContactMethod::simultaneous;
+    world.formulas_are_reference = true;
+    return world;
+}
+
+// Cubes that fall on each other as they happen to, into a room without a roof.
+World heap(int side)
+{
+    const double w = 0.75 * side + 0.5;
+    std::vector<RigidBody> bodies = {fixed(Plane{}, {0, 0.5})};
+    for (const Vector3d& out : {Vector3d(1, 0, 0), Vector3d(0, 0, 1)})
+        for (double sign : {-1.0, 1.0})
+            bodies.push_back(
+                fixed(Box{{2 * w + 1, 40, 2 * w + 1}}, {0, 0.5}, sign * (2 * w + 0.5) * out));
+    Random random(3);
+    for (int y = 0; y < side; ++y)
+        for (int x = 0; x < side; ++x)
+            for (int z = 0; z < side; ++z) {
+                const Vector3d cell(x - (side - 1) / 2.0, y + 0.6, z - (side - 1) / 2.0);
+                bodies.push_back(body_of(Box{{1, 1, 1}}, 1.5 * cell + 0.2 * random.vector(),
+                                         {0, 0.5},
+                                         turn(random.unit_vector(), random.uniform(0, 0.25))));
+            }
     World world = world_of(bodies);
     world.contact_method = ContactMethod::simultaneous;
     world.formulas_are_reference = true;
@@ -107,6 +134,69 @@ TEST_CASE("skips: a block that begins to slip does not sleep", "[rigid]")
     run(world, 200, 0.01);
     CHECK(world.counters.bodies_asleep == 0);
     CHECK(world.bodies[1].state.velocity.norm() > 0.01);
+}
+
+TEST_CASE("skips: a heap comes to rest and sleeps where it would lie awake", "[rigid]")
+{
+    World sleeping = heap(4);
+    const auto all_sleep = [&] {
+        return std::all_of(sleeping.bodies.begin(), sleeping.bodies.end(),
+                           [](const RigidBody& body) { return body.is_still(); });
+    };
+    for (int i = 0; !all_sleep() && i < 1200; ++i)
+        step(sleeping, h);
+    REQUIRE(all_sleep());
+    const std::uint64_t before = sleeping.counters.bodies_asleep;
+
+    // awake it would stay for the next half second where it was for the last
+    World awake = sleeping;
+    awake.skips.sleep = false;
+    for (RigidBody& body : awake.bodies)
+        body.rest = {};
+    awake.sleeping_contacts.clear();
+    run(awake, 30, h);
+    run(sleeping, 30, h);
+    CHECK(sleeping.counters.bodies_asleep - before == 30 * 64);
+    CHECK(largest_distance(sleeping, awake) < 1e-4 * std::sqrt(3) / 2); // what counts as rest
+}
+
+TEST_CASE("skips: what moves slowly does not sleep", "[rigid]")
+{
+    // almost upright on an edge, and so about to fall
+    const Quaternion tilt = turn(Vector3d::UnitZ(), std::numbers::pi / 4 + 1e-3);
+    RigidBody leaning = body_of(Box{{1, 1, 1}}, {0, std::sqrt(0.5), 0}, {0, 0.5}, tilt);
+    RigidBody gliding = body_of(Box{{1, 1, 1}}, {5, 0.5, 0}, {0, 0});
+    gliding.state.velocity = {1e-3, 0, 0}; // a fifth of a millimetre in the time that counts
+    World world = world_of({fixed(Plane{}, {0, 0.5}), leaning, gliding});
+    run(world, 60, h);
+    CHECK(world.counters.bodies_asleep == 0);
+    CHECK(world.bodies[2].state.position.x() > 5 + 0.9e-3);
+    run(world, 120, h);
+    CHECK(world.bodies[1].state.position.y() < 0.55); // it fell
+}
+
+TEST_CASE("skips: a contact that carries nothing leaves its neighbour's impulse alone", "[rigid]")
+{
+    World world = world_of({fixed(Plane{}, {0, 0.5}), body_of(Box{{1, 1, 1}}, {0, 0.5, 0})});
+    const Vector3d loaded(0.5, 0, 0.5), empty(0.48, 0, 0.5), force(0, -7, 0);
+    world.warm_contacts = {{0, 1, loaded, force}};
+    std::vector<SolvedContact> contacts(2);
+    for (SolvedContact& c : contacts) {
+        c.body2 = 1;
+        c.normal = {0, -1, 0};
+        c.radius = 1;
+    }
+    for (const bool is_first : {true, false}) { // whichever comes first
+        CAPTURE(is_first);
+        contacts[0].point = is_first ? empty : loaded;
+        contacts[1].point = is_first ? loaded : empty;
+        contacts[0].guess = contacts[1].guess = Vector3d::Zero();
+        const std::vector<ContactPair> pairs = {{0, 2}};
+        Team alone;
+        start_warm(world, h, pairs, contacts, world.counters, alone);
+        CHECK(contacts[is_first].guess == h * force);
+        CHECK(contacts[!is_first].guess == Vector3d::Zero());
+    }
 }
 
 TEST_CASE("skips: a tree of boxes finds what comparing all pairs finds", "[geometry]")
