@@ -41,14 +41,18 @@ Polar polar_decomposition(const Matrix3d& F)
     Square3<double> scaled;
     for (int i = 0; i < 9; ++i)
         scaled.a[i / 3][i % 3] = F(i / 3, i % 3) / norm;
-    const ClosedPolar<double> closed =
-        closed_polar(scaled, dot(scaled, scaled), std::sqrt(3 * dot(scaled, scaled)));
+    const double norm2 = dot(scaled, scaled);
+    const auto is_end = [](double step) { return std::abs(step) < small_step; };
+    const ClosedPolar<double> closed = closed_polar(scaled, norm2, std::sqrt(3 * norm2), is_end);
     Polar polar;
-    if (is_exact(closed.conditioning, closed.last_step))
+    if (is_exact(closed.conditioning, closed.last_step)) {
+        Matrix3d R;
         for (int i = 0; i < 9; ++i)
-            polar.R(i / 3, i % 3) = closed.R.a[i / 3][i % 3];
-    else
+            R(i / 3, i % 3) = closed.R.a[i / 3][i % 3];
+        polar.R = 1.5 * R - 0.5 * R * (R.transpose() * R); // orthogonal to rounding
+    } else {
         polar.R = closest_rotation(F / norm);
+    }
     const Matrix3d RtF = polar.R.transpose() * F;
     polar.S = 0.5 * (RtF + RtF.transpose());
     return polar;

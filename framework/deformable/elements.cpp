@@ -60,7 +60,10 @@ struct PolarPair {
 [[gnu::always_inline]] inline PolarPair polar_pair(const Square3<Two>& F)
 {
     const Two norm2 = dot(F, F);
-    const ClosedPolar<Two> closed = closed_polar(F, norm2, square_root(3.0 * norm2));
+    const auto is_end = [](Two step) {
+        return std::abs(step[0]) < small_step && std::abs(step[1]) < small_step;
+    };
+    const ClosedPolar<Two> closed = closed_polar(F, norm2, square_root(3.0 * norm2), is_end);
     PolarPair polar{closed.R, {}, closed.s, closed.conditioning};
     for (int lane = 0; lane < 2; ++lane)
         if (!is_exact(closed.conditioning[lane], closed.last_step[lane]))

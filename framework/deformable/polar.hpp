@@ -79,27 +79,31 @@ template <class Number> struct ClosedPolar {
     Number last_step;    // of Newton's method, over s
 };
 
+inline constexpr double small_step = 1e-12; // of Newton's method, over s: what is left is rounding
+
 /// Whether the closed form has kept its digits.
 inline bool is_exact(double conditioning, double last_step)
 {
-    return conditioning > 0.01 && std::abs(last_step) < 1e-12;
+    return conditioning > 0.01 && std::abs(last_step) < small_step;
 }
 
-/// @param start  √3 ‖F‖, not below s
-template <class Number>
-[[gnu::always_inline]] inline ClosedPolar<Number> closed_polar(const Square3<Number>& F,
-                                                               Number norm2, Number start)
+/// @param start   √3 ‖F‖, not below s
+/// @param is_end  whether a last step, over s, was one too many: near rest it is the fourth
+template <class Number, class IsEnd>
+[[gnu::always_inline]] inline ClosedPolar<Number>
+closed_polar(const Square3<Number>& F, Number norm2, Number start, const IsEnd& is_end)
 {
     const Square3<Number> C = cofactors(F);
     const Number det = F.a[0][0] * C.a[0][0] + F.a[0][1] * C.a[0][1] + F.a[0][2] * C.a[0][2];
     const Number p0 = norm2 * norm2 - 4.0 * dot(C, C), p1 = 8.0 * det, p2 = 2.0 * norm2;
     Number s = start, step = start;
-    constexpr int enough = 5; // near rest three would do
-    for (int i = 0; i < enough; ++i) {
+    constexpr int most = 20;
+    for (int i = 0; i < most; ++i) {
         const Number p = ((s * s - p2) * s - p1) * s + p0;
         const Number dp = (4.0 * (s * s) - 2.0 * p2) * s - p1;
         step = p / dp;
         s -= step;
+        if (is_end(step / s)) break;
     }
     const Square3<Number> FFF = times(F, transposed_times(F, F));
     ClosedPolar<Number> polar;
