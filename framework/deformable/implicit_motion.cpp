@@ -41,13 +41,16 @@ public:
         guess_holds();
         auto& v = work_.next_velocities;
         v = solid_.velocities;
-        for (int round = 0; round < most_rounds; ++round) {
+        work_.impulses.assign(contacts_.size(), Vector3d::Zero());
+        work_.is_open.assign(work_.system.parts(), 1);
+        for (int round = 0; round < most_rounds && open_parts(); ++round) {
             tie_nodes();
             motion_.counters.solver_iterations +=
-                work_.system.solve(work_.right_side, work_.ties, work_.bodies, v);
+                work_.system.solve(work_.momenta, work_.open_nodes, work_.ties,
+                                   work_.bodies_are_open ? work_.bodies : work_.no_bodies, v);
             ++motion_.counters.system_solves;
             note_impulses();
-            if (!revise_holds()) break;
+            revise_holds();
         }
         keep_momentum();
         push_bodies();
@@ -115,7 +118,7 @@ private:
     void guess_holds()
     {
         work_.holds.assign(contacts_.size(), 0);
-        work_.frictions.assign(contacts_.size(), Vector3d::Zero());
+        work_.dampings.assign(contacts_.size(), 0.0);
         for (std::size_t k = 0; k < contacts_.size(); ++k) {
             const NodeContact& c = contacts_[k];
             const Vector3d v = solid_.velocities[c.node] + h_ * motion_.gravity;
@@ -126,16 +129,36 @@ private:
     void hold(std::size_t k, Hold how) { work_.holds[k] = static_cast<char>(how); }
     Hold held_how(std::size_t k) const { return static_cast<Hold>(work_.holds[k]); }
 
-    // The ties of this round, and the friction of what slides as an impulse. A node in several contacts is
-    // tied by the deepest.
+    // A round is about the parts of the solid with a contact that held otherwise in the one before. Those that
+    // may touch bodies of the system go together.
+    // @return whether there are any
+    bool open_parts()
+    {
+        char& bodies_open = work_.bodies_are_open;
+        bodies_open = 0;
+        const auto for_each_joined = [&](const auto& visit) {
+            if (work_.free_bodies.empty()) return;
+            for (const NodeContact& c : contacts_)
+                if (work_.body_numbers[c.body] >= 0) visit(open(c));
+        };
+        for_each_joined([&](char& is_open) { bodies_open |= is_open; });
+        for_each_joined([&](char& is_open) { is_open = bodies_open; });
+        work_.open_nodes.clear();
+        for (int i = 0; i < static_cast<int>(solid_.positions.size()); ++i)
+            if (work_.is_open[work_.system.part_of(i)]) work_.open_nodes.push_back(i);
+        return !work_.open_nodes.empty();
+    }
+    char& open(const NodeContact& c) { return work_.is_open[work_.system.part_of(c.node)]; }
+
+    // The ties of this round. A node in several contacts is tied by the deepest.
     void tie_nodes()
     {
-        work_.right_side = work_.momenta;
-        work_.bodies = work_.free_bodies;
+        if (work_.bodies_are_open) work_.bodies = work_.free_bodies;
         work_.ties.clear();
         for (const HeldNode& held : work_.held) {
+            if (!work_.is_open[work_.system.part_of(held.node)]) continue;
             const Matrix3d N = axes_of(held);
-            work_.ties.push_back({held.node, N, N * held.velocity, -1, Vector3d::Zero()});
+            work_.ties.push_back({held.node, N, held.velocity, -1, Vector3d::Zero(), 0});
         }
         work_.tied_by.assign(solid_.positions.size(), -1);
         for (int k = 0; k < static_cast<int>(contacts_.size()); ++k) {
@@ -144,7 +167,7 @@ private:
                 by = k;
         }
         for (int k = 0; k < static_cast<int>(contacts_.size()); ++k)
-            if (is_tied(k)) tie(k);
+            if (is_tied(k) && open(contacts_[k])) tie(k);
     }
     bool is_tied(int k) const { return work_.tied_by[contacts_[k].node] == k; }
 
@@ -154,41 +177,31 @@ private:
         const int number = work_.body_numbers[c.body];
         Vector3d surface = -std::max(c.gap, 0.0) / h_ * c.normal; // closes a gap within the step
         if (number < 0) surface += surface_velocity(c, work_.free_bodies);
-        Matrix3d N = Matrix3d::Identity();
-        if (held_how(k) == Hold::sliding) {
-            N = c.normal * c.normal.transpose();
-            const Vector3d& friction = work_.frictions[k];
-            work_.right_side[c.node] += friction;
-            if (number >= 0) {
-                const Body& body = motion_.rigid.bodies[c.body];
-                work_.bodies[number].V -= body.inverse_mass * friction;
-                work_.bodies[number].w -= body.inverse_inertia * arm(c).cross(friction);
-            }
-        }
-        work_.ties.push_back({c.node, N, N * surface, number, arm(c)});
+        const bool slides = held_how(k) == Hold::sliding;
+        const Matrix3d N =
+            slides ? Matrix3d(c.normal * c.normal.transpose()) : Matrix3d::Identity();
+        work_.ties.push_back({c.node, N, surface, number, arm(c), slides ? work_.dampings[k] : 0});
     }
 
     // What the ties of contacts gave their nodes.
     void note_impulses()
     {
-        work_.impulses.assign(contacts_.size(), Vector3d::Zero());
         if (contacts_.empty()) return;
-        const auto& missing = work_.system.missing(work_.right_side, work_.next_velocities);
-        for (int k = 0; k < static_cast<int>(contacts_.size()); ++k) {
-            if (!is_tied(k)) continue;
-            const Vector3d n = contacts_[k].normal, j = missing[contacts_[k].node];
-            work_.impulses[k] =
-                held_how(k) == Hold::sliding ? Vector3d(n.dot(j) * n + work_.frictions[k]) : j;
-        }
+        const auto& missing =
+            work_.system.missing(work_.momenta, work_.open_nodes, work_.next_velocities);
+        for (int k = 0; k < static_cast<int>(contacts_.size()); ++k)
+            if (is_tied(k) && open(contacts_[k])) work_.impulses[k] = missing[contacts_[k].node];
     }
 
-    // @return whether any contact holds otherwise than in the round before
-    bool revise_holds()
+    // Parts where any contact is to hold otherwise stay open.
+    void revise_holds()
     {
-        bool is_changed = false;
-        for (int k = 0; k < static_cast<int>(contacts_.size()); ++k)
-            if (is_tied(k) ? revise_tied(k) : revise_free(k)) is_changed = true;
-        return is_changed;
+        work_.was_open = work_.is_open;
+        std::fill(work_.is_open.begin(), work_.is_open.end(), 0);
+        for (int k = 0; k < static_cast<int>(contacts_.size()); ++k) {
+            if (!work_.was_open[work_.system.part_of(contacts_[k].node)]) continue;
+            if (is_tied(k) ? revise_tied(k) : revise_free(k)) open(contacts_[k]) = 1;
+        }
     }
 
     bool revise_free(int k)
@@ -197,8 +210,8 @@ private:
         if (held_how(k) != Hold::off || work_.is_held[c.node]) return false;
         const double depth = -gap_afterwards(c, work_.next_velocities[c.node], work_.bodies);
         if (depth <= 1e-6 * motion_.radius) return false;
-        hold(k, c.friction > 0 ? Hold::sticking : Hold::sliding);
-        work_.frictions[k].setZero();
+        const bool is_new = work_.impulses[k].isZero(); // one that let go before would do so again
+        hold(k, is_new && c.friction > 0 ? Hold::sticking : Hold::sliding);
         return true;
     }
 
@@ -211,42 +224,51 @@ private:
             hold(k, Hold::off);
             return true;
         }
+        if (c.friction == 0) return false;
+        const double most = c.friction * j_n; // that friction may be
+        double& d = work_.dampings[k];
+        const double largest = 1e3 * work_.system.diagonal(c.node).trace();
         if (held_how(k) == Hold::sticking) {
             if (inside_friction_cone(j, n, c.friction)) return false;
-            const Vector3d j_t = j - j_n * n;
             hold(k, Hold::sliding);
-            work_.frictions[k] = c.friction * j_n / j_t.norm() * j_t;
+            const Vector3d v = solid_.velocities[c.node] + h_ * motion_.gravity;
+            d = std::min(most / slip_speed(c, v), largest);
             return true;
         }
-        if (c.friction == 0) return false;
-        const Vector3d v = work_.next_velocities[c.node] - surface_velocity(c, work_.bodies);
-        const Vector3d v_t = v - n.dot(v) * n;
-        if (v_t.dot(work_.frictions[k]) > 0) { // friction would drive it
-            hold(k, Hold::sticking);
-            return true;
-        }
-        const double speed = v_t.norm();
-        if (speed == 0) return false;
-        const Vector3d friction = -c.friction * j_n / speed * v_t;
-        if ((friction - work_.frictions[k]).norm() <= 1e-3 * friction.norm()) return false;
-        work_.frictions[k] = friction;
+        const double speed = slip_speed(c, work_.next_velocities[c.node]);
+        if (std::abs(d * speed - most) <= 1e-3 * most) return false;
+        d = most / speed;
+        if (!(d < largest)) hold(k, Hold::sticking);
         return true;
     }
+    double slip_speed(const NodeContact& c, const Vector3d& velocity) const
+    {
+        const Vector3d v = velocity - surface_velocity(c, work_.bodies);
+        return (v - c.normal.dot(v) * c.normal).norm();
+    }
 
-    // Of a solid that nothing touches the sum of momenta is right to rounding, whatever the solver left.
+    // Of a part that nothing holds the sum of momenta is right to rounding, whatever the solver left.
     void keep_momentum()
     {
-        if (!work_.ties.empty()) return;
-        Vector3d left = Vector3d::Zero();
-        double mass = 0;
+        const ImplicitSystem& system = work_.system;
+        auto& is_held = work_.was_open;
+        is_held.assign(system.parts(), 0);
+        for (const HeldNode& held : work_.held)
+            is_held[system.part_of(held.node)] = 1;
+        for (std::size_t i = 0; i < work_.tied_by.size(); ++i)
+            if (work_.tied_by[i] >= 0) is_held[system.part_of(static_cast<int>(i))] = 1;
+        work_.left_over.assign(system.parts(), {});
         auto& v = work_.next_velocities;
         for (std::size_t i = 0; i < v.size(); ++i) { // forces between nodes have no sum
             const double m = (1 + h_ * solid_.material.drag) * solid_.masses[i];
-            left += work_.momenta[i] - m * v[i];
-            mass += m;
+            LeftOver& part = work_.left_over[system.part_of(static_cast<int>(i))];
+            part.momentum += work_.momenta[i] - m * v[i];
+            part.mass += m;
         }
-        for (Vector3d& velocity : v)
-            velocity += left / mass;
+        for (std::size_t i = 0; i < v.size(); ++i) {
+            const int p = system.part_of(static_cast<int>(i));
+            if (!is_held[p]) v[i] += work_.left_over[p].momentum / work_.left_over[p].mass;
+        }
     }
 
     void push_bodies()

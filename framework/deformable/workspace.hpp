@@ -16,6 +16,12 @@ struct HeldNode {
     Vector3d velocity = Vector3d::Zero(); // of those coordinates, to be where the handle wants it
 };
 
+/// Momentum that a part of a solid should have and has not, and its mass.
+struct LeftOver {
+    Vector3d momentum = Vector3d::Zero();
+    double mass = 0;
+};
+
 struct Workspace {
     explicit Workspace(const Deformable& solid);
 
@@ -37,14 +43,19 @@ struct Workspace {
 
     // of an implicit step
     ImplicitSystem system;
-    std::vector<Vector3d> momenta, right_side, next_velocities; // of each node
+    std::vector<Vector3d> momenta, next_velocities; // of each node
     std::vector<TiedNode> ties;
-    std::vector<int> tied_by;        // of each node, the contact; -1: none
-    std::vector<char> holds;         // of each contact, how
-    std::vector<Vector3d> frictions; // of each contact that slides [N s]
-    std::vector<Vector3d> impulses;  // of each contact, on its node [N s]
-    std::vector<int> body_numbers;   // of each rigid body, in the system; -1: it is not in it
-    std::vector<SystemBody> free_bodies, bodies;
+    std::vector<int> tied_by;       // of each node, the contact; -1: none
+    std::vector<char> holds;        // of each contact, how
+    std::vector<double> dampings;   // of each contact that slides: friction over speed [kg]
+    std::vector<Vector3d> impulses; // of each contact, on its node [N s]
+    std::vector<int> body_numbers;  // of each rigid body, in the system; -1: it is not in it
+    std::vector<SystemBody> free_bodies, bodies, no_bodies;
+    std::vector<char> is_open,
+        was_open; // of each part of the system: whether it is solved for again
+    std::vector<int> open_nodes;
+    char bodies_are_open = 0;
+    std::vector<LeftOver> left_over; // of each part
 };
 
 /// The workspace of a solid, made anew if the mesh or the material is not what it was made for.
