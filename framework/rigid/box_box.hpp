@@ -13,7 +13,13 @@ namespace rigor {
 /// are the touches. Two edges: the points where they come closest. A face is preferred to a pair of
 /// edges, and of two faces the larger one, unless the other axis is clearly better, and no corner is
 /// left out: so that a box at rest keeps its contacts from step to step.
+///
+/// Where the boxes are apart but would overlap along that axis at the end of the step, and the axis of
+/// a face that separates them too would have them overlap less, that one decides: so a box that slides
+/// over the joint of two others stays on their tops and does not run into the side of the next.
+///
+/// @param move  of box 1, against box 2, in the step to come, without forces or contacts [m]
 void touch_boxes(const Box& box1, const Pose& pose1, const Box& box2, const Pose& pose2,
-                 double reach, std::vector<Touch>& touches);
+                 const Vector3d& move, double reach, std::vector<Touch>& touches);
 
 } // namespace rigor

@@ -32,9 +32,12 @@ void find_touches(const Shape& shape1, const Pose& pose1, const Shape& shape2, c
 ///
 /// @param poses     of all bodies
 /// @param counters  level sets built and samples taken of them are added to it
+/// @param time_step  with the velocities of that long, spheres and boxes look for a normal along which
+///                   they are apart now and will not meet (box_box.hpp); 0: the poses alone count [s]
 /// @throws NonFiniteState if a level set's distance or normal is no number
 void find_contacts(const World& world, const std::vector<Pose>& poses, int body1, int body2,
-                   double reach, std::vector<Contact>& contacts, Counters& counters);
+                   double reach, std::vector<Contact>& contacts, Counters& counters,
+                   double time_step = 0);
 
 /// The same, uncounted.
 void find_contacts(const World& world, const std::vector<Pose>& poses, int body1, int body2,

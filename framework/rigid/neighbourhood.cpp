@@ -65,6 +65,7 @@ struct Surroundings {
     std::vector<Bounds> bounds;  // over the step
     std::vector<double> travels; // [m]
     Neighbourhood near;          // margins and radii are there, contacts not yet
+    double time_step = 0;        // [s]
 };
 
 // Whether two bodies come near each other, if they look as far as this beyond their paths.
@@ -125,7 +126,8 @@ Found look_closely(const Surroundings& at, std::span<const BodyPair> pairs)
         ++found.counters.pairs_tested;
         const double path = at.travels[i] + at.travels[j];
         const std::size_t first = found.contacts.size();
-        find_contacts(at.world, at.poses, i, j, path + margin, found.contacts, found.counters);
+        find_contacts(at.world, at.poses, i, j, path + margin, found.contacts, found.counters,
+                      at.time_step);
         bool may_meet = false;
         for (std::size_t k = first; k < found.contacts.size(); ++k)
             may_meet |= found.contacts[k].gap < path;
@@ -182,6 +184,7 @@ Neighbourhood neighbourhood(const World& world, std::span<const RigidState> flow
                             Counters& counters, Team& team)
 {
     Surroundings at = surroundings(world, flown, time_step, team);
+    at.time_step = time_step;
     // what may be hit at all: by none faster than the fastest
     const double fastest = *std::max_element(at.travels.begin(), at.travels.end());
     std::vector<Bounds> wide = at.bounds;
