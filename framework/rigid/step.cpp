@@ -5,6 +5,7 @@
 #include "rigid/contact_stage.hpp"
 #include "rigid/flight.hpp"
 #include "rigid/forces.hpp"
+#include "rigid/halving.hpp"
 #include "rigid/healing.hpp"
 #include "rigid/impact.hpp"
 #include "rigid/neighbourhood.hpp"
@@ -176,9 +177,20 @@ Start start_of_step(World& world, double time_step, Team& team)
     }
 }
 
-} // namespace
+// Among those of the other islands, in the order of the bodies.
+void take_warm(const std::vector<WarmContact>& more, std::vector<WarmContact>& held)
+{
+    if (more.empty()) return;
+    held.insert(held.end(), more.begin(), more.end());
+    std::stable_sort(held.begin(), held.end(), [](const WarmContact& a, const WarmContact& b) {
+        return std::pair(a.body1, a.body2) < std::pair(b.body1, b.body2);
+    });
+}
 
-std::vector<ContactRecord> step(World& world, double time_step)
+constexpr int most_halvings = 10;
+
+// @param halvings  of the step that this is a part of
+std::vector<ContactRecord> step_halved(World& world, double time_step, int halvings)
 {
     Counters& counters = world.counters;
     const double end = world.time + time_step;
@@ -200,11 +212,18 @@ std::vector<ContactRecord> step(World& world, double time_step)
             heal(problem, island, displacements);
         }
         move(world, problem, pulled, bounced, displacements, states, counters);
-        held = warm_contacts(world, problem.contacts, time_step);
         records = bounce_at_impacts(world, problem, pulled, displacements, states);
+        Halving halving(world, pulled, near);
+        if (halvings < most_halvings)
+            halving.step_in_halves(problem, states, [&](World& part, double half) {
+                return step_halved(part, half, halvings + 1);
+            });
+        held = warm_contacts(world, problem.contacts, time_step);
+        take_warm(halving.warm, held);
         const std::vector<ContactRecord> others = records_of(problem);
         records.insert(records.end(), others.begin(), others.end());
         counters.contacts += records.size();
+        records.insert(records.end(), halving.records.begin(), halving.records.end());
         counters.islands += problem.islands.size();
         fall_asleep(world, problem, near.radii, pulled, states, records);
     }
@@ -221,6 +240,13 @@ std::vector<ContactRecord> step(World& world, double time_step)
     world.time = end;
     ++counters.steps;
     return records;
+}
+
+} // namespace
+
+std::vector<ContactRecord> step(World& world, double time_step)
+{
+    return step_halved(world, time_step, 0);
 }
 
 } // namespace rigor
