@@ -159,7 +159,8 @@ void solve(ContactProblem& problem, const Island& island, const std::vector<Held
     const int count = static_cast<int>(all.size());
     const double speed = fastest(problem, all);
     const bool rests = is_at_rest(problem, speed);
-    const bool may_jump = rests && !is_heap(island); // of a heap, Newton's matrix would fill up
+    // of a heap, Newton's matrix would fill up; of one body it is small, however it moves
+    const bool may_jump = (rests || island.bodies.size() == 1) && !is_heap(island);
     const bool is_small = count <= small || (may_jump && island.bodies.size() <= few_bodies);
     const double seen = is_small ? tiny : may_jump ? fine : rests ? coarse_at_rest : coarse;
     const int times = rests && !may_jump ? times_at_rest : 1;
@@ -202,10 +203,10 @@ std::vector<Held> held_contacts(const ContactProblem& problem, const Island& isl
     return all;
 }
 
-void process_contact(ContactProblem& problem, const Island& island)
+namespace {
+
+void hold(ContactProblem& problem, const Island& island, const std::vector<Held>& all)
 {
-    const std::vector<Held> all = held_contacts(problem, island);
-    if (all.empty()) return;
     switch (problem.method) {
     case ContactMethod::one_at_a_time:
         return resolve_one_at_a_time(problem, all, false);
@@ -220,6 +221,51 @@ void process_contact(ContactProblem& problem, const Island& island)
     });
     if (!is_warm) guess_loads(problem, island, all);
     solve(problem, island, all);
+}
+
+// Kinetic energy of an island, and what of it is not the motion of all together [J].
+struct Energy {
+    double all = 0, inner = 0;
+};
+
+Energy energy_of(const ContactProblem& problem, const Island& island)
+{
+    double energy = 0, M = 0;
+    Vector3d P(0, 0, 0);
+    for (int i : island.bodies) {
+        const Body& b = problem.bodies[i];
+        const double m = 1 / b.inverse_mass;
+        energy += (m * b.velocity.squaredNorm() + b.angular_velocity.dot(b.angular_momentum)) / 2;
+        P += m * b.velocity;
+        M += m;
+    }
+    return {energy, energy - P.squaredNorm() / (2 * M)};
+}
+
+} // namespace
+
+void process_contact(ContactProblem& problem, const Island& island)
+{
+    std::vector<Held> all = held_contacts(problem, island);
+    if (all.empty()) return;
+    const bool heals =
+        std::any_of(all.begin(), all.end(), [](const Held& h) { return h.target > 0; });
+    if (!heals) return hold(problem, island, all);
+
+    // Healing by a speed takes its energy from what the contacts take away, or else waits; only bodies
+    // that hardly move against each other get it for nothing.
+    std::vector<Body> bodies;
+    for (int i : island.bodies)
+        bodies.push_back(problem.bodies[i]);
+    const Energy before = energy_of(problem, island);
+    hold(problem, island, all);
+    const double gain = energy_of(problem, island).all - before.all;
+    if (gain <= rounding * before.all || gain > before.inner) return;
+    for (std::size_t k = 0; k < bodies.size(); ++k)
+        problem.bodies[island.bodies[k]] = bodies[k];
+    for (Held& held : all)
+        held.target = std::min(held.target, 0.0);
+    hold(problem, island, all);
 }
 
 } // namespace rigor
