@@ -3,6 +3,7 @@
 
 #include "formulas/collision.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace rigor {
@@ -50,6 +51,16 @@ int checked(int index, std::size_t size)
     return index;
 }
 
+// With restitution and friction together, Newton's law may give a body more energy than it had (Kane and
+// Levinson 1985, "Dynamics: theory and applications"): ΔE = j·v + ½ jᵀKj. Such an impulse is shortened until
+// it gives none.
+Vector3d without_gain(const Matrix3d& K, const Vector3d& v, const Vector3d& j)
+{
+    const double work = j.dot(v), stored = j.dot(K * j) / 2;
+    if (!(work + stored > 1e-12 * stored)) return j; // no number is reported as such
+    return std::max(0.0, -work / stored) * j;
+}
+
 // Bounces the pair once, at its deepest approaching point and those as deep. Whether it did.
 bool bounce(ContactProblem& problem, const Candidates& candidates)
 {
@@ -74,7 +85,8 @@ bool bounce(ContactProblem& problem, const Candidates& candidates)
     if (!is_alone) x /= count;
     const Matrix3d K = is_alone ? c.K : problem.impulse_matrix_at(c, x);
     const Vector3d v = is_alone ? chosen.relative_velocity : problem.velocity_at(c, x);
-    const Vector3d j = collision_impulse(K, v, chosen.normal, c.restitution, c.friction);
+    const Vector3d j =
+        without_gain(K, v, collision_impulse(K, v, chosen.normal, c.restitution, c.friction));
     if (j.isZero(0)) return false;
 
     problem.apply(c, x, j);
