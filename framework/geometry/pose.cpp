@@ -20,7 +20,8 @@ Quaternion quaternion_of(const Matrix3d& R)
 
 Pose part_pose(const Pose& body, const Part& part)
 {
-    if (part.orientation.v.isZero(0)) return {body.R, body * part.position};
+    if (part.orientation.v.isZero(0))
+        return part.position.isZero(0) ? body : Pose{body.R, body * part.position};
     return body * Pose{rotation_matrix(part.orientation), part.position};
 }
 

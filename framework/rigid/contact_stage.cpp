@@ -59,8 +59,11 @@ double largest(const ContactProblem& problem, const std::vector<Held>& all, cons
 }
 
 // The fastest that anything moves at a contact: velocities cannot be told apart below its rounding [m/s].
-double fastest(const ContactProblem& problem, const std::vector<Held>& all)
+double fastest(const ContactProblem& problem, const Island& island, const std::vector<Held>& all)
 {
+    std::vector<std::pair<double, double>> speeds(problem.bodies.size()); // |V|, |ω|
+    for (int i : island.bodies)
+        speeds[i] = {problem.bodies[i].velocity.norm(), problem.bodies[i].angular_velocity.norm()};
     return largest(problem, all, [&](const Held& held) {
         const SolvedContact& c = problem.contacts[held.contact];
         double speed = 0;
@@ -68,7 +71,7 @@ double fastest(const ContactProblem& problem, const std::vector<Held>& all)
             const Body& b = problem.bodies[i];
             if (b.is_static()) continue;
             const double lever = (c.point - b.position).norm();
-            speed = std::max(speed, b.velocity.norm() + b.angular_velocity.norm() * lever);
+            speed = std::max(speed, speeds[i].first + speeds[i].second * lever);
         }
         return speed;
     });
@@ -107,11 +110,12 @@ struct Residuals {
 // directions = steps + β directions, impulses += β directions.
 Residuals sweep_on(ContactProblem& problem, Sweeps& sweeps, std::size_t count, const Limits& limits)
 {
-    std::vector<Vector3d> steps(count, Vector3d::Zero()), directions = steps;
     Residuals residuals;
     double before = 0, smallest = std::numeric_limits<double>::infinity();
     const bool is_large = count > large; // then the sweeps are better spent
-    bool is_wild = false;                // where that made it worse, it is left
+    std::vector<Vector3d> steps(count, Vector3d::Zero());
+    std::vector<Vector3d> directions(is_large ? 0 : count, Vector3d::Zero());
+    bool is_wild = false; // where that made it worse, it is left
     for (int i = 1; i <= limits.most; ++i) {
         const Progress progress = sweeps.sweep(steps);
         ++problem.counters->contact_sweeps;
@@ -157,7 +161,7 @@ bool is_at_rest(const ContactProblem& problem, double fastest)
 void solve(ContactProblem& problem, const Island& island, const std::vector<Held>& all)
 {
     const int count = static_cast<int>(all.size());
-    const double speed = fastest(problem, all);
+    const double speed = fastest(problem, island, all);
     const bool rests = is_at_rest(problem, speed);
     // of a heap, Newton's matrix would fill up; of one body it is small, however it moves
     const bool may_jump = (rests || island.bodies.size() == 1) && !is_heap(island);

@@ -34,10 +34,10 @@ struct Rows {
     bool any = false; // needs healing
 };
 
-Row row_of(const ContactProblem& problem, const SolvedContact& c, double distance)
+Row row_of(const ContactProblem& problem, const SolvedContact& c, const TwoMasses& masses,
+           double distance)
 {
     const Body &body1 = problem.bodies[c.body1], &body2 = problem.bodies[c.body2];
-    const TwoMasses masses(body1, body2);
     const TwoVectors n = twice(c.normal);
     const TwoVectors torque =
         cross(side_by_side(c.point - body1.position, c.point - body2.position), n);
@@ -52,7 +52,9 @@ Rows rows_of(const ContactProblem& problem, const Island& island, const IslandSt
 {
     const double h = problem.time_step;
     Rows rows;
-    for (int k = block.first; k < block.last; ++k)
+    for (int k = block.first; k < block.last; ++k) {
+        const SolvedContact& lowest = problem.contacts[island.pairs[k].first];
+        const TwoMasses masses(problem.bodies[lowest.body1], problem.bodies[lowest.body2]);
         for (int i = island.pairs[k].first; i < island.pairs[k].last; ++i) {
             const SolvedContact& c = problem.contacts[i];
             if (!(c.normal_K > 0)) continue;
@@ -69,8 +71,9 @@ Rows rows_of(const ContactProblem& problem, const Island& island, const IslandSt
                     heals ? std::min(healed_fraction * excess, healing_rate * radius * h) : 0;
                 ++rows.penetrating;
             }
-            rows.all.push_back(row_of(problem, c, distance));
+            rows.all.push_back(row_of(problem, c, masses, distance));
         }
+    }
     return rows;
 }
 

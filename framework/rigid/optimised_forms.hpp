@@ -14,14 +14,15 @@ inline Vector3d product(const Matrix3d& A, const Vector3d& x)
 }
 
 /// `relative_velocity`
-inline Vector3d relative_velocity(const Body& body1, const Body& body2, const Vector3d& x)
+[[gnu::always_inline]] inline Vector3d relative_velocity(const Body& body1, const Body& body2,
+                                                         const Vector3d& x)
 {
     return body1.velocity + body1.angular_velocity.cross(x - body1.position) - body2.velocity -
            body2.angular_velocity.cross(x - body2.position);
 }
 
 /// `impulse_matrix`: (x - X)*ᵀ I⁻¹ (x - X)* by columns, (I⁻¹ (r × eᵢ)) × r.
-inline Matrix3d impulse_matrix(const Body& body, const Vector3d& x)
+[[gnu::always_inline]] inline Matrix3d impulse_matrix(const Body& body, const Vector3d& x)
 {
     const Vector3d r = x - body.position;
     const Matrix3d& J = body.inverse_inertia;

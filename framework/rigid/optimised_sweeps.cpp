@@ -14,9 +14,9 @@ using namespace optimised;
 
 // A contact, all that a visit needs.
 struct Row {
-    TwoVectors r;                                  // lever arms x - Xᵢ
-    Vector3d n, j;                                 // normal, and total impulse on body 1
-    double per_normal_K = 0, per_tangential_K = 0; // 1/(nᵀKn), 1/λ
+    TwoVectors r;  // lever arms x - Xᵢ
+    Vector3d n, j; // normal, and total impulse on body 1
+    double normal_K = 0, per_normal_K = 0, per_tangential_K = 0; // nᵀKn, 1/(nᵀKn), 1/λ
     double target = 0, friction = 0;
 };
 
@@ -138,6 +138,7 @@ private:
         return {side_by_side(c.point - body1.position, c.point - body2.position),
                 c.normal,
                 c.guess,
+                h.normal_K,
                 1 / h.normal_K,
                 1 / h.tangential_K,
                 h.target,
@@ -158,7 +159,7 @@ private:
             row.j += step;
             motions.push(pair.masses, row.r, step);
             ++impulses;
-            const double K = 1 / row.per_normal_K, squared = step.squaredNorm();
+            const double K = row.normal_K, squared = step.squaredNorm();
             progress.change = std::max(progress.change, K * K * squared);
             progress.total = std::max(progress.total, K * K * row.j.squaredNorm());
             progress.squared += K * squared;

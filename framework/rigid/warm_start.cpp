@@ -2,6 +2,7 @@
 #include "rigid/warm_start.hpp"
 
 #include "geometry/pose.hpp"
+#include "rigid/optimised_forms.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -68,7 +69,7 @@ std::uint64_t start_warm(const World& world, double time_step, std::span<SolvedC
     const Matrix3d R = rotation_matrix(state.orientation);
     matches.near.clear();
     for (std::size_t k = 0; k < before.size(); ++k) {
-        const Vector3d x = R * before[k].point + state.position;
+        const Vector3d x = optimised::product(R, before[k].point) + state.position;
         for (std::size_t i = 0; i < contacts.size(); ++i) {
             const double farthest = near_fraction * contacts[i].radius;
             const double distance = (x - contacts[i].point).squaredNorm();
@@ -113,14 +114,15 @@ std::vector<WarmContact> warm_contacts(const World& world,
 {
     std::vector<WarmContact> warm;
     int body1 = -1;
-    Matrix3d R = Matrix3d::Identity();
+    Matrix3d R_transposed = Matrix3d::Identity();
     for (const SolvedContact& c : contacts) {
         if (c.holding.isZero(0)) continue;
         const RigidState& state = world.bodies[c.body1].state;
-        if (c.body1 != body1) R = rotation_matrix(state.orientation);
+        if (c.body1 != body1) R_transposed = rotation_matrix(state.orientation).transpose();
         body1 = c.body1;
-        warm.push_back(
-            {c.body1, c.body2, R.transpose() * (c.point - state.position), c.holding / time_step});
+        warm.push_back({c.body1, c.body2,
+                        optimised::product(R_transposed, c.point - state.position),
+                        c.holding / time_step});
     }
     return warm;
 }
