@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "formulas/fracture.hpp"
+#include "deformable/crack_edges.hpp"
 #include "deformable/failure.hpp"
 #include "deformable/remesh.hpp"
 #include "formulas/plasticity.hpp"
@@ -206,24 +207,25 @@ int crack_with_virtual_nodes(Deformable& solid, const std::vector<Candidate>& fo
     std::vector<int> count(solid.uncracked.tetrahedra.size(), 0);
     for (const ElementCrack& crack : solid.cracks)
         ++count[crack.tetrahedron];
+    const CrackEdges edges(solid);
+    const bool is_embedded = !solid.embedded.parents.empty();
     Taken taken(solid);
     int cracks = 0;
+    bool one_goes_on = false; // then none that is pulled less begins
     for (const Candidate& c : found) {
         if (cracks == most_cracks) break;
-        const bool is_embedded = !solid.embedded.parents.empty();
         const int parent = is_embedded ? solid.embedded.parents[c.element] : c.element;
         const auto real = is_embedded ? solid.embedded.real[c.element] : std::array{1, 1, 1, 1};
         const bool is_divisible = std::accumulate(real.begin(), real.end(), 0) > 1;
         const auto& t = solid.rest.tetrahedra[c.element];
         if (!is_divisible || count[parent] >= most_in_element || taken.any(t)) continue;
+        if (edges.has_like(parent, c.normal)) continue; // it is to open first
+        const bool goes_on = edges.meets(parent, real);
+        if (one_goes_on && !goes_on) continue;
+        one_goes_on |= goes_on;
         taken.add(t);
         ++count[parent];
-        Vector3d middle = Vector3d::Zero(); // of the corners with matter
-        const auto x = corners(solid.uncracked, parent);
-        for (int i = 0; i < 4; ++i)
-            middle += real[i] * x[i];
-        middle /= std::accumulate(real.begin(), real.end(), 0);
-        solid.cracks.push_back({parent, middle, c.normal});
+        solid.cracks.push_back(edges.continued(parent, real, c.normal));
         ++cracks;
     }
     if (cracks > 0) remesh(solid, virtual_nodes(solid.uncracked, solid.cracks));
