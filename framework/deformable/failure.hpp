@@ -7,7 +7,7 @@
 namespace rigor {
 
 /// Plastic flow of each element that yields, by `plastic_flow`. The von Mises stress of the others is all
-/// that is computed of them. ‖ε_p‖ stays below 1.1: no solid flows until it is inside out.
+/// that is computed of them. ‖ε_p‖ stays below 0.8, and what is inside out does not flow: so it turns back.
 /// @param strains  at the step's end; the elastic ones are updated
 void flow(Deformable& solid, Workspace& work, World& world);
 

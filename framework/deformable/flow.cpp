@@ -17,13 +17,19 @@ double shear_strain2(const Matrix3d& strain)
     return 1.5 * dev.squaredNorm();
 }
 
-// A plastic strain at most so large that the shape it makes the rest, δ + ε_p, is not inside out: its
+// A plastic strain at most so large that the shape it makes the rest, δ + ε_p, keeps a third of its height: its
 // lowest eigenvalue is at least -√⅔ ‖ε_p‖ as it has no trace.
 Matrix3d limited(const Matrix3d& plastic_strain)
 {
-    constexpr double most = 1.1; // 0.9 √(3/2)
+    constexpr double most = 0.8; // √(3/2) ⅔, nearly
     const double size = plastic_strain.norm();
     return size > most ? Matrix3d(most / size * plastic_strain) : plastic_strain;
+}
+
+// Whether S = δ + ε_p + the elastic strain is: then it is to turn back, and does not flow.
+bool is_inside_out(const Matrix3d& plastic, const Matrix3d& elastic)
+{
+    return (Matrix3d::Identity() + plastic + elastic).determinant() <= 0;
 }
 
 } // namespace
@@ -38,7 +44,7 @@ void flow(Deformable& solid, Workspace& work, World& world)
         Matrix3d& strain = work.strains[e].elastic;
         const bool yields = is_optimised ? shear_strain2(strain) > bound * bound
                                          : von_mises_from_strain(strain, G) > sigma_Y;
-        if (!yields) {
+        if (!yields || is_inside_out(solid.plastic_strains[e], strain)) {
             ++world.counters.flow_skipped;
             continue;
         }
