@@ -2,6 +2,7 @@
 #include "rigid/collisions.hpp"
 
 #include "formulas/collision.hpp"
+#include "rigid/optimised_forms.hpp"
 
 #include <algorithm>
 #include <stdexcept>
@@ -56,7 +57,7 @@ int checked(int index, std::size_t size)
 // it gives none.
 Vector3d without_gain(const Matrix3d& K, const Vector3d& v, const Vector3d& j)
 {
-    const double work = j.dot(v), stored = j.dot(K * j) / 2;
+    const double work = j.dot(v), stored = j.dot(optimised::product(K, j)) / 2;
     if (!(work + stored > 1e-12 * stored)) return j; // no number is reported as such
     return std::max(0.0, -work / stored) * j;
 }
@@ -85,8 +86,8 @@ bool bounce(ContactProblem& problem, const Candidates& candidates)
     if (!is_alone) x /= count;
     const Matrix3d K = is_alone ? c.K : problem.impulse_matrix_at(c, x);
     const Vector3d v = is_alone ? chosen.relative_velocity : problem.velocity_at(c, x);
-    const Vector3d j =
-        without_gain(K, v, collision_impulse(K, v, chosen.normal, c.restitution, c.friction));
+    Vector3d j = collision_impulse(K, v, chosen.normal, c.restitution, c.friction);
+    if (c.restitution > 0 && c.friction > 0) j = without_gain(K, v, j);
     if (j.isZero(0)) return false;
 
     problem.apply(c, x, j);

@@ -12,7 +12,8 @@ namespace rigor {
 /// point that still approaches first (`deepest_approaching_point`), with its depth at the predicted
 /// position. Points that are as deep, to a tenth, touch at the same time as far as this step can tell:
 /// their impulse acts in their middle, so that a box that lands flat does not start to spin. A bounce
-/// that would be over within the step is left to the contact stage.
+/// that would be over within the step is left to the contact stage. No bounce gives energy: with
+/// restitution and friction together an impulse that would is shortened.
 void process_collisions(ContactProblem& problem, const Island& island);
 
 } // namespace rigor

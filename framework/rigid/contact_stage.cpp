@@ -163,9 +163,11 @@ void solve(ContactProblem& problem, const Island& island, const std::vector<Held
     const int count = static_cast<int>(all.size());
     const double speed = fastest(problem, island, all);
     const bool rests = is_at_rest(problem, speed);
-    // of a heap, Newton's matrix would fill up; of one body it is small, however it moves
-    const bool may_jump = (rests || island.bodies.size() == 1) && !is_heap(island);
-    const bool is_small = count <= small || (may_jump && island.bodies.size() <= few_bodies);
+    const std::size_t bodies = island.bodies.size();
+    const bool is_on_joint = bodies == 1 && island.pairs.size() > 1; // sweeps are slow there
+    // of a heap, Newton's matrix would fill up
+    const bool may_jump = (rests || is_on_joint) && !is_heap(island);
+    const bool is_small = count <= small || (may_jump && bodies <= few_bodies);
     const double seen = is_small ? tiny : may_jump ? fine : rests ? coarse_at_rest : coarse;
     const int times = rests && !may_jump ? times_at_rest : 1;
     const Limits limits{std::clamp(times * work / count, times * fewest_sweeps, most_sweeps),

@@ -15,6 +15,9 @@ namespace rigor {
 /// "A nonsmooth nonlinear conjugate gradient method for interactive contact force problems", Visual
 /// Computer 26). A small island converges to rounding; a large one until what is left is invisible,
 /// or until it had its share of work.
+///
+/// Without gravity, penetration heals by a speed: its energy is what the contacts take away in this step,
+/// or else it waits; only bodies that hardly move against each other get it for nothing.
 void process_contact(ContactProblem& problem, const Island& island);
 
 } // namespace rigor
