@@ -158,6 +158,14 @@ bool is_at_rest(const ContactProblem& problem, double fastest)
     return fastest <= 2 * problem.gravity.norm() * problem.time_step;
 }
 
+std::vector<Body> bodies_of(const ContactProblem& problem, const Island& island)
+{
+    std::vector<Body> bodies;
+    for (int i : island.bodies)
+        bodies.push_back(problem.bodies[i]);
+    return bodies;
+}
+
 void solve(ContactProblem& problem, const Island& island, const std::vector<Held>& all)
 {
     const int count = static_cast<int>(all.size());
@@ -172,7 +180,7 @@ void solve(ContactProblem& problem, const Island& island, const std::vector<Held
     const int times = rests && !may_jump ? times_at_rest : 1;
     const Limits limits{std::clamp(times * work / count, times * fewest_sweeps, most_sweeps),
                         rounding * speed + seen * approach(problem, all)};
-    const std::vector<Body> free = may_jump ? problem.bodies : std::vector<Body>();
+    const std::vector<Body> free = may_jump ? bodies_of(problem, island) : std::vector<Body>();
     const std::unique_ptr<Sweeps> sweeps = sweeps_of(problem, island, all);
     std::vector<Vector3d> start = may_jump ? sweeps->impulses() : std::vector<Vector3d>();
     const Residuals swept = sweep_on(problem, *sweeps, all.size(), limits);
@@ -260,9 +268,7 @@ void process_contact(ContactProblem& problem, const Island& island)
 
     // Healing by a speed takes its energy from what the contacts take away, or else waits; only bodies
     // that hardly move against each other get it for nothing.
-    std::vector<Body> bodies;
-    for (int i : island.bodies)
-        bodies.push_back(problem.bodies[i]);
+    const std::vector<Body> bodies = bodies_of(problem, island);
     const Energy before = energy_of(problem, island);
     hold(problem, island, all);
     const double gain = energy_of(problem, island).all - before.all;

@@ -1,56 +1,45 @@
 // SPDX-License-Identifier: MIT
 #include "rigid/newton_contact.hpp"
 
+#include "rigid/newton_row.hpp"
+
 #include <Eigen/Sparse>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numeric>
 #include <tuple>
 
 namespace rigor {
 
 namespace {
 
+using namespace newton;
 using Eigen::VectorXd;
-using Matrix3x6 = Eigen::Matrix<double, 3, 6>;
 
 // ρ of a contact is a weight over nᵀKn. A round leaves 1/weight of a velocity, but a large weight finds
 // what touches and what slides only from near the answer: so it grows from round to round.
 constexpr double first_weight = 1000, last_weight = 1e6, growth = 10;
 constexpr int most_rounds = 14, most_steps = 40, most_bisections = 30;
-constexpr double settled = 1e-13;   // a change of impulses, of their size
-constexpr double converged = 1e-13; // a Newton step, of the velocities' size
+constexpr double settled = 1e-13;    // a change of impulses, of their size
+constexpr double gain = 0.5;         // of a round: less, and more of them get nowhere
+constexpr double flat = 0.1;         // of the slope at the start: where a line search may end
+constexpr double converged = 1e-13;  // a Newton step, of the velocities' size
+constexpr double u_rounding = 1e-15; // of the velocities' size; λ - ρ u has weight times that
 
-// A contact as the method sees it: bodies by the index of their unknowns, or -1.
-struct Row {
-    int body1 = -1, body2 = -1;
-    Vector3d n, r1, r2, s; // s: the velocity asked for, s n
-    double friction = 0, normal_K = 0, rho = 0;
-    double limit = 0; // of the tangential part, held during a round: μ λₙ
-    Vector3d lambda = Vector3d::Zero();
-};
-
-struct Split {
-    double normal = 0;
-    Vector3d tangential;
-};
-
-Split split(const Row& row, const Vector3d& y)
-{
-    const double normal = y.dot(row.n);
-    return {normal, y - normal * row.n};
-}
-
-// An order that does not depend on how the bodies are numbered.
+// Places in `island.bodies`, in an order that does not depend on how the bodies are numbered.
 std::vector<int> from_the_lowest(const ContactProblem& problem, const Island& island)
 {
     const Vector3d up = problem.up();
-    std::vector<int> bodies = island.bodies;
-    std::sort(bodies.begin(), bodies.end(), [&](int i, int j) {
-        const Vector3d &p = problem.bodies[i].position, &q = problem.bodies[j].position;
+    std::vector<int> places(island.bodies.size());
+    std::iota(places.begin(), places.end(), 0);
+    std::sort(places.begin(), places.end(), [&](int i, int j) {
+        const Vector3d &p = problem.bodies[island.bodies[i]].position,
+                       &q = problem.bodies[island.bodies[j]].position;
         return std::tuple(up.dot(p), p.x(), p.z(), i) < std::tuple(up.dot(q), q.x(), q.z(), j);
     });
-    return bodies;
+    return places;
 }
 
 class Newton {
@@ -59,9 +48,9 @@ public:
            const std::vector<Held>& held, const std::vector<Vector3d>& impulses)
     {
         std::vector<int> unknowns(problem.bodies.size(), -1);
-        for (int i : from_the_lowest(problem, island)) {
-            unknowns[i] = static_cast<int>(bodies_.size());
-            bodies_.push_back(&free[i]);
+        for (int place : from_the_lowest(problem, island)) {
+            unknowns[island.bodies[place]] = static_cast<int>(bodies_.size());
+            bodies_.push_back(&free[place]);
         }
         const auto n = static_cast<Eigen::Index>(6 * bodies_.size());
         v_free_.resize(n);
@@ -93,7 +82,7 @@ public:
 
     bool solve()
     {
-        double weight = first_weight;
+        double weight = first_weight, before = std::numeric_limits<double>::infinity();
         for (int round = 0; round < most_rounds; ++round) {
             for (Row& row : rows_) {
                 row.rho = weight / row.normal_K;
@@ -102,12 +91,16 @@ public:
             if (!minimise()) return round > 0;
             double change = 0, total = 0;
             for (Row& row : rows_) {
-                const Vector3d before = row.lambda;
+                const Vector3d last = row.lambda;
                 row.lambda = projected(row, row.lambda - row.rho * u(row, v_, row.s));
-                change = std::max(change, row.normal_K * (row.lambda - before).norm());
+                change = std::max(change, row.normal_K * (row.lambda - last).norm());
                 total = std::max(total, row.normal_K * row.lambda.norm());
             }
-            if (change <= settled * total) break;
+            const double rounding = u_rounding * weight * size();
+            if (change <= settled * total + rounding) break;
+            // Contacts that contradict each other keep a velocity, and their impulses grow for ever.
+            if (weight == last_weight && change > gain * before) break;
+            before = weight == last_weight ? change : std::numeric_limits<double>::infinity();
             weight = std::min(last_weight, growth * weight);
         }
         return true;
@@ -116,26 +109,6 @@ public:
     const std::vector<Row>& rows() const { return rows_; }
 
 private:
-    // u = J v - s
-    static Vector3d u(const Row& row, const VectorXd& v, const Vector3d& s)
-    {
-        const auto velocity = [&v](int body, const Vector3d& r) -> Vector3d {
-            if (body < 0) return Vector3d::Zero();
-            const Vector3d V = v.segment<3>(6 * body), w = v.segment<3>(6 * body + 3);
-            return V + w.cross(r);
-        };
-        return velocity(row.body1, row.r1) - velocity(row.body2, row.r2) - s;
-    }
-
-    // P(y)
-    static Vector3d projected(const Row& row, const Vector3d& y)
-    {
-        auto [normal, tangential] = split(row, y);
-        const double length = tangential.norm();
-        if (length > row.limit) tangential *= row.limit / length;
-        return std::max(0.0, normal) * row.n + tangential;
-    }
-
     // M⁻¹ Jᵀ λ
     VectorXd momentum_change() const
     {
@@ -179,10 +152,12 @@ private:
             return sum;
         };
         if (slope(1) <= 0) return 1;
+        const double enough = flat * slope(0);
         double low = 0, high = 1;
         for (int i = 0; i < most_bisections; ++i) {
-            const double middle = (low + high) / 2;
-            (slope(middle) <= 0 ? low : high) = middle;
+            const double middle = (low + high) / 2, there = slope(middle);
+            (there <= 0 ? low : high) = middle;
+            if (there <= 0 && there >= enough) break;
         }
         return low;
     }
@@ -191,13 +166,6 @@ private:
     void linearise(VectorXd& gradient, Eigen::SparseMatrix<double>& H) const
     {
         gradient = VectorXd::Zero(v_.size());
-        std::vector<Eigen::Triplet<double>> entries;
-        const auto add = [&entries](int row, int column, const Matrix6d& block) {
-            for (int i = 0; i < 6; ++i)
-                for (int j = 0; j < 6; ++j)
-                    if (6 * row + i >= 6 * column + j)
-                        entries.emplace_back(6 * row + i, 6 * column + j, block(i, j));
-        };
         std::vector<Matrix6d> diagonal(bodies_.size(), Matrix6d::Zero());
         for (std::size_t i = 0; i < bodies_.size(); ++i) {
             const double mass = 1 / bodies_[i]->inverse_mass;
@@ -206,54 +174,65 @@ private:
             gradient.segment<6>(6 * i) =
                 diagonal[i] * (v_.segment<6>(6 * i) - v_free_.segment<6>(6 * i));
         }
-        for (const Row& row : rows_) {
+        std::vector<Eigen::Triplet<double>> entries;
+        Matrix6d coupling = Matrix6d::Zero(); // of the rows of a pair, which follow each other
+        for (std::size_t k = 0; k < rows_.size(); ++k) {
+            const Row& row = rows_[k];
+            const auto [body1, body2] = std::pair(row.body1, row.body2);
             const Vector3d y = row.lambda - row.rho * u(row, v_, row.s);
             const Vector3d p = projected(row, y);
             const Matrix3d D = row.rho * slope(row, y);
-            if (row.body1 >= 0) {
-                gradient.segment<3>(6 * row.body1) -= p;
-                gradient.segment<3>(6 * row.body1 + 3) -= row.r1.cross(p);
+            if (body1 >= 0) {
+                gradient.segment<3>(6 * body1) -= p;
+                gradient.segment<3>(6 * body1 + 3) -= row.r1.cross(p);
+                add_product(row.r1, D, row.r1, diagonal[body1]);
             }
-            if (row.body2 >= 0) {
-                gradient.segment<3>(6 * row.body2) += p;
-                gradient.segment<3>(6 * row.body2 + 3) += row.r2.cross(p);
+            if (body2 >= 0) {
+                gradient.segment<3>(6 * body2) += p;
+                gradient.segment<3>(6 * body2 + 3) += row.r2.cross(p);
+                add_product(row.r2, D, row.r2, diagonal[body2]);
             }
-            const Matrix3x6 J1 = jacobian(row.r1), J2 = jacobian(row.r2);
-            if (row.body1 >= 0) diagonal[row.body1] += J1.transpose() * D * J1;
-            if (row.body2 >= 0) diagonal[row.body2] += J2.transpose() * D * J2;
-            if (row.body1 > row.body2 && row.body2 >= 0)
-                add(row.body1, row.body2, -J1.transpose() * D * J2);
-            if (row.body2 > row.body1 && row.body1 >= 0)
-                add(row.body2, row.body1, -J2.transpose() * D * J1);
+            if (body1 < 0 || body2 < 0) continue;
+            const bool is_first_lower = body1 > body2; // of H the lower half is kept
+            add_product(is_first_lower ? row.r1 : row.r2, -D, is_first_lower ? row.r2 : row.r1,
+                        coupling);
+            const bool is_last =
+                k + 1 == rows_.size() || rows_[k + 1].body1 != body1 || rows_[k + 1].body2 != body2;
+            if (!is_last) continue;
+            add_block(std::max(body1, body2), std::min(body1, body2), coupling, entries);
+            coupling.setZero();
         }
         for (std::size_t i = 0; i < bodies_.size(); ++i)
-            add(static_cast<int>(i), static_cast<int>(i), diagonal[i]);
+            add_block(static_cast<int>(i), static_cast<int>(i), diagonal[i], entries);
         H.resize(v_.size(), v_.size());
         H.setFromTriplets(entries.begin(), entries.end());
     }
 
-    // v at the lever arm's end is (δ, -r*) (V, ω)
-    static Matrix3x6 jacobian(const Vector3d& r)
+    static void add_block(int row, int column, const Matrix6d& block,
+                          std::vector<Eigen::Triplet<double>>& entries)
     {
-        Matrix3x6 J;
-        J << 1, 0, 0, 0, r.z(), -r.y(), //
-            0, 1, 0, -r.z(), 0, r.x(),  //
-            0, 0, 1, r.y(), -r.x(), 0;
-        return J;
+        for (int i = 0; i < 6; ++i)
+            for (int j = 0; j < (row == column ? i + 1 : 6); ++j)
+                entries.emplace_back(6 * row + i, 6 * column + j, block(i, j));
     }
 
-    // P'(y)
-    static Matrix3d slope(const Row& row, const Vector3d& y)
+    // sum += Jᵀ(r) D J(q), where J(r) = (δ, -r*) makes of (V, ω) the velocity at the lever arm's end
+    static void add_product(const Vector3d& r, const Matrix3d& D, const Vector3d& q, Matrix6d& sum)
     {
-        const auto [normal, tangential] = split(row, y);
-        const Matrix3d nn = row.n * row.n.transpose();
-        Matrix3d D = Matrix3d::Zero();
-        if (normal > 0) D += nn;
-        const double length = tangential.norm();
-        if (length <= row.limit) return D + Matrix3d::Identity() - nn;
-        const Vector3d T = tangential / length;
-        return D + row.limit / length * (Matrix3d::Identity() - nn - T * T.transpose());
+        Matrix3d Dq; // D q*
+        Dq.col(0) = q.z() * D.col(1) - q.y() * D.col(2);
+        Dq.col(1) = q.x() * D.col(2) - q.z() * D.col(0);
+        Dq.col(2) = q.y() * D.col(0) - q.x() * D.col(1);
+        sum.topLeftCorner<3, 3>() += D;
+        sum.topRightCorner<3, 3>() -= Dq;
+        for (int i = 0; i < 3; ++i) { // r* by columns
+            sum.block<3, 1>(3, i) += r.cross(Vector3d(D.col(i)));
+            sum.block<3, 1>(3, 3 + i) -= r.cross(Vector3d(Dq.col(i)));
+        }
     }
+
+    // Of the velocities: rounding is in proportion to it.
+    double size() const { return v_.cwiseAbs().maxCoeff() + v_free_.cwiseAbs().maxCoeff(); }
 
     // v of the round by Newton's method.
     bool minimise()
@@ -270,10 +249,9 @@ private:
             if (!dv.allFinite()) return false;
             const double t = lowest(dv);
             v_ += t * dv;
-            const double size = v_.cwiseAbs().maxCoeff() + v_free_.cwiseAbs().maxCoeff();
             const double moved = t * dv.cwiseAbs().maxCoeff();
-            if (moved <= converged * size) return true;
-            if (step + 1 == most_steps && moved <= settled * size) return true;
+            if (moved <= converged * size()) return true;
+            if (step + 1 == most_steps && moved <= settled * size()) return true;
         }
         return false;
     }

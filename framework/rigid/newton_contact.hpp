@@ -17,7 +17,7 @@ namespace rigor {
 /// with a line search finds it: a sparse system with 6 unknowns a body, which no chain of bodies and no
 /// ratio of masses makes hard. Whatever this gives, the sweeps go on from there and judge it.
 ///
-/// @param free      the bodies of the problem without the impulses
+/// @param free      the bodies of the island, in its order, without the impulses
 /// @param impulses  of the held contacts, on body 1: from where, and where to [N s]
 /// @return  whether it got anywhere; if not, the impulses are as they were
 bool newton_impulses(const ContactProblem& problem, const Island& island,
