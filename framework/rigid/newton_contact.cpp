@@ -26,7 +26,7 @@ constexpr double settled = 1e-13;    // a change of impulses, of their size
 constexpr double gain = 0.5;         // of a round: less, and more of them get nowhere
 constexpr double flat = 0.1;         // of the slope at the start: where a line search may end
 constexpr double converged = 1e-13;  // a Newton step, of the velocities' size
-constexpr double u_rounding = 1e-15; // of the velocities' size; λ - ρ u has weight times that
+constexpr double u_rounding = 1e-15; // of the fastest; λ - ρ u has weight times that
 
 // Places in `island.bodies`, in an order that does not depend on how the bodies are numbered.
 std::vector<int> from_the_lowest(const ContactProblem& problem, const Island& island)
@@ -89,14 +89,16 @@ public:
                 row.limit = row.friction * std::max(0.0, row.lambda.dot(row.n));
             }
             if (!minimise()) return round > 0;
-            double change = 0, total = 0;
+            double change = 0, total = 0, speed = 0;
             for (Row& row : rows_) {
                 const Vector3d last = row.lambda;
                 row.lambda = projected(row, row.lambda - row.rho * u(row, v_, row.s));
                 change = std::max(change, row.normal_K * (row.lambda - last).norm());
                 total = std::max(total, row.normal_K * row.lambda.norm());
+                speed = std::max({speed, velocity(v_, row.body1, row.r1).norm(),
+                                  velocity(v_, row.body2, row.r2).norm()});
             }
-            const double rounding = u_rounding * weight * size();
+            const double rounding = u_rounding * weight * speed;
             if (change <= settled * total + rounding) break;
             // Contacts that contradict each other keep a velocity, and their impulses grow for ever.
             if (weight == last_weight && change > gain * before) break;
@@ -231,9 +233,6 @@ private:
         }
     }
 
-    // Of the velocities: rounding is in proportion to it.
-    double size() const { return v_.cwiseAbs().maxCoeff() + v_free_.cwiseAbs().maxCoeff(); }
-
     // v of the round by Newton's method.
     bool minimise()
     {
@@ -249,9 +248,10 @@ private:
             if (!dv.allFinite()) return false;
             const double t = lowest(dv);
             v_ += t * dv;
+            const double size = v_.cwiseAbs().maxCoeff() + v_free_.cwiseAbs().maxCoeff();
             const double moved = t * dv.cwiseAbs().maxCoeff();
-            if (moved <= converged * size()) return true;
-            if (step + 1 == most_steps && moved <= settled * size()) return true;
+            if (moved <= converged * size) return true;
+            if (step + 1 == most_steps && moved <= settled * size) return true;
         }
         return false;
     }

@@ -28,15 +28,18 @@ inline Split split(const Row& row, const Vector3d& y)
     return {normal, y - normal * row.n};
 }
 
+// Of a body's point at the lever arm r [m/s].
+inline Vector3d velocity(const Eigen::VectorXd& v, int body, const Vector3d& r)
+{
+    if (body < 0) return Vector3d::Zero();
+    const Vector3d V = v.segment<3>(6 * body), w = v.segment<3>(6 * body + 3);
+    return V + w.cross(r);
+}
+
 // u = J v - s
 inline Vector3d u(const Row& row, const Eigen::VectorXd& v, const Vector3d& s)
 {
-    const auto velocity = [&v](int body, const Vector3d& r) -> Vector3d {
-        if (body < 0) return Vector3d::Zero();
-        const Vector3d V = v.segment<3>(6 * body), w = v.segment<3>(6 * body + 3);
-        return V + w.cross(r);
-    };
-    return velocity(row.body1, row.r1) - velocity(row.body2, row.r2) - s;
+    return velocity(v, row.body1, row.r1) - velocity(v, row.body2, row.r2) - s;
 }
 
 // P(y)
