@@ -12,9 +12,9 @@ constexpr std::size_t bodies_of_a_block = 96;
 constexpr int most_halvings = 5;
 
 // The parts are numbered as in a heap: 1 is the whole, 2k and 2k + 1 the halves of k.
-class Halving {
+class Partition {
 public:
-    Halving(const ContactProblem& problem, std::vector<int> bodies, int times)
+    Partition(const ContactProblem& problem, std::vector<int> bodies, int times)
         : problem_(problem), bodies_(std::move(bodies)), part_of_(problem.bodies.size(), 0)
     {
         const Vector3d up = problem.up().cwiseAbs();
@@ -89,7 +89,7 @@ void split_into_blocks(const ContactProblem& problem, Island& island)
     if (times == 0) return;
 
     // by part, the smallest parts first: 2^times and up, then 2^(times-1) and up ... 1
-    const Halving halving(problem, island.bodies, times);
+    const Partition partition(problem, island.bodies, times);
     const auto place = [&](int part) {
         int first = 1; // of the parts as small as this one
         while (2 * first <= part)
@@ -99,7 +99,7 @@ void split_into_blocks(const ContactProblem& problem, Island& island)
     std::vector<int> places(n), ends(parts - 1, 0);
     for (int k = 0; k < n; ++k) {
         const SolvedContact& c = problem.contacts[island.pairs[k].first];
-        places[k] = place(halving.part_of(c.body1, c.body2));
+        places[k] = place(partition.part_of(c.body1, c.body2));
         ++ends[places[k]];
     }
     island.blocks.clear();

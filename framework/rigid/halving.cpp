@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 namespace rigor {
@@ -98,7 +99,7 @@ IslandWorld part_of(const World& world, const Island& island, const std::vector<
 } // namespace
 
 bool Halving::overlaps_anew(const ContactProblem& problem, const Island& island,
-                            const std::vector<RigidState>& states) const
+                            const std::vector<RigidState>& states)
 {
     if (island.bodies.size() > most_bodies) return false;
     if (std::any_of(island.bodies.begin(), island.bodies.end(), [&](int i) { return pulled_[i]; }))
@@ -109,7 +110,7 @@ bool Halving::overlaps_anew(const ContactProblem& problem, const Island& island,
 }
 
 bool Halving::overlaps_anew(const ContactProblem& problem, const ContactPair& pair,
-                            const std::vector<RigidState>& states) const
+                            const std::vector<RigidState>& states)
 {
     const int i = problem.contacts[pair.first].body1, j = problem.contacts[pair.first].body2;
     const double thinner = std::min(thickness(world_.bodies[i]), thickness(world_.bodies[j]));
@@ -124,11 +125,11 @@ bool Halving::overlaps_anew(const ContactProblem& problem, const ContactPair& pa
                           leaves_by(world_, problem, j, near_.radii[j]);
     const bool is_turned = turned > turned_in * thinner;
     if (!is_turned && !(pressed > before + pressed_in * thinner)) return false;
-    std::vector<Pose> poses(states.size());
+    poses_.resize(states.size());
     for (int body : {i, j})
-        poses[body] = {rotation_matrix(states[body].orientation), states[body].position};
+        poses_[body] = {rotation_matrix(states[body].orientation), states[body].position};
     std::vector<Contact> after;
-    find_contacts(world_, poses, i, j, 0, after);
+    find_contacts(world_, poses_, i, j, 0, after);
     return deepest(after) > before + (is_turned ? turned_in : pressed_in) * thinner;
 }
 

@@ -32,14 +32,15 @@ public:
 
 private:
     bool overlaps_anew(const ContactProblem& problem, const Island& island,
-                       const std::vector<RigidState>& states) const;
+                       const std::vector<RigidState>& states);
 
     bool overlaps_anew(const ContactProblem& problem, const ContactPair& pair,
-                       const std::vector<RigidState>& states) const;
+                       const std::vector<RigidState>& states);
 
     const World& world_;
     const std::vector<bool>& pulled_;
     const Neighbourhood& near_;
+    std::vector<Pose> poses_; // after the step, of the pair that is looked at
 };
 
 } // namespace rigor

@@ -154,6 +154,8 @@ public:
         std::function<void(const Counters&)> on_end;
     };
     explicit TrajectoryReader(Handlers handlers);
+    /// Collects everything in `whole`.
+    explicit TrajectoryReader(Trajectory& whole);
 
     /// @throws InputError if the bytes are not a trajectory; names the record and the quantity
     void feed(std::span<const std::byte> bytes);

@@ -35,6 +35,21 @@ TrajectoryReader::TrajectoryReader(Handlers handlers) : handlers_(std::move(hand
     next(&TrajectoryReader::read_magic, 12);
 }
 
+TrajectoryReader::TrajectoryReader(Trajectory& whole)
+    : TrajectoryReader(Handlers{
+          [&whole](const Scene& scene, const std::vector<RecordedBody>& bodies) {
+              whole.scene = scene;
+              whole.bodies = bodies;
+          },
+          [&whole](Frame frame) { whole.frames.push_back(std::move(frame)); },
+          [&whole](const Counters& counters) {
+              whole.counters = counters;
+              whole.complete = true;
+          },
+      })
+{
+}
+
 void TrajectoryReader::next(Stage stage, std::size_t bytes)
 {
     stage_ = stage;
@@ -247,14 +262,7 @@ Trajectory load_trajectory(const std::filesystem::path& file)
             fmt::format("{}: expected a trajectory file, found {}", file.string(),
                         std::filesystem::exists(file, error) ? "something else" : "nothing"));
     Trajectory trajectory;
-    TrajectoryReader reader({
-        [&](const Scene& scene, const std::vector<RecordedBody>& bodies) {
-            trajectory.scene = scene;
-            trajectory.bodies = bodies;
-        },
-        [&](Frame frame) { trajectory.frames.push_back(std::move(frame)); },
-        [&](const Counters& counters) { trajectory.counters = counters; },
-    });
+    TrajectoryReader reader(trajectory);
     try {
         std::vector<char> chunk(1 << 16);
         while (stream.read(chunk.data(), static_cast<std::streamsize>(chunk.size())),
@@ -264,7 +272,6 @@ Trajectory load_trajectory(const std::filesystem::path& file)
     } catch (const InputError& mistake) {
         throw InputError(fmt::format("{}: {}", file.string(), mistake.what()));
     }
-    trajectory.complete = reader.complete();
     return trajectory;
 }
 

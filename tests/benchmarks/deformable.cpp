@@ -54,17 +54,6 @@ double thread_seconds()
     return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-std::vector<int> end_nodes(const Deformable& solid, int side)
-{
-    double end = 0;
-    for (const Vector3d& x : solid.rest.vertices)
-        end = std::max(end, side * x.x());
-    std::vector<int> nodes;
-    for (int i = 0; i < static_cast<int>(solid.rest.vertices.size()); ++i)
-        if (side * solid.rest.vertices[i].x() > end * (1 - 1e-9)) nodes.push_back(i);
-    return nodes;
-}
-
 } // namespace rigor
 
 namespace {

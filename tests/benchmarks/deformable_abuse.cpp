@@ -9,6 +9,7 @@
 
 namespace rigor {
 
+using testing::end_nodes;
 using testing::Random;
 using testing::soft_material;
 using testing::solid_of;

@@ -18,9 +18,6 @@ struct Heap {
 };
 Heap heap();
 
-/// The nodes whose x is at one end of a mesh about the origin. @param side  -1 or +1
-std::vector<int> end_nodes(const Deformable& solid, int side);
-
 /// One stress in a mesh of any shape, a bar that hangs, a bar that rings.
 /// @param folder  for the plot; empty: none
 void measure_accuracy(Bench& bench, const std::string& folder);

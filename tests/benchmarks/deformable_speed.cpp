@@ -10,6 +10,7 @@
 
 namespace rigor {
 
+using testing::end_nodes;
 using testing::soft_material;
 using testing::solid_of;
 using testing::world_of;

@@ -6,6 +6,8 @@
 #include "geometry/tetrahedra.hpp"
 #include "support/random.hpp"
 
+#include <algorithm>
+
 namespace rigor::testing {
 
 inline SolidMaterial soft_material()
@@ -30,6 +32,30 @@ inline Deformable solid_of(TetrahedralMesh mesh, const SolidMaterial& material)
 {
     return make_deformable("solid", std::move(mesh), material, Matrix3d::Identity(),
                            Vector3d::Zero());
+}
+
+/// The nodes whose x is at one end of a mesh about the origin. @param side  -1 or +1
+inline std::vector<int> end_nodes(const Deformable& solid, int side)
+{
+    double end = 0;
+    for (const Vector3d& x : solid.rest.vertices)
+        end = std::max(end, side * x.x());
+    std::vector<int> nodes;
+    for (int i = 0; i < static_cast<int>(solid.rest.vertices.size()); ++i)
+        if (side * solid.rest.vertices[i].x() > end * (1 - 1e-9)) nodes.push_back(i);
+    return nodes;
+}
+
+/// Takes both ends of a solid apart, each by `distance` along x, evenly until `time`.
+inline void pull_apart(Deformable& solid, double distance, double time)
+{
+    for (const int side : {-1, 1}) {
+        Handle handle;
+        handle.nodes = end_nodes(solid, side);
+        handle.path = {{0, Vector3d::Zero(), Vector3d::Zero()},
+                       {time, Vector3d(distance * side, 0, 0), Vector3d::Zero()}};
+        solid.handles.push_back(handle);
+    }
 }
 
 inline DeformableWorld world_of(Deformable solid)

@@ -109,16 +109,10 @@ namespace {
 Trajectory run_in(Worker& worker, const Scene& scene)
 {
     Trajectory trajectory;
-    trajectory.scene = scene;
-    TrajectoryReader reader({
-        .on_start = [&](const Scene&,
-                        const std::vector<RecordedBody>& bodies) { trajectory.bodies = bodies; },
-        .on_frame = [&](Frame frame) { trajectory.frames.push_back(std::move(frame)); },
-        .on_end = [&](const Counters& counters) { trajectory.counters = counters; },
-    });
+    TrajectoryReader reader(trajectory);
     worker.run_scene(scene.text, scene.name, Record::every_step,
                      [&](std::span<const std::byte> bytes) { reader.feed(bytes); });
-    trajectory.complete = reader.complete();
+    trajectory.scene = scene;
     INFO("the run of scene " + scene.name + " ended early");
     REQUIRE(trajectory.complete);
     REQUIRE(trajectory.frames.size() >= 2);

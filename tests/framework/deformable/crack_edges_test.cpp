@@ -33,14 +33,7 @@ DeformableWorld pulled_plate()
     material.damping = 0.02;
     Deformable plate = solid_of(notched_tetrahedra({1, 0.7, 0.1}, {11, 8, 1}, {1, 3}), material);
     plate.fracture_method = FractureMethod::virtual_nodes;
-    for (const int side : {-1, 1}) {
-        Handle handle;
-        for (int i = 0; i < static_cast<int>(plate.positions.size()); ++i)
-            if (side * plate.positions[i].x() > 0.5 - 1e-9) handle.nodes.push_back(i);
-        handle.path = {{0, Vector3d::Zero(), Vector3d::Zero()},
-                       {0.6, Vector3d(0.06 * side, 0, 0), Vector3d::Zero()}};
-        plate.handles.push_back(handle);
-    }
+    pull_apart(plate, 0.06, 0.6);
     return world_of(plate);
 }
 

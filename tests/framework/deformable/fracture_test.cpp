@@ -58,14 +58,7 @@ DeformableWorld pulled_bar(FractureMethod method, NodeIntegrator integrator)
     Deformable bar = solid_of(notched_tetrahedra({1, 0.3, 0.1}, {10, 3, 1}, {2, 1}), material);
     bar.integrator = integrator;
     bar.fracture_method = method;
-    for (const int side : {-1, 1}) {
-        Handle handle;
-        for (int i = 0; i < static_cast<int>(bar.positions.size()); ++i)
-            if (side * bar.positions[i].x() > 0.5 - 1e-9) handle.nodes.push_back(i);
-        handle.path = {{0, Vector3d::Zero(), Vector3d::Zero()},
-                       {1, Vector3d(0.1 * side, 0, 0), Vector3d::Zero()}};
-        bar.handles.push_back(handle);
-    }
+    pull_apart(bar, 0.1, 1);
     return world_of(bar);
 }
 

@@ -38,8 +38,7 @@ Deformable held_bar(int cells, double poisson_ratio, int length = 4)
     Deformable bar =
         solid_of(block_tetrahedra({1, 0.25, 0.25}, {length * cells, cells, cells}), material);
     Handle handle;
-    for (int i = 0; i < static_cast<int>(bar.positions.size()); ++i)
-        if (bar.positions[i].x() < -0.5 + 1e-9) handle.nodes.push_back(i);
+    handle.nodes = end_nodes(bar, -1);
     bar.handles.push_back(handle);
     return bar;
 }

@@ -10,16 +10,8 @@ namespace {
 Trajectory run(const Scene& scene, Record record)
 {
     Trajectory trajectory;
-    TrajectoryReader reader({
-        [&](const Scene& read, const std::vector<RecordedBody>& bodies) {
-            trajectory.scene = read;
-            trajectory.bodies = bodies;
-        },
-        [&](Frame frame) { trajectory.frames.push_back(std::move(frame)); },
-        [&](const Counters& counters) { trajectory.counters = counters; },
-    });
+    TrajectoryReader reader(trajectory);
     run_scene(scene, record, [&](std::span<const std::byte> bytes) { reader.feed(bytes); });
-    trajectory.complete = reader.complete();
     return trajectory;
 }
 

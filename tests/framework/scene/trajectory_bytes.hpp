@@ -27,17 +27,9 @@ template <class T> Bytes with(Bytes bytes, std::size_t at, T value)
 inline Trajectory read(std::span<const std::byte> bytes, std::size_t piece)
 {
     Trajectory trajectory;
-    TrajectoryReader reader({
-        [&](const Scene& scene, const std::vector<RecordedBody>& bodies) {
-            trajectory.scene = scene;
-            trajectory.bodies = bodies;
-        },
-        [&](Frame frame) { trajectory.frames.push_back(std::move(frame)); },
-        [&](const Counters& counters) { trajectory.counters = counters; },
-    });
+    TrajectoryReader reader(trajectory);
     for (; !bytes.empty(); bytes = bytes.subspan(std::min(piece, bytes.size())))
         reader.feed(bytes.first(std::min(piece, bytes.size())));
-    trajectory.complete = reader.complete();
     return trajectory;
 }
 
