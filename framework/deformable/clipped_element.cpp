@@ -66,11 +66,49 @@ void cut(std::vector<ClippedFace>& faces, const std::array<Vector3d, 4>& corners
     for (ClippedFace& face : faces)
         face.weights = clipped(face.weights, height, rim);
     std::erase_if(faces, [](const ClippedFace& face) { return face.weights.empty(); });
-    ClippedFace closing{cap(std::move(rim), corners, outwards), -1, true};
+    ClippedFace closing{cap(std::move(rim), corners, outwards), -1};
     if (closing.weights.size() >= 3) faces.push_back(std::move(closing));
 }
 
+// The area of triangle a b x, in units of the face's, is the result · x.
+Weights triangle_height(const Weights& a, const Weights& b, int face)
+{
+    const auto& [i, j, k] = tetrahedron_faces[face];
+    Weights height = Weights::Zero();
+    height[i] = a[j] * b[k] - a[k] * b[j];
+    height[j] = a[k] * b[i] - a[i] * b[k];
+    height[k] = a[i] * b[j] - a[j] * b[i];
+    return height;
+}
+
+double area(const std::vector<Weights>& polygon, int face)
+{
+    double sum = 0;
+    for (std::size_t i = 2; i < polygon.size(); ++i)
+        sum += triangle_height(polygon[0], polygon[i - 1], face).dot(polygon[i]);
+    return std::abs(sum);
+}
+
 } // namespace
+
+std::vector<std::vector<Weights>> uncovered(std::vector<Weights> polygon,
+                                            const std::vector<Weights>& cover, int face)
+{
+    std::vector<std::vector<Weights>> open;
+    Weights middle = Weights::Zero();
+    for (const Weights& w : cover)
+        middle += w / static_cast<double>(cover.size());
+    std::vector<Weights> unused;
+    for (std::size_t i = 0; i < cover.size(); ++i) {
+        Weights inwards = triangle_height(cover[i], cover[(i + 1) % cover.size()], face);
+        if (!(inwards.norm() > 1e-9)) continue; // its ends are one point
+        if (inwards.dot(middle) < 0) inwards = -inwards;
+        open.push_back(clipped(polygon, -inwards, unused));
+        polygon = clipped(polygon, inwards, unused);
+    }
+    std::erase_if(open, [&](const auto& piece) { return !(area(piece, face) > 1e-12); });
+    return open;
+}
 
 std::vector<ClippedFace> clipped_element(const Deformable& solid, int element)
 {
@@ -81,7 +119,7 @@ std::vector<ClippedFace> clipped_element(const Deformable& solid, int element)
         corners[i] = solid.uncracked.vertices[solid.uncracked.tetrahedra[parent][i]];
     std::vector<ClippedFace> faces;
     for (int f = 0; f < 4; ++f) {
-        ClippedFace face{{}, f, false};
+        ClippedFace face{{}, f};
         for (const int i : tetrahedron_faces[f])
             face.weights.push_back(Weights::Unit(i));
         faces.push_back(face);

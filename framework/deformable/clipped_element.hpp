@@ -10,11 +10,18 @@ namespace rigor {
 struct ClippedFace {
     std::vector<Eigen::Vector4d> weights; // barycentric coordinates of its vertices
     int face = -1;                        // of the element that it lies in; -1: in a crack
-    bool is_crack = false;
 };
 
 /// What bounds the matter of a copy: its tetrahedron, cut by each crack that separates its real corners
 /// from others that the cracks before it had left together with them.
 std::vector<ClippedFace> clipped_element(const Deformable& solid, int element);
+
+/// What of a convex polygon in a face of an element another one there leaves open, in convex pieces. Less
+/// than 1e-12 of the face is nothing.
+///
+/// @param polygon, cover  barycentric coordinates of their vertices in the same element
+std::vector<std::vector<Eigen::Vector4d>> uncovered(std::vector<Eigen::Vector4d> polygon,
+                                                    const std::vector<Eigen::Vector4d>& cover,
+                                                    int face);
 
 } // namespace rigor

@@ -51,7 +51,8 @@ struct SkinVertex {
     Vector4f color = Vector4f::Ones();         // linear red, green, blue, opacity
 };
 
-/// What colors mean: a bar at the right border, with numbers.
+/// What colors mean: a bar with numbers in a strip at the right border. The scene is drawn smaller, to
+/// the left of it.
 struct ColorScale {
     std::string title;            // with the unit
     std::vector<Vector4f> colors; // from the low end up, linear

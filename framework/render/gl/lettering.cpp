@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "render/gl/lettering.hpp"
 
+#include "render/gl/layout.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <sstream>
 
 namespace rigor {
 namespace {
@@ -19,8 +22,8 @@ float encoded(float linear)
 } // namespace
 
 Lettering::Lettering(int width, int height)
-    : width_(width), height_(height), small_(std::clamp(height / 42, 10, 48)),
-      large_(std::clamp(height / 32, 12, 64)), program_(Look::text, "")
+    : width_(width), height_(height), small_(small_letters(height)), large_(large_letters(height)),
+      program_(Look::text, "")
 {
     glBindTexture(GL_TEXTURE_2D, atlas_);
     glTexImage2D(GL_TEXTURE_2D, 0, GL_R8, Font::side, Font::side, 0, GL_RED, GL_UNSIGNED_BYTE,
@@ -83,22 +86,39 @@ void Lettering::add_label(const Text& text, const View& view)
     add_line(text, size, x - width_of(text, size) / 2, y - 0.25F * static_cast<float>(size));
 }
 
-// At the right border, its numbers to the right of it, its title above.
+std::vector<Text> Lettering::wrapped(const Text& text, float width)
+{
+    std::vector<Text> lines;
+    std::istringstream words(text.text);
+    for (std::string word; words >> word;) {
+        Text longer = text;
+        longer.text = lines.empty() ? word : lines.back().text + " " + word;
+        if (!lines.empty() && width_of(longer, small_) <= width) {
+            lines.back() = longer;
+        } else {
+            lines.push_back(text);
+            lines.back().text = word;
+        }
+    }
+    return lines;
+}
+
+// In its strip at the right border, its numbers to the right of it, its title above.
 void Lettering::draw_scale(const ColorScale& scale)
 {
     const auto pixels = [](int n) { return static_cast<float>(n); };
     const auto label = [](const std::string& text) {
         return Text{text, Vector4f(0.022F, 0.033F, 0.055F, 1), false, {}};
     };
-    const float border = pixels(width_) - 0.8F * pixels(large_), step = 0.5F * pixels(small_);
-    float widest = 0;
-    for (const ColorScale::Tick& tick : scale.ticks)
-        widest = std::max(widest, width_of(label(tick.text), small_));
-    const float left = std::round(border - widest - 3.6F * step);
+    const float step = 0.5F * pixels(small_);
+    const float strip = pixels(color_bar_strip(width_, height_));
+    const float left = std::round(pixels(width_) - strip + step);
     const BarPlace place{left, left + std::round(2 * step), std::round(0.28F * pixels(height_)),
                          std::round(0.74F * pixels(height_))};
-    const Text title = label(scale.title);
-    add_line(title, small_, border - width_of(title, small_), place.top - 1.4F * step);
+    float y = place.top - 1.8F * step;
+    const std::vector<Text> title = wrapped(label(scale.title), strip - 2 * step);
+    for (auto line = title.rbegin(); line != title.rend(); ++line, y -= 2.6F * step)
+        add_line(*line, small_, left, y);
     for (const ColorScale::Tick& tick : scale.ticks)
         add_line(label(tick.text), small_, place.right + 1.6F * step,
                  place.at(tick.place) + 0.7F * step);

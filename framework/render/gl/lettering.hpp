@@ -25,6 +25,8 @@ private:
     };
     void add_line(const Text& text, int size, float x, float y);
     void add_label(const Text& text, const View& view);
+    std::vector<Text> wrapped(const Text& text,
+                              float width); // in lines at most so wide, if it can be
     void draw_scale(const ColorScale& scale);
     float width_of(const Text& text, int size);
     int size_of(const Text& text) const { return text.large ? large_ : small_; }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "render/gl/light.hpp"
 
+#include "render/gl/layout.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -29,7 +31,8 @@ Vector3f forward_of(const Picture& picture)
 }
 
 /// Perspective whose y points down the screen: rows are then read from the top, as files want them.
-Matrix4f to_clip(const Picture& picture, float aspect)
+/// @param strip  share of the width at the right border that stays free
+Matrix4f to_clip(const Picture& picture, float aspect, float strip)
 {
     const float angle = std::clamp(picture.field_of_view, 1.0F, 170.0F);
     const float scale = 1 / std::tan(angle * std::numbers::pi_v<float> / 360);
@@ -45,7 +48,10 @@ Matrix4f to_clip(const Picture& picture, float aspect)
     Matrix4f camera = Matrix4f::Identity();
     camera.topLeftCorner<3, 3>() = rows;
     camera.topRightCorner<3, 1>() = -(rows * picture.eye);
-    return perspective * camera;
+    Matrix4f smaller = Matrix4f::Identity();
+    smaller(0, 0) = smaller(1, 1) = 1 - strip;
+    smaller(0, 3) = -strip;
+    return smaller * perspective * camera;
 }
 
 /// Over the left shoulder of the camera, so that what it sees is lit.
@@ -99,7 +105,9 @@ float camera_distance(const Picture& picture)
 View view_of(const Picture& picture, int width, int height)
 {
     View view{};
-    const Matrix4f clip = to_clip(picture, static_cast<float>(width) / static_cast<float>(height));
+    const int strip = picture.color_scale ? color_bar_strip(width, height) : 0;
+    const Matrix4f clip = to_clip(picture, static_cast<float>(width) / static_cast<float>(height),
+                                  static_cast<float>(strip) / static_cast<float>(width));
     std::copy_n(clip.data(), 16, view.to_clip);
 
     const Vector3f sun = towards_sun(picture);

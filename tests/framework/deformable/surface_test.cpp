@@ -25,6 +25,22 @@ TriangleMesh drawn(const Deformable& solid, const EmbeddedSurface& surface, int 
     return mesh;
 }
 
+struct Areas {
+    double whole = 0, cracked = 0;
+};
+
+Areas areas(const TriangleMesh& mesh, const EmbeddedSurface& surface)
+{
+    Areas sum;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        const auto& [i, j, k] = mesh.triangles[t];
+        const Vector3d &a = mesh.vertices[i], &b = mesh.vertices[j], &c = mesh.vertices[k];
+        (surface.triangles[t].is_crack ? sum.cracked : sum.whole) +=
+            0.5 * (b - a).cross(c - a).norm();
+    }
+    return sum;
+}
+
 } // namespace
 
 TEST_CASE("surface: of a whole solid it is the boundary of its mesh", "[deformable]")
@@ -53,12 +69,7 @@ TEST_CASE("surface: faces that came apart are cracks, all others are not", "[def
     remesh(solid, split_along_faces(solid.rest, faces));
     const EmbeddedSurface surface = drawn_surface(solid);
     const TriangleMesh mesh = drawn(solid, surface, -1);
-    double whole = 0, cracked = 0;
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-        const auto& [i, j, k] = mesh.triangles[t];
-        const Vector3d &a = mesh.vertices[i], &b = mesh.vertices[j], &c = mesh.vertices[k];
-        (surface.triangles[t].is_crack ? cracked : whole) += 0.5 * (b - a).cross(c - a).norm();
-    }
+    const auto [whole, cracked] = areas(mesh, surface);
     CHECK_THAT(whole, IsClose(area, Rounding(100)));
     CHECK_THAT(cracked, IsClose(2.0, Rounding(100))); // both sides
     CHECK_THAT(signed_volume(mesh), IsClose(2.0, Rounding(100)));
@@ -92,5 +103,70 @@ TEST_CASE("surface: the parts of a cracked element close around their share of i
         }
         REQUIRE_THAT(sum, IsClose(tetrahedron_volume(mesh, 0), Rounding(1000, 1)));
         REQUIRE(solid.rest.tetrahedra.size() >= 2);
+    }
+}
+
+namespace {
+
+// A block of 2 x 1 x 1, whose elements that reach over x = 0.1 between y = lowest and the top are cracked.
+Deformable cracked_block(double lowest)
+{
+    Deformable solid = solid_of(block_tetrahedra({2, 1, 1}, {4, 4, 2}), soft_material());
+    solid.uncracked = solid.rest;
+    for (int t = 0; t < static_cast<int>(solid.rest.tetrahedra.size()); ++t) {
+        Vector3d low = Vector3d::Constant(9), high = -low;
+        for (const int i : solid.rest.tetrahedra[t]) {
+            low = low.cwiseMin(solid.rest.vertices[i]);
+            high = high.cwiseMax(solid.rest.vertices[i]);
+        }
+        if (low.x() < 0.1 && high.x() > 0.1 && low.y() > lowest)
+            solid.cracks.push_back({t, Vector3d(0.1, 0, 0), Vector3d::UnitX()});
+    }
+    remesh(solid, virtual_nodes(solid.uncracked, solid.cracks));
+    return solid;
+}
+
+} // namespace
+
+TEST_CASE("surface: inside what virtual nodes left in one piece nothing is drawn", "[deformable]")
+{
+    const double area = 2 * (2 * 1 + 1 * 1 + 2 * 1);
+    for (const double lowest : {-0.51, -0.01}) { // all through, or to the middle
+        CAPTURE(lowest);
+        const Deformable solid = cracked_block(lowest);
+        const EmbeddedSurface surface = drawn_surface(solid);
+        const TriangleMesh mesh = drawn(solid, surface, -1);
+        const auto [whole, cracked] = areas(mesh, surface);
+        CHECK_THAT(whole, IsClose(area, Rounding(1000)));
+        CHECK_THAT(cracked, IsClose(lowest < -0.5 ? 2.0 : 1.0, Rounding(1000))); // both sides
+        CHECK_THAT(signed_volume(mesh), IsClose(2.0, Rounding(1000)));
+        if (lowest > -0.5) continue;
+        TriangleMesh apart = mesh;
+        const std::vector<int> piece = pieces(solid);
+        for (std::size_t i = 0; i < surface.points.size(); ++i)
+            apart.vertices[i].x() += 9 * piece[surface.points[i].element];
+        CHECK_NOTHROW(check_mesh(apart)); // each piece closed, nothing twice
+    }
+}
+
+TEST_CASE("surface: cracks that do not meet leave open what no other element covers",
+          "[deformable]")
+{
+    for (unsigned seed = 0; seed < 20; ++seed) {
+        CAPTURE(seed);
+        Random random(seed);
+        Deformable solid = solid_of(block_tetrahedra({2, 1, 1}, {2, 1, 1}), soft_material());
+        solid.uncracked = solid.rest;
+        for (int t = 0; t < static_cast<int>(solid.rest.tetrahedra.size()); t += 1 + (t % 2)) {
+            Vector3d middle = Vector3d::Zero();
+            for (const int i : solid.rest.tetrahedra[t])
+                middle += solid.rest.vertices[i] / 4;
+            solid.cracks.push_back({t, middle, random.unit_vector()});
+        }
+        remesh(solid, virtual_nodes(solid.uncracked, solid.cracks));
+        const EmbeddedSurface surface = drawn_surface(solid);
+        const TriangleMesh mesh = drawn(solid, surface, -1);
+        CHECK_THAT(signed_volume(mesh), IsClose(2.0, Rounding(1000))); // closed
+        CHECK_THAT(areas(mesh, surface).whole, IsClose(10.0, Rounding(1000)));
     }
 }

@@ -10,7 +10,9 @@
 #include "support/temporary_folder.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 using namespace rigor;
 using rigor::testing::TemporaryFolder;
@@ -167,6 +169,47 @@ TEST_CASE("solids: colors by stress come with a bar that says what they mean", "
     Picture without = picture;
     without.color_scale.reset();
     CHECK(largest_difference(image, drawn(without)) > 60);
+}
+
+TEST_CASE("solids: the bar of colors covers nothing of what the camera shows", "[render]")
+{
+    for (const auto& [width, height] : {std::pair{640, 360}, {240, 320}}) {
+        CAPTURE(width, height);
+        Picture bar, solid; // the one has only letters and colors, the other only a solid
+        bar.eye = solid.eye = Vector3f(0, 0, 10);
+        bar.color_scale = picture_of(bar_scene(R"("solids": "stress")"),
+                                     first_frame(bar_scene(R"("solids": "stress")")))
+                              .color_scale;
+        REQUIRE(bar.color_scale);
+        solid.color_scale.emplace();
+        // all that fits into the picture, from border to border
+        const float y = 10 * std::tan(20 * 3.14159265F / 180);
+        const float x = y * static_cast<float>(width) / static_cast<float>(height);
+        const std::array<Vector3f, 4> corners = {Vector3f(-x, -y, 0), Vector3f(x, -y, 0),
+                                                 Vector3f(x, y, 0), Vector3f(-x, y, 0)};
+        for (const int i : {0, 1, 2, 0, 2, 3})
+            solid.skins.push_back({corners[i], Vector3f::UnitZ()});
+        Picture empty = solid;
+        empty.skins.clear();
+        const OpenRenderer opened = open_renderer(width, height);
+        Renderer& renderer = *opened.renderer;
+        const Image neither = renderer.draw(empty), letters = renderer.draw(bar),
+                    surface = renderer.draw(solid);
+        int lettered = 0, solid_pixels = 0, both = 0;
+        for (int j = 0; j < height; ++j)
+            for (int i = 0; i < width; ++i) {
+                const auto differs = [&](const Image& image) {
+                    return !std::equal(image.pixel(i, j), image.pixel(i, j) + 3,
+                                       neither.pixel(i, j));
+                };
+                lettered += differs(letters);
+                solid_pixels += differs(surface);
+                both += differs(letters) && differs(surface);
+            }
+        CHECK(lettered > 400);
+        CHECK(solid_pixels > width * height / 3);
+        CHECK(both == 0);
+    }
 }
 
 TEST_CASE("solids: the range of colors is the scene's if it names one", "[render]")
