@@ -26,15 +26,24 @@ struct DemoOptions {
     std::string out = "out/demo", size = "1280x720";
 };
 
-// One scene of each assignment on motion, two on collision, one of a solid that bends, one of one that breaks.
-constexpr const char* scenes[] = {"a2-inertia/hammer",           "a3-rotation/tennis_racket",
-                                  "a4-collision/billiard_break", "a4-collision/hundred_boxes",
-                                  "a6-plasticity/paper_clip",    "a7-fracture/notched_plate"};
+// One scene of each assignment that has any, two on collision.
+constexpr const char* scenes[] = {
+    "a1-kinematics/projectile_with_spin", "a2-inertia/hammer",          "a3-rotation/tennis_racket",
+    "a4-collision/billiard_break",        "a4-collision/hundred_boxes", "a5-contact/leaning_tower",
+    "a6-plasticity/paper_clip",           "a7-fracture/notched_plate"};
 
-// Submissions of assignment A2: one that is complete, one half done with the usual mistakes, one that crashes in one task
-// and never returns from another.
-constexpr const char* samples[] = {"complete", "half_done", "crashing"};
-constexpr const char* sample_assignment = "a2-inertia";
+struct Graded {
+    std::string assignment;
+    std::vector<std::string> submissions; // implementations, or folders of tests/samples
+};
+
+// The first assignment, which has no scene, solved and not; then three submissions: one that is complete, one half done
+// with the usual mistakes, one that crashes in one task and never returns from another.
+std::vector<Graded> to_grade()
+{
+    return {{"a0-pipeline", {"reference", "student"}},
+            {"a2-inertia", {"complete", "half_done", "crashing"}}};
+}
 
 void render_scenes(const fs::path& out, const std::string& size)
 {
@@ -45,17 +54,19 @@ void render_scenes(const fs::path& out, const std::string& size)
     draw.video = is_installed("ffmpeg");
     for (const char* name : scenes) {
         const Scene scene = load_scene(find_scene(name));
-        fmt::print("{}: {}\n  ", name, scene.description);
-        std::fflush(stdout);
+        fmt::print("{}: {}\n", name, scene.description);
+        std::fflush(stdout); // before the progress, which goes to stderr
         if (render_scene(scene, reference, (out / scene.name).string(), draw) != exit_done)
             throw std::runtime_error(std::string("the reference does not run ") + name);
+        std::fflush(stdout);
     }
 }
 
-Result grade_sample(const std::string& name, const fs::path& out, const Selection& selection)
+Result grade_one(const std::string& name, const fs::path& out, const Selection& selection)
 {
     const fs::path folder = places().source / "tests/samples" / name;
-    Implementation implementation = prepared_implementation(folder.string());
+    Implementation implementation =
+        prepared_implementation(fs::is_directory(folder) ? folder.string() : name);
     implementation.name = name; // the folder is nobody's concern
     GradingRun run = own_grading_run();
     Progress progress(name);
@@ -72,10 +83,10 @@ Result grade_sample(const std::string& name, const fs::path& out, const Selectio
     return result;
 }
 
-void print_points(const std::vector<Result>& results)
+void print_points(const std::string& assignment, const std::vector<Result>& results)
 {
     const bool color = wants_color(STDOUT_FILENO);
-    fmt::print("\n{:<32}", sample_assignment);
+    fmt::print("\n{:<32}", assignment);
     for (const Result& result : results)
         fmt::print(" {:>15}", result.submission);
     fmt::print("\n");
@@ -104,20 +115,24 @@ int demo(const DemoOptions& options)
         throw InputError("this tree has no reference/, and the demo shows it");
     const fs::path out = options.out;
     render_scenes(out, options.size);
-    const std::vector<Selection> selection =
-        select_tasks(load_assignments(places().assignments()), {sample_assignment});
-    std::vector<Result> results;
-    for (const char* name : samples)
-        results.push_back(grade_sample(name, out / "graded", selection.at(0)));
-    print_points(results);
+    for (const auto& [assignment, submissions] : to_grade()) {
+        const std::vector<Selection> selection =
+            select_tasks(load_assignments(places().assignments()), {assignment});
+        std::vector<Result> results;
+        for (const std::string& name : submissions)
+            results.push_back(grade_one(name, out / "graded", selection.at(0)));
+        print_points(assignment, results);
+        std::fflush(stdout);
+    }
 
     fmt::print("\nWhat lies where:\n");
     for (const char* scene : scenes)
         fmt::print("  {}/frame_00000.png and so on{}\n",
                    (out / fs::path(scene).filename()).string(),
                    is_installed("ffmpeg") ? ", out.mp4" : "");
-    for (const char* name : samples)
-        fmt::print("  {}/result.json, report.txt\n", (out / "graded" / name).string());
+    for (const auto& [assignment, submissions] : to_grade())
+        for (const std::string& name : submissions)
+            fmt::print("  {}/result.json, report.txt\n", (out / "graded" / name).string());
     return exit_done;
 }
 
