@@ -50,12 +50,49 @@ Stage::Stage(const Scene& scene, const std::vector<RecordedBody>& bodies, const 
             {Matrix3f::Identity(), Vector3f(0, static_cast<float>(lowest), 0), false, true});
 }
 
+namespace {
+
+/// Whether two boxes, one turned against the other, have faces in one plane that look the same way.
+/// @param axis  of the second one
+bool share_plane(const Part& part1, const Vector3d& size1, const Part& part2, const Vector3d& size2,
+                 int axis)
+{
+    const Matrix3d R1 = rotation_matrix(part1.orientation), R2 = rotation_matrix(part2.orientation);
+    const Vector3d n = R2.col(axis);
+    const double apart = n.dot(part2.position - part1.position);
+    for (int i = 0; i < 3; ++i) {
+        if (std::abs(std::abs(n.dot(R1.col(i))) - 1) > 1e-9) continue;
+        const double thicker = (size2[axis] - size1[i]) / 2;
+        const double nearest = std::min(std::abs(thicker + apart), std::abs(thicker - apart));
+        if (nearest < 1e-6 * size2[axis]) return true;
+    }
+    return false;
+}
+
+/// Where faces of two boxes of a body lie in one plane, the later box is drawn a hair thinner: else
+/// which one is seen, and its edges with it, would change from pixel to pixel.
+void part_planes(std::vector<Part>& parts)
+{
+    for (std::size_t j = 0; j < parts.size(); ++j)
+        for (std::size_t i = 0; i < j; ++i) {
+            const auto* earlier = std::get_if<Box>(&parts[i].shape);
+            auto* later = std::get_if<Box>(&parts[j].shape);
+            if (!earlier || !later) continue;
+            for (int axis = 0; axis < 3; ++axis)
+                if (share_plane(parts[i], earlier->size, parts[j], later->size, axis))
+                    later->size[axis] *= 1 - 4e-4;
+        }
+}
+
+} // namespace
+
 void Stage::add_actor(const BodyDescription& body, const RecordedBody& recorded)
 {
     Actor actor;
     actor.name = body.name;
     actor.is_static = recorded.is_static;
     actor.parts = body.parts;
+    part_planes(actor.parts);
     for (Part& part : actor.parts) {
         part.position -= recorded.center_of_mass;
         if (!is_plane(part)) actor.radius = std::max(actor.radius, bounding_radius(part));

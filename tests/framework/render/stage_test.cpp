@@ -8,6 +8,7 @@
 #include "support/catch.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 using namespace rigor;
@@ -32,6 +33,28 @@ TEST_CASE("stage: each part becomes a solid where its body is", "[render]")
     CHECK((picture.boxes[0].axes.col(0) - Vector3f(0, 0.5F, 0)).norm() < 1e-6F);
     CHECK((picture.balls[0].axes - 0.5F * Matrix3f::Identity()).norm() < 1e-6F);
     CHECK((picture.boxes[0].color - picture.balls[0].color).norm() > 0.1F);
+}
+
+TEST_CASE("stage: of boxes of a body with faces in one plane the first is seen", "[render]")
+{
+    SmallRun run = small_run();
+    std::vector<Part>& parts = run.scene.bodies[1].parts;
+    parts[0] = Part{Box{{2, 1, 0.5}}, Vector3d(0.1, 0, 0), Quaternion{}, 1000};
+    Part turned = parts[0]; // about z: both faces along z in common
+    turned.orientation = {std::cos(0.2), Vector3d(0, 0, std::sin(0.2))};
+    Part other = parts[0]; // on top of the first: the planes in common look opposite ways
+    other.position = Vector3d(0.3, 0.2, 0.5);
+    parts.insert(parts.end(), {turned, other});
+    const Picture picture = Stage(run.scene, run.bodies, Overlays()).picture(run.frame);
+    REQUIRE(picture.boxes.size() == 3);
+    const auto half_sizes = [&](int i) -> Vector3f {
+        return picture.boxes[i].axes.colwise().norm().transpose();
+    };
+    CHECK((half_sizes(0) - Vector3f(1, 0.5F, 0.25F)).norm() < 1e-6F);
+    CHECK((half_sizes(2) - Vector3f(1, 0.5F, 0.25F)).norm() < 1e-6F);
+    CHECK((half_sizes(1).head<2>() - Eigen::Vector2f(1, 0.5F)).norm() < 1e-6F);
+    CHECK(half_sizes(1).z() < 0.25F - 2e-5F);
+    CHECK(half_sizes(1).z() > 0.25F - 2e-4F); // a hair
 }
 
 TEST_CASE("stage: shapes of one make are drawn from one surface", "[render]")
