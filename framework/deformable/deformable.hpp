@@ -101,8 +101,11 @@ struct Deformable {
     std::vector<Matrix3d> plastic_strains; // ε_p of each element
     std::vector<Handle> handles;
     std::vector<NodeLoad> loads;
+    std::vector<double>
+        inside_out_times; // of each element, for how long it is; empty: none ever was [s]
 
     // Of each element and face, whether a crack runs there, open or still closed. Empty without cracks.
+    // With virtual nodes: of `uncracked`, along whose faces what is crushed comes off.
     std::vector<std::array<bool, 4>> crack_faces;
     double least_height = 0; // that a cut may leave an element; the first cut says [m]
 
@@ -148,6 +151,10 @@ Deformable make_deformable(std::string name, TetrahedralMesh rest, const SolidMa
 
 /// One time step: the nodes' motion with their contacts, plastic flow, fracture; then the rigid bodies'
 /// step. Work is counted in world.rigid.counters.
+///
+/// Of a solid with a strength, an element that is inside out for longer than it takes to turn back, and
+/// that no handle holds, has failed: it comes off along all its faces, a crack, and gets back the shape that
+/// it has without stress. Mass, volume, momentum and angular momentum stay; energy is lost.
 /// @return the contacts among rigid bodies that got an impulse
 std::vector<ContactRecord> step(DeformableWorld& world, double time_step);
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "deformable/crush.hpp"
 #include "deformable/failure.hpp"
 #include "formulas/plasticity.hpp"
 
@@ -24,12 +25,6 @@ Matrix3d limited(const Matrix3d& plastic_strain)
     constexpr double most = 0.8; // √(3/2) ⅔, nearly
     const double size = plastic_strain.norm();
     return size > most ? Matrix3d(most / size * plastic_strain) : plastic_strain;
-}
-
-// Whether S = δ + ε_p + the elastic strain is: then it is to turn back, and does not flow.
-bool is_inside_out(const Matrix3d& plastic, const Matrix3d& elastic)
-{
-    return (Matrix3d::Identity() + plastic + elastic).determinant() <= 0;
 }
 
 } // namespace

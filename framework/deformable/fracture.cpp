@@ -117,11 +117,8 @@ int crack_faces(Deformable& solid, const Workspace& work, const std::vector<Cand
         ++cracks;
     }
     if (cracks == 0) return 0;
-    std::vector<MeshFace> faces; // of this step and of those before, which may be closed still
-    for (int t = 0; t < static_cast<int>(solid.crack_faces.size()); ++t)
-        for (int f = 0; f < 4; ++f)
-            if (solid.crack_faces[t][f]) faces.push_back({t, f});
-    remesh(solid, split_along_faces(solid.rest, faces));
+    // of this step and of those before, which may be closed still
+    remesh(solid, split_along_faces(solid.rest, marked_faces(solid.crack_faces)));
     return cracks;
 }
 

@@ -72,6 +72,13 @@ std::vector<T> of_parents(const std::vector<T>& old, const std::vector<int>& par
     return carried;
 }
 
+void carry_elements(Deformable& solid, const std::vector<int>& parents)
+{
+    solid.plastic_strains = of_parents(solid.plastic_strains, parents);
+    if (!solid.inside_out_times.empty())
+        solid.inside_out_times = of_parents(solid.inside_out_times, parents);
+}
+
 // The face of the parent that a child's face lies in; -1: it is within.
 int face_of_parent(const Deformable& solid, const SplitMesh& split, int child, int face)
 {
@@ -140,13 +147,22 @@ Vector3d angular_momentum(const Deformable& solid)
 
 } // namespace
 
+std::vector<MeshFace> marked_faces(const std::vector<std::array<bool, 4>>& crack_faces)
+{
+    std::vector<MeshFace> faces;
+    for (int t = 0; t < static_cast<int>(crack_faces.size()); ++t)
+        for (int f = 0; f < 4; ++f)
+            if (crack_faces[t][f]) faces.push_back({t, f});
+    return faces;
+}
+
 void remesh(Deformable& solid, const SplitMesh& split)
 {
     const Vector3d L = angular_momentum(solid);
     const bool is_cut = std::any_of(split.origins.begin(), split.origins.end(),
                                     [](const VertexOrigin& o) { return o.first != o.second; });
     solid.crack_faces = carried_cracks(solid, split);
-    solid.plastic_strains = of_parents(solid.plastic_strains, split.parents);
+    carry_elements(solid, split.parents);
     carry_nodes(solid, split.origins, std::vector<char>(split.origins.size(), 1));
     solid.rest = split.mesh;
     solid.masses = lumped_masses(solid);
@@ -190,7 +206,7 @@ void remesh(Deformable& solid, EmbeddedMesh embedded)
             if (real[i]) has_matter[v] = 1;
         }
     }
-    solid.plastic_strains = of_parents(solid.plastic_strains, parents);
+    carry_elements(solid, parents);
     carry_nodes(solid, origins, has_matter);
     solid.rest = embedded.mesh;
     solid.embedded = std::move(embedded);

@@ -25,4 +25,7 @@ void remesh(Deformable& solid, const SplitMesh& split);
 /// holds of a node's copies those with matter.
 void remesh(Deformable& solid, EmbeddedMesh embedded);
 
+/// The faces where a crack runs.
+std::vector<MeshFace> marked_faces(const std::vector<std::array<bool, 4>>& crack_faces);
+
 } // namespace rigor

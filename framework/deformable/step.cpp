@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "deformable/crush.hpp"
 #include "deformable/failure.hpp"
 #include "deformable/handles.hpp"
 #include "deformable/node_motion.hpp"
@@ -43,7 +44,8 @@ void move(Deformable& solid, RigidSide& rigid, World& world, double time_step)
     if (m.yield_stress == never && m.strength == never) return;
     work.elements.strains(solid.positions, work.strains);
     if (m.yield_stress != never) flow(solid, work, world);
-    if (m.strength != never) fracture(solid, work, world);
+    if (m.strength == never || crush(solid, work, world, time_step)) return;
+    fracture(solid, work, world);
 }
 
 } // namespace

@@ -123,7 +123,7 @@ public:
         for (int f = 0; f < 4; ++f) {
             const int beyond = neighbours_[parent][f];
             if (beyond < 0)
-                builder.add_polygon(element, matter_in(element, f), false);
+                builder.add_polygon(element, matter_in(element, f), has_come_off(parent, f));
             else if (is_cracked_[parent] || is_cracked_[beyond])
                 for (const Polygon& piece : open_pieces(element, f))
                     builder.add_polygon(element, piece, true);
@@ -131,6 +131,12 @@ public:
     }
 
 private:
+    // Whether the solid went on there before something crushed came off.
+    bool has_come_off(int parent, int face) const
+    {
+        return !solid_.crack_faces.empty() && solid_.crack_faces[parent][face];
+    }
+
     // What an element fills of a face of its own.
     Polygon matter_in(int element, int face) const
     {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "deformable/crush.hpp"
 #include "deformable/remesh.hpp"
 #include "formulas/fracture.hpp"
 #include "geometry/mesh_checks.hpp"
@@ -168,5 +169,41 @@ TEST_CASE("surface: cracks that do not meet leave open what no other element cov
         const TriangleMesh mesh = drawn(solid, surface, -1);
         CHECK_THAT(signed_volume(mesh), IsClose(2.0, Rounding(1000))); // closed
         CHECK_THAT(areas(mesh, surface).whole, IsClose(10.0, Rounding(1000)));
+    }
+}
+
+TEST_CASE("surface: what was crushed and came off is a crack all around", "[deformable]")
+{
+    constexpr int crushed = 40;
+    for (const FractureMethod method :
+         {FractureMethod::faces, FractureMethod::elements, FractureMethod::virtual_nodes}) {
+        CAPTURE(static_cast<int>(method));
+        Deformable solid = solid_of(block_tetrahedra({2, 1, 1}, {4, 2, 2}), soft_material());
+        solid.fracture_method = method;
+        const Areas before = areas(drawn(solid, drawn_surface(solid), -1), drawn_surface(solid));
+        double inside = 0; // area of its faces that the block hides
+        const auto neighbours = face_neighbours(solid.rest);
+        for (int f = 0; f < 4; ++f) {
+            const auto& [i, j, k] = tetrahedron_faces[f];
+            const auto& t = solid.rest.tetrahedra[crushed];
+            const Vector3d &a = solid.rest.vertices[t[i]], &b = solid.rest.vertices[t[j]],
+                           &c = solid.rest.vertices[t[k]];
+            if (neighbours[crushed][f] >= 0) inside += 0.5 * (b - a).cross(c - a).norm();
+        }
+        for (Vector3d& x : solid.positions)
+            x = -x;
+        solid.inside_out_times.assign(solid.rest.tetrahedra.size(), 0.0);
+        solid.inside_out_times[crushed] = 1e9;
+        Workspace& work = workspace_of(solid);
+        work.elements.strains(solid.positions, work.strains);
+        World world;
+        REQUIRE(crush(solid, work, world, 0.01));
+        const EmbeddedSurface surface = drawn_surface(solid);
+        const TriangleMesh mesh = drawn(solid, surface, -1);
+        const Areas after = areas(mesh, surface);
+        CHECK(inside > 0);
+        CHECK_THAT(after.whole, IsClose(before.whole, Rounding(1000)));
+        CHECK_THAT(after.cracked, IsClose(2 * inside, Rounding(1000)));
+        CHECK_THAT(signed_volume(mesh), IsClose(totals(solid).volume, Rounding(1000)));
     }
 }
