@@ -100,23 +100,12 @@ void Drawing::draw_solids(Solid solid, std::span<const Instance> instances)
     if (instances.empty()) return;
     auto& mesh = parts_->meshes[static_cast<std::size_t>(solid)];
     if (!mesh) {
-        switch (solid) {
-        case Solid::cube:
+        if (solid == Solid::cube)
             mesh.emplace(cube_mesh());
-            break;
-        case Solid::coarse_ball:
-            mesh.emplace(ball_mesh(2));
-            break;
-        case Solid::ball:
-            mesh.emplace(ball_mesh(3));
-            break;
-        case Solid::fine_ball:
-            mesh.emplace(ball_mesh(5));
-            break;
-        default:
+        else if (solid == Solid::rod || solid == Solid::cone)
             mesh.emplace(rod_mesh(solid == Solid::cone));
-            break;
-        }
+        else
+            mesh.emplace(ball_mesh(solid == Solid::coarse_ball ? 2 : solid == Solid::ball ? 3 : 5));
     }
     mesh->draw(instances);
 }
@@ -194,6 +183,8 @@ void Drawing::draw_bodies(const Picture& picture)
 
 void Drawing::draw_ghosts(const Picture& picture)
 {
+    glEnable(GL_POLYGON_OFFSET_FILL);
+    glPolygonOffset(1.0F, 4.0F); // or they flicker where a face of theirs lies in one of a body
     if (!picture.ghost_boxes.empty()) {
         use(Look::box, "#define GHOST\n");
         draw_solids(Solid::cube, picture.ghost_boxes);
@@ -204,6 +195,7 @@ void Drawing::draw_ghosts(const Picture& picture)
     }
     draw_models(picture.ghost_models, Look::model, "#define GHOST\n");
     draw_skins(parts_->ghost_skins, "#define GHOST\n");
+    glDisable(GL_POLYGON_OFFSET_FILL);
 }
 
 void Drawing::draw_overlays(const Picture& picture, const std::string& definitions)

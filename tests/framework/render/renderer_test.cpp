@@ -4,6 +4,7 @@
 #include "scene/scene.hpp"
 #include "support/catch.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <utility>
@@ -239,6 +240,29 @@ TEST_CASE("render: where one way to draw is missing the other is taken", "[rende
     INFO(output);
     CHECK(output.ends_with("status=0"));
     CHECK(output.find("All tests passed") != std::string::npos);
+}
+
+TEST_CASE("renderer: a ghost is not seen where it lies in a body's own faces", "[render]")
+{
+    Picture picture = box_picture(linear_color(0.2, 0.4, 0.8));
+    picture.shadows = false;
+    const Image alone = drawn(picture, 240, 240);
+    Instance ghost = picture.boxes[0];
+    ghost.color = linear_color(0.4, 0.3, 0.6, 0.34);
+    ghost.axes *= 1 + 1e-7F; // the same to rounding
+    picture.ghost_boxes.push_back(ghost);
+    const Image with_ghost = drawn(picture, 240, 240);
+    const std::uint8_t *body = alone.pixel(120, 120), *same = with_ghost.pixel(120, 120);
+    CHECK(std::equal(body, body + 4, same));
+    int different = 0; // its outline may be seen, half a pixel wide
+    for (int y = 0; y < 240; ++y)
+        for (int x = 0; x < 240; ++x)
+            different +=
+                !std::equal(alone.pixel(x, y), alone.pixel(x, y) + 4, with_ghost.pixel(x, y));
+    CHECK(different < 4 * 240);
+
+    picture.ghost_boxes[0].axes *= 1.01F;
+    CHECK(largest_difference(alone, drawn(picture, 240, 240)) > 20);
 }
 
 TEST_CASE("render: any size that fits is drawn and others are refused", "[render]")
