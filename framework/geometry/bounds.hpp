@@ -25,10 +25,11 @@ struct Bounds {
     }
     bool overlaps(const Bounds& other) const
     {
-        const auto overlap = [&](int axis) -> bool {
-            return low[axis] <= other.high[axis] && other.low[axis] <= high[axis];
+        // without a branch for each axis: which of them keeps boxes apart cannot be predicted
+        const auto overlap = [&](int axis) -> int {
+            return (low[axis] <= other.high[axis]) & (other.low[axis] <= high[axis]);
         };
-        return overlap(0) && overlap(1) && overlap(2);
+        return (overlap(0) & overlap(1) & overlap(2)) != 0;
     }
 };
 

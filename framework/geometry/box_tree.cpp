@@ -2,45 +2,81 @@
 #include "geometry/box_tree.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 namespace rigor {
 
-BoxTree::BoxTree(const std::vector<Bounds>& boxes, std::vector<int> members)
-    : boxes_(boxes), members_(std::move(members))
+namespace {
+
+constexpr float infinity = std::numeric_limits<float>::infinity();
+
+// At most d, and almost d.
+float not_above(double d)
 {
-    nodes_.reserve(members_.size());
-    if (!members_.empty()) build(0, static_cast<int>(members_.size()));
+    constexpr float largest = std::numeric_limits<float>::max(), few_roundings = 4e-7f;
+    if (d < -largest) return -infinity;
+    const auto rounded = static_cast<float>(std::min<double>(d, largest));
+    return rounded - few_roundings * std::abs(rounded) - std::numeric_limits<float>::min();
 }
 
-int BoxTree::build(int first, int last)
+} // namespace
+
+BoxTree::Leaf::Leaf(std::span<const Bounds> boxes)
+{
+    for (int axis = 0; axis < 3; ++axis)
+        for (std::size_t k = 0; k < leaf_size; ++k) {
+            const bool is_there = k < boxes.size();
+            low[axis][k] = is_there ? not_above(boxes[k].low[axis]) : infinity;
+            high[axis][k] = is_there ? -not_above(-boxes[k].high[axis]) : -infinity;
+        }
+}
+
+BoxTree::BoxTree(const std::vector<Bounds>& boxes, std::vector<int> members)
+    : members_(std::move(members))
+{
+    nodes_.reserve(members_.size());
+    boxes_.reserve(members_.size());
+    if (!members_.empty()) build(boxes, 0, static_cast<int>(members_.size()));
+}
+
+int BoxTree::build(const std::vector<Bounds>& boxes, int first, int last)
 {
     const int index = static_cast<int>(nodes_.size());
     nodes_.push_back({{}, first, last, -1, -1});
-    Bounds bounds;
+    if (last - first <= leaf_size) {
+        for (int k = first; k < last; ++k) {
+            boxes_.push_back(boxes[members_[k]]);
+            nodes_[index].bounds.include(boxes_[k]);
+        }
+        nodes_[index].leaf = static_cast<int>(leaves_.size());
+        leaves_.emplace_back(std::span(boxes_).subspan(first, last - first));
+        return index;
+    }
+
     Bounds centers; // twice
     for (int k = first; k < last; ++k) {
-        const Bounds& box = boxes_[members_[k]];
-        bounds.include(box);
+        const Bounds& box = boxes[members_[k]];
         const Vector3d center = box.low + box.high;
         centers.include({center, center});
     }
-    nodes_[index].bounds = bounds;
-    if (last - first <= leaf_size) return index;
-
     int axis = 0;
     (centers.high - centers.low).maxCoeff(&axis);
-    const auto center = [&](int i) { return boxes_[i].low[axis] + boxes_[i].high[axis]; };
+    const auto center = [&](int i) { return boxes[i].low[axis] + boxes[i].high[axis]; };
     const int middle = first + (last - first) / 2;
     std::nth_element(members_.begin() + first, members_.begin() + middle, members_.begin() + last,
                      [&](int i, int j) {
                          const double a = center(i), b = center(j);
                          return a < b || (a == b && i < j);
                      });
-    const int left = build(first, middle);
-    const int right = build(middle, last);
-    nodes_[index].left = left;
-    nodes_[index].right = right;
+    const int left = build(boxes, first, middle);
+    const int right = build(boxes, middle, last);
+    Node& node = nodes_[index];
+    node.left = left;
+    node.right = right;
+    node.bounds = nodes_[left].bounds;
+    node.bounds.include(nodes_[right].bounds);
     return index;
 }
 

@@ -5,6 +5,8 @@
 #include "geometry/bounds.hpp"
 
 #include <array>
+#include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -14,7 +16,7 @@ namespace rigor {
 /// left: n log n to build. The order of results depends on the boxes alone.
 class BoxTree {
 public:
-    /// @param boxes    finite; they must outlive the tree
+    /// @param boxes    finite
     /// @param members  indices of those that belong to it
     BoxTree(const std::vector<Bounds>& boxes, std::vector<int> members);
 
@@ -29,7 +31,7 @@ public:
             const Node& node = nodes_[open[--size]];
             if (!node.bounds.overlaps(bounds)) continue;
             for (int k = node.first; k < node.last && node.is_leaf(); ++k)
-                if (boxes_[members_[k]].overlaps(bounds)) visit(members_[k]);
+                if (boxes_[k].overlaps(bounds)) visit(members_[k]);
             if (node.is_leaf()) continue;
             open[size++] = node.right;
             open[size++] = node.left;
@@ -74,10 +76,33 @@ private:
         Bounds bounds;
         int first = 0, last = 0;   // its members
         int left = -1, right = -1; // none: a leaf
+        int leaf = -1;
         bool is_leaf() const { return left < 0; }
     };
 
-    int build(int first, int last);
+    // Side by side in a register.
+    using Numbers [[gnu::vector_size(16)]] = float;
+    using Mask [[gnu::vector_size(16)]] = std::int32_t;
+    static bool any(const Mask& mask) { return (mask[0] | mask[1] | mask[2] | mask[3]) != 0; }
+
+    // The boxes of a leaf, not smaller than they are; where it has fewer than four, nothing.
+    struct Leaf {
+        std::array<Numbers, 3> low, high;
+
+        explicit Leaf(std::span<const Bounds> boxes);
+
+        // Which of these may overlap box k of another leaf.
+        Mask near(const Leaf& other, int k) const
+        {
+            const auto overlap = [&](int axis) {
+                const float l = other.low[axis][k], h = other.high[axis][k];
+                return (Numbers{l, l, l, l} <= high[axis]) & (low[axis] <= Numbers{h, h, h, h});
+            };
+            return overlap(0) & overlap(1) & overlap(2);
+        }
+    };
+
+    int build(const std::vector<Bounds>& boxes, int first, int last);
 
     // Appends what a pair of nodes, not both leaves, consists of; without those that do not overlap.
     void divide(const NodePair& nodes, std::vector<NodePair>& parts) const
@@ -100,26 +125,32 @@ private:
         }
     }
 
+    // Calls visit(k, l) for what overlaps of two leaves, k of p and l of q: four at once, and then exactly.
+    template <class Visit> void compare(const Node& p, const Node& q, const Visit& visit) const
+    {
+        const Leaf &a = leaves_[p.leaf], &b = leaves_[q.leaf];
+        for (int k = p.first; k < p.last; ++k) {
+            const Mask near = b.near(a, k - p.first);
+            if (!any(near)) continue;
+            for (int l = q.first; l < q.last; ++l)
+                if (near[l - q.first] != 0 && boxes_[k].overlaps(boxes_[l])) visit(k, l);
+        }
+    }
     template <class Visit> void within(const Node& p, const Visit& visit) const
     {
-        for (int k = p.first; k < p.last; ++k)
-            for (int l = k + 1; l < p.last; ++l)
-                if (boxes_[members_[k]].overlaps(boxes_[members_[l]]))
-                    visit(members_[k], members_[l]);
+        compare(p, p, [&](int k, int l) {
+            if (k < l) visit(members_[k], members_[l]);
+        });
     }
     template <class Visit> void between(const Node& p, const Node& q, const Visit& visit) const
     {
-        for (int k = p.first; k < p.last; ++k) {
-            const Bounds& box = boxes_[members_[k]];
-            if (!box.overlaps(q.bounds)) continue;
-            for (int l = q.first; l < q.last; ++l)
-                if (box.overlaps(boxes_[members_[l]])) visit(members_[k], members_[l]);
-        }
+        compare(p, q, [&](int k, int l) { visit(members_[k], members_[l]); });
     }
 
-    const std::vector<Bounds>& boxes_;
-    std::vector<int> members_;
+    std::vector<int> members_;  // leaf after leaf
+    std::vector<Bounds> boxes_; // of the members, in their order
     std::vector<Node> nodes_;
+    std::vector<Leaf> leaves_;
 };
 
 } // namespace rigor

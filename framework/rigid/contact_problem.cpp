@@ -4,13 +4,16 @@
 #include "formulas/collision.hpp"
 #include "rigid/blocks.hpp"
 #include "rigid/flight.hpp"
+#include "rigid/forces.hpp"
 #include "rigid/groups.hpp"
 #include "rigid/optimised_forms.hpp"
 #include "rigid/warm_start.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <tuple>
+#include <numeric>
+#include <utility>
 
 namespace rigor {
 
@@ -41,13 +44,6 @@ Body pushed(Body body, const RigidState& start, const RigidState& flown)
     return body;
 }
 
-// Where a contact comes among others: from the lowest up, in an order that does not depend on how the bodies
-// are numbered.
-std::tuple<double, double, double> place(const SolvedContact& c)
-{
-    return {c.height, c.point.x(), c.point.z()};
-}
-
 // Contacts of the same two bodies, one after the other.
 std::vector<ContactPair> pairs_of(const std::vector<SolvedContact>& contacts)
 {
@@ -61,19 +57,24 @@ std::vector<ContactPair> pairs_of(const std::vector<SolvedContact>& contacts)
     return pairs;
 }
 
-// Pairs from the lowest up, and so the contacts of each.
-void sort(std::vector<ContactPair>& pairs, std::vector<SolvedContact>& contacts, Team& team)
+// From the lowest up, in an order that does not depend on how the bodies are numbered.
+void sort(std::vector<ContactPair>& pairs, const std::vector<SolvedContact>& contacts)
 {
-    constexpr std::size_t worth_sharing = 256; // pairs
-    team.share_stretches(pairs.size(), worth_sharing, [&](std::size_t first, std::size_t last) {
-        for (std::size_t k = first; k < last; ++k)
-            std::sort(
-                contacts.begin() + pairs[k].first, contacts.begin() + pairs[k].last,
-                [](const SolvedContact& a, const SolvedContact& b) { return place(a) < place(b); });
+    struct Placed {
+        std::array<double, 3> lowest; // contact
+        ContactPair pair;
+    };
+    std::vector<Placed> placed;
+    placed.reserve(pairs.size());
+    for (const ContactPair& pair : pairs) {
+        const SolvedContact& c = contacts[pair.first];
+        placed.push_back({{c.height, c.point.x(), c.point.z()}, pair});
+    }
+    std::sort(placed.begin(), placed.end(), [](const Placed& a, const Placed& b) {
+        return std::pair(a.lowest, a.pair.first) < std::pair(b.lowest, b.pair.first);
     });
-    std::stable_sort(pairs.begin(), pairs.end(), [&](const ContactPair& a, const ContactPair& b) {
-        return place(contacts[a.first]) < place(contacts[b.first]);
-    });
+    std::transform(placed.begin(), placed.end(), pairs.begin(),
+                   [](const Placed& p) { return p.pair; });
 }
 
 int moving_of(const World& world, const Contact& c)
@@ -81,13 +82,26 @@ int moving_of(const World& world, const Contact& c)
     return world.bodies[c.body1].is_static ? c.body2 : c.body1;
 }
 
+// The larger eigenvalue of K across n: of the two, the sum is tr K - nᵀKn and the sum of the squares
+// |K|² - 2 |K n|² + (nᵀKn)².
+double tangential_eigenvalue(const Matrix3d& K, const Vector3d& n)
+{
+    const Vector3d Kn = optimised::product(K, n);
+    const double nKn = n.dot(Kn);
+    const double sum = K.trace() - nKn;
+    const double squares = K.squaredNorm() - 2 * Kn.squaredNorm() + nKn * nKn;
+    return (sum + std::sqrt(std::max(0.0, 2 * squares - sum * sum))) / 2;
+}
+
 std::vector<Island> islands_of(const World& world, const ContactProblem& problem,
                                const std::vector<ContactPair>& pairs)
 {
     Groups groups(world.bodies.size());
-    for (const SolvedContact& c : problem.contacts)
+    for (const ContactPair& pair : pairs) {
+        const SolvedContact& c = problem.contacts[pair.first];
         if (!world.bodies[c.body1].is_static && !world.bodies[c.body2].is_static)
             groups.join(c.body1, c.body2);
+    }
     if (!world.skips.islands) // all in one
         for (const SolvedContact& c : problem.contacts)
             for (int i : {c.body1, c.body2})
@@ -106,9 +120,9 @@ std::vector<Island> islands_of(const World& world, const ContactProblem& problem
             is_active.push_back(false);
         }
         islands[island].pairs.push_back(pair);
-        for (int i = pair.first; i < pair.last; ++i) {
+        for (int i = pair.first; i < pair.last && !is_active[island]; ++i) {
             const SolvedContact& c = problem.contacts[i];
-            if (problem.predicted_gap(c, c.free_speed) < 0) is_active[island] = true;
+            is_active[island] = problem.predicted_gap(c, c.free_speed) < 0;
         }
     }
     for (int i = 0; i < static_cast<int>(world.bodies.size()); ++i)
@@ -123,6 +137,13 @@ std::vector<Island> islands_of(const World& world, const ContactProblem& problem
 
 } // namespace
 
+std::size_t contacts_of(const Island& island)
+{
+    return std::accumulate(
+        island.pairs.begin(), island.pairs.end(), std::size_t{0},
+        [](std::size_t sum, const ContactPair& pair) { return sum + pair.count(); });
+}
+
 bool is_heap(const Island& island)
 {
     constexpr std::size_t few_bodies = 8, many_bodies = 256;
@@ -132,8 +153,7 @@ bool is_heap(const Island& island)
 
 Vector3d ContactProblem::up() const
 {
-    const double g = gravity.norm();
-    return g > 0 ? Vector3d(-gravity / g) : Vector3d::UnitY();
+    return up_against(gravity);
 }
 
 Vector3d ContactProblem::velocity_at(const SolvedContact& c, const Vector3d& x) const
@@ -159,6 +179,13 @@ Matrix3d ContactProblem::impulse_matrix_at(const SolvedContact& c, const Vector3
                        : impulse_matrix(body.inverse_mass, body.inverse_inertia, body.position, x);
     }
     return K;
+}
+
+void ContactProblem::set_impulse_matrix(SolvedContact& c) const
+{
+    c.K = impulse_matrix_at(c, c.point);
+    c.normal_K = c.normal.dot(optimised::product(c.K, c.normal));
+    c.tangential_K = tangential_eigenvalue(c.K, c.normal);
 }
 
 void ContactProblem::apply(const SolvedContact& c, const Vector3d& x, const Vector3d& j)
@@ -203,8 +230,7 @@ void take_bodies(const World& world, std::span<const RigidState> flown,
 struct Filter {
     const World& world;
     const ContactProblem& problem;
-    std::span<const double> margins;
-    const std::vector<double>& radii;
+    const Neighbourhood& near;
     const std::vector<Body>& after_forces;
 
     // Appends it if it may close.
@@ -212,7 +238,7 @@ struct Filter {
     {
         const Vector3d &n = contact.normal, &x = contact.point;
         const double free_speed = problem.velocity_between(after_forces, contact, x).dot(n);
-        const double margin = margins[contact.body1] + margins[contact.body2];
+        const double margin = near.margins[contact.body1] + near.margins[contact.body2];
         if (contact.gap + problem.time_step * free_speed >= margin) return;
 
         SolvedContact& c = taken.emplace_back(SolvedContact{contact});
@@ -222,14 +248,15 @@ struct Filter {
         const Material &a = world.bodies[c.body1].material, &b = world.bodies[c.body2].material;
         c.restitution = std::min(a.restitution, b.restitution);
         c.friction = std::sqrt(a.friction * b.friction);
-        const double r1 = radii[c.body1], r2 = radii[c.body2];
+        const double r1 = near.radii[c.body1], r2 = near.radii[c.body2];
         c.radius = r1 > 0 && r2 > 0 ? std::min(r1, r2) : std::max(r1, r2);
     }
 };
 
 // In stretches, put together again in their order.
-void take_contacts(const Filter& filter, std::span<const Contact> contacts, ContactProblem& problem)
+void take_contacts(const Filter& filter, ContactProblem& problem)
 {
+    const std::vector<Contact>& contacts = filter.near.contacts;
     constexpr std::size_t worth_sharing = 256; // contacts
     const int stretches = problem.team->stretches_of(contacts.size(), worth_sharing);
     const Vector3d up = problem.up();
@@ -251,20 +278,16 @@ void set_impulse_matrices(ContactProblem& problem, const Island& island)
     problem.team->share_stretches(
         island.pairs.size(), worth_sharing, [&](std::size_t first, std::size_t last) {
             for (std::size_t k = first; k < last; ++k)
-                for (int i = island.pairs[k].first; i < island.pairs[k].last; ++i) {
-                    SolvedContact& c = problem.contacts[i];
-                    c.K = problem.impulse_matrix_at(c, c.point);
-                    c.normal_K = c.normal.dot(optimised::product(c.K, c.normal));
-                }
+                for (int i = island.pairs[k].first; i < island.pairs[k].last; ++i)
+                    problem.set_impulse_matrix(problem.contacts[i]);
         });
 }
 
 } // namespace
 
 ContactProblem contact_problem(const World& world, std::span<const RigidState> flown,
-                               std::span<const double> margins, const std::vector<double>& radii,
-                               std::span<const Contact> contacts, double time_step,
-                               Counters& counters, Team& team)
+                               const Neighbourhood& near, double time_step, Counters& counters,
+                               Team& team)
 {
     ContactProblem problem;
     problem.time_step = time_step;
@@ -275,15 +298,15 @@ ContactProblem contact_problem(const World& world, std::span<const RigidState> f
     problem.counters = &counters;
     problem.team = &team;
     std::vector<Body> after_forces;
-    take_bodies(world, flown, contacts, problem, after_forces);
-    take_contacts({world, problem, margins, radii, after_forces}, contacts, problem);
+    take_bodies(world, flown, near.contacts, problem, after_forces);
+    take_contacts({world, problem, near, after_forces}, problem);
 
     std::vector<ContactPair> pairs = pairs_of(problem.contacts);
     const bool is_iterative =
         problem.method == ContactMethod::built_in || problem.method == ContactMethod::simultaneous;
     if (is_iterative && world.skips.warm_start)
-        start_warm(world, time_step, pairs, problem.contacts, counters, team);
-    sort(pairs, problem.contacts, team);
+        start_warm(world, near.poses, time_step, pairs, problem.contacts, counters, team);
+    sort(pairs, problem.contacts);
     problem.islands = islands_of(world, problem, pairs);
     for (Island& island : problem.islands) {
         set_impulse_matrices(problem, island);

@@ -2,7 +2,7 @@
 // The bodies and contacts of one time step, and the two stages that change their momentum.
 #pragma once
 
-#include "rigid/narrow_phase.hpp"
+#include "rigid/neighbourhood.hpp"
 #include "rigid/team.hpp"
 #include "rigid/world.hpp"
 
@@ -20,6 +20,7 @@ struct SolvedContact : Contact {
     double height = 0;                   // against gravity [m]
     Matrix3d K = Matrix3d::Zero();       // K₁ + K₂ [1/kg]
     double normal_K = 0;                 // nᵀKn [1/kg]
+    double tangential_K = 0;             // λ, the larger eigenvalue of K across n [1/kg]
     Vector3d bounce = Vector3d::Zero();  // impulse on body 1 by collisions [N s]
     Vector3d guess = Vector3d::Zero();   // where the sweeps for `holding` start from [N s]
     Vector3d holding = Vector3d::Zero(); // impulse on body 1 by contact [N s]
@@ -28,6 +29,8 @@ struct SolvedContact : Contact {
 /// Contacts of one pair of bodies, contiguous, from the lowest up: [first, last).
 struct ContactPair {
     int first = 0, last = 0;
+
+    std::size_t count() const { return static_cast<std::size_t>(last - first); }
 };
 
 /// Pairs of an island, or blocks of them: [first, last).
@@ -43,6 +46,8 @@ struct Island {
     std::vector<IslandStretch> blocks; // of pairs
     std::vector<IslandStretch> stages; // of blocks that share no body that moves
 };
+
+std::size_t contacts_of(const Island& island);
 
 /// Whether it is more than a few bodies, and more tangled than a stack: everything touches everything.
 bool is_heap(const Island& island);
@@ -75,19 +80,19 @@ struct ContactProblem {
                               const Vector3d& x) const;
     /// K₁ + K₂ at a point [1/kg].
     Matrix3d impulse_matrix_at(const SolvedContact& contact, const Vector3d& x) const;
+    /// K of a contact and what follows from it.
+    void set_impulse_matrix(SolvedContact& contact) const;
     /// +j on body 1, -j on body 2.
     void apply(const SolvedContact& contact, const Vector3d& x, const Vector3d& j);
 };
 
 /// The problem of a step: contacts that are near enough to matter, in islands.
 ///
-/// @param radii    of each body, 0 if static [m]
-/// @param flown    the states after free flight: what the bodies would do without contacts
-/// @param margins  of each body: contacts that stay farther apart than both bodies' together in free
-///                 flight are dropped [m]
+/// @param flown  the states after free flight: what the bodies would do without contacts
+/// @param near   contacts that stay farther apart than both bodies' margins together in free flight are
+///               dropped
 ContactProblem contact_problem(const World& world, std::span<const RigidState> flown,
-                               std::span<const double> margins, const std::vector<double>& radii,
-                               std::span<const Contact> contacts, double time_step,
-                               Counters& counters, Team& team);
+                               const Neighbourhood& near, double time_step, Counters& counters,
+                               Team& team);
 
 } // namespace rigor

@@ -5,7 +5,6 @@
 #include "rigid/healing.hpp"
 #include "rigid/load_guess.hpp"
 #include "rigid/newton_contact.hpp"
-#include "rigid/optimised_forms.hpp"
 #include "rigid/sweeps.hpp"
 
 #include <algorithm>
@@ -25,17 +24,6 @@ constexpr int small = 16, work = 4000, fewest_sweeps = 5, most_sweeps = 50, last
 constexpr std::size_t large = 1000, few_bodies = 8;
 constexpr double rounding = 2 * std::numeric_limits<double>::epsilon(), tiny = 1e-13, fine = 1e-8,
                  coarse = 1e-3, coarse_at_rest = 1e-4;
-
-// The larger eigenvalue of K across n: of the two, the sum is tr K - nᵀKn and the sum of the squares
-// |K|² - 2 |K n|² + (nᵀKn)².
-double tangential_eigenvalue(const Matrix3d& K, const Vector3d& n)
-{
-    const Vector3d Kn = optimised::product(K, n);
-    const double nKn = n.dot(Kn);
-    const double sum = K.trace() - nKn;
-    const double squares = K.squaredNorm() - 2 * Kn.squaredNorm() + nKn * nKn;
-    return (sum + std::sqrt(std::max(0.0, 2 * squares - sum * sum))) / 2;
-}
 
 // The largest of value(held), at least 0.
 template <class Value>
@@ -205,14 +193,15 @@ void solve(ContactProblem& problem, const Island& island, const std::vector<Held
 std::vector<Held> held_contacts(const ContactProblem& problem, const Island& island)
 {
     std::vector<Held> all;
+    all.reserve(contacts_of(island));
     for (const ContactPair& pair : island.pairs)
         for (int i = pair.first; i < pair.last; ++i) {
             const SolvedContact& c = problem.contacts[i];
-            const double normal = c.normal_K, tangential = tangential_eigenvalue(c.K, c.normal);
-            if (!(normal > 0) || !(tangential > 0)) continue; // not a K of anything that moves
+            // not a K of anything that moves
+            if (!(c.normal_K > 0) || !(c.tangential_K > 0)) continue;
             const double target =
                 c.gap > 0 ? -c.gap / problem.time_step : healing_speed(problem, c);
-            all.push_back({i, target, normal, tangential});
+            all.push_back({i, target, c.normal_K, c.tangential_K});
         }
     return all;
 }

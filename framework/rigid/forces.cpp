@@ -69,6 +69,12 @@ Wrench gravity_on(const World& world, const RigidBody& body, const Vector3d& X)
     return gravity_wrench(body.mass, world.gravity);
 }
 
+Vector3d up_against(const Vector3d& gravity)
+{
+    const double g = gravity.norm();
+    return g > 0 ? Vector3d(-gravity / g) : Vector3d::UnitY();
+}
+
 std::vector<Wrench> wrenches(const World& world, std::span<const Motion> motions, double time)
 {
     PointForces forces(world.bodies.size());

@@ -24,6 +24,9 @@ std::vector<bool> pulled_bodies(const World& world, double time_step);
 /// `net_wrench`; for the others it is `gravity_wrench`. Without gravity no formula is called.
 Wrench gravity_on(const World& world, const RigidBody& body, const Vector3d& X);
 
+/// Against gravity, unit; along y without gravity.
+Vector3d up_against(const Vector3d& gravity);
+
 /// Net force and torque on every body by springs, applied forces and gravity.
 ///
 /// Points of attachment move by `world_point` and, if a spring damps, `point_velocity`. A body that

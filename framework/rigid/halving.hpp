@@ -2,7 +2,6 @@
 #pragma once
 
 #include "rigid/contact_problem.hpp"
-#include "rigid/neighbourhood.hpp"
 
 #include <functional>
 

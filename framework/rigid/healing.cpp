@@ -52,6 +52,10 @@ Rows rows_of(const ContactProblem& problem, const Island& island, const IslandSt
 {
     const double h = problem.time_step;
     Rows rows;
+    std::size_t most = 0;
+    for (int k = block.first; k < block.last; ++k)
+        most += island.pairs[k].count();
+    rows.all.reserve(most);
     for (int k = block.first; k < block.last; ++k) {
         const SolvedContact& lowest = problem.contacts[island.pairs[k].first];
         const TwoMasses masses(problem.bodies[lowest.body1], problem.bodies[lowest.body2]);

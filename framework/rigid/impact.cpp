@@ -126,16 +126,19 @@ std::optional<std::vector<ContactRecord>> bounce_at_impact(const World& world,
     const double rest = h - time;
     Counters uncounted; // the bounce was counted already
     std::vector<RigidState> flown;
-    std::vector<double> margins(2, std::numeric_limits<double>::infinity()), radii(2, c.radius);
+    Neighbourhood near;
+    near.contacts = std::move(meeting.contacts);
+    near.margins.assign(2, std::numeric_limits<double>::infinity());
+    near.radii.assign(2, c.radius);
     for (std::size_t k = 0; k < 2; ++k) {
         const RigidBody& body = pair_world.bodies[k];
-        if (body.is_static) radii[k] = 0;
+        near.poses.push_back({rotation_matrix(body.state.orientation), body.state.position});
+        if (body.is_static) near.radii[k] = 0;
         flown.push_back(body.is_static ? body.state
                                        : fly(pair_world, body, body.state, rest, uncounted));
     }
     Team alone;
-    ContactProblem impact = contact_problem(pair_world, flown, margins, radii, meeting.contacts,
-                                            rest, uncounted, alone);
+    ContactProblem impact = contact_problem(pair_world, flown, near, rest, uncounted, alone);
     if (impact.islands.size() != 1) return std::nullopt;
     process_collisions(impact, impact.islands[0]);
 

@@ -7,9 +7,13 @@
 #include "rigid/convex_contact.hpp"
 #include "rigid/core_contact.hpp"
 #include "rigid/distance_field.hpp"
+#include "rigid/forces.hpp"
 #include "rigid/mesh_contact.hpp"
 #include "rigid/non_finite.hpp"
 #include "rigid/plane_contact.hpp"
+
+#include <algorithm>
+#include <tuple>
 
 namespace rigor {
 
@@ -180,7 +184,7 @@ void find_contacts(const World& world, const std::vector<Pose>& poses, int body1
     const std::vector<Part>& parts2 = world.bodies[body2].parts;
     const bool is_compound = parts1.size() * parts2.size() > 1;
     std::vector<Touch> touches;
-    touches.reserve(4); // of two faces
+    touches.reserve(8); // of two faces
     for (const Part& part1 : parts1) {
         const Pose pose1 = part_pose(poses[body1], part1);
         Bounds bounds1;
@@ -198,6 +202,12 @@ void find_contacts(const World& world, const std::vector<Pose>& poses, int body1
             }
         }
     }
+    const Vector3d up = up_against(world.gravity);
+    const auto place = [&](const Touch& t) {
+        return std::tuple(up.dot(t.point), t.point.x(), t.point.z());
+    };
+    std::sort(touches.begin(), touches.end(),
+              [&](const Touch& a, const Touch& b) { return place(a) < place(b); });
     for (const Touch& found : touches)
         contacts.push_back({found, body1, body2});
 }

@@ -28,7 +28,8 @@ struct Contact : Touch {
 void find_touches(const Shape& shape1, const Pose& pose1, const Shape& shape2, const Pose& pose2,
                   double reach, std::vector<Touch>& touches);
 
-/// Appends the contacts of bodies 1 and 2, part by part.
+/// Appends the contacts of bodies 1 and 2, from the lowest up: an order that does not depend on how bodies
+/// and parts are numbered.
 ///
 /// @param poses     of all bodies
 /// @param counters  level sets built and samples taken of them are added to it

@@ -58,13 +58,17 @@ double passed_on(const Target& i, const Target& j)
     return std::min(1.0, (1 + restitution) * j.mass / (i.mass + j.mass));
 }
 
+Target target_of(const RigidBody& body)
+{
+    return {body.mass, body.material.restitution, body.is_still()};
+}
+
 // Everything that looking closely at a pair needs to know.
 struct Surroundings {
     const World& world;
-    std::vector<Pose> poses;
     std::vector<Bounds> bounds;  // over the step
     std::vector<double> travels; // [m]
-    Neighbourhood near;          // margins and radii are there, contacts not yet
+    Neighbourhood near;          // poses, radii and then margins are there, contacts not yet
     double time_step = 0;        // [s]
 };
 
@@ -83,16 +87,19 @@ std::vector<double> margins_of(const Surroundings& at, const std::vector<BodyPai
     std::vector<Target> bodies;
     bodies.reserve(at.world.bodies.size());
     for (const RigidBody& body : at.world.bodies)
-        bodies.push_back({body.mass, body.material.restitution, body.is_still()});
+        bodies.push_back(target_of(body));
     const std::vector<double>& radii = at.near.radii;
     const auto margin = [&](int i, double farthest) { return std::min(farthest, radii[i] / 2); };
     std::vector<double> farthest = at.travels;
+    std::vector<char> is_news(farthest.size(), true); // what the hand before changed
     bool any = true;
     for (int hand = 0; hand < most_hands && any; ++hand) {
         any = false;
         const std::vector<double> before = farthest;
+        const std::vector<char> was_news = std::exchange(is_news, std::vector<char>(before.size()));
         for (const BodyPair& pair : pairs) {
             auto [hit, hits] = pair;
+            if (!was_news[hit] && !was_news[hits]) continue;
             if (before[hit] > before[hits]) std::swap(hit, hits);
             if (before[hits] <= farthest[hit]) continue; // it gets no more than that
             if (bodies[hit].is_still || bodies[hits].is_still) continue;
@@ -101,12 +108,29 @@ std::vector<double> margins_of(const Surroundings& at, const std::vector<BodyPai
             const double reach = margin(hit, before[hit]) + margin(hits, before[hits]);
             if (!come_near(at, pair, reach)) continue;
             farthest[hit] = passed;
-            any = true;
+            is_news[hit] = any = true;
         }
     }
     for (int i = 0; i < static_cast<int>(farthest.size()); ++i)
         farthest[i] = margin(i, farthest[i]);
     return farthest;
+}
+
+// With what a blow may add to the motion of a body: none is faster than the fastest nor heavier than the
+// heaviest.
+std::vector<Bounds> wide_bounds(const Surroundings& at)
+{
+    const double fastest = *std::max_element(at.travels.begin(), at.travels.end());
+    Target heaviest{0, 1};
+    for (const RigidBody& body : at.world.bodies)
+        heaviest.mass = std::max(heaviest.mass, body.mass);
+    std::vector<Bounds> wide = at.bounds;
+    for (std::size_t i = 0; i < wide.size(); ++i) {
+        const Target body = target_of(at.world.bodies[i]);
+        const double hit = body.is_still ? 0 : passed_on(body, heaviest) * fastest;
+        wide[i].grow(std::min(std::max(at.travels[i], hit), at.near.radii[i] / 2));
+    }
+    return wide;
 }
 
 // What looking closely at some pairs found.
@@ -126,7 +150,7 @@ Found look_closely(const Surroundings& at, std::span<const BodyPair> pairs)
         ++found.counters.pairs_tested;
         const double path = at.travels[i] + at.travels[j];
         const std::size_t first = found.contacts.size();
-        find_contacts(at.world, at.poses, i, j, path + margin, found.contacts, found.counters,
+        find_contacts(at.world, at.near.poses, i, j, path + margin, found.contacts, found.counters,
                       at.time_step);
         bool may_meet = false;
         for (std::size_t k = first; k < found.contacts.size(); ++k)
@@ -161,14 +185,14 @@ Surroundings surroundings(const World& world, std::span<const RigidState> flown,
 {
     constexpr std::size_t worth_sharing = 32; // bodies
     const std::size_t n = flown.size();
-    Surroundings at{
-        world, std::vector<Pose>(n), std::vector<Bounds>(n), std::vector<double>(n), {}};
+    Surroundings at{world, std::vector<Bounds>(n), std::vector<double>(n), {}};
+    at.near.poses.resize(n);
     at.near.radii.resize(n);
     team.share_stretches(n, worth_sharing, [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {
             const RigidBody& body = world.bodies[i];
-            at.poses[i] = pose_of(body.state);
-            at.bounds[i] = body_bounds(body, at.poses[i]);
+            at.near.poses[i] = pose_of(body.state);
+            at.bounds[i] = body_bounds(body, at.near.poses[i]);
             if (!body.is_static) at.near.radii[i] = body_radius(body);
             if (body.is_still()) continue;
             at.bounds[i].include(body_bounds(body, pose_of(flown[i])));
@@ -185,18 +209,17 @@ Neighbourhood neighbourhood(const World& world, std::span<const RigidState> flow
 {
     Surroundings at = surroundings(world, flown, time_step, team);
     at.time_step = time_step;
-    // what may be hit at all: by none faster than the fastest
-    const double fastest = *std::max_element(at.travels.begin(), at.travels.end());
-    std::vector<Bounds> wide = at.bounds;
-    for (std::size_t i = 0; i < wide.size(); ++i)
-        wide[i].grow(std::min(fastest, at.near.radii[i] / 2));
-    const std::vector<BodyPair> pairs = near_pairs(world, at.poses, wide, counters, team);
+    const std::vector<BodyPair> pairs =
+        near_pairs(world, at.near.poses, wide_bounds(at), counters, team);
     at.near.margins = margins_of(at, pairs);
 
     Neighbourhood& near = at.near;
     bool any_may_meet = false;
-    for (const Found& found : look_closely(at, pairs, team)) {
-        near.contacts.insert(near.contacts.end(), found.contacts.begin(), found.contacts.end());
+    for (Found& found : look_closely(at, pairs, team)) {
+        if (near.contacts.empty())
+            near.contacts = std::move(found.contacts);
+        else
+            near.contacts.insert(near.contacts.end(), found.contacts.begin(), found.contacts.end());
         near.disturbed.insert(near.disturbed.end(), found.disturbed.begin(), found.disturbed.end());
         any_may_meet |= found.any_may_meet;
         counters.pairs_tested += found.counters.pairs_tested;

@@ -8,7 +8,7 @@
 namespace rigor::optimised {
 
 /// A x, column by column: Eigen's own product is not inlined.
-inline Vector3d product(const Matrix3d& A, const Vector3d& x)
+[[gnu::always_inline]] inline Vector3d product(const Matrix3d& A, const Vector3d& x)
 {
     return x.x() * A.col(0) + x.y() * A.col(1) + x.z() * A.col(2);
 }

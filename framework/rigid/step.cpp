@@ -8,7 +8,6 @@
 #include "rigid/halving.hpp"
 #include "rigid/healing.hpp"
 #include "rigid/impact.hpp"
-#include "rigid/neighbourhood.hpp"
 #include "rigid/non_finite.hpp"
 #include "rigid/sleep.hpp"
 #include "rigid/warm_start.hpp"
@@ -101,6 +100,7 @@ void move(const World& world, const ContactProblem& problem, const std::vector<b
 std::vector<ContactRecord> records_of(const ContactProblem& problem)
 {
     std::vector<ContactRecord> records;
+    records.reserve(problem.contacts.size());
     for (const SolvedContact& c : problem.contacts) {
         const Vector3d impulse = c.bounce + c.holding;
         if (impulse.isZero(0)) continue;
@@ -200,8 +200,7 @@ std::vector<ContactRecord> step_halved(World& world, double time_step, int halvi
     std::vector<ContactRecord> records;
     std::vector<WarmContact> held;
     if (!near.contacts.empty()) {
-        ContactProblem problem = contact_problem(world, flown, near.margins, near.radii,
-                                                 near.contacts, time_step, counters, team);
+        ContactProblem problem = contact_problem(world, flown, near, time_step, counters, team);
         for (const Island& island : problem.islands)
             process_collisions(problem, island);
         const std::vector<Body> bounced = problem.bodies;
@@ -218,7 +217,7 @@ std::vector<ContactRecord> step_halved(World& world, double time_step, int halvi
             halving.step_in_halves(problem, states, [&](World& part, double half) {
                 return step_halved(part, half, halvings + 1);
             });
-        held = warm_contacts(world, problem.contacts, time_step);
+        held = warm_contacts(near.poses, problem.contacts, time_step);
         take_warm(halving.warm, held);
         const std::vector<ContactRecord> others = records_of(problem);
         records.insert(records.end(), others.begin(), others.end());

@@ -60,16 +60,15 @@ struct Matches {
 
 // The nearest find each other first: else a contact that carries nothing takes what holds its neighbour.
 // @return how many there were
-std::uint64_t start_warm(const World& world, double time_step, std::span<SolvedContact> contacts,
-                         Matches& matches)
+std::uint64_t start_warm(const World& world, const std::vector<Pose>& poses, double time_step,
+                         std::span<SolvedContact> contacts, Matches& matches)
 {
     const std::span<const WarmContact> before = warm_of(world, contacts.front());
     if (before.empty()) return 0;
-    const RigidState& state = world.bodies[contacts.front().body1].state;
-    const Matrix3d R = rotation_matrix(state.orientation);
+    const auto& [R, X] = poses[contacts.front().body1];
     matches.near.clear();
     for (std::size_t k = 0; k < before.size(); ++k) {
-        const Vector3d x = optimised::product(R, before[k].point) + state.position;
+        const Vector3d x = optimised::product(R, before[k].point) + X;
         for (std::size_t i = 0; i < contacts.size(); ++i) {
             const double farthest = near_fraction * contacts[i].radius;
             const double distance = (x - contacts[i].point).squaredNorm();
@@ -91,8 +90,9 @@ std::uint64_t start_warm(const World& world, double time_step, std::span<SolvedC
 
 } // namespace
 
-void start_warm(const World& world, double time_step, std::span<const ContactPair> pairs,
-                std::vector<SolvedContact>& contacts, Counters& counters, Team& team)
+void start_warm(const World& world, const std::vector<Pose>& poses, double time_step,
+                std::span<const ContactPair> pairs, std::vector<SolvedContact>& contacts,
+                Counters& counters, Team& team)
 {
     constexpr std::size_t worth_sharing = 128; // pairs
     const int stretches = team.stretches_of(pairs.size(), worth_sharing);
@@ -102,27 +102,23 @@ void start_warm(const World& world, double time_step, std::span<const ContactPai
         Matches matches;
         for (const ContactPair& pair : pairs.subspan(first, last - first)) {
             const auto of_pair = std::span(contacts).subspan(pair.first, pair.last - pair.first);
-            counts[k] += start_warm(world, time_step, of_pair, matches);
+            counts[k] += start_warm(world, poses, time_step, of_pair, matches);
         }
     });
     for (const std::uint64_t count : counts)
         counters.warm_starts += count;
 }
 
-std::vector<WarmContact> warm_contacts(const World& world,
+std::vector<WarmContact> warm_contacts(const std::vector<Pose>& poses,
                                        const std::vector<SolvedContact>& contacts, double time_step)
 {
     std::vector<WarmContact> warm;
-    int body1 = -1;
-    Matrix3d R_transposed = Matrix3d::Identity();
+    warm.reserve(contacts.size());
     for (const SolvedContact& c : contacts) {
         if (c.holding.isZero(0)) continue;
-        const RigidState& state = world.bodies[c.body1].state;
-        if (c.body1 != body1) R_transposed = rotation_matrix(state.orientation).transpose();
-        body1 = c.body1;
-        warm.push_back({c.body1, c.body2,
-                        optimised::product(R_transposed, c.point - state.position),
-                        c.holding / time_step});
+        const auto& [R, X] = poses[c.body1];
+        warm.push_back(
+            {c.body1, c.body2, R.transpose() * Vector3d(c.point - X), c.holding / time_step});
     }
     return warm;
 }

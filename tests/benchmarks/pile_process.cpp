@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "pile_run.hpp"
 
+#include "rigid/keep_memory.hpp"
+
 #include <cstdio>
 #include <stdexcept>
 #include <sys/wait.h>
@@ -27,6 +29,7 @@ template <class T> bool read_all(std::FILE* file, std::vector<T>& values)
 
 [[noreturn]] void answer(int descriptor, const std::function<PileRun()>& run)
 {
+    keep_freed_memory(); // for every engine
     bool done = false;
     try {
         const PileRun result = run();

@@ -2,6 +2,7 @@
 // A worker: the engine linked with one implementation of the formulas. It answers the requests of
 // one client through shared memory (descriptor 3) until it is killed.
 #include "formulas/not_implemented.hpp"
+#include "rigid/keep_memory.hpp"
 #include "rigid/non_finite.hpp"
 #include "scene/trajectory.hpp"
 #include "worker/channel.hpp"
@@ -209,5 +210,6 @@ int main(int argc, char** argv)
         std::fputs("a worker is started by its client: use ./rigor\n", stderr);
         return 2;
     }
+    rigor::keep_freed_memory();
     rigor::run(argv[1]);
 }

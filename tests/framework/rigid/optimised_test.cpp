@@ -61,8 +61,7 @@ struct Heap {
             c.gap = random.uniform(-0.01, 0.01);
             c.friction = random.uniform(0, 1);
             c.guess = 0.1 * c.normal;
-            c.K = problem.impulse_matrix_at(c, c.point);
-            c.normal_K = c.normal.dot(c.K * c.normal);
+            problem.set_impulse_matrix(c);
             const int at = static_cast<int>(problem.contacts.size());
             island.pairs.push_back({at, at + 1});
             problem.contacts.push_back(c);

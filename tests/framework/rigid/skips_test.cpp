@@ -6,6 +6,7 @@
 #include "worlds.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 using namespace rigor;
 using namespace rigor::testing;
@@ -193,8 +194,9 @@ TEST_CASE("skips: a contact that carries nothing leaves its neighbour's impulse 
         contacts[1].point = is_first ? loaded : empty;
         contacts[0].guess = contacts[1].guess = Vector3d::Zero();
         const std::vector<ContactPair> pairs = {{0, 2}};
+        const std::vector<Pose> poses = {{}, {Matrix3d::Identity(), {0, 0.5, 0}}};
         Team alone;
-        start_warm(world, h, pairs, contacts, world.counters, alone);
+        start_warm(world, poses, h, pairs, contacts, world.counters, alone);
         CHECK(contacts[is_first].guess == h * force);
         CHECK(contacts[!is_first].guess == Vector3d::Zero());
     }
@@ -202,12 +204,23 @@ TEST_CASE("skips: a contact that carries nothing leaves its neighbour's impulse 
 
 TEST_CASE("skips: a tree of boxes finds what comparing all pairs finds", "[geometry]")
 {
+    // as large and as small as doubles are, and apart or touching by one rounding far from the origin
+    const double scale = GENERATE(1.0, 1e-300, 1e-40, 1e30, 1e300);
+    const double far = GENERATE(0.0, 1e6);
+    CAPTURE(scale, far);
     Random random(11);
     std::vector<Bounds> boxes;
     std::vector<int> members;
     for (int i = 0; i < 300; ++i) {
-        const Vector3d low = 5 * random.vector();
-        boxes.push_back({low, low + Vector3d::Constant(random.uniform(0, 1.5))});
+        const Vector3d low = Vector3d::Constant(far) + 5 * random.vector();
+        boxes.push_back({scale * low, scale * (low + Vector3d::Constant(random.uniform(0, 1.5)))});
+        if (i % 5 > 2) { // beside the one before
+            Bounds& box = boxes.back();
+            box.high.x() -= box.low.x();
+            box.low.x() = boxes[i - 1].high.x();
+            if (i % 5 == 3) box.low.x() = std::nextafter(box.low.x(), 1e308);
+            box.high.x() += box.low.x();
+        }
         if (i % 7) members.push_back(i);
     }
     const BoxTree tree(boxes, members);
