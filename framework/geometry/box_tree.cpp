@@ -2,34 +2,23 @@
 #include "geometry/box_tree.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <utility>
 
 namespace rigor {
 
-namespace {
-
-constexpr float infinity = std::numeric_limits<float>::infinity();
-
-// At most d, and almost d.
-float not_above(double d)
-{
-    constexpr float largest = std::numeric_limits<float>::max(), few_roundings = 4e-7f;
-    if (d < -largest) return -infinity;
-    const auto rounded = static_cast<float>(std::min<double>(d, largest));
-    return rounded - few_roundings * std::abs(rounded) - std::numeric_limits<float>::min();
-}
-
-} // namespace
-
 BoxTree::Leaf::Leaf(std::span<const Bounds> boxes)
 {
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+    const auto rounded = [](double d) {
+        constexpr double largest = std::numeric_limits<float>::max();
+        return static_cast<float>(std::clamp(d, -largest, largest));
+    };
     for (int axis = 0; axis < 3; ++axis)
         for (std::size_t k = 0; k < leaf_size; ++k) {
             const bool is_there = k < boxes.size();
-            low[axis][k] = is_there ? not_above(boxes[k].low[axis]) : infinity;
-            high[axis][k] = is_there ? -not_above(-boxes[k].high[axis]) : -infinity;
+            low[axis][k] = is_there ? rounded(boxes[k].low[axis]) : infinity;
+            high[axis][k] = is_there ? rounded(boxes[k].high[axis]) : -infinity;
         }
 }
 

@@ -85,7 +85,8 @@ private:
     using Mask [[gnu::vector_size(16)]] = std::int32_t;
     static bool any(const Mask& mask) { return (mask[0] | mask[1] | mask[2] | mask[3]) != 0; }
 
-    // The boxes of a leaf, not smaller than they are; where it has fewer than four, nothing.
+    // The boxes of a leaf; where it has fewer than four, nothing. Rounding keeps numbers in their order: what
+    // overlaps still does.
     struct Leaf {
         std::array<Numbers, 3> low, high;
 
