@@ -27,7 +27,7 @@ struct Bounds {
     {
         // without a branch for each axis: which of them keeps boxes apart cannot be predicted
         const auto overlap = [&](int axis) -> int {
-            return (low[axis] <= other.high[axis]) & (other.low[axis] <= high[axis]);
+            return int{low[axis] <= other.high[axis]} & int{other.low[axis] <= high[axis]};
         };
         return (overlap(0) & overlap(1) & overlap(2)) != 0;
     }

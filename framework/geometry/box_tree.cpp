@@ -7,7 +7,7 @@
 
 namespace rigor {
 
-BoxTree::Leaf::Leaf(std::span<const Bounds> boxes)
+void BoxTree::Leaf::take(std::span<const Bounds> boxes)
 {
     constexpr float infinity = std::numeric_limits<float>::infinity();
     const auto rounded = [](double d) {
@@ -23,27 +23,25 @@ BoxTree::Leaf::Leaf(std::span<const Bounds> boxes)
 }
 
 BoxTree::BoxTree(const std::vector<Bounds>& boxes, std::vector<int> members)
-    : members_(std::move(members))
+    : BoxTree(boxes, std::move(members), 1, [](int, const auto& work) { work(0); })
 {
-    nodes_.reserve(members_.size());
-    boxes_.reserve(members_.size());
-    if (!members_.empty()) build(boxes, 0, static_cast<int>(members_.size()));
 }
 
-int BoxTree::build(const std::vector<Bounds>& boxes, int first, int last)
+// After d halvings there are 2^d parts, some of one member more than the others; as soon as the smaller ones
+// are leaves, those of leaf_size + 1 are halved once more.
+int BoxTree::leaves_of(int members)
 {
-    const int index = static_cast<int>(nodes_.size());
-    nodes_.push_back({{}, first, last, -1, -1});
-    if (last - first <= leaf_size) {
-        for (int k = first; k < last; ++k) {
-            boxes_.push_back(boxes[members_[k]]);
-            nodes_[index].bounds.include(boxes_[k]);
-        }
-        nodes_[index].leaf = static_cast<int>(leaves_.size());
-        leaves_.emplace_back(std::span(boxes_).subspan(first, last - first));
-        return index;
-    }
+    int parts = 1;
+    while (members / parts > leaf_size)
+        parts *= 2;
+    const bool are_halved = members / parts == leaf_size;
+    return parts + (are_halved ? members % parts : 0);
+}
 
+std::array<BoxTree::Branch, 2> BoxTree::halve(const std::vector<Bounds>& boxes,
+                                              const Branch& branch)
+{
+    const auto [node, leaf, first, last] = branch;
     Bounds centers; // twice
     for (int k = first; k < last; ++k) {
         const Bounds& box = boxes[members_[k]];
@@ -59,14 +57,40 @@ int BoxTree::build(const std::vector<Bounds>& boxes, int first, int last)
                          const double a = center(i), b = center(j);
                          return a < b || (a == b && i < j);
                      });
-    const int left = build(boxes, first, middle);
-    const int right = build(boxes, middle, last);
-    Node& node = nodes_[index];
-    node.left = left;
-    node.right = right;
-    node.bounds = nodes_[left].bounds;
-    node.bounds.include(nodes_[right].bounds);
-    return index;
+    const int leaves_before = leaves_of(middle - first);
+    nodes_[node].left = node + 1;
+    nodes_[node].right = node + 2 * leaves_before;
+    return {{{nodes_[node].left, leaf, first, middle},
+             {nodes_[node].right, leaf + leaves_before, middle, last}}};
+}
+
+void BoxTree::build(const std::vector<Bounds>& boxes, const Branch& branch)
+{
+    if (branch.is_leaf()) {
+        const auto [node, leaf, first, last] = branch;
+        nodes_[node].leaf = leaf;
+        nodes_[node].first = first;
+        nodes_[node].last = last;
+        for (int k = first; k < last; ++k) {
+            boxes_[k] = boxes[members_[k]];
+            nodes_[node].bounds.include(boxes_[k]);
+        }
+        leaves_[leaf].take(std::span(boxes_).subspan(first, last - first));
+        return;
+    }
+    for (const Branch& half : halve(boxes, branch))
+        build(boxes, half);
+    close(branch.node);
+}
+
+void BoxTree::close(int node)
+{
+    Node& whole = nodes_[node];
+    const Node &left = nodes_[whole.left], &right = nodes_[whole.right];
+    whole.first = left.first;
+    whole.last = right.last;
+    whole.bounds = left.bounds;
+    whole.bounds.include(right.bounds);
 }
 
 std::vector<BoxTree::NodePair> BoxTree::parts(std::size_t least) const

@@ -20,6 +20,38 @@ public:
     /// @param members  indices of those that belong to it
     BoxTree(const std::vector<Bounds>& boxes, std::vector<int> members);
 
+    /// The same tree, in parts that can be built at the same time.
+    /// @param parts  about how many
+    /// @param share  share(n, work) calls work(k) for each k in [0, n), in any order or at once
+    template <class Share>
+    BoxTree(const std::vector<Bounds>& boxes, std::vector<int> members, std::size_t parts,
+            const Share& share)
+        : members_(std::move(members)), boxes_(members_.size())
+    {
+        if (members_.empty()) return;
+        const int n = static_cast<int>(members_.size()), leaves = leaves_of(n);
+        leaves_.resize(leaves);
+        nodes_.resize(2 * leaves - 1);
+        std::vector<Branch> branches = {{0, 0, 0, n}};
+        std::vector<int> above; // the nodes above these branches
+        while (branches.size() < parts && !branches[0].is_leaf()) {
+            std::vector<Branch> halves;
+            for (const Branch& branch : branches) {
+                if (branch.is_leaf()) {
+                    halves.push_back(branch);
+                    continue;
+                }
+                for (const Branch& half : halve(boxes, branch))
+                    halves.push_back(half);
+                above.push_back(branch.node);
+            }
+            branches = std::move(halves);
+        }
+        share(static_cast<int>(branches.size()), [&](int k) { build(boxes, branches[k]); });
+        for (; !above.empty(); above.pop_back())
+            close(above.back());
+    }
+
     /// Calls visit(i) for each member whose box overlaps `bounds`.
     template <class Visit> void for_each_overlap(const Bounds& bounds, const Visit& visit) const
     {
@@ -90,7 +122,7 @@ private:
     struct Leaf {
         std::array<Numbers, 3> low, high;
 
-        explicit Leaf(std::span<const Bounds> boxes);
+        void take(std::span<const Bounds> boxes);
 
         // Which of these may overlap box k of another leaf.
         Mask near(const Leaf& other, int k) const
@@ -103,7 +135,18 @@ private:
         }
     };
 
-    int build(const std::vector<Bounds>& boxes, int first, int last);
+    // Members that become a node and all below it, and where these are put: n leaves have n - 1 nodes above
+    // them, and a node comes before what is below it.
+    struct Branch {
+        int node = 0, leaf = 0;  // the first of each
+        int first = 0, last = 0; // members
+        bool is_leaf() const { return last - first <= leaf_size; }
+    };
+    static int leaves_of(int members);
+
+    std::array<Branch, 2> halve(const std::vector<Bounds>& boxes, const Branch& branch);
+    void build(const std::vector<Bounds>& boxes, const Branch& branch);
+    void close(int node); // when what is below it is built
 
     // Appends what a pair of nodes, not both leaves, consists of; without those that do not overlap.
     void divide(const NodePair& nodes, std::vector<NodePair>& parts) const

@@ -86,7 +86,10 @@ std::vector<BodyPair> near_pairs(const World& world, const std::vector<Pose>& po
     };
     counters.pairs_possible += pairs_among(world.bodies.size()) - pairs_among(fixed);
 
-    const BoxTree tree(bounds, moving);
+    constexpr std::size_t worth_sharing = 256; // members
+    const auto parts = static_cast<std::size_t>(team.stretches_of(moving.size(), worth_sharing));
+    const BoxTree tree(bounds, moving, parts,
+                       [&team](int tasks, const auto& build) { team.share(tasks, build); });
     std::vector<BodyPair> pairs = overlapping(tree, moving.size(), team);
     const auto add = [&pairs](int i, int j) { pairs.push_back({std::min(i, j), std::max(i, j)}); };
     for (int i : still)

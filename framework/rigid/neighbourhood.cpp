@@ -80,40 +80,74 @@ bool come_near(const Surroundings& at, const BodyPair& pair, double reach)
     return bounds.overlaps(at.bounds[pair.body2]);
 }
 
+// How far a body looks beyond its path if a blow may move it as far as this; more than half its radius is
+// never needed.
+double margin(const Surroundings& at, int i, double farthest)
+{
+    return std::min(farthest, at.near.radii[i] / 2);
+}
+
+// As far as this a blow may move a body.
+struct Blow {
+    int body = 0;
+    double travel = 0; // [m]
+};
+
+// Blows are passed on from hand to hand; this is the one that comes next.
+struct Hand {
+    const std::vector<Target>& bodies;
+    std::vector<double> farthest; // so far, of each body [m]
+    std::vector<char> is_news;    // whether the hand before changed that
+
+    // What it adds. Appends to `blows`.
+    void pass_on(const Surroundings& at, std::span<const BodyPair> pairs,
+                 std::vector<Blow>& blows) const
+    {
+        for (const BodyPair& pair : pairs) {
+            auto [hit, hits] = pair;
+            if (!is_news[hit] && !is_news[hits]) continue;
+            if (farthest[hit] > farthest[hits]) std::swap(hit, hits);
+            if (farthest[hits] <= farthest[hit]) continue; // it gets no more than that
+            if (bodies[hit].is_still || bodies[hits].is_still) continue;
+            const double passed = passed_on(bodies[hit], bodies[hits]) * farthest[hits];
+            if (passed <= farthest[hit]) continue;
+            const double reach = margin(at, hit, farthest[hit]) + margin(at, hits, farthest[hits]);
+            if (come_near(at, pair, reach)) blows.push_back({hit, passed});
+        }
+    }
+};
+
 // A body at rest may be hit in this step, and then move with what the blow leaves it of the speed of whatever
-// hits it, hand to hand; but looking farther than half its radius is never needed.
-std::vector<double> margins_of(const Surroundings& at, const std::vector<BodyPair>& pairs)
+// hits it, hand to hand.
+std::vector<double> margins_of(const Surroundings& at, const std::vector<BodyPair>& pairs,
+                               Team& team)
 {
     std::vector<Target> bodies;
     bodies.reserve(at.world.bodies.size());
     for (const RigidBody& body : at.world.bodies)
         bodies.push_back(target_of(body));
-    const std::vector<double>& radii = at.near.radii;
-    const auto margin = [&](int i, double farthest) { return std::min(farthest, radii[i] / 2); };
-    std::vector<double> farthest = at.travels;
-    std::vector<char> is_news(farthest.size(), true); // what the hand before changed
+    constexpr std::size_t worth_sharing = 1024; // pairs
+    const int stretches = team.stretches_of(pairs.size(), worth_sharing);
+    Hand hand{bodies, at.travels, std::vector<char>(bodies.size(), true)};
     bool any = true;
-    for (int hand = 0; hand < most_hands && any; ++hand) {
+    for (int hands = 0; hands < most_hands && any; ++hands) {
+        std::vector<std::vector<Blow>> blows(stretches);
+        team.share(stretches, [&](int k) {
+            const auto [first, last] = Team::stretch(pairs.size(), stretches, k);
+            hand.pass_on(at, std::span(pairs).subspan(first, last - first), blows[k]);
+        });
         any = false;
-        const std::vector<double> before = farthest;
-        const std::vector<char> was_news = std::exchange(is_news, std::vector<char>(before.size()));
-        for (const BodyPair& pair : pairs) {
-            auto [hit, hits] = pair;
-            if (!was_news[hit] && !was_news[hits]) continue;
-            if (before[hit] > before[hits]) std::swap(hit, hits);
-            if (before[hits] <= farthest[hit]) continue; // it gets no more than that
-            if (bodies[hit].is_still || bodies[hits].is_still) continue;
-            const double passed = passed_on(bodies[hit], bodies[hits]) * before[hits];
-            if (passed <= farthest[hit]) continue;
-            const double reach = margin(hit, before[hit]) + margin(hits, before[hits]);
-            if (!come_near(at, pair, reach)) continue;
-            farthest[hit] = passed;
-            is_news[hit] = any = true;
-        }
+        hand.is_news.assign(bodies.size(), false);
+        for (const std::vector<Blow>& of_stretch : blows)
+            for (const auto& [body, travel] : of_stretch) {
+                if (travel <= hand.farthest[body]) continue;
+                hand.farthest[body] = travel;
+                hand.is_news[body] = any = true;
+            }
     }
-    for (int i = 0; i < static_cast<int>(farthest.size()); ++i)
-        farthest[i] = margin(i, farthest[i]);
-    return farthest;
+    for (int i = 0; i < static_cast<int>(bodies.size()); ++i)
+        hand.farthest[i] = margin(at, i, hand.farthest[i]);
+    return std::move(hand.farthest);
 }
 
 // With what a blow may add to the motion of a body: none is faster than the fastest nor heavier than the
@@ -128,7 +162,7 @@ std::vector<Bounds> wide_bounds(const Surroundings& at)
     for (std::size_t i = 0; i < wide.size(); ++i) {
         const Target body = target_of(at.world.bodies[i]);
         const double hit = body.is_still ? 0 : passed_on(body, heaviest) * fastest;
-        wide[i].grow(std::min(std::max(at.travels[i], hit), at.near.radii[i] / 2));
+        wide[i].grow(margin(at, static_cast<int>(i), std::max(at.travels[i], hit)));
     }
     return wide;
 }
@@ -211,7 +245,7 @@ Neighbourhood neighbourhood(const World& world, std::span<const RigidState> flow
     at.time_step = time_step;
     const std::vector<BodyPair> pairs =
         near_pairs(world, at.near.poses, wide_bounds(at), counters, team);
-    at.near.margins = margins_of(at, pairs);
+    at.near.margins = margins_of(at, pairs, team);
 
     Neighbourhood& near = at.near;
     bool any_may_meet = false;

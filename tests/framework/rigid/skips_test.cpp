@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 using namespace rigor;
 using namespace rigor::testing;
@@ -223,8 +224,8 @@ TEST_CASE("skips: a tree of boxes finds what comparing all pairs finds", "[geome
         }
         if (i % 7) members.push_back(i);
     }
-    const BoxTree tree(boxes, members);
     std::vector<std::pair<int, int>> found, expected;
+    const BoxTree tree(boxes, members);
     tree.for_each_pair([&](int i, int j) { found.push_back(std::minmax(i, j)); });
     for (std::size_t a = 0; a < members.size(); ++a)
         for (std::size_t b = a + 1; b < members.size(); ++b)
@@ -234,4 +235,36 @@ TEST_CASE("skips: a tree of boxes finds what comparing all pairs finds", "[geome
     std::sort(expected.begin(), expected.end());
     REQUIRE(expected.size() > 50);
     CHECK(found == expected);
+}
+
+TEST_CASE("skips: a tree of boxes that is built in parts is the same tree", "[geometry]")
+{
+    const std::size_t parts = GENERATE(1u, 2u, 5u, 64u);
+    CAPTURE(parts);
+    Random random(12);
+    std::vector<Bounds> boxes;
+    for (int n = 0; n < 70; ++n) {
+        CAPTURE(n);
+        std::vector<int> members(n);
+        std::iota(members.begin(), members.end(), 0);
+        using Pairs = std::vector<std::pair<int, int>>;
+        const auto pairs_of = [](const BoxTree& tree) {
+            Pairs pairs;
+            tree.for_each_pair([&](int i, int j) { pairs.emplace_back(i, j); });
+            return pairs;
+        };
+        const auto last_first = [](int tasks, const auto& work) {
+            for (int k = tasks - 1; k >= 0; --k)
+                work(k);
+        };
+        const Pairs whole = pairs_of(BoxTree(boxes, members));
+        CHECK(pairs_of(BoxTree(boxes, members, parts, last_first)) == whole);
+        std::size_t overlaps = 0;
+        for (int i = 0; i < n; ++i)
+            for (int j = i + 1; j < n; ++j)
+                overlaps += boxes[i].overlaps(boxes[j]);
+        CHECK(whole.size() == overlaps);
+        const Vector3d low = 2 * random.vector();
+        boxes.push_back({low, low + Vector3d::Constant(random.uniform(0, 1.5))});
+    }
 }
