@@ -48,12 +48,19 @@ struct Best {
         cosine = c;
         crack = ElementCrack{0, point, normal};
     }
+    // A corner that the plane touches would get a copy without matter, and nodes without mass.
     bool separates(const Vector3d& point, const Vector3d& normal) const
     {
         int above = 0, below = 0;
-        for (int i = 0; i < 4; ++i)
-            if (real[i]) ++(normal.dot(corners[i] - point) >= 0 ? above : below);
-        return above > 0 && below > 0;
+        double nearest = never, farthest = 0;
+        for (int i = 0; i < 4; ++i) {
+            if (!real[i]) continue;
+            const double height = normal.dot(corners[i] - point);
+            ++(height >= 0 ? above : below);
+            nearest = std::min(nearest, std::abs(height));
+            farthest = std::max(farthest, std::abs(height));
+        }
+        return above > 0 && below > 0 && nearest > 1e-6 * farthest;
     }
 };
 

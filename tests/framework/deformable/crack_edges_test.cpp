@@ -4,6 +4,7 @@
 #include "support/deformables.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 using namespace rigor;
 using namespace rigor::testing;
@@ -108,4 +109,23 @@ TEST_CASE("crack edges: a plate tears in two with hardly a splinter", "[deformab
     CAPTURE(shares);
     CHECK(shares.size() <= 4);
     CHECK(shares[0] + shares[1] > 0.9);
+}
+
+TEST_CASE("crack edges: no crack goes on along a corner: what it cuts off would have no matter",
+          "[deformable]")
+{
+    int met = 0;
+    for (unsigned seed = 0; seed < 100; ++seed) {
+        CAPTURE(seed);
+        Random random(seed);
+        Deformable solid = two_elements(random);
+        const auto& x = solid.rest.vertices;
+        solid.cracks.push_back({0, x[1], random.unit_vector()}); // through a corner that both have
+        const CrackEdges edges(solid);
+        met += edges.meets(1, all_real);
+        const ElementCrack crack = edges.continued(1, all_real, random.unit_vector());
+        for (const int v : solid.rest.tetrahedra[1])
+            REQUIRE(std::abs(crack.normal.dot(x[v] - crack.point)) > 1e-9);
+    }
+    CHECK(met > 50);
 }
