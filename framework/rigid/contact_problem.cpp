@@ -5,15 +5,12 @@
 #include "rigid/blocks.hpp"
 #include "rigid/flight.hpp"
 #include "rigid/forces.hpp"
-#include "rigid/groups.hpp"
+#include "rigid/islands.hpp"
 #include "rigid/optimised_forms.hpp"
 #include "rigid/warm_start.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <numeric>
-#include <utility>
 
 namespace rigor {
 
@@ -44,44 +41,6 @@ Body pushed(Body body, const RigidState& start, const RigidState& flown)
     return body;
 }
 
-// Contacts of the same two bodies, one after the other.
-std::vector<ContactPair> pairs_of(const std::vector<SolvedContact>& contacts)
-{
-    std::vector<ContactPair> pairs;
-    for (int first = 0, last = 0, n = static_cast<int>(contacts.size()); first < n; first = last) {
-        while (last < n && contacts[last].body1 == contacts[first].body1 &&
-               contacts[last].body2 == contacts[first].body2)
-            ++last;
-        pairs.push_back({first, last});
-    }
-    return pairs;
-}
-
-// From the lowest up, in an order that does not depend on how the bodies are numbered.
-void sort(std::vector<ContactPair>& pairs, const std::vector<SolvedContact>& contacts)
-{
-    struct Placed {
-        std::array<double, 3> lowest; // contact
-        ContactPair pair;
-    };
-    std::vector<Placed> placed;
-    placed.reserve(pairs.size());
-    for (const ContactPair& pair : pairs) {
-        const SolvedContact& c = contacts[pair.first];
-        placed.push_back({{c.height, c.point.x(), c.point.z()}, pair});
-    }
-    std::sort(placed.begin(), placed.end(), [](const Placed& a, const Placed& b) {
-        return std::pair(a.lowest, a.pair.first) < std::pair(b.lowest, b.pair.first);
-    });
-    std::transform(placed.begin(), placed.end(), pairs.begin(),
-                   [](const Placed& p) { return p.pair; });
-}
-
-int moving_of(const World& world, const Contact& c)
-{
-    return world.bodies[c.body1].is_static ? c.body2 : c.body1;
-}
-
 // The larger eigenvalue of K across n: of the two, the sum is tr K - nᵀKn and the sum of the squares
 // |K|² - 2 |K n|² + (nᵀKn)².
 double tangential_eigenvalue(const Matrix3d& K, const Vector3d& n)
@@ -93,63 +52,7 @@ double tangential_eigenvalue(const Matrix3d& K, const Vector3d& n)
     return (sum + std::sqrt(std::max(0.0, 2 * squares - sum * sum))) / 2;
 }
 
-std::vector<Island> islands_of(const World& world, const ContactProblem& problem,
-                               const std::vector<ContactPair>& pairs)
-{
-    Groups groups(world.bodies.size());
-    for (const ContactPair& pair : pairs) {
-        const SolvedContact& c = problem.contacts[pair.first];
-        if (!world.bodies[c.body1].is_static && !world.bodies[c.body2].is_static)
-            groups.join(c.body1, c.body2);
-    }
-    if (!world.skips.islands) // all in one
-        for (const SolvedContact& c : problem.contacts)
-            for (int i : {c.body1, c.body2})
-                if (!world.bodies[i].is_static)
-                    groups.join(moving_of(world, problem.contacts[0]), i);
-
-    std::vector<int> island_of(world.bodies.size(), -1);
-    std::vector<bool> is_active;
-    std::vector<Island> islands;
-    for (const ContactPair& pair : pairs) {
-        const SolvedContact& first = problem.contacts[pair.first];
-        int& island = island_of[groups.of(moving_of(world, first))];
-        if (island < 0) {
-            island = static_cast<int>(islands.size());
-            islands.emplace_back();
-            is_active.push_back(false);
-        }
-        islands[island].pairs.push_back(pair);
-        for (int i = pair.first; i < pair.last && !is_active[island]; ++i) {
-            const SolvedContact& c = problem.contacts[i];
-            is_active[island] = problem.predicted_gap(c, c.free_speed) < 0;
-        }
-    }
-    for (int i = 0; i < static_cast<int>(world.bodies.size()); ++i)
-        if (const int island = island_of[groups.of(i)]; island >= 0 && !world.bodies[i].is_static)
-            islands[island].bodies.push_back(i);
-
-    std::vector<Island> active;
-    for (std::size_t i = 0; i < islands.size(); ++i)
-        if (is_active[i]) active.push_back(std::move(islands[i]));
-    return active;
-}
-
 } // namespace
-
-std::size_t contacts_of(const Island& island)
-{
-    return std::accumulate(
-        island.pairs.begin(), island.pairs.end(), std::size_t{0},
-        [](std::size_t sum, const ContactPair& pair) { return sum + pair.count(); });
-}
-
-bool is_heap(const Island& island)
-{
-    constexpr std::size_t few_bodies = 8, many_bodies = 256;
-    const std::size_t bodies = island.bodies.size(), pairs = island.pairs.size();
-    return bodies > few_bodies && (bodies > many_bodies || 4 * pairs > 5 * bodies + 8);
-}
 
 Vector3d ContactProblem::up() const
 {
@@ -306,7 +209,7 @@ ContactProblem contact_problem(const World& world, std::span<const RigidState> f
         problem.method == ContactMethod::built_in || problem.method == ContactMethod::simultaneous;
     if (is_iterative && world.skips.warm_start)
         start_warm(world, near.poses, time_step, pairs, problem.contacts, counters, team);
-    sort(pairs, problem.contacts);
+    sort_from_lowest(pairs, problem.contacts, team);
     problem.islands = islands_of(world, problem, pairs);
     for (Island& island : problem.islands) {
         set_impulse_matrices(problem, island);

@@ -217,9 +217,13 @@ std::vector<ContactRecord> step_halved(World& world, double time_step, int halvi
             halving.step_in_halves(problem, states, [&](World& part, double half) {
                 return step_halved(part, half, halvings + 1);
             });
-        held = warm_contacts(near.poses, problem.contacts, time_step);
+        std::vector<ContactRecord> others;
+        constexpr std::size_t worth_sharing = 512; // contacts
+        team.share_both(
+            problem.contacts.size(), worth_sharing,
+            [&] { held = warm_contacts(near.poses, problem.contacts, time_step); },
+            [&] { others = records_of(problem); });
         take_warm(halving.warm, held);
-        const std::vector<ContactRecord> others = records_of(problem);
         records.insert(records.end(), others.begin(), others.end());
         counters.contacts += records.size();
         records.insert(records.end(), halving.records.begin(), halving.records.end());

@@ -12,7 +12,7 @@ namespace {
 // by looking again and again, giving way to others, and only then by falling asleep.
 template <class T, class IsWanted> T wait_for(std::atomic<T>& value, const IsWanted& is_wanted)
 {
-    constexpr int looks = 200, turns = 200;
+    constexpr int looks = 1000, turns = 4000;
     for (int i = 0; i < looks + turns; ++i) {
         const T now = value.load();
         if (is_wanted(now)) return now;

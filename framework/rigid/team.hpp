@@ -45,6 +45,17 @@ public:
         });
     }
 
+    /// Calls both: at the same time if they are about `count` things, of which `least` are worth it.
+    template <class First, class Second>
+    void share_both(std::size_t count, std::size_t least, const First& first, const Second& second)
+    {
+        const int tasks = stretches_of(count, least) < 2 ? 1 : 2;
+        share(tasks, [&](int k) {
+            if (k == 0) first();
+            if (k == 1 || tasks == 1) second();
+        });
+    }
+
     /// In how many stretches `share_stretches` would do it; for results that are put together again.
     int stretches_of(std::size_t count, std::size_t least) const;
 

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "rigid/contact_problem.hpp"
+
+namespace rigor {
+
+/// Contacts of the same two bodies, one after the other.
+std::vector<ContactPair> pairs_of(const std::vector<SolvedContact>& contacts);
+
+/// Puts pairs in order by their lowest contacts, the first of each: an order that does not depend on how the
+/// bodies are numbered.
+void sort_from_lowest(std::vector<ContactPair>& pairs, const std::vector<SolvedContact>& contacts,
+                      Team& team);
+
+/// The islands in which two bodies would penetrate, in the order of their first pairs.
+std::vector<Island> islands_of(const World& world, const ContactProblem& problem,
+                               const std::vector<ContactPair>& pairs);
+
+} // namespace rigor
