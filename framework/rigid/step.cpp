@@ -221,7 +221,7 @@ std::vector<ContactRecord> step_halved(World& world, double time_step, int halvi
         constexpr std::size_t worth_sharing = 512; // contacts
         team.share_both(
             problem.contacts.size(), worth_sharing,
-            [&] { held = warm_contacts(near.poses, problem.contacts, time_step); },
+            [&, &poses = near.poses] { held = warm_contacts(poses, problem.contacts, time_step); },
             [&] { others = records_of(problem); });
         take_warm(halving.warm, held);
         records.insert(records.end(), others.begin(), others.end());
