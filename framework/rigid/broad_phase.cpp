@@ -23,9 +23,20 @@ bool reaches(const RigidBody& endless, const Pose& pose, const Bounds& bounds)
     });
 }
 
-// Ascending, by counting the pairs of each body 1.
-std::vector<BodyPair> in_order(const std::vector<BodyPair>& pairs, std::size_t bodies)
+constexpr std::size_t few = 12; // trees and counting pay for more
+
+BodyPair pair_of(int i, int j)
 {
+    return {std::min(i, j), std::max(i, j)};
+}
+
+// Ascending, by counting the pairs of each body 1.
+std::vector<BodyPair> in_order(std::vector<BodyPair> pairs, std::size_t bodies)
+{
+    if (pairs.size() <= few) {
+        std::sort(pairs.begin(), pairs.end());
+        return pairs;
+    }
     std::vector<std::size_t> first(bodies + 1, 0);
     for (const BodyPair& pair : pairs)
         ++first[static_cast<std::size_t>(pair.body1) + 1];
@@ -41,10 +52,6 @@ std::vector<BodyPair> in_order(const std::vector<BodyPair>& pairs, std::size_t b
     return sorted;
 }
 
-} // namespace
-
-namespace {
-
 // In an order that depends on the number of threads: they are put in order later.
 std::vector<BodyPair> overlapping(const BoxTree& tree, std::size_t members, Team& team)
 {
@@ -58,13 +65,38 @@ std::vector<BodyPair> overlapping(const BoxTree& tree, std::size_t members, Team
     team.share(stretches, [&](int k) {
         const auto [first, last] = Team::stretch(parts.size(), stretches, k);
         for (std::size_t part = first; part < last; ++part)
-            tree.for_each_pair(parts[part], [&](int i, int j) {
-                found[k].push_back({std::min(i, j), std::max(i, j)});
-            });
+            tree.for_each_pair(parts[part],
+                               [&](int i, int j) { found[k].push_back(pair_of(i, j)); });
     });
     for (std::size_t k = 1; k < found.size(); ++k)
         found[0].insert(found[0].end(), found[k].begin(), found[k].end());
     return std::move(found[0]);
+}
+
+std::vector<BodyPair> by_a_tree(const std::vector<Bounds>& bounds, const std::vector<int>& moving,
+                                const std::vector<int>& still, Team& team)
+{
+    constexpr std::size_t worth_sharing = 256; // members
+    const auto parts = static_cast<std::size_t>(team.stretches_of(moving.size(), worth_sharing));
+    const BoxTree tree(bounds, moving, parts,
+                       [&team](int tasks, const auto& build) { team.share(tasks, build); });
+    std::vector<BodyPair> pairs = overlapping(tree, moving.size(), team);
+    for (int i : still)
+        tree.for_each_overlap(bounds[i], [&](int j) { pairs.push_back(pair_of(i, j)); });
+    return pairs;
+}
+
+std::vector<BodyPair> compare_all(const std::vector<Bounds>& bounds, const std::vector<int>& moving,
+                                  const std::vector<int>& still)
+{
+    std::vector<BodyPair> pairs;
+    for (auto i = moving.begin(); i != moving.end(); ++i) {
+        for (auto j = i + 1; j != moving.end(); ++j)
+            if (bounds[*i].overlaps(bounds[*j])) pairs.push_back(pair_of(*i, *j));
+        for (int j : still)
+            if (bounds[*i].overlaps(bounds[j])) pairs.push_back(pair_of(*i, j));
+    }
+    return pairs;
 }
 
 } // namespace
@@ -86,18 +118,12 @@ std::vector<BodyPair> near_pairs(const World& world, const std::vector<Pose>& po
     };
     counters.pairs_possible += pairs_among(world.bodies.size()) - pairs_among(fixed);
 
-    constexpr std::size_t worth_sharing = 256; // members
-    const auto parts = static_cast<std::size_t>(team.stretches_of(moving.size(), worth_sharing));
-    const BoxTree tree(bounds, moving, parts,
-                       [&team](int tasks, const auto& build) { team.share(tasks, build); });
-    std::vector<BodyPair> pairs = overlapping(tree, moving.size(), team);
-    const auto add = [&pairs](int i, int j) { pairs.push_back({std::min(i, j), std::max(i, j)}); };
-    for (int i : still)
-        tree.for_each_overlap(bounds[i], [&](int j) { add(i, j); });
+    std::vector<BodyPair> pairs = moving.size() <= few ? compare_all(bounds, moving, still)
+                                                       : by_a_tree(bounds, moving, still, team);
     for (int i : endless)
         for (int j : moving)
-            if (reaches(world.bodies[i], poses[i], bounds[j])) add(i, j);
-    return in_order(pairs, world.bodies.size());
+            if (reaches(world.bodies[i], poses[i], bounds[j])) pairs.push_back(pair_of(i, j));
+    return in_order(std::move(pairs), world.bodies.size());
 }
 
 } // namespace rigor

@@ -169,36 +169,26 @@ std::vector<RigidState> fly_all(const World& world, const std::vector<bool>& pul
                                 double time_step, Counters& counters, Team& team)
 {
     std::vector<RigidState> states(world.bodies.size());
-    std::vector<int> alone, together;
+    std::vector<int> together;
     int n = 1;
     for (std::size_t i = 0; i < world.bodies.size(); ++i) {
         const RigidBody& body = world.bodies[i];
-        states[i] = body.state;
-        if (body.is_static) {
-            ++counters.static_skipped;
-        } else if (body.rest.is_asleep()) {
-            ++counters.bodies_asleep;
-        } else if (pulled[i]) {
-            together.push_back(static_cast<int>(i));
-            n = std::max(n, substeps_for(world.integrator, body, body.state, time_step));
-            if (body.is_isotropic) ++counters.isotropic_shortcuts;
-        } else {
-            alone.push_back(static_cast<int>(i));
-        }
+        if (body.is_static) ++counters.static_skipped;
+        if (body.rest.is_asleep()) ++counters.bodies_asleep;
+        if (!pulled[i] || body.is_still()) continue;
+        together.push_back(static_cast<int>(i));
+        n = std::max(n, substeps_for(world.integrator, body, body.state, time_step));
+        if (body.is_isotropic) ++counters.isotropic_shortcuts;
     }
-    constexpr std::size_t worth_sharing = 64; // bodies
-    const int stretches = team.stretches_of(alone.size(), worth_sharing);
-    std::vector<Counters> counted(stretches);
-    team.share(stretches, [&](int k) {
-        const auto [first, last] = Team::stretch(alone.size(), stretches, k);
-        for (std::size_t i = first; i < last; ++i)
-            states[alone[i]] =
-                fly(world, world.bodies[alone[i]], states[alone[i]], time_step, counted[k]);
-    });
-    for (const Counters& part : counted) {
-        counters.substeps += part.substeps;
-        counters.isotropic_shortcuts += part.isotropic_shortcuts;
-    }
+    share_flights(team, states.size(), counters,
+                  [&](std::size_t first, std::size_t last, Counters& counted) {
+                      for (std::size_t i = first; i < last; ++i) {
+                          const RigidBody& body = world.bodies[i];
+                          states[i] = body.is_still() || pulled[i]
+                                          ? body.state
+                                          : fly(world, body, body.state, time_step, counted);
+                      }
+                  });
     if (together.empty()) return states;
 
     // Those that springs tie together but that fly alone have moved already: none is among them.

@@ -34,6 +34,26 @@ Matrix3d inverse_inertia(Integrator integrator, const RigidBody& body, const Rig
 RigidState fly(const World& world, const RigidBody& body, RigidState state, double time_step,
                Counters& counters, bool drifts = false);
 
+/// Calls work(first, last, counters) for stretches of [0, count), shared by the team. What it counts of flights
+/// is added up.
+template <class Work>
+void share_flights(Team& team, std::size_t count, Counters& counters, const Work& work)
+{
+    constexpr std::size_t worth_sharing = 64; // bodies
+    const int stretches = team.stretches_of(count, worth_sharing);
+    if (stretches < 2) return work(std::size_t{0}, count, counters);
+    std::vector<Counters> counted(stretches);
+    team.share(stretches, [&](int k) {
+        const auto [first, last] = Team::stretch(count, stretches, k);
+        work(first, last, counted[k]);
+    });
+    for (const Counters& part : counted) {
+        counters.free_flights += part.free_flights;
+        counters.substeps += part.substeps;
+        counters.isotropic_shortcuts += part.isotropic_shortcuts;
+    }
+}
+
 /// The states of all bodies after a time step without contacts: bodies that springs or applied
 /// forces pull at fly together, all the others one by one. Static bodies stay.
 ///

@@ -245,6 +245,7 @@ Neighbourhood neighbourhood(const World& world, std::span<const RigidState> flow
     at.time_step = time_step;
     const std::vector<BodyPair> pairs =
         near_pairs(world, at.near.poses, wide_bounds(at), counters, team);
+    if (pairs.empty()) return std::move(at.near);
     at.near.margins = margins_of(at, pairs, team);
 
     Neighbourhood& near = at.near;

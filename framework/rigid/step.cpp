@@ -79,21 +79,13 @@ void move(const World& world, const ContactProblem& problem, const std::vector<b
         states[i] = fly(world, world.bodies[i], state, problem.time_step, counted, !flies);
         if (is_displaced) displace(states[i], displacements[i]);
     };
-    constexpr std::size_t worth_sharing = 64; // bodies
     for (const Island& island : problem.islands) {
-        const int stretches = problem.team->stretches_of(island.bodies.size(), worth_sharing);
-        std::vector<Counters> counted(stretches);
-        problem.team->share(stretches, [&](int k) {
-            const auto [first, last] = Team::stretch(island.bodies.size(), stretches, k);
-            for (std::size_t at = first; at < last; ++at)
-                move_one(island.bodies[at], counted[k]);
-        });
+        share_flights(*problem.team, island.bodies.size(), counters,
+                      [&](std::size_t first, std::size_t last, Counters& counted) {
+                          for (std::size_t at = first; at < last; ++at)
+                              move_one(island.bodies[at], counted);
+                      });
         counters.free_flights -= island.bodies.size();
-        for (const Counters& part : counted) {
-            counters.free_flights += part.free_flights;
-            counters.substeps += part.substeps;
-            counters.isotropic_shortcuts += part.isotropic_shortcuts;
-        }
     }
 }
 
@@ -162,14 +154,15 @@ Start start_of_step(World& world, double time_step, Team& team)
     start.pulled = pulled_bodies(world, time_step);
     for (std::size_t i = 0; i < start.pulled.size(); ++i)
         if (start.pulled[i] && world.bodies[i].rest.is_asleep()) wake(world, {static_cast<int>(i)});
-    const Counters before = world.counters;
+    const bool may_disturb = world.bodies.size() > 1;
+    const Counters before = may_disturb ? world.counters : Counters();
     for (;;) {
         start.flown = fly_all(world, start.pulled, time_step, world.counters, team);
         for (std::size_t i = 0; i < start.flown.size(); ++i) {
             require_finite(world.bodies[i], start.flown[i], world.time + time_step);
             if (!world.bodies[i].is_still()) ++world.counters.free_flights;
         }
-        if (world.bodies.size() < 2) return start;
+        if (!may_disturb) return start;
         start.near = neighbourhood(world, start.flown, time_step, world.counters, team);
         if (start.near.disturbed.empty()) return start;
         wake(world, start.near.disturbed);
@@ -195,11 +188,12 @@ std::vector<ContactRecord> step_halved(World& world, double time_step, int halvi
     Counters& counters = world.counters;
     const double end = world.time + time_step;
     Team team(world.formulas_are_reference ? world.threads : 1);
-    const auto [pulled, flown, near] = start_of_step(world, time_step, team);
-    std::vector<RigidState> states = flown;
+    auto [pulled, flown, near] = start_of_step(world, time_step, team);
+    const bool is_free = near.contacts.empty();
+    std::vector<RigidState> states = is_free ? std::move(flown) : flown;
     std::vector<ContactRecord> records;
     std::vector<WarmContact> held;
-    if (!near.contacts.empty()) {
+    if (!is_free) {
         ContactProblem problem = contact_problem(world, flown, near, time_step, counters, team);
         for (const Island& island : problem.islands)
             process_collisions(problem, island);
