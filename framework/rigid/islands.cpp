@@ -34,6 +34,7 @@ std::vector<ContactPair> pairs_of(const std::vector<SolvedContact>& contacts)
 void sort_from_lowest(std::vector<ContactPair>& pairs, const std::vector<SolvedContact>& contacts,
                       Team& team)
 {
+    if (pairs.size() < 2) return;
     struct Placed {
         std::array<double, 3> lowest; // contact
         ContactPair pair;

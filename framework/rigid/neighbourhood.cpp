@@ -122,9 +122,18 @@ struct Hand {
 std::vector<double> margins_of(const Surroundings& at, const std::vector<BodyPair>& pairs,
                                Team& team)
 {
+    std::vector<double> margins(at.travels.size());
+    for (int i = 0; i < static_cast<int>(margins.size()); ++i)
+        margins[i] = margin(at, i, at.travels[i]);
+    const std::vector<RigidBody>& all = at.world.bodies;
+    if (std::all_of(pairs.begin(), pairs.end(), [&](const BodyPair& pair) {
+            return all[pair.body1].is_still() || all[pair.body2].is_still();
+        }))
+        return margins; // nobody is hit
+
     std::vector<Target> bodies;
-    bodies.reserve(at.world.bodies.size());
-    for (const RigidBody& body : at.world.bodies)
+    bodies.reserve(all.size());
+    for (const RigidBody& body : all)
         bodies.push_back(target_of(body));
     constexpr std::size_t worth_sharing = 1024; // pairs
     const int stretches = team.stretches_of(pairs.size(), worth_sharing);
@@ -145,9 +154,9 @@ std::vector<double> margins_of(const Surroundings& at, const std::vector<BodyPai
                 hand.is_news[body] = any = true;
             }
     }
-    for (int i = 0; i < static_cast<int>(bodies.size()); ++i)
-        hand.farthest[i] = margin(at, i, hand.farthest[i]);
-    return std::move(hand.farthest);
+    for (int i = 0; i < static_cast<int>(margins.size()); ++i)
+        margins[i] = margin(at, i, hand.farthest[i]);
+    return margins;
 }
 
 // With what a blow may add to the motion of a body: none is faster than the fastest nor heavier than the

@@ -58,22 +58,22 @@ public:
 
     Progress sweep(std::vector<Vector3d>& steps) override
     {
-        std::vector<Progress> of_blocks(blocks_.size());
-        std::vector<std::uint64_t> impulses(blocks_.size(), 0);
         visit_blocks(island_, problem_.team, [&](int block) {
+            Swept& swept = swept_[block];
+            swept = {};
             for (const RowPair& pair : pairs_of(block))
-                sweep(pair, steps, of_blocks[block], impulses[block]);
+                sweep(pair, steps, swept);
         });
         Progress all;
-        for (const Progress& progress : of_blocks) {
+        for (const Swept& swept : swept_) {
+            const Progress& progress = swept.progress;
+            problem_.counters->contact_impulses += swept.impulses;
             all.change = std::max(all.change, progress.change);
             all.total = std::max(all.total, progress.total);
             all.squared += progress.squared;
         }
         all.change = std::sqrt(all.change);
         all.total = std::sqrt(all.total);
-        for (const std::uint64_t of_block : impulses)
-            problem_.counters->contact_impulses += of_block;
         return all;
     }
 
@@ -105,6 +105,12 @@ public:
     }
 
 private:
+    // What a sweep did in a block.
+    struct Swept {
+        Progress progress;
+        std::uint64_t impulses = 0;
+    };
+
     // The rows of each pair, and the pairs of each block.
     void find_pairs()
     {
@@ -123,6 +129,7 @@ private:
             }
             blocks_.push_back({first_pair, static_cast<int>(pairs_.size())});
         }
+        swept_.resize(blocks_.size());
     }
 
     std::span<RowPair> pairs_of(int block)
@@ -145,9 +152,9 @@ private:
                 c.friction};
     }
 
-    void sweep(const RowPair& pair, std::vector<Vector3d>& steps, Progress& progress,
-               std::uint64_t& impulses)
+    void sweep(const RowPair& pair, std::vector<Vector3d>& steps, Swept& swept)
     {
+        Progress& progress = swept.progress;
         visit(pair, [&](Row& row, TwoMotions& motions) {
             Vector3d& step = steps[&row - rows_.data()];
             const Vector3d v = motions.relative_velocity(row.r);
@@ -158,7 +165,7 @@ private:
             step = law(row, v);
             row.j += step;
             motions.push(pair.masses, row.r, step);
-            ++impulses;
+            ++swept.impulses;
             const double K = row.normal_K, squared = step.squaredNorm();
             progress.change = std::max(progress.change, K * K * squared);
             progress.total = std::max(progress.total, K * K * row.j.squaredNorm());
@@ -204,6 +211,7 @@ private:
     std::vector<Row> rows_;
     std::vector<RowPair> pairs_;
     std::vector<IslandStretch> blocks_; // of these pairs
+    std::vector<Swept> swept_;          // of each block, by the last sweep
 };
 
 } // namespace
