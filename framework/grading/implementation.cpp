@@ -2,6 +2,7 @@
 #include "grading/implementation.hpp"
 
 #include "formulas/table.hpp"
+#include "grading/includes.hpp"
 #include "grading/ninja.hpp"
 #include "grading/places.hpp"
 #include "grading/submission_build.hpp"
@@ -68,14 +69,25 @@ void judge(Implementation& implementation, const NinjaRun& run, const std::strin
                                         " s to compile\n";
 }
 
+// What compiles, but of files that a solution may not have.
+void refuse_forbidden_include(Implementation& implementation,
+                              const std::vector<std::string>& objects)
+{
+    if (implementation.built())
+        implementation.compile_error = forbidden_include(objects, implementation.folder);
+}
+
 Implementation build_own(const std::string& name, const OnBuildStep& on_step)
 {
     Implementation result;
     result.name = name;
     result.folder = places().source / name;
     result.worker = places().program(("worker_" + name).c_str());
+    const bool is_judged = name == "student";
+    if (is_judged) remove_unlisted(student_objects());
     const NinjaRun run = run_ninja({"-k", "0", "worker_" + name}, on_step);
     judge(result, run, "formulas_" + name + ".dir/", "bin/worker_" + name);
+    if (is_judged && run.ok) refuse_forbidden_include(result, student_objects());
     return result;
 }
 
@@ -93,8 +105,10 @@ Implementation build_folder(const std::string& name, const fs::path& folder,
     const NinjaRun needed = run_ninja(build.needed_targets, on_step);
     judge(result, needed, "formulas_student.dir/", "");
     if (!result.built()) return result;
+    remove_unlisted(build.objects);
     judge(result, run_ninja({"-k", "0", "-f", build.ninja_file, build.worker}, on_step),
           build.folder, build.worker);
+    refuse_forbidden_include(result, build.objects);
     return result;
 }
 

@@ -62,7 +62,7 @@ private:
 NinjaRun run_ninja(const std::vector<std::string>& arguments, const OnBuildStep& on_step)
 {
     Command command;
-    command.arguments = {"ninja", "-C", places().build.string()};
+    command.arguments = {"ninja", "-C", places().build.string(), "-d", "keepdepfile"};
     command.arguments.insert(command.arguments.end(), arguments.begin(), arguments.end());
     command.silence = compile_limit; // ninja speaks whenever a file is done
     command.memory = compiler_memory;

@@ -22,7 +22,7 @@ struct NinjaRun {
 /// Longest time for a single file [s]. Student code can keep a compiler busy for ever.
 inline constexpr double compile_limit = 120;
 
-/// Runs ninja in the build folder. @param arguments  targets and options
+/// Runs ninja in the build folder; the compiler's lists of what it included stay. @param arguments  targets and options
 NinjaRun run_ninja(const std::vector<std::string>& arguments, const OnBuildStep& on_step = {});
 
 /// The commands that make a target, in order, one a line.

@@ -61,17 +61,21 @@ struct Compilation {
     std::string command, object;
 };
 
+// What a command makes of a file of student/; empty if it does something else.
+std::string student_object(const std::string& command)
+{
+    const std::size_t output = command.find(" -o "), source = command.find(" -c ");
+    if (output == std::string::npos || source == std::string::npos || source < output) return {};
+    const std::string object = command.substr(output + 4, source - output - 4);
+    return object.find("formulas_student.dir/") == std::string::npos ? std::string() : object;
+}
+
 // Its object, if the command compiles the student's `topic`.
 bool compiles(const std::string& command, const std::string& topic, Compilation& found)
 {
-    const std::size_t output = command.find(" -o "), source = command.find(" -c ");
-    if (output == std::string::npos || source == std::string::npos || source < output) return false;
-    const std::string object = command.substr(output + 4, source - output - 4);
+    const std::string object = student_object(command);
     const std::string ending = "/" + topic + ".cpp.o";
-    if (object.find("formulas_student.dir/") == std::string::npos ||
-        object.size() < ending.size() ||
-        object.compare(object.size() - ending.size(), ending.size(), ending) != 0)
-        return false;
+    if (!object.ends_with(ending)) return false;
     found = {command, object};
     return true;
 }
@@ -137,7 +141,7 @@ public:
             "  deps = gcc\n\n",
             object, ninja_path(source.string()), ninja_value(command));
         replace_all(link_, original.object, object);
-        objects_.push_back(object);
+        build_.objects.push_back(object);
     }
 
     std::string linked(const std::string& original_output)
@@ -145,7 +149,8 @@ public:
         replace_all(link_, " -o " + original_output + " ", " -o " + build_.worker + " ");
         const std::vector<std::string> inputs = link_inputs(link_);
         for (const std::string& input : inputs)
-            if (std::find(objects_.begin(), objects_.end(), input) == objects_.end())
+            if (std::find(build_.objects.begin(), build_.objects.end(), input) ==
+                build_.objects.end())
                 build_.needed_targets.push_back(input);
         text_ += fmt::format("build {0}: run {1}\n  command = {2}\n  what = Linking {0}\n",
                              build_.worker, fmt::join(inputs, " "), ninja_value(link_));
@@ -154,7 +159,7 @@ public:
 
 private:
     SubmissionBuild& build_;
-    std::vector<std::string> commands_, objects_;
+    std::vector<std::string> commands_;
     std::string link_, text_;
 };
 
@@ -178,6 +183,15 @@ SubmissionBuild prepare_submission_build(const fs::path& folder)
                                      fmt::join(topics(), ".cpp, ")));
     write_if_changed(places().build / build.ninja_file, rules.linked("bin/worker_student"));
     return build;
+}
+
+std::vector<std::string> student_objects()
+{
+    std::vector<std::string> result;
+    for (const std::string& command : ninja_commands("worker_student"))
+        if (const std::string object = student_object(command); !object.empty())
+            result.push_back(object);
+    return result;
 }
 
 } // namespace rigor

@@ -10,9 +10,10 @@ namespace rigor {
 
 /// A private build of a folder. Paths are relative to the build folder.
 struct SubmissionBuild {
-    std::string folder;     // "submissions/<name>-<hash>/"
-    std::string ninja_file; // the rules
-    std::string worker;     // the executable
+    std::string folder;               // "submissions/<name>-<hash>/"
+    std::string ninja_file;           // the rules
+    std::string worker;               // the executable
+    std::vector<std::string> objects; // made from the folder's files
     std::vector<std::string>
         needed_targets;                // of the main build: what the worker is linked with besides
     std::vector<std::string> borrowed; // topics taken from student/
@@ -20,5 +21,8 @@ struct SubmissionBuild {
 
 /// Writes the rules, if they changed. @throws InputError if the folder holds no topic's file
 SubmissionBuild prepare_submission_build(const std::filesystem::path& folder);
+
+/// What the files of student/ are compiled to, relative to the build folder.
+std::vector<std::string> student_objects();
 
 } // namespace rigor

@@ -95,4 +95,68 @@ TEST_CASE("submission: a function that is not there is a compile error", "[cli][
     REQUIRE(message.find("rigor::") != std::string::npos);
 }
 
+namespace {
+
+// A submission that has the reference in it: no points, and one line that says why.
+void require_refused(const TemporaryFolder& folder)
+{
+    const Checked checked = check({"A2.14"}, folder.path());
+    REQUIRE(checked.status == 1);
+    REQUIRE(checked.result["status"] == "compile_error");
+    REQUIRE(checked.result["score"] == 0);
+    REQUIRE(checked.result["message"] ==
+            "inertia.cpp: includes reference/inertia.cpp: a solution may include "
+            "framework/formulas/, its own folder and what the system offers\n");
+}
+
+} // namespace
+
+TEST_CASE("submission: including the reference is refused", "[cli][submission]")
+{
+    const std::filesystem::path tree = std::filesystem::canonical(RIGOR_SOURCE_DIR);
+    const std::filesystem::path reference = tree / "reference/inertia.cpp";
+    if (!std::filesystem::exists(reference)) return;
+    const TemporaryFolder folder;
+
+    SECTION("by its absolute path")
+    {
+        folder.write("inertia.cpp", "#include \"" + reference.string() + "\"\n");
+        require_refused(folder);
+    }
+    SECTION("by a relative path, in a macro, in a header of the submission's own")
+    {
+        const auto path = reference.lexically_relative(std::filesystem::canonical(folder.path()));
+        folder.write("own/solved.hpp", "#define SOLVED \"../" + path.string() + "\"\n" +
+                                           "#pragma GCC system_header\n#include SOLVED\n");
+        folder.write("inertia.cpp", "#include \"own/solved.hpp\"\n");
+        require_refused(folder);
+    }
+    SECTION("by a link to the file")
+    {
+        create_symlink(reference, folder.path() / "solved.hpp");
+        folder.write("inertia.cpp", "#include \"solved.hpp\"\n");
+        require_refused(folder);
+    }
+    SECTION("by the way up from a link to another folder")
+    {
+        create_directory_symlink(tree / "framework", folder.path() / "link");
+        folder.write("reference/inertia.cpp", "");
+        folder.write("inertia.cpp", "#include \"link/../reference/inertia.cpp\"\n");
+        require_refused(folder);
+    }
+    SECTION("as the file itself")
+    {
+        create_symlink(reference, folder.path() / "inertia.cpp");
+        require_refused(folder);
+    }
+}
+
+TEST_CASE("submission: a header of its own is no reason to refuse", "[cli][submission]")
+{
+    const TemporaryFolder folder;
+    copy_file(sample("complete") / "inertia.cpp", folder.path() / "a # b/solved $1.hpp");
+    folder.write("inertia.cpp", "#include \"a # b/solved $1.hpp\"\n");
+    REQUIRE(check({"A2.14"}, folder.path()).status == 0);
+}
+
 } // namespace rigor::testing
