@@ -100,12 +100,12 @@ namespace {
 // A submission that has the reference in it: no points, and one line that says why.
 void require_refused(const TemporaryFolder& folder)
 {
-    const Checked checked = check({"A2.14"}, folder.path());
+    const Checked checked = check({"a0-pipeline"}, folder.path());
     REQUIRE(checked.status == 1);
     REQUIRE(checked.result["status"] == "compile_error");
     REQUIRE(checked.result["score"] == 0);
     REQUIRE(checked.result["message"] ==
-            "inertia.cpp: includes reference/inertia.cpp: a solution may include "
+            "pipeline.cpp: includes reference/pipeline.cpp: a solution may include "
             "framework/formulas/, its own folder and what the system offers\n");
 }
 
@@ -114,13 +114,13 @@ void require_refused(const TemporaryFolder& folder)
 TEST_CASE("submission: including the reference is refused", "[cli][submission]")
 {
     const std::filesystem::path tree = std::filesystem::canonical(RIGOR_SOURCE_DIR);
-    const std::filesystem::path reference = tree / "reference/inertia.cpp";
+    const std::filesystem::path reference = tree / "reference/pipeline.cpp";
     if (!std::filesystem::exists(reference)) return;
     const TemporaryFolder folder;
 
     SECTION("by its absolute path")
     {
-        folder.write("inertia.cpp", "#include \"" + reference.string() + "\"\n");
+        folder.write("pipeline.cpp", "#include \"" + reference.string() + "\"\n");
         require_refused(folder);
     }
     SECTION("by a relative path, in a macro, in a header of the submission's own")
@@ -128,25 +128,25 @@ TEST_CASE("submission: including the reference is refused", "[cli][submission]")
         const auto path = reference.lexically_relative(std::filesystem::canonical(folder.path()));
         folder.write("own/solved.hpp", "#define SOLVED \"../" + path.string() + "\"\n" +
                                            "#pragma GCC system_header\n#include SOLVED\n");
-        folder.write("inertia.cpp", "#include \"own/solved.hpp\"\n");
+        folder.write("pipeline.cpp", "#include \"own/solved.hpp\"\n");
         require_refused(folder);
     }
     SECTION("by a link to the file")
     {
         create_symlink(reference, folder.path() / "solved.hpp");
-        folder.write("inertia.cpp", "#include \"solved.hpp\"\n");
+        folder.write("pipeline.cpp", "#include \"solved.hpp\"\n");
         require_refused(folder);
     }
     SECTION("by the way up from a link to another folder")
     {
         create_directory_symlink(tree / "framework", folder.path() / "link");
-        folder.write("reference/inertia.cpp", "");
-        folder.write("inertia.cpp", "#include \"link/../reference/inertia.cpp\"\n");
+        folder.write("reference/pipeline.cpp", "");
+        folder.write("pipeline.cpp", "#include \"link/../reference/pipeline.cpp\"\n");
         require_refused(folder);
     }
     SECTION("as the file itself")
     {
-        create_symlink(reference, folder.path() / "inertia.cpp");
+        create_symlink(reference, folder.path() / "pipeline.cpp");
         require_refused(folder);
     }
 }
@@ -154,6 +154,7 @@ TEST_CASE("submission: including the reference is refused", "[cli][submission]")
 TEST_CASE("submission: a header of its own is no reason to refuse", "[cli][submission]")
 {
     const TemporaryFolder folder;
+    create_directory(folder.path() / "a # b");
     copy_file(sample("complete") / "inertia.cpp", folder.path() / "a # b/solved $1.hpp");
     folder.write("inertia.cpp", "#include \"a # b/solved $1.hpp\"\n");
     REQUIRE(check({"A2.14"}, folder.path()).status == 0);
