@@ -8,6 +8,7 @@
 #include "report/result_json.hpp"
 #include "report/table.hpp"
 #include "report/terminal.hpp"
+#include "scene/scene.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -63,11 +64,23 @@ void print_report(const std::vector<Result>& results, const Implementation& impl
     if (results.size() > 1) fmt::print("\n{}", summary(results, color));
 }
 
+// Points for a file that was not handed in would be points for the one in student/.
+void require_own_file(const Selection& selection, const Implementation& implementation)
+{
+    const std::vector<std::string>& borrowed = implementation.borrowed;
+    const Assignment& asked = selection.assignment;
+    if (std::find(borrowed.begin(), borrowed.end(), asked.topic) != borrowed.end())
+        throw InputError(fmt::format("{}: expected {}.cpp, which {} is about, found no such file",
+                                     implementation.name, asked.topic, asked.name));
+}
+
 int check(const CheckOptions& options)
 {
     const std::vector<Selection> selections =
         select_tasks(load_assignments(places().assignments()), options.what);
     const Implementation implementation = prepared_implementation(options.with);
+    for (const Selection& selection : selections)
+        if (!options.what.empty()) require_own_file(selection, implementation);
     say_what_was_built(implementation);
     GradingRun run = own_grading_run();
     run.seed = options.seed;

@@ -151,6 +151,17 @@ TEST_CASE("submission: including the reference is refused", "[cli][submission]")
     }
 }
 
+TEST_CASE("submission: what was not handed in gets no points for student/", "[cli][submission]")
+{
+    const TemporaryFolder folder;
+    copy_file(sample("complete") / "inertia.cpp", folder.path() / "inertia.cpp");
+    const Run run = rigor({"check", "a3", "--with", folder.path().string()});
+    CAPTURE(run.output);
+    REQUIRE(run.status == 2);
+    REQUIRE(run.output.find("expected rotation.cpp, which a3-rotation is about") !=
+            std::string::npos);
+}
+
 TEST_CASE("submission: a header of its own is no reason to refuse", "[cli][submission]")
 {
     const TemporaryFolder folder;
