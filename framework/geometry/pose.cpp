@@ -18,6 +18,11 @@ Quaternion quaternion_of(const Matrix3d& R)
     return {q.w(), q.vec()};
 }
 
+Pose pose_of(const RigidState& state)
+{
+    return {rotation_matrix(state.orientation), state.position};
+}
+
 Pose part_pose(const Pose& body, const Part& part)
 {
     if (part.orientation.v.isZero(0))

@@ -20,6 +20,9 @@ struct Pose {
 /// Rotation matrix of q / |q|; of the zero quaternion, the identity.
 Matrix3d rotation_matrix(const Quaternion& q);
 
+/// Pose of a body.
+Pose pose_of(const RigidState& state);
+
 /// Unit quaternion of a matrix that is close to a rotation.
 Quaternion quaternion_of(const Matrix3d& R);
 

@@ -143,7 +143,7 @@ void Stage::add_body(Picture& picture, const Actor& actor, const RigidState& sta
                      bool ghost) const
 {
     if (!in_sight(state.position)) return;
-    const Pose body = {rotation_matrix(state.orientation), state.position};
+    const Pose body = pose_of(state);
     const Vector4f& color = ghost ? colors::ghostly : actor.color;
     for (std::size_t i = 0; i < actor.parts.size(); ++i) {
         const Part& part = actor.parts[i];

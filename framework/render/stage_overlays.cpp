@@ -142,8 +142,7 @@ void Stage::add_names(Picture& picture, const Frame& frame) const
         const RigidState& state = frame.bodies[i];
         if (actors_[i].radius == 0 || !in_sight(state.position)) continue;
         Vector3d above = state.position;
-        above.y() = top(actors_[i].parts, {rotation_matrix(state.orientation), state.position}) +
-                    2.5 * thickness_;
+        above.y() = top(actors_[i].parts, pose_of(state)) + 2.5 * thickness_;
         if (actors_[i].is_static) above = state.position; // a wall's or a table's middle
         if (in_sight(above))
             picture.texts.push_back({actors_[i].name, colors::dark, false, above.cast<float>()});

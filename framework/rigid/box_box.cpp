@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "rigid/box_box.hpp"
 
+#include "rigid/optimised_forms.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -191,7 +193,9 @@ void touch_face(const Placed& reference, const Placed& other, const Axis& axis,
 {
     const int k = axis.axis1, u = (k + 1) % 3, v = (k + 2) % 3;
     Matrix3d R; // of the face: two edges and the outward normal
-    R << reference.R.col(u), reference.R.col(v), axis.direction;
+    R.col(0) = reference.R.col(u);
+    R.col(1) = reference.R.col(v);
+    R.col(2) = axis.direction;
     const Vector3d origin = reference.center + reference.half[k] * axis.direction;
 
     Polygon polygon = incident_face(other, R, origin);
@@ -204,16 +208,19 @@ void touch_face(const Placed& reference, const Placed& other, const Axis& axis,
         const double gap = p.z();
         if (gap >= reach) continue;
         p.z() /= 2; // in the middle of the gap
-        touches.push_back({origin + R * p, normal, gap});
+        touches.push_back({origin + optimised::product(R, p), normal, gap});
     }
 }
 
 // Middle of the edge of `box` along its axis `axis` that lies farthest in `direction`.
 Vector3d edge_middle(const Placed& box, int axis, const Vector3d& direction)
 {
-    Vector3d corner = (box.R.transpose() * direction).cwiseSign().cwiseProduct(box.half);
-    corner[axis] = 0;
-    return box.center + box.R * corner;
+    Vector3d middle = box.center;
+    for (int i = 0; i < 3; ++i) {
+        const double along = box.R.col(i).dot(direction);
+        if (i != axis && along != 0) middle += std::copysign(box.half[i], along) * box.R.col(i);
+    }
+    return middle;
 }
 
 void touch_edges(const Placed& a, const Placed& b, const Axis& axis, double reach,

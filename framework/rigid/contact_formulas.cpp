@@ -2,6 +2,7 @@
 #include "rigid/contact_formulas.hpp"
 
 #include "formulas/contact.hpp"
+#include "rigid/from_lowest.hpp"
 
 #include <algorithm>
 #include <stdexcept>
@@ -72,10 +73,12 @@ LocalIsland local_island(const ContactProblem& problem, const std::vector<Held>&
     };
     for (int i : local.indices)
         local.bodies.push_back(problem.bodies[i]);
+    const Coarse coarse(
+        held, [&](const Held& h) -> const Vector3d& { return problem.contacts[h.contact].point; });
     for (const Held& h : held) {
         const SolvedContact& c = problem.contacts[h.contact];
         local.contacts.push_back({local_index(c.body1), local_index(c.body2), c.point, c.normal,
-                                  -c.gap, c.friction, h.target, c.guess});
+                                  -coarse(c.gap), c.friction, h.target, c.guess});
     }
     return local;
 }

@@ -137,7 +137,7 @@ struct Filter {
     const std::vector<Body>& after_forces;
 
     // Appends it if it may close.
-    void take(const Contact& contact, const Vector3d& up, std::vector<SolvedContact>& taken) const
+    void take(const Contact& contact, std::vector<SolvedContact>& taken) const
     {
         const Vector3d &n = contact.normal, &x = contact.point;
         const double free_speed = problem.velocity_between(after_forces, contact, x).dot(n);
@@ -147,7 +147,6 @@ struct Filter {
         SolvedContact& c = taken.emplace_back(SolvedContact{contact});
         c.free_speed = free_speed;
         c.force_speed = free_speed - problem.velocity_at(c, x).dot(n);
-        c.height = up.dot(x);
         const Material &a = world.bodies[c.body1].material, &b = world.bodies[c.body2].material;
         c.restitution = std::min(a.restitution, b.restitution);
         c.friction = std::sqrt(a.friction * b.friction);
@@ -162,13 +161,12 @@ void take_contacts(const Filter& filter, ContactProblem& problem)
     const std::vector<Contact>& contacts = filter.near.contacts;
     constexpr std::size_t worth_sharing = 256; // contacts
     const int stretches = problem.team->stretches_of(contacts.size(), worth_sharing);
-    const Vector3d up = problem.up();
     std::vector<std::vector<SolvedContact>> taken(stretches);
     problem.team->share(stretches, [&](int k) {
         const auto [first, last] = Team::stretch(contacts.size(), stretches, k);
         taken[k].reserve(last - first);
         for (std::size_t i = first; i < last; ++i)
-            filter.take(contacts[i], up, taken[k]);
+            filter.take(contacts[i], taken[k]);
     });
     if (stretches == 1) problem.contacts = std::move(taken[0]);
     for (const std::vector<SolvedContact>& part : taken)
@@ -209,7 +207,7 @@ ContactProblem contact_problem(const World& world, std::span<const RigidState> f
         problem.method == ContactMethod::built_in || problem.method == ContactMethod::simultaneous;
     if (is_iterative && world.skips.warm_start)
         start_warm(world, near.poses, time_step, pairs, problem.contacts, counters, team);
-    sort_from_lowest(pairs, problem.contacts, team);
+    sort_from_lowest(problem, pairs);
     problem.islands = islands_of(world, problem, pairs);
     for (Island& island : problem.islands) {
         set_impulse_matrices(problem, island);

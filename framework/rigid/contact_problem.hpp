@@ -17,7 +17,6 @@ struct SolvedContact : Contact {
     double radius = 0;                   // of the smaller body that can move [m]
     double force_speed = 0;              // what forces add to v·n in this step [m/s]
     double free_speed = 0;               // v·n after them, without any impulse [m/s]
-    double height = 0;                   // against gravity [m]
     Matrix3d K = Matrix3d::Zero();       // K₁ + K₂ [1/kg]
     double normal_K = 0;                 // nᵀKn [1/kg]
     double tangential_K = 0;             // λ, the larger eigenvalue of K across n [1/kg]

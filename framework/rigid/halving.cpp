@@ -127,7 +127,7 @@ bool Halving::overlaps_anew(const ContactProblem& problem, const ContactPair& pa
     if (!is_turned && !(pressed > before + pressed_in * thinner)) return false;
     poses_.resize(states.size());
     for (int body : {i, j})
-        poses_[body] = {rotation_matrix(states[body].orientation), states[body].position};
+        poses_[body] = pose_of(states[body]);
     std::vector<Contact> after;
     find_contacts(world_, poses_, i, j, 0, after);
     return deepest(after) > before + (is_turned ? turned_in : pressed_in) * thinner;

@@ -76,7 +76,7 @@ Meeting meeting_at(const World& world, const SolvedContact& c, double time, doub
     for (int i : {c.body1, c.body2}) {
         RigidBody& body = meeting.world.bodies.emplace_back(world.bodies[i]);
         if (!body.is_static && time > 0) body.state = fly(world, body, body.state, time, uncounted);
-        poses.push_back({rotation_matrix(body.state.orientation), body.state.position});
+        poses.push_back(pose_of(body.state));
     }
     find_contacts(meeting.world, poses, 0, 1, reach, meeting.contacts);
     meeting.gap = reach;
@@ -132,7 +132,7 @@ std::optional<std::vector<ContactRecord>> bounce_at_impact(const World& world,
     near.radii.assign(2, c.radius);
     for (std::size_t k = 0; k < 2; ++k) {
         const RigidBody& body = pair_world.bodies[k];
-        near.poses.push_back({rotation_matrix(body.state.orientation), body.state.position});
+        near.poses.push_back(pose_of(body.state));
         if (body.is_static) near.radii[k] = 0;
         flown.push_back(body.is_static ? body.state
                                        : fly(pair_world, body, body.state, rest, uncounted));

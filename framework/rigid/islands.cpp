@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "rigid/islands.hpp"
 
+#include "rigid/from_lowest.hpp"
 #include "rigid/groups.hpp"
 
 #include <algorithm>
-#include <array>
 #include <numeric>
 #include <utility>
 
@@ -31,29 +31,30 @@ std::vector<ContactPair> pairs_of(const std::vector<SolvedContact>& contacts)
     return pairs;
 }
 
-void sort_from_lowest(std::vector<ContactPair>& pairs, const std::vector<SolvedContact>& contacts,
-                      Team& team)
+void sort_from_lowest(const ContactProblem& problem, std::vector<ContactPair>& pairs)
 {
     if (pairs.size() < 2) return;
     struct Placed {
-        std::array<double, 3> lowest; // contact
+        FromLowest::Place lowest; // contact
         ContactPair pair;
     };
+    const auto lowest_of = [&](const ContactPair& pair) -> const Vector3d& {
+        return problem.contacts[pair.first].point;
+    };
+    const FromLowest place_of(problem.gravity, pairs, lowest_of);
     const auto is_lower = [](const Placed& a, const Placed& b) {
         return std::pair(a.lowest, a.pair.first) < std::pair(b.lowest, b.pair.first);
     };
     std::vector<Placed> placed(pairs.size());
     const auto sort_from = [&](std::size_t first, std::size_t last) {
-        for (std::size_t k = first; k < last; ++k) {
-            const SolvedContact& c = contacts[pairs[k].first];
-            placed[k] = {{c.height, c.point.x(), c.point.z()}, pairs[k]};
-        }
+        for (std::size_t k = first; k < last; ++k)
+            placed[k] = {place_of(lowest_of(pairs[k])), pairs[k]};
         std::sort(placed.begin() + static_cast<std::ptrdiff_t>(first),
                   placed.begin() + static_cast<std::ptrdiff_t>(last), is_lower);
     };
     constexpr std::size_t worth_sharing = 1024; // pairs
     const std::size_t n = placed.size(), middle = n / 2;
-    team.share_both(
+    problem.team->share_both(
         n, worth_sharing, [&] { sort_from(0, middle); }, [&] { sort_from(middle, n); });
     std::inplace_merge(placed.begin(), placed.begin() + static_cast<std::ptrdiff_t>(middle),
                        placed.end(), is_lower);

@@ -10,8 +10,7 @@ std::vector<ContactPair> pairs_of(const std::vector<SolvedContact>& contacts);
 
 /// Puts pairs in order by their lowest contacts, the first of each: an order that does not depend on how the
 /// bodies are numbered.
-void sort_from_lowest(std::vector<ContactPair>& pairs, const std::vector<SolvedContact>& contacts,
-                      Team& team);
+void sort_from_lowest(const ContactProblem& problem, std::vector<ContactPair>& pairs);
 
 /// The islands in which two bodies would penetrate, in the order of their first pairs.
 std::vector<Island> islands_of(const World& world, const ContactProblem& problem,

@@ -7,13 +7,12 @@
 #include "rigid/convex_contact.hpp"
 #include "rigid/core_contact.hpp"
 #include "rigid/distance_field.hpp"
-#include "rigid/forces.hpp"
+#include "rigid/from_lowest.hpp"
 #include "rigid/mesh_contact.hpp"
 #include "rigid/non_finite.hpp"
 #include "rigid/plane_contact.hpp"
 
 #include <algorithm>
-#include <tuple>
 
 namespace rigor {
 
@@ -202,12 +201,11 @@ void find_contacts(const World& world, const std::vector<Pose>& poses, int body1
             }
         }
     }
-    const Vector3d up = up_against(world.gravity);
-    const auto place = [&](const Touch& t) {
-        return std::tuple(up.dot(t.point), t.point.x(), t.point.z());
-    };
-    std::sort(touches.begin(), touches.end(),
-              [&](const Touch& a, const Touch& b) { return place(a) < place(b); });
+    const FromLowest place_of(world.gravity, touches,
+                              [](const Touch& t) -> const Vector3d& { return t.point; });
+    std::sort(touches.begin(), touches.end(), [&](const Touch& a, const Touch& b) {
+        return place_of(a.point) < place_of(b.point);
+    });
     for (const Touch& found : touches)
         contacts.push_back({found, body1, body2});
 }

@@ -26,11 +26,6 @@ Bounds body_bounds(const RigidBody& body, const Pose& pose)
     return bounds;
 }
 
-Pose pose_of(const RigidState& state)
-{
-    return {rotation_matrix(state.orientation), state.position};
-}
-
 // How far the points of a body move at most in the step, along its path or with its last velocity [m].
 // An angle α is |Δq| ≈ α/2; a quarter more for the chord and for an axis that tumbles.
 double travel(const RigidState& from, const RigidState& to, double radius, double time_step)

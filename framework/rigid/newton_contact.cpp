@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "rigid/newton_contact.hpp"
 
+#include "rigid/from_lowest.hpp"
 #include "rigid/newton_row.hpp"
 
 #include <Eigen/Sparse>
@@ -9,7 +10,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <tuple>
+#include <utility>
 
 namespace rigor {
 
@@ -31,13 +32,14 @@ constexpr double u_rounding = 1e-15; // of the fastest; λ - ρ u has weight tim
 // Places in `island.bodies`, in an order that does not depend on how the bodies are numbered.
 std::vector<int> from_the_lowest(const ContactProblem& problem, const Island& island)
 {
-    const Vector3d up = problem.up();
     std::vector<int> places(island.bodies.size());
     std::iota(places.begin(), places.end(), 0);
+    const auto position = [&](int i) -> const Vector3d& {
+        return problem.bodies[island.bodies[i]].position;
+    };
+    const FromLowest place_of(problem.gravity, places, position);
     std::sort(places.begin(), places.end(), [&](int i, int j) {
-        const Vector3d &p = problem.bodies[island.bodies[i]].position,
-                       &q = problem.bodies[island.bodies[j]].position;
-        return std::tuple(up.dot(p), p.x(), p.z(), i) < std::tuple(up.dot(q), q.x(), q.z(), j);
+        return std::pair(place_of(position(i)), i) < std::pair(place_of(position(j)), j);
     });
     return places;
 }

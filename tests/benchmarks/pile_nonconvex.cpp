@@ -103,7 +103,7 @@ void look_into(const World& world, double whole, Phases& phases)
     std::vector<Bounds> bounds;
     for (const RigidBody& body : world.bodies) {
         const Part& part = body.parts[0];
-        poses.push_back({rotation_matrix(body.state.orientation), body.state.position});
+        poses.push_back(pose_of(body.state));
         bounds.push_back(bounds_of(part.shape, part_pose(poses.back(), part)));
         if (!body.is_static) bounds.back().grow(bounding_radius(part) / 2);
     }

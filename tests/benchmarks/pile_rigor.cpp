@@ -47,8 +47,7 @@ PileRun pile_rigor(const PileStart& start, const PileOptions& options)
     }
     run.asleep = static_cast<double>(asleep) / static_cast<double>(start.cubes.size());
     for (const RigidBody& body : world.bodies)
-        if (!body.is_static)
-            run.cubes.push_back({rotation_matrix(body.state.orientation), body.state.position});
+        if (!body.is_static) run.cubes.push_back(pose_of(body.state));
     return run;
 }
 

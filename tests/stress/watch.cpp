@@ -29,8 +29,8 @@ Part measured(const Part& part)
 
 double depth_of(const RigidBody& body1, const RigidBody& body2)
 {
-    const Pose pose1{rotation_matrix(body1.state.orientation), body1.state.position};
-    const Pose pose2{rotation_matrix(body2.state.orientation), body2.state.position};
+    const Pose pose1 = pose_of(body1.state);
+    const Pose pose2 = pose_of(body2.state);
     double depth = 0;
     for (const Part& part1 : body1.parts)
         for (const Part& part2 : body2.parts) {

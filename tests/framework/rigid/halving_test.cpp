@@ -14,10 +14,7 @@ const Material plastic{0, 0.5}, smooth{0, 0};
 // How deep body 1 is in body 0 [m].
 double overlap(const World& world)
 {
-    const auto pose = [&](int i) {
-        const RigidState& s = world.bodies[i].state;
-        return Pose{rotation_matrix(s.orientation), s.position};
-    };
+    const auto pose = [&](int i) { return pose_of(world.bodies[i].state); };
     return overlap_depth(world.bodies[0].parts[0].shape, pose(0), world.bodies[1].parts[0].shape,
                          pose(1));
 }

@@ -273,3 +273,23 @@ TEST_CASE("narrow phase: a compound body touches with the part that is there", "
     CHECK_THAT(contacts[2].point, IsClose(Vector3d(2, 0.9, 0), Rounding(8)));
     CHECK_THAT(contacts[2].gap, IsClose(-0.1, Rounding(8, 2)));
 }
+
+TEST_CASE("narrow phase: no rounding decides which contact comes first", "[rigid]")
+{
+    Random random(5);
+    const Matrix3d on_its_side = rotation_matrix(turn({0, 0, 1}, std::numbers::pi / 2));
+    for (int i = 0; i < 200; ++i) {
+        const Matrix3d R = rotation_matrix(turn({0, 1, 0}, random.uniform(0, 6)));
+        const Vector3d X = {random.uniform(-9, 9), 0.5, random.uniform(-9, 9)};
+        const World world =
+            world_of({fixed(Box{{40, 1, 40}}, {}, {0.1, -0.5, 0.3}, quaternion_of(R)),
+                      body_of(Box{{1, 2, 3}}, X, {}, quaternion_of(R * on_its_side))});
+        const std::vector<Pose> poses = {pose_of(world.bodies[0].state),
+                                         pose_of(world.bodies[1].state)};
+        std::vector<Contact> contacts;
+        find_contacts(world, poses, 0, 1, 0.1, contacts);
+        REQUIRE(contacts.size() == 4); // all at one height but for roundings
+        for (int k = 0; k < 3; ++k)
+            REQUIRE(contacts[k].point.x() <= contacts[k + 1].point.x());
+    }
+}
