@@ -12,16 +12,10 @@ namespace rigor {
 void split_into_blocks(const ContactProblem& problem, Island& island);
 
 /// Calls work(k) for each block, one after the other or by several threads where the result cannot tell.
-template <class Work> void visit_blocks(const Island& island, Team* team, const Work& work)
+template <class Work> void visit_blocks(const Island& island, Team& team, const Work& work)
 {
-    for (const IslandStretch& stage : island.stages) {
-        const auto of_stage = [&](int k) { work(stage.first + k); };
-        if (team)
-            team->share(stage.last - stage.first, of_stage);
-        else
-            for (int k = 0; k < stage.last - stage.first; ++k)
-                of_stage(k);
-    }
+    for (const IslandStretch& stage : island.stages)
+        team.share(stage.last - stage.first, [&](int k) { work(stage.first + k); });
 }
 
 } // namespace rigor

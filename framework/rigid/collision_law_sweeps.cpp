@@ -10,7 +10,7 @@ namespace {
 
 class CollisionLawSweeps : public Sweeps {
 public:
-    CollisionLawSweeps(ContactProblem& problem, const std::vector<Held>& held)
+    CollisionLawSweeps(ContactProblem& problem, std::span<const Held> held)
         : problem_(problem), held_(held)
     {
         for (const Held& h : held) {
@@ -78,12 +78,12 @@ private:
     }
 
     ContactProblem& problem_;
-    const std::vector<Held>& held_;
+    std::span<const Held> held_;
 };
 
 } // namespace
 
-std::unique_ptr<Sweeps> collision_law_sweeps(ContactProblem& problem, const std::vector<Held>& held)
+std::unique_ptr<Sweeps> collision_law_sweeps(ContactProblem& problem, std::span<const Held> held)
 {
     return std::make_unique<CollisionLawSweeps>(problem, held);
 }

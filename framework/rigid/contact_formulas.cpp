@@ -54,7 +54,7 @@ ContactResult resolved(ContactProblem& problem, const LocalIsland& local, int n)
 
 } // namespace
 
-LocalIsland local_island(const ContactProblem& problem, const std::vector<Held>& held)
+LocalIsland local_island(const ContactProblem& problem, std::span<const Held> held)
 {
     LocalIsland local;
     std::vector<int> touched;
@@ -95,7 +95,7 @@ void check_size(const LocalIsland& local, const ContactResult& result, const cha
                             std::to_string(local.contacts.size()) + " contacts");
 }
 
-void take_result(ContactProblem& problem, const LocalIsland& local, const std::vector<Held>& held,
+void take_result(ContactProblem& problem, const LocalIsland& local, std::span<const Held> held,
                  const ContactResult& result, const char* formula)
 {
     check_size(local, result, formula);
@@ -110,7 +110,7 @@ void take_result(ContactProblem& problem, const LocalIsland& local, const std::v
         problem.contacts[held[k].contact].holding = result.impulses[k];
 }
 
-void resolve_one_at_a_time(ContactProblem& problem, const std::vector<Held>& held, bool shock)
+void resolve_one_at_a_time(ContactProblem& problem, std::span<const Held> held, bool shock)
 {
     const LocalIsland local = local_island(problem, held);
     ContactResult result = resolved(problem, local, iterations);
@@ -146,7 +146,7 @@ namespace {
 
 class SimultaneousSweeps : public Sweeps {
 public:
-    SimultaneousSweeps(ContactProblem& problem, const std::vector<Held>& held)
+    SimultaneousSweeps(ContactProblem& problem, std::span<const Held> held)
         : problem_(problem), held_(held), local_(local_island(problem, held))
     {
         result_.bodies = local_.bodies;
@@ -191,14 +191,14 @@ public:
 
 private:
     ContactProblem& problem_;
-    const std::vector<Held>& held_;
+    std::span<const Held> held_;
     LocalIsland local_;
     ContactResult result_; // of the last sweep
 };
 
 } // namespace
 
-std::unique_ptr<Sweeps> simultaneous_sweeps(ContactProblem& problem, const std::vector<Held>& held)
+std::unique_ptr<Sweeps> simultaneous_sweeps(ContactProblem& problem, std::span<const Held> held)
 {
     return std::make_unique<SimultaneousSweeps>(problem, held);
 }

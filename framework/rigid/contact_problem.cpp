@@ -137,7 +137,7 @@ struct Filter {
     const std::vector<Body>& after_forces;
 
     // Appends it if it may close.
-    void take(const Contact& contact, std::vector<SolvedContact>& taken) const
+    void take(const Contact& contact, Joined<SolvedContact>& taken) const
     {
         const Vector3d &n = contact.normal, &x = contact.point;
         const double free_speed = problem.velocity_between(after_forces, contact, x).dot(n);
@@ -155,22 +155,19 @@ struct Filter {
     }
 };
 
-// In stretches, put together again in their order.
 void take_contacts(const Filter& filter, ContactProblem& problem)
 {
     const std::vector<Contact>& contacts = filter.near.contacts;
     constexpr std::size_t worth_sharing = 256; // contacts
-    const int stretches = problem.team->stretches_of(contacts.size(), worth_sharing);
-    std::vector<std::vector<SolvedContact>> taken(stretches);
-    problem.team->share(stretches, [&](int k) {
-        const auto [first, last] = Team::stretch(contacts.size(), stretches, k);
-        taken[k].reserve(last - first);
-        for (std::size_t i = first; i < last; ++i)
-            filter.take(contacts[i], taken[k]);
-    });
-    if (stretches == 1) problem.contacts = std::move(taken[0]);
-    for (const std::vector<SolvedContact>& part : taken)
-        problem.contacts.insert(problem.contacts.end(), part.begin(), part.end());
+    problem.contacts = join(problem.team->collect(contacts.size(), worth_sharing,
+                                                  [&](std::size_t first, std::size_t last) {
+                                                      Joined<SolvedContact> taken;
+                                                      taken.reserve(last - first);
+                                                      for (std::size_t i = first; i < last; ++i)
+                                                          filter.take(contacts[i], taken);
+                                                      return taken;
+                                                  }),
+                            *problem.team);
 }
 
 void set_impulse_matrices(ContactProblem& problem, const Island& island)

@@ -2,6 +2,7 @@
 // The bodies and contacts of one time step, and the two stages that change their momentum.
 #pragma once
 
+#include "rigid/joined.hpp"
 #include "rigid/neighbourhood.hpp"
 #include "rigid/team.hpp"
 #include "rigid/world.hpp"
@@ -46,7 +47,7 @@ struct Island {
     std::vector<IslandStretch> stages; // of blocks that share no body that moves
 };
 
-std::size_t contacts_of(const Island& island);
+std::size_t contacts_of(std::span<const ContactPair> pairs);
 
 /// Whether it is more than a few bodies, and more tangled than a stack: everything touches everything.
 bool is_heap(const Island& island);
@@ -54,7 +55,7 @@ bool is_heap(const Island& island);
 /// Everything the stages work on.
 struct ContactProblem {
     std::vector<Body> bodies; // of the world, in order; those without a contact stay empty
-    std::vector<SolvedContact> contacts;
+    Joined<SolvedContact> contacts;
     std::vector<Island> islands;         // those in which two bodies would penetrate
     double time_step = 0;                // [s]
     Vector3d gravity = Vector3d::Zero(); // [m/s²]
@@ -62,7 +63,7 @@ struct ContactProblem {
     Skips skips;
     bool optimised = false; // the reference's formulas in a faster form
     Counters* counters = nullptr;
-    Team* team = nullptr; // none: work alone
+    Team* team = nullptr;
 
     /// Against gravity, unit; along y without gravity.
     Vector3d up() const;

@@ -27,7 +27,7 @@ constexpr double rounding = 2 * std::numeric_limits<double>::epsilon(), tiny = 1
 
 // The largest of value(held), at least 0.
 template <class Value>
-double largest(const ContactProblem& problem, const std::vector<Held>& all, const Value& value)
+double largest(const ContactProblem& problem, std::span<const Held> all, const Value& value)
 {
     const auto largest_of = [&](std::size_t first, std::size_t last) {
         double found = 0;
@@ -35,19 +35,13 @@ double largest(const ContactProblem& problem, const std::vector<Held>& all, cons
             found = std::max(found, value(all[k]));
         return found;
     };
-    if (!problem.team) return largest_of(0, all.size());
     constexpr std::size_t worth_sharing = 512; // contacts
-    const int stretches = problem.team->stretches_of(all.size(), worth_sharing);
-    std::vector<double> found(stretches, 0.0);
-    problem.team->share(stretches, [&](int k) {
-        const auto [first, last] = Team::stretch(all.size(), stretches, k);
-        found[k] = largest_of(first, last);
-    });
+    const std::vector<double> found = problem.team->collect(all.size(), worth_sharing, largest_of);
     return *std::max_element(found.begin(), found.end());
 }
 
 // The fastest that anything moves at a contact: velocities cannot be told apart below its rounding [m/s].
-double fastest(const ContactProblem& problem, const Island& island, const std::vector<Held>& all)
+double fastest(const ContactProblem& problem, const Island& island, std::span<const Held> all)
 {
     std::vector<std::pair<double, double>> speeds(problem.bodies.size()); // |V|, |ω|
     for (int i : island.bodies)
@@ -66,7 +60,7 @@ double fastest(const ContactProblem& problem, const Island& island, const std::v
 }
 
 // The fastest that a contact approaches: what the impulses are there to take away [m/s].
-double approach(const ContactProblem& problem, const std::vector<Held>& all)
+double approach(const ContactProblem& problem, std::span<const Held> all)
 {
     return largest(problem, all, [&](const Held& held) {
         const SolvedContact& c = problem.contacts[held.contact];
@@ -75,7 +69,7 @@ double approach(const ContactProblem& problem, const std::vector<Held>& all)
 }
 
 std::unique_ptr<Sweeps> sweeps_of(ContactProblem& problem, const Island& island,
-                                  const std::vector<Held>& held)
+                                  std::span<const Held> held)
 {
     if (problem.optimised) return optimised_sweeps(problem, island, held);
     if (problem.method == ContactMethod::simultaneous) return simultaneous_sweeps(problem, held);
@@ -154,7 +148,7 @@ std::vector<Body> bodies_of(const ContactProblem& problem, const Island& island)
     return bodies;
 }
 
-void solve(ContactProblem& problem, const Island& island, const std::vector<Held>& all)
+void solve(ContactProblem& problem, const Island& island, std::span<const Held> all)
 {
     const int count = static_cast<int>(all.size());
     const double speed = fastest(problem, island, all);
@@ -190,25 +184,34 @@ void solve(ContactProblem& problem, const Island& island, const std::vector<Held
 
 } // namespace
 
-std::vector<Held> held_contacts(const ContactProblem& problem, const Island& island)
+Joined<Held> held_contacts(const ContactProblem& problem, const Island& island)
 {
-    std::vector<Held> all;
-    all.reserve(contacts_of(island));
-    for (const ContactPair& pair : island.pairs)
-        for (int i = pair.first; i < pair.last; ++i) {
-            const SolvedContact& c = problem.contacts[i];
-            // not a K of anything that moves
-            if (!(c.normal_K > 0) || !(c.tangential_K > 0)) continue;
-            const double target =
-                c.gap > 0 ? -c.gap / problem.time_step : healing_speed(problem, c);
-            all.push_back({i, target, c.normal_K, c.tangential_K});
-        }
-    return all;
+    const auto held_of = [&](std::span<const ContactPair> pairs) {
+        Joined<Held> held;
+        held.reserve(contacts_of(pairs));
+        for (const ContactPair& pair : pairs)
+            for (int i = pair.first; i < pair.last; ++i) {
+                const SolvedContact& c = problem.contacts[i];
+                // not a K of anything that moves
+                if (!(c.normal_K > 0) || !(c.tangential_K > 0)) continue;
+                const double target =
+                    c.gap > 0 ? -c.gap / problem.time_step : healing_speed(problem, c);
+                held.push_back({i, target, c.normal_K, c.tangential_K});
+            }
+        return held;
+    };
+    constexpr std::size_t worth_sharing = 256; // pairs
+    const std::span<const ContactPair> pairs = island.pairs;
+    return join(problem.team->collect(pairs.size(), worth_sharing,
+                                      [&](std::size_t first, std::size_t last) {
+                                          return held_of(pairs.subspan(first, last - first));
+                                      }),
+                *problem.team);
 }
 
 namespace {
 
-void hold(ContactProblem& problem, const Island& island, const std::vector<Held>& all)
+void hold(ContactProblem& problem, const Island& island, std::span<const Held> all)
 {
     switch (problem.method) {
     case ContactMethod::one_at_a_time:
@@ -249,7 +252,7 @@ Energy energy_of(const ContactProblem& problem, const Island& island)
 
 void process_contact(ContactProblem& problem, const Island& island)
 {
-    std::vector<Held> all = held_contacts(problem, island);
+    Joined<Held> all = held_contacts(problem, island);
     if (all.empty()) return;
     const bool heals =
         std::any_of(all.begin(), all.end(), [](const Held& h) { return h.target > 0; });

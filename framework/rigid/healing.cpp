@@ -123,7 +123,7 @@ void heal(const ContactProblem& problem, const Island& island,
     if (problem.gravity.isZero(0)) return;
     std::vector<Rows> rows(island.blocks.size());
     const double left = is_heap(island) ? left_in_a_heap : left_fraction;
-    visit_blocks(island, problem.team,
+    visit_blocks(island, *problem.team,
                  [&](int k) { rows[k] = rows_of(problem, island, island.blocks[k], left); });
     std::size_t count = 0;
     bool any = false;
@@ -136,7 +136,7 @@ void heal(const ContactProblem& problem, const Island& island,
     displacements.resize(problem.bodies.size());
     const int sweeps = std::clamp(work / static_cast<int>(count), fewest_sweeps, most_sweeps);
     for (int i = 0; i < sweeps; ++i)
-        visit_blocks(island, problem.team,
+        visit_blocks(island, *problem.team,
                      [&](int k) { sweep(problem, rows[k].all, displacements); });
 }
 

@@ -19,7 +19,7 @@ int moving_of(const World& world, const Contact& c)
 
 } // namespace
 
-std::vector<ContactPair> pairs_of(const std::vector<SolvedContact>& contacts)
+std::vector<ContactPair> pairs_of(std::span<const SolvedContact> contacts)
 {
     std::vector<ContactPair> pairs;
     for (int first = 0, last = 0, n = static_cast<int>(contacts.size()); first < n; first = last) {
@@ -52,7 +52,7 @@ void sort_from_lowest(const ContactProblem& problem, std::vector<ContactPair>& p
         std::sort(placed.begin() + static_cast<std::ptrdiff_t>(first),
                   placed.begin() + static_cast<std::ptrdiff_t>(last), is_lower);
     };
-    constexpr std::size_t worth_sharing = 1024; // pairs
+    constexpr std::size_t worth_sharing = 512; // pairs
     const std::size_t n = placed.size(), middle = n / 2;
     problem.team->share_both(
         n, worth_sharing, [&] { sort_from(0, middle); }, [&] { sort_from(middle, n); });
@@ -104,10 +104,10 @@ std::vector<Island> islands_of(const World& world, const ContactProblem& problem
     return active;
 }
 
-std::size_t contacts_of(const Island& island)
+std::size_t contacts_of(std::span<const ContactPair> pairs)
 {
     return std::accumulate(
-        island.pairs.begin(), island.pairs.end(), std::size_t{0},
+        pairs.begin(), pairs.end(), std::size_t{0},
         [](std::size_t sum, const ContactPair& pair) { return sum + pair.count(); });
 }
 

@@ -6,7 +6,7 @@
 namespace rigor {
 
 /// Contacts of the same two bodies, one after the other.
-std::vector<ContactPair> pairs_of(const std::vector<SolvedContact>& contacts);
+std::vector<ContactPair> pairs_of(std::span<const SolvedContact> contacts);
 
 /// Puts pairs in order by their lowest contacts, the first of each: an order that does not depend on how the
 /// bodies are numbered.

@@ -16,7 +16,7 @@ struct Support {
     int upper = 0, lower = 0, contact = 0;
 };
 
-std::vector<Support> supports_of(const ContactProblem& problem, const std::vector<Held>& held,
+std::vector<Support> supports_of(const ContactProblem& problem, std::span<const Held> held,
                                  const Vector3d& up)
 {
     std::vector<Support> supports;
@@ -45,7 +45,7 @@ void support(ContactProblem& problem, const Support& by, const Vector3d& push)
 
 } // namespace
 
-void guess_loads(ContactProblem& problem, const Island& island, const std::vector<Held>& held)
+void guess_loads(ContactProblem& problem, const Island& island, std::span<const Held> held)
 {
     const double g = problem.gravity.norm();
     if (g == 0) return;

@@ -14,6 +14,6 @@ namespace rigor {
 /// Without gravity, or where nothing below is static: no guess.
 ///
 /// @param held  contacts of the island; those that carry weight get their `guess`
-void guess_loads(ContactProblem& problem, const Island& island, const std::vector<Held>& held);
+void guess_loads(ContactProblem& problem, const Island& island, std::span<const Held> held);
 
 } // namespace rigor

@@ -4,6 +4,7 @@
 #include "rigid/broad_phase.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 namespace rigor {
@@ -94,10 +95,10 @@ struct Hand {
     std::vector<double> farthest; // so far, of each body [m]
     std::vector<char> is_news;    // whether the hand before changed that
 
-    // What it adds. Appends to `blows`.
-    void pass_on(const Surroundings& at, std::span<const BodyPair> pairs,
-                 std::vector<Blow>& blows) const
+    // What it adds.
+    std::vector<Blow> pass_on(const Surroundings& at, std::span<const BodyPair> pairs) const
     {
+        std::vector<Blow> blows;
         for (const BodyPair& pair : pairs) {
             auto [hit, hits] = pair;
             if (!is_news[hit] && !is_news[hits]) continue;
@@ -109,6 +110,7 @@ struct Hand {
             const double reach = margin(at, hit, farthest[hit]) + margin(at, hits, farthest[hits]);
             if (come_near(at, pair, reach)) blows.push_back({hit, passed});
         }
+        return blows;
     }
 };
 
@@ -131,15 +133,13 @@ std::vector<double> margins_of(const Surroundings& at, const std::vector<BodyPai
     for (const RigidBody& body : all)
         bodies.push_back(target_of(body));
     constexpr std::size_t worth_sharing = 1024; // pairs
-    const int stretches = team.stretches_of(pairs.size(), worth_sharing);
     Hand hand{bodies, at.travels, std::vector<char>(bodies.size(), true)};
     bool any = true;
     for (int hands = 0; hands < most_hands && any; ++hands) {
-        std::vector<std::vector<Blow>> blows(stretches);
-        team.share(stretches, [&](int k) {
-            const auto [first, last] = Team::stretch(pairs.size(), stretches, k);
-            hand.pass_on(at, std::span(pairs).subspan(first, last - first), blows[k]);
-        });
+        const std::vector<std::vector<Blow>> blows =
+            team.collect(pairs.size(), worth_sharing, [&](std::size_t first, std::size_t last) {
+                return hand.pass_on(at, std::span(pairs).subspan(first, last - first));
+            });
         any = false;
         hand.is_news.assign(bodies.size(), false);
         for (const std::vector<Blow>& of_stretch : blows)
@@ -156,18 +156,21 @@ std::vector<double> margins_of(const Surroundings& at, const std::vector<BodyPai
 
 // With what a blow may add to the motion of a body: none is faster than the fastest nor heavier than the
 // heaviest.
-std::vector<Bounds> wide_bounds(const Surroundings& at)
+std::vector<Bounds> wide_bounds(const Surroundings& at, Team& team)
 {
     const double fastest = *std::max_element(at.travels.begin(), at.travels.end());
     Target heaviest{0, 1};
     for (const RigidBody& body : at.world.bodies)
         heaviest.mass = std::max(heaviest.mass, body.mass);
     std::vector<Bounds> wide = at.bounds;
-    for (std::size_t i = 0; i < wide.size(); ++i) {
-        const Target body = target_of(at.world.bodies[i]);
-        const double hit = body.is_still ? 0 : passed_on(body, heaviest) * fastest;
-        wide[i].grow(margin(at, static_cast<int>(i), std::max(at.travels[i], hit)));
-    }
+    constexpr std::size_t worth_sharing = 128; // bodies
+    team.share_stretches(wide.size(), worth_sharing, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+            const Target body = target_of(at.world.bodies[i]);
+            const double hit = body.is_still ? 0 : passed_on(body, heaviest) * fastest;
+            wide[i].grow(margin(at, static_cast<int>(i), std::max(at.travels[i], hit)));
+        }
+    });
     return wide;
 }
 
@@ -203,20 +206,6 @@ Found look_closely(const Surroundings& at, std::span<const BodyPair> pairs)
     return found;
 }
 
-// The pairs in stretches, put together again in their order: the same bits for any number of threads.
-std::vector<Found> look_closely(const Surroundings& at, const std::vector<BodyPair>& pairs,
-                                Team& team)
-{
-    constexpr std::size_t worth_sharing = 128; // pairs
-    const int stretches = team.stretches_of(pairs.size(), worth_sharing);
-    std::vector<Found> all(stretches);
-    team.share(stretches, [&](int k) {
-        const auto [first, last] = Team::stretch(pairs.size(), stretches, k);
-        all[k] = look_closely(at, std::span(pairs).subspan(first, last - first));
-    });
-    return all;
-}
-
 // Where the bodies are and where they fly to.
 Surroundings surroundings(const World& world, std::span<const RigidState> flown, double time_step,
                           Team& team)
@@ -248,17 +237,23 @@ Neighbourhood neighbourhood(const World& world, std::span<const RigidState> flow
     Surroundings at = surroundings(world, flown, time_step, team);
     at.time_step = time_step;
     const std::vector<BodyPair> pairs =
-        near_pairs(world, at.near.poses, wide_bounds(at), counters, team);
+        near_pairs(world, at.near.poses, wide_bounds(at, team), counters, team);
     if (pairs.empty()) return std::move(at.near);
     at.near.margins = margins_of(at, pairs, team);
 
     Neighbourhood& near = at.near;
+    constexpr std::size_t worth_sharing = 128; // pairs
+    std::vector<Found> all =
+        team.collect(pairs.size(), worth_sharing, [&](std::size_t first, std::size_t last) {
+            return look_closely(at, std::span(pairs).subspan(first, last - first));
+        });
+    near.contacts = std::move(all[0].contacts);
+    near.contacts.reserve(std::accumulate(
+        all.begin(), all.end(), std::size_t{0},
+        [](std::size_t sum, const Found& found) { return sum + found.contacts.size(); }));
     bool any_may_meet = false;
-    for (Found& found : look_closely(at, pairs, team)) {
-        if (near.contacts.empty())
-            near.contacts = std::move(found.contacts);
-        else
-            near.contacts.insert(near.contacts.end(), found.contacts.begin(), found.contacts.end());
+    for (const Found& found : all) {
+        near.contacts.insert(near.contacts.end(), found.contacts.begin(), found.contacts.end());
         near.disturbed.insert(near.disturbed.end(), found.disturbed.begin(), found.disturbed.end());
         any_may_meet |= found.any_may_meet;
         counters.pairs_tested += found.counters.pairs_tested;

@@ -47,7 +47,7 @@ std::vector<int> from_the_lowest(const ContactProblem& problem, const Island& is
 class Newton {
 public:
     Newton(const ContactProblem& problem, const Island& island, const std::vector<Body>& free,
-           const std::vector<Held>& held, const std::vector<Vector3d>& impulses)
+           std::span<const Held> held, const std::vector<Vector3d>& impulses)
     {
         std::vector<int> unknowns(problem.bodies.size(), -1);
         for (int place : from_the_lowest(problem, island)) {
@@ -269,7 +269,7 @@ private:
 } // namespace
 
 bool newton_impulses(const ContactProblem& problem, const Island& island,
-                     const std::vector<Body>& free, const std::vector<Held>& held,
+                     const std::vector<Body>& free, std::span<const Held> held,
                      std::vector<Vector3d>& impulses)
 {
     Newton newton(problem, island, free, held, impulses);

@@ -21,7 +21,7 @@ namespace rigor {
 /// @param impulses  of the held contacts, on body 1: from where, and where to [N s]
 /// @return  whether it got anywhere; if not, the impulses are as they were
 bool newton_impulses(const ContactProblem& problem, const Island& island,
-                     const std::vector<Body>& free, const std::vector<Held>& held,
+                     const std::vector<Body>& free, std::span<const Held> held,
                      std::vector<Vector3d>& impulses);
 
 } // namespace rigor

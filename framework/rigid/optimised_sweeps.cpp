@@ -40,11 +40,11 @@ struct RowPair {
 
 class OptimisedSweeps : public Sweeps {
 public:
-    OptimisedSweeps(ContactProblem& problem, const Island& island, const std::vector<Held>& held)
+    OptimisedSweeps(ContactProblem& problem, const Island& island, std::span<const Held> held)
         : problem_(problem), island_(island), held_(held), rows_(held.size())
     {
         find_pairs();
-        visit_blocks(island_, problem_.team, [&](int block) {
+        visit_blocks(island_, *problem_.team, [&](int block) {
             for (RowPair& pair : pairs_of(block)) {
                 pair.masses = TwoMasses(problem_.bodies[pair.body1], problem_.bodies[pair.body2]);
                 for (int k = pair.first; k < pair.last; ++k)
@@ -58,7 +58,7 @@ public:
 
     Progress sweep(std::vector<Vector3d>& steps) override
     {
-        visit_blocks(island_, problem_.team, [&](int block) {
+        visit_blocks(island_, *problem_.team, [&](int block) {
             Swept& swept = swept_[block];
             swept = {};
             for (const RowPair& pair : pairs_of(block))
@@ -98,7 +98,7 @@ public:
 
     void finish() override
     {
-        visit_blocks(island_, problem_.team, [&](int block) {
+        visit_blocks(island_, *problem_.team, [&](int block) {
             for (const RowPair& pair : pairs_of(block))
                 finish(pair);
         });
@@ -207,7 +207,7 @@ private:
 
     ContactProblem& problem_;
     const Island& island_;
-    const std::vector<Held>& held_;
+    std::span<const Held> held_;
     std::vector<Row> rows_;
     std::vector<RowPair> pairs_;
     std::vector<IslandStretch> blocks_; // of these pairs
@@ -217,7 +217,7 @@ private:
 } // namespace
 
 std::unique_ptr<Sweeps> optimised_sweeps(ContactProblem& problem, const Island& island,
-                                         const std::vector<Held>& held)
+                                         std::span<const Held> held)
 {
     return std::make_unique<OptimisedSweeps>(problem, island, held);
 }

@@ -187,7 +187,8 @@ std::vector<ContactRecord> step_halved(World& world, double time_step, int halvi
 {
     Counters& counters = world.counters;
     const double end = world.time + time_step;
-    Team team(world.formulas_are_reference ? world.threads : 1);
+    Team alone;
+    Team& team = world.formulas_are_reference ? world.team : alone;
     auto [pulled, flown, near] = start_of_step(world, time_step, team);
     const bool is_free = near.contacts.empty();
     std::vector<RigidState> states = is_free ? std::move(flown) : flown;

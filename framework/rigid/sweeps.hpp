@@ -17,7 +17,7 @@ struct Held {
 };
 
 /// The contacts of an island that anything can move, in the order of its pairs: from the lowest up.
-std::vector<Held> held_contacts(const ContactProblem& problem, const Island& island);
+Joined<Held> held_contacts(const ContactProblem& problem, const Island& island);
 
 /// What a sweep changed: the largest change and the largest impulse, as velocities [m/s], and the
 /// squared length of all changes.
@@ -46,16 +46,15 @@ public:
 /// and tangent, K̃ = (nᵀKn) n nᵀ + λ (δ - n nᵀ). The fixed point is the same for sticking; for sliding,
 /// friction is then opposite to the velocity at the end of the step, so that a block on an incline
 /// slides with g (sin θ - μ cos θ) to rounding and does not turn.
-std::unique_ptr<Sweeps> collision_law_sweeps(ContactProblem& problem,
-                                             const std::vector<Held>& held);
+std::unique_ptr<Sweeps> collision_law_sweeps(ContactProblem& problem, std::span<const Held> held);
 
 /// By `resolve_simultaneously`, one sweep a call.
-std::unique_ptr<Sweeps> simultaneous_sweeps(ContactProblem& problem, const std::vector<Held>& held);
+std::unique_ptr<Sweeps> simultaneous_sweeps(ContactProblem& problem, std::span<const Held> held);
 
 /// The same sweeps as the reference's formulas do, of either kind, without calling them.
 ///
 /// @param island  with its blocks: they are swept by all of the problem's team
 std::unique_ptr<Sweeps> optimised_sweeps(ContactProblem& problem, const Island& island,
-                                         const std::vector<Held>& held);
+                                         std::span<const Held> held);
 
 } // namespace rigor

@@ -2,7 +2,13 @@
 #include "rigid/team.hpp"
 
 #include <algorithm>
+#include <atomic>
+#include <cstdint>
+#include <exception>
+#include <mutex>
+#include <thread>
 #include <utility>
+#include <vector>
 
 namespace rigor {
 
@@ -27,15 +33,47 @@ template <class T, class IsWanted> T wait_for(std::atomic<T>& value, const IsWan
 
 } // namespace
 
+// The helpers, and the work at hand.
+struct Team::Crew {
+    ~Crew();
+    // @param helpers  how many there are to be
+    void do_all(int helpers, int tasks, const void* what, Call call);
+    void help();
+    void do_tasks();
+    void keep_exception(int task);
+
+    std::vector<std::thread> helpers_;
+    std::atomic<const void*> what_ = nullptr;
+    std::atomic<Call> call_ = nullptr;
+    std::atomic<std::uint32_t> tasks_ = 0;
+    std::atomic<std::uint64_t> ticket_ = 0; // which work, and in the lower half its next task
+    std::atomic<std::uint32_t> round_ = 0;  // counts works
+    std::atomic<bool> is_over_ = false;     // there are no more
+    std::atomic<std::uint32_t> done_ = 0;   // tasks of the work at hand
+    std::mutex mutex_;                      // of what follows
+    int thrown_by_ = 0;
+    std::exception_ptr thrown_;
+};
+
 Team::Team(int threads) : threads_(std::max(threads, 1)) {}
 
-Team::~Team()
+Team::Team(const Team& other) : Team(other.threads_) {}
+
+Team::Team(Team&& other) noexcept = default;
+
+Team::~Team() = default;
+
+Team& Team::operator=(Team other) noexcept
 {
-    if (helpers_.empty()) return;
-    round_.store(-1);
-    round_.notify_all();
-    for (std::thread& helper : helpers_)
-        helper.join();
+    threads_ = other.threads_;
+    crew_ = std::move(other.crew_);
+    return *this;
+}
+
+void Team::share_out(int tasks, const void* what, Call call)
+{
+    if (!crew_) crew_ = std::make_unique<Crew>();
+    crew_->do_all(threads_ - 1, tasks, what, call);
 }
 
 int Team::stretches_of(std::size_t count, std::size_t least) const
@@ -52,7 +90,16 @@ Team::Stretch Team::stretch(std::size_t count, int stretches, int k)
     return {count * i / n, count * (i + 1) / n};
 }
 
-void Team::share_out(int tasks, const void* what, Call call)
+Team::Crew::~Crew()
+{
+    is_over_.store(true);
+    round_.fetch_add(1);
+    round_.notify_all();
+    for (std::thread& helper : helpers_)
+        helper.join();
+}
+
+void Team::Crew::do_all(int helpers, int tasks, const void* what, Call call)
 {
     // While the work changes, no task of it can be had: a helper that comes late finds none, or that
     // its ticket is no longer valid.
@@ -66,7 +113,7 @@ void Team::share_out(int tasks, const void* what, Call call)
     ticket_.store((work + 1) << 32);
     round_.fetch_add(1);
     round_.notify_all();
-    while (static_cast<int>(helpers_.size()) + 1 < threads_)
+    while (static_cast<int>(helpers_.size()) < helpers)
         helpers_.emplace_back([this] { help(); });
     do_tasks();
     const auto all = static_cast<std::uint32_t>(tasks);
@@ -74,18 +121,16 @@ void Team::share_out(int tasks, const void* what, Call call)
     if (thrown_) std::rethrow_exception(std::exchange(thrown_, nullptr));
 }
 
-void Team::help()
+void Team::Crew::help()
 {
-    int seen = 0;
-    for (;;) {
-        const int round = wait_for(round_, [seen](int now) { return now != seen; });
-        if (round < 0) return;
-        seen = round;
+    for (std::uint32_t seen = 0;;) {
+        seen = wait_for(round_, [seen](std::uint32_t now) { return now != seen; });
+        if (is_over_.load()) return;
         do_tasks();
     }
 }
 
-void Team::do_tasks()
+void Team::Crew::do_tasks()
 {
     for (;;) {
         std::uint64_t ticket = ticket_.load();
@@ -103,7 +148,7 @@ void Team::do_tasks()
     }
 }
 
-void Team::keep_exception(int task)
+void Team::Crew::keep_exception(int task)
 {
     const std::lock_guard lock(mutex_);
     if (thrown_ && thrown_by_ < task) return;

@@ -1,26 +1,24 @@
 // SPDX-License-Identifier: MIT
-// Threads that share the work of one step.
+// Threads that share the work of a step.
 #pragma once
 
-#include <atomic>
 #include <cstddef>
-#include <cstdint>
-#include <exception>
-#include <mutex>
-#include <thread>
+#include <memory>
 #include <vector>
 
 namespace rigor {
 
-/// The calling thread and others that help it. They start when there is work for them, and end with the
-/// team. Who does a task changes nothing of its result, as long as no task writes what another one reads.
+/// The calling thread and others that help it. They start when there is work for them, wait for more, and end
+/// with the team. Who does a task changes nothing of its result, as long as no task writes what another one
+/// reads. A copy has helpers of its own: a team works for one caller at a time.
 class Team {
 public:
     /// @param threads  with the calling one; fewer than 2: it works alone
     explicit Team(int threads = 1);
     ~Team();
-    Team(const Team&) = delete;
-    Team& operator=(const Team&) = delete;
+    Team(const Team& other);
+    Team(Team&& other) noexcept;
+    Team& operator=(Team other) noexcept;
 
     /// Calls work(k) once for each k in [0, tasks). If some throw, what the first of them threw.
     template <class Work> void share(int tasks, const Work& work)
@@ -45,6 +43,21 @@ public:
         });
     }
 
+    /// The same. @return what work returned, in the order of the stretches: one by one the same for any number
+    /// of threads, if put together in that order
+    template <class Work>
+    auto collect(std::size_t count, std::size_t least, const Work& work)
+        -> std::vector<decltype(work(count, count))>
+    {
+        const int stretches = stretches_of(count, least);
+        std::vector<decltype(work(count, count))> results(stretches);
+        share(stretches, [&](int k) {
+            const auto [first, last] = stretch(count, stretches, k);
+            results[k] = work(first, last);
+        });
+        return results;
+    }
+
     /// Calls both: at the same time if they are about `count` things, of which `least` are worth it.
     template <class First, class Second>
     void share_both(std::size_t count, std::size_t least, const First& first, const Second& second)
@@ -65,23 +78,12 @@ public:
     static Stretch stretch(std::size_t count, int stretches, int k);
 
 private:
+    struct Crew;
     using Call = void (*)(const void*, int);
     void share_out(int tasks, const void* what, Call call);
-    void help();
-    void do_tasks();
-    void keep_exception(int task);
 
     int threads_;
-    std::vector<std::thread> helpers_;
-    std::atomic<const void*> what_ = nullptr; // the work at hand
-    std::atomic<Call> call_ = nullptr;
-    std::atomic<std::uint32_t> tasks_ = 0;
-    std::atomic<std::uint64_t> ticket_ = 0; // which work, and in the lower half its next task
-    std::atomic<int> round_ = 0;            // counts works; negative: there are no more
-    std::atomic<std::uint32_t> done_ = 0;   // tasks of the work at hand
-    std::mutex mutex_;                      // of what follows
-    int thrown_by_ = 0;
-    std::exception_ptr thrown_;
+    std::unique_ptr<Crew> crew_; // from the first work on
 };
 
 } // namespace rigor

@@ -91,26 +91,26 @@ std::uint64_t start_warm(const World& world, const std::vector<Pose>& poses, dou
 } // namespace
 
 void start_warm(const World& world, const std::vector<Pose>& poses, double time_step,
-                std::span<const ContactPair> pairs, std::vector<SolvedContact>& contacts,
+                std::span<const ContactPair> pairs, std::span<SolvedContact> contacts,
                 Counters& counters, Team& team)
 {
     constexpr std::size_t worth_sharing = 128; // pairs
-    const int stretches = team.stretches_of(pairs.size(), worth_sharing);
-    std::vector<std::uint64_t> counts(stretches, 0);
-    team.share(stretches, [&](int k) {
-        const auto [first, last] = Team::stretch(pairs.size(), stretches, k);
-        Matches matches;
-        for (const ContactPair& pair : pairs.subspan(first, last - first)) {
-            const auto of_pair = std::span(contacts).subspan(pair.first, pair.last - pair.first);
-            counts[k] += start_warm(world, poses, time_step, of_pair, matches);
-        }
-    });
+    const std::vector<std::uint64_t> counts =
+        team.collect(pairs.size(), worth_sharing, [&](std::size_t first, std::size_t last) {
+            Matches matches;
+            std::uint64_t count = 0;
+            for (const ContactPair& pair : pairs.subspan(first, last - first)) {
+                const auto of_pair = contacts.subspan(pair.first, pair.last - pair.first);
+                count += start_warm(world, poses, time_step, of_pair, matches);
+            }
+            return count;
+        });
     for (const std::uint64_t count : counts)
         counters.warm_starts += count;
 }
 
 std::vector<WarmContact> warm_contacts(const std::vector<Pose>& poses,
-                                       const std::vector<SolvedContact>& contacts, double time_step)
+                                       std::span<const SolvedContact> contacts, double time_step)
 {
     std::vector<WarmContact> warm;
     warm.reserve(contacts.size());

@@ -11,12 +11,11 @@ namespace rigor {
 /// @param poses  of all bodies, as the step begins
 /// @param pairs  of contacts, whose bodies are in ascending order
 void start_warm(const World& world, const std::vector<Pose>& poses, double time_step,
-                std::span<const ContactPair> pairs, std::vector<SolvedContact>& contacts,
+                std::span<const ContactPair> pairs, std::span<SolvedContact> contacts,
                 Counters& counters, Team& team);
 
 /// What the next step can start from. @param contacts  grouped by bodies, in ascending order
 std::vector<WarmContact> warm_contacts(const std::vector<Pose>& poses,
-                                       const std::vector<SolvedContact>& contacts,
-                                       double time_step);
+                                       std::span<const SolvedContact> contacts, double time_step);
 
 } // namespace rigor

@@ -4,6 +4,7 @@
 
 #include "formulas/types.hpp"
 #include "geometry/shape.hpp"
+#include "rigid/team.hpp"
 
 #include <cstdint>
 #include <string>
@@ -135,7 +136,7 @@ struct World {
     ContactMethod contact_method = ContactMethod::built_in;
     Skips skips;
     bool formulas_are_reference = false; // only then they may be skipped for a faster form
-    int threads = 1; // of the parts that are parallel; the result is the same bits for any number
+    Team team;       // of the parts that are parallel; the result is the same bits for any number
     double time = 0; // [s]
     std::vector<WarmContact> warm_contacts; // of the step before, in the order of their bodies
     std::vector<ContactRecord> sleeping_contacts; // what holds the bodies that sleep

@@ -68,7 +68,7 @@ RecordedWorld make_recorded_world(const Scene& scene, const RunSettings& setting
     world.contact_method = scene.contact_method;
     world.skips = scene.skips;
     world.formulas_are_reference = settings.formulas_are_reference;
-    world.threads = settings.threads;
+    world.team = Team(settings.threads);
     world.springs = scene.springs;
     world.forces = scene.forces;
     OwnMeshes meshes;

@@ -197,7 +197,8 @@ int run(const PileChoice& choice)
     }
     if (choice.wants("rigor")) {
         if (choice.does("settled")) settle(bench, choice.sides.front());
-        if (choice.does("threads")) use_threads(bench, choice.sides.front(), choice);
+        for (int side : choice.does("threads") ? choice.sides : std::vector<int>())
+            use_threads(bench, side, choice);
         if (choice.does("nonconvex")) measure_nonconvex_piles(bench);
     }
     explain(bench, choice);

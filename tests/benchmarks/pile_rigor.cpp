@@ -16,7 +16,7 @@ World pile_world(const PileStart& start, const PileOptions& options)
     world.formulas_are_reference = true;
     world.skips.sleep = options.sleep;
     world.formulas_are_reference = true;
-    world.threads = options.threads;
+    world.team = Team(options.threads);
     const auto add = [&world](const Vector3d& size, const Vector3d& X, const Quaternion& q,
                               bool is_static) {
         RigidBody& body = world.bodies.emplace_back();

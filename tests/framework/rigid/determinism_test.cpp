@@ -73,7 +73,7 @@ TEST_CASE("determinism: the number of threads does not change a bit", "[rigid]")
             World world = busy_world(method);
             world.formulas_are_reference = reference;
             const std::vector<double> one = run_bits(world, one_second);
-            world.threads = reference ? 3 : 2;
+            world.team = Team(reference ? 3 : 2);
             REQUIRE(same_bits(run_bits(world, one_second), one));
         }
 }

@@ -37,12 +37,14 @@ struct Heap {
     ContactProblem problem;
     Island island;
     Counters counters;
+    Team alone;
     std::vector<BodyContact> contacts;
 
     explicit Heap(unsigned seed)
     {
         Random random(seed);
         problem.counters = &counters;
+        problem.team = &alone;
         problem.optimised = true;
         problem.time_step = 0.01;
         problem.gravity = {0, -g, 0};
@@ -104,7 +106,7 @@ TEST_CASE("optimised: the sweeps are those of resolve_simultaneously", "[rigid]"
             REQUIRE(heap.contacts.size() > 8);
             const ContactResult expected =
                 resolve_simultaneously(heap.problem.bodies, heap.contacts, sweeps);
-            const std::vector<Held> held = held_contacts(heap.problem, heap.island);
+            const Joined<Held> held = held_contacts(heap.problem, heap.island);
             const auto fast = optimised_sweeps(heap.problem, heap.island, held);
             std::vector<Vector3d> steps(held.size());
             for (int i = 0; i < sweeps; ++i)

@@ -132,7 +132,7 @@ TEST_CASE("team: blocks of one stage share no body and no pair is lost", "[rigid
 TEST_CASE("team: a large heap moves by the same bits with any number of threads", "[rigid]")
 {
     World one = large_heap(), three = one;
-    three.threads = 3;
+    three.team = Team(3);
     for (int i = 0; i < 8; ++i) {
         step(one, 1.0 / 60);
         step(three, 1.0 / 60);
