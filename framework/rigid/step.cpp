@@ -154,15 +154,19 @@ Start start_of_step(World& world, double time_step, Team& team)
     start.pulled = pulled_bodies(world, time_step);
     for (std::size_t i = 0; i < start.pulled.size(); ++i)
         if (start.pulled[i] && world.bodies[i].rest.is_asleep()) wake(world, {static_cast<int>(i)});
-    const bool may_disturb = world.bodies.size() > 1;
-    const Counters before = may_disturb ? world.counters : Counters();
-    for (;;) {
+    const auto fly_freely = [&] {
         start.flown = fly_all(world, start.pulled, time_step, world.counters, team);
         for (std::size_t i = 0; i < start.flown.size(); ++i) {
             require_finite(world.bodies[i], start.flown[i], world.time + time_step);
             if (!world.bodies[i].is_still()) ++world.counters.free_flights;
         }
-        if (!may_disturb) return start;
+    };
+    if (world.bodies.size() < 2) {
+        fly_freely();
+        return start;
+    }
+    for (const Counters before = world.counters;;) {
+        fly_freely();
         start.near = neighbourhood(world, start.flown, time_step, world.counters, team);
         if (start.near.disturbed.empty()) return start;
         wake(world, start.near.disturbed);
@@ -180,64 +184,79 @@ void take_warm(const std::vector<WarmContact>& more, std::vector<WarmContact>& h
     });
 }
 
-constexpr int most_halvings = 10;
+// What a step ends with.
+struct End {
+    std::vector<RigidState> states;
+    std::vector<ContactRecord> records;
+    std::vector<WarmContact> held;
+};
+
+std::vector<ContactRecord> step_halved(World& world, double time_step, int halvings);
+
+// The stages of contact. @param halvings  of the step that this is a part of
+End after_contacts(World& world, double time_step, const Start& start, Team& team, int halvings)
+{
+    constexpr int most_halvings = 10;
+    const auto& [pulled, flown, near] = start;
+    Counters& counters = world.counters;
+    End end = {flown, {}, {}};
+    ContactProblem problem = contact_problem(world, flown, near, time_step, counters, team);
+    for (const Island& island : problem.islands)
+        process_collisions(problem, island);
+    const std::vector<Body> bounced = problem.bodies;
+    std::vector<Displacement> displacements;
+    for (const Island& island : problem.islands) {
+        add_forces(problem, island, world, flown);
+        process_contact(problem, island);
+        heal(problem, island, displacements);
+    }
+    move(world, problem, pulled, bounced, displacements, end.states, counters);
+    end.records = bounce_at_impacts(world, problem, pulled, displacements, end.states);
+    Halving halving(world, pulled, near);
+    if (halvings < most_halvings)
+        halving.step_in_halves(problem, end.states, [&](World& part, double half) {
+            return step_halved(part, half, halvings + 1);
+        });
+    std::vector<ContactRecord> others;
+    constexpr std::size_t worth_sharing = 512; // contacts
+    team.share_both(
+        problem.contacts.size(), worth_sharing,
+        [&, &poses = near.poses] { end.held = warm_contacts(poses, problem.contacts, time_step); },
+        [&] { others = records_of(problem); });
+    take_warm(halving.warm, end.held);
+    end.records.insert(end.records.end(), others.begin(), others.end());
+    counters.contacts += end.records.size();
+    end.records.insert(end.records.end(), halving.records.begin(), halving.records.end());
+    counters.islands += problem.islands.size();
+    for (std::size_t i = 0; i < end.states.size(); ++i)
+        require_finite(world.bodies[i], end.states[i], world.time + time_step);
+    fall_asleep(world, problem, near.radii, pulled, end.states, end.records);
+    // those of bodies that fell asleep in this step are among those of the sleeping
+    std::erase_if(end.records, [&](const ContactRecord& r) {
+        return world.bodies[r.body1].rest.is_asleep() || world.bodies[r.body2].rest.is_asleep();
+    });
+    return end;
+}
 
 // @param halvings  of the step that this is a part of
 std::vector<ContactRecord> step_halved(World& world, double time_step, int halvings)
 {
-    Counters& counters = world.counters;
-    const double end = world.time + time_step;
     Team alone;
     Team& team = world.formulas_are_reference ? world.team : alone;
-    auto [pulled, flown, near] = start_of_step(world, time_step, team);
-    const bool is_free = near.contacts.empty();
-    std::vector<RigidState> states = is_free ? std::move(flown) : flown;
-    std::vector<ContactRecord> records;
-    std::vector<WarmContact> held;
-    if (!is_free) {
-        ContactProblem problem = contact_problem(world, flown, near, time_step, counters, team);
-        for (const Island& island : problem.islands)
-            process_collisions(problem, island);
-        const std::vector<Body> bounced = problem.bodies;
-        std::vector<Displacement> displacements;
-        for (const Island& island : problem.islands) {
-            add_forces(problem, island, world, flown);
-            process_contact(problem, island);
-            heal(problem, island, displacements);
-        }
-        move(world, problem, pulled, bounced, displacements, states, counters);
-        records = bounce_at_impacts(world, problem, pulled, displacements, states);
-        Halving halving(world, pulled, near);
-        if (halvings < most_halvings)
-            halving.step_in_halves(problem, states, [&](World& part, double half) {
-                return step_halved(part, half, halvings + 1);
-            });
-        std::vector<ContactRecord> others;
-        constexpr std::size_t worth_sharing = 512; // contacts
-        team.share_both(
-            problem.contacts.size(), worth_sharing,
-            [&, &poses = near.poses] { held = warm_contacts(poses, problem.contacts, time_step); },
-            [&] { others = records_of(problem); });
-        take_warm(halving.warm, held);
-        records.insert(records.end(), others.begin(), others.end());
-        counters.contacts += records.size();
-        records.insert(records.end(), halving.records.begin(), halving.records.end());
-        counters.islands += problem.islands.size();
-        fall_asleep(world, problem, near.radii, pulled, states, records);
-    }
-    for (std::size_t i = 0; i < states.size(); ++i) {
-        require_finite(world.bodies[i], states[i], end);
-        world.bodies[i].state = states[i];
-    }
-    // those of bodies that fell asleep in this step are among both
-    std::erase_if(records, [&](const ContactRecord& r) {
-        return world.bodies[r.body1].rest.is_asleep() || world.bodies[r.body2].rest.is_asleep();
-    });
-    records.insert(records.end(), world.sleeping_contacts.begin(), world.sleeping_contacts.end());
-    world.warm_contacts = std::move(held);
-    world.time = end;
-    ++counters.steps;
-    return records;
+    Start start = start_of_step(world, time_step, team);
+    End end;
+    if (start.near.contacts.empty())
+        end.states = std::move(start.flown);
+    else
+        end = after_contacts(world, time_step, start, team, halvings);
+    for (std::size_t i = 0; i < end.states.size(); ++i)
+        world.bodies[i].state = end.states[i];
+    end.records.insert(end.records.end(), world.sleeping_contacts.begin(),
+                       world.sleeping_contacts.end());
+    world.warm_contacts = std::move(end.held);
+    world.time += time_step;
+    ++world.counters.steps;
+    return std::move(end.records);
 }
 
 } // namespace
