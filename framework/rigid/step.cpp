@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "formulas/rotation.hpp"
 #include "rigid/collisions.hpp"
 #include "rigid/contact_problem.hpp"
 #include "rigid/contact_stage.hpp"
+#include "rigid/drift.hpp"
 #include "rigid/flight.hpp"
 #include "rigid/forces.hpp"
 #include "rigid/halving.hpp"
@@ -19,23 +19,6 @@ namespace rigor {
 
 namespace {
 
-// Which stages gave a body an impulse.
-struct Impulses {
-    std::vector<bool> bounced, held;
-};
-
-Impulses impulses_of(const ContactProblem& problem)
-{
-    const std::size_t n = problem.bodies.size();
-    Impulses impulses{std::vector<bool>(n, false), std::vector<bool>(n, false)};
-    for (const SolvedContact& c : problem.contacts)
-        for (int i : {c.body1, c.body2}) {
-            if (!c.bounce.isZero(0)) impulses.bounced[i] = true;
-            if (!c.holding.isZero(0)) impulses.held[i] = true;
-        }
-    return impulses;
-}
-
 // Velocities: what the forces did to the momentum of a body in flight, they do to it here.
 void add_forces(ContactProblem& problem, const Island& island, const World& world,
                 std::span<const RigidState> flown)
@@ -47,45 +30,6 @@ void add_forces(ContactProblem& problem, const Island& island, const World& worl
         body.velocity += flown[i].velocity - start.velocity;
         body.angular_momentum += dL;
         body.angular_velocity += body.inverse_inertia * dL;
-    }
-}
-
-void displace(RigidState& state, const Displacement& by)
-{
-    state.position += by.shift;
-    if (!by.turn.isZero(0)) state.orientation = advance_exact(state.orientation, by.turn, 1);
-}
-
-// Positions. A body that only bounced flies on from there, with gravity in its integrator; a body
-// that is held drifts with the velocity it has.
-void move(const World& world, const ContactProblem& problem, const std::vector<bool>& pulled,
-          const std::vector<Body>& bounced, const std::vector<Displacement>& displacements,
-          std::vector<RigidState>& states, Counters& counters)
-{
-    const Impulses impulses = impulses_of(problem);
-    const auto move_one = [&](int i, Counters& counted) {
-        const bool is_displaced = !displacements.empty() && !displacements[i].shift.isZero(0);
-        if (!impulses.bounced[i] && !impulses.held[i]) { // its flight was its motion
-            if (is_displaced) displace(states[i], displacements[i]);
-            ++counted.free_flights;
-            return;
-        }
-        const bool flies = !impulses.held[i] && !pulled[i];
-        const Body& body = flies ? bounced[i] : problem.bodies[i];
-        RigidState state = world.bodies[i].state;
-        state.velocity = body.velocity;
-        state.angular_momentum = body.angular_momentum;
-        require_finite(world.bodies[i], state, world.time + problem.time_step);
-        states[i] = fly(world, world.bodies[i], state, problem.time_step, counted, !flies);
-        if (is_displaced) displace(states[i], displacements[i]);
-    };
-    for (const Island& island : problem.islands) {
-        share_flights(*problem.team, island.bodies.size(), counters,
-                      [&](std::size_t first, std::size_t last, Counters& counted) {
-                          for (std::size_t at = first; at < last; ++at)
-                              move_one(island.bodies[at], counted);
-                      });
-        counters.free_flights -= island.bodies.size();
     }
 }
 

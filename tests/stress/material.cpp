@@ -24,8 +24,8 @@ std::string text_of(double x)
     return text;
 }
 
-// A block on an incline of 30°, from rest: x_n = a h² n(n+1)/2 with a = g (sin θ - μ cos θ), or no
-// motion at all if μ > tan θ.
+// A block on an incline of 30°, from rest: x = a t²/2 with a = g (sin θ - μ cos θ), or no motion at
+// all if μ > tan θ.
 void slide(Record& record, double friction, double restitution)
 {
     constexpr int steps = 120;
@@ -39,10 +39,10 @@ void slide(Record& record, double friction, double restitution)
     Watch watch(std::move(world), record, scale);
     watch.run(steps, frame);
     const double a = std::max(0.0, g * (std::sin(angle) - friction * std::cos(angle)));
-    const Vector3d expected = a * frame * frame * steps * (steps + 1) / 2 * R.col(0);
+    const Vector3d expected = a * frame * frame * steps * steps / 2 * R.col(0);
     const Vector3d moved =
         watch.world().bodies[1].state.position - watch.start().bodies[1].state.position;
-    record.limit_drift("slid, against a h² n(n+1)/2 [m]", (moved - expected).norm(),
+    record.limit_drift("slid, against a t²/2 [m]", (moved - expected).norm(),
                        64 * steps * eps * (g * frame * frame * steps * steps / 2), 'R');
     watch.limit_energy(64 * steps * eps);
 }
