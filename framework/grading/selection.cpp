@@ -38,9 +38,30 @@ bool mark(const std::string& word, const std::vector<Assignment>& assignments,
     return found;
 }
 
-// "; did you mean 'inertia'?", or nothing.
+bool is_number(std::string_view text)
+{
+    return !text.empty() &&
+           std::all_of(text.begin(), text.end(), [](unsigned char c) { return std::isdigit(c); });
+}
+
+// Of a word like a tag, a6.11 or a9: which ones there are.
+std::string tags_there_are(const std::string& word, const std::vector<Assignment>& assignments)
+{
+    const std::size_t point = word.find('.');
+    if (word[0] != 'a' || !is_number(std::string_view(word).substr(1, point - 1))) return "";
+    if (point != std::string::npos && !is_number(std::string_view(word).substr(point + 1)))
+        return "";
+    for (const Assignment& assignment : assignments)
+        if (word.substr(0, point) == assignment.label())
+            return "; its tasks are " + assignment.tasks.front().tag + " to " +
+                   assignment.tasks.back().tag;
+    return "; `rigor list` names them";
+}
+
+// "; did you mean 'inertia'?", or what else helps.
 std::string suggestion(const std::string& word, const std::vector<Assignment>& assignments)
 {
+    if (const std::string tags = tags_there_are(word, assignments); !tags.empty()) return tags;
     std::vector<std::string> known;
     for (const Assignment& assignment : assignments) {
         known.insert(known.end(), {assignment.topic, assignment.name});
