@@ -50,11 +50,13 @@ void check_new_vertices(const TetrahedralMesh& mesh, const SplitMesh& result, in
     for (const auto& [first, second, t] : result.origins) {
         if (first == second || t == 0 || t == 1) continue; // a vertex from before
         const std::array<int, 2> edge = {std::min(first, second), std::max(first, second)};
+        INFO("a new vertex, on an edge that the plane cuts");
         CAPTURE(edge[0], edge[1]);
         REQUIRE(expected.contains(edge));
         REQUIRE_THAT(first < second ? t : 1 - t, IsClose(expected[edge], Rounding(256, 1)));
         found.insert(edge);
     }
+    INFO("edges with a new vertex, and edges that the plane cuts");
     REQUIRE(found.size() == expected.size());
 }
 
@@ -80,10 +82,12 @@ void check_sides(const TetrahedralMesh& mesh, const SplitMesh& result, int verte
         }
     int above = 0, below = 0;
     for (const auto& [copy, side] : sides) {
+        INFO("whether a copy of the vertex has matter above the plane, and below: one of the two");
         CAPTURE(copy);
         REQUIRE(side[0] != side[1]);
         ++(side[0] ? above : below);
     }
+    INFO("copies of the vertex above the plane, and below");
     REQUIRE(above > 0);
     REQUIRE(below > 0);
 }

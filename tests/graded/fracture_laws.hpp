@@ -153,6 +153,7 @@ inline void check_indices(const TetrahedralMesh& mesh)
             REQUIRE(v < vertex_count(mesh));
             used.insert(v);
         }
+    INFO("vertices that a tetrahedron has, and all vertices");
     REQUIRE(static_cast<int>(used.size()) == vertex_count(mesh));
 }
 
@@ -199,12 +200,14 @@ inline void check_conforms(const TetrahedralMesh& mesh)
         REQUIRE(volume(mesh, t) > 0);
     }
     for (const auto& [face, sharing] : tetrahedra_of_faces(mesh)) {
+        INFO("tetrahedra that share a face");
         CAPTURE(face[0], face[1], face[2]);
         REQUIRE(sharing.size() <= 2);
     }
     const std::vector<int> label =
         groups(4 * mesh.tetrahedra.size(),
                links_through_faces(mesh, [](const std::array<int, 3>&) { return true; }));
+    INFO("groups of tetrahedra that hang together by faces around a vertex, and vertices");
     REQUIRE(group_count(label) == vertex_count(mesh));
 }
 
@@ -231,6 +234,7 @@ inline SurfaceAreas surface_areas(const TetrahedralMesh& mesh)
     }
     SurfaceAreas areas;
     for (const auto& [key, sides] : open) {
+        INFO("open faces at one place");
         REQUIRE(sides.size() <= 2);
         for (double area : sides) {
             areas.all += area;
@@ -245,6 +249,7 @@ inline SurfaceAreas surface_areas(const TetrahedralMesh& mesh)
 inline void check_surface(const TetrahedralMesh& before, const TetrahedralMesh& after)
 {
     const SurfaceAreas old = surface_areas(before), now = surface_areas(after);
+    INFO("area of the surface without the cracks' sides [m²]");
     REQUIRE_THAT(now.all - now.cracks, IsClose(old.all - old.cracks, Rounding(256, now.all)));
 }
 
@@ -253,12 +258,16 @@ inline void check_surface(const TetrahedralMesh& before, const TetrahedralMesh& 
 inline void check_matter(const TetrahedralMesh& before, const SplitMesh& split)
 {
     const TetrahedralMesh& after = split.mesh;
-    REQUIRE(split.parents.size() == after.tetrahedra.size());
-    REQUIRE(split.origins.size() == after.vertices.size());
+    {
+        INFO("a parent for each tetrahedron, an origin for each vertex");
+        REQUIRE(split.parents.size() == after.tetrahedra.size());
+        REQUIRE(split.origins.size() == after.vertices.size());
+    }
     check_conforms(after);
 
     const double size = size_of(before);
     for (std::size_t v = 0; v < after.vertices.size(); ++v) {
+        INFO("where a vertex is, by its origin");
         CAPTURE(v);
         const auto& [first, second, t] = split.origins[v];
         REQUIRE(std::min(first, second) >= 0);
@@ -272,20 +281,23 @@ inline void check_matter(const TetrahedralMesh& before, const SplitMesh& split)
 
     std::vector<double> volumes(before.tetrahedra.size(), 0);
     for (std::size_t t = 0; t < after.tetrahedra.size(); ++t) {
+        INFO("a tetrahedron lies inside of its parent: the vertices come from the parent's");
         CAPTURE(t);
         REQUIRE(split.parents[t] >= 0);
         REQUIRE(split.parents[t] < tetrahedron_count(before));
         const Tetrahedron& parent = before.tetrahedra[split.parents[t]];
-        for (int v : after.tetrahedra[t]) { // it lies inside of its parent
+        for (int v : after.tetrahedra[t]) {
             REQUIRE(corner_of(parent, split.origins[v].first) < 4);
             REQUIRE(corner_of(parent, split.origins[v].second) < 4);
         }
         volumes[split.parents[t]] += volume(after, t);
     }
     for (std::size_t t = 0; t < volumes.size(); ++t) {
+        INFO("volume of what came from a tetrahedron [m³]");
         CAPTURE(t);
         REQUIRE_THAT(volumes[t], IsClose(volume(before, t), Rounding(256, size * size * size)));
     }
+    INFO("volume times center of mass [m⁴]");
     REQUIRE_THAT(first_moment(after),
                  IsClose(first_moment(before), Rounding(256, volume(before) * size)));
 }

@@ -96,6 +96,7 @@ inline void check_vertices(const TetrahedralMesh& mesh, const EmbeddedMesh& resu
     for (std::size_t i = 0; i < expected.size(); ++i)
         for (int c = 0; c < 4; ++c)
             expected[i][c] = label[4 * i + c];
+    INFO("vertices of the copies, numbered in the order in which they occur");
     REQUIRE_THAT(canonical(result.mesh.tetrahedra), IsExactly(canonical(expected)));
 }
 
@@ -112,6 +113,7 @@ inline EmbeddedMesh embedded(const TetrahedralMesh& mesh, const Cracks& cracks)
 
     std::vector<double> shares(mesh.tetrahedra.size(), 0);
     for (std::size_t i = 0; i < count; ++i) {
+        INFO("a copy, and where its corners come from");
         CAPTURE(i);
         const int parent = result.parents[i];
         REQUIRE(parent >= 0);
@@ -125,8 +127,10 @@ inline EmbeddedMesh embedded(const TetrahedralMesh& mesh, const Cracks& cracks)
         REQUIRE(result.fractions[i] <= 1);
         shares[parent] += result.fractions[i];
     }
-    for (double share : shares)
+    for (double share : shares) {
+        INFO("sum of the fractions of a tetrahedron's copies");
         REQUIRE_THAT(share, IsClose(1.0, Rounding(64, 1)));
+    }
     check_copies(mesh, cracks, result);
     check_vertices(mesh, result);
     return result;
