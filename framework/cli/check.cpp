@@ -38,9 +38,20 @@ int status_of(const std::vector<Result>& results)
 
 void say_what_was_built(const Implementation& implementation)
 {
-    if (!implementation.borrowed.empty())
+    std::vector<std::string> lacking;
+    for (const std::string& topic : implementation.borrowed) {
+        const auto& broken = implementation.broken;
+        if (std::find(broken.begin(), broken.end(), topic) == broken.end())
+            lacking.push_back(topic);
+        else
+            fmt::print(stderr,
+                       "{}/{}.cpp does not compile and is not asked for: what student/ has takes "
+                       "its place\n",
+                       implementation.name, topic);
+    }
+    if (!lacking.empty())
         fmt::print(stderr, "{} has no {}.cpp: what student/ has takes their place\n",
-                   implementation.name, fmt::join(implementation.borrowed, ".cpp, "));
+                   implementation.name, fmt::join(lacking, ".cpp, "));
     if (implementation.built() && !implementation.build_steps.empty())
         fmt::print(stderr, "built in {:.1f} s ({} {})\n", implementation.build_seconds,
                    implementation.build_steps.size(),
@@ -78,7 +89,10 @@ int check(const CheckOptions& options)
 {
     const std::vector<Selection> selections =
         select_tasks(load_assignments(places().assignments()), options.what);
-    const Implementation implementation = prepared_implementation(options.with);
+    std::vector<std::string> asked; // without WHAT, every file
+    for (const Selection& selection : selections)
+        if (!options.what.empty()) asked.push_back(selection.assignment.topic);
+    const Implementation implementation = prepared_implementation(options.with, asked);
     for (const Selection& selection : selections)
         if (!options.what.empty()) require_own_file(selection, implementation);
     say_what_was_built(implementation);

@@ -23,10 +23,11 @@ OnBuildStep on_step(Progress& progress)
 
 } // namespace
 
-Implementation prepared_implementation(const std::string& with)
+Implementation prepared_implementation(const std::string& with,
+                                       const std::vector<std::string>& asked)
 {
     Progress progress("building");
-    return build_implementation(with, on_step(progress));
+    return build_implementation(with, on_step(progress), asked);
 }
 
 Implementation working_implementation(const std::string& with)

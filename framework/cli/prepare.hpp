@@ -6,12 +6,15 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace rigor {
 
 /// The implementation, its worker built if it was stale, with a progress bar.
+/// @param asked  see `build_implementation`
 /// @throws InputError if there is no such implementation
-Implementation prepared_implementation(const std::string& with);
+Implementation prepared_implementation(const std::string& with,
+                                       const std::vector<std::string>& asked = {});
 
 /// The same for a command that needs a worker. @throws InputError also with the compiler's words if it does not compile
 Implementation working_implementation(const std::string& with);

@@ -91,13 +91,29 @@ Implementation build_own(const std::string& name, const OnBuildStep& on_step)
     return result;
 }
 
-Implementation build_folder(const std::string& name, const fs::path& folder,
-                            const OnBuildStep& on_step)
+bool is_among(const std::vector<std::string>& topics, const std::string& topic)
+{
+    return std::find(topics.begin(), topics.end(), topic) != topics.end();
+}
+
+// Topics whose files failed to compile in a folder's build; none if something else failed, too.
+std::vector<std::string> broken_topics(const SubmissionBuild& build, const NinjaRun& run)
+{
+    std::vector<std::string> broken;
+    for (const std::string& topic : topics())
+        if (is_among(run.failed, build.folder + topic + ".o")) broken.push_back(topic);
+    return broken.size() == run.failed.size() ? broken : std::vector<std::string>();
+}
+
+// @param broken  topics whose files are left out; gets those that failed
+Implementation build_folder_without(const std::string& name, const fs::path& folder,
+                                    const OnBuildStep& on_step, std::vector<std::string>& broken)
 {
     Implementation result;
     result.name = name;
     result.folder = folder;
-    const SubmissionBuild build = prepare_submission_build(folder);
+    result.broken = broken;
+    const SubmissionBuild build = prepare_submission_build(folder, broken);
     result.worker = places().build / build.worker;
     result.borrowed = build.borrowed;
 
@@ -106,23 +122,36 @@ Implementation build_folder(const std::string& name, const fs::path& folder,
     judge(result, needed, "formulas_student.dir/", "");
     if (!result.built()) return result;
     remove_unlisted(build.objects);
-    judge(result, run_ninja({"-k", "0", "-f", build.ninja_file, build.worker}, on_step),
-          build.folder, build.worker);
+    const NinjaRun run = run_ninja({"-k", "0", "-f", build.ninja_file, build.worker}, on_step);
+    judge(result, run, build.folder, build.worker);
     refuse_forbidden_include(result, build.objects);
+    broken = broken_topics(build, run);
     return result;
+}
+
+Implementation build_folder(const std::string& name, const fs::path& folder,
+                            const OnBuildStep& on_step, const std::vector<std::string>& asked)
+{
+    std::vector<std::string> broken;
+    const Implementation result = build_folder_without(name, folder, on_step, broken);
+    const bool can_do_without = !asked.empty() && !broken.empty() &&
+                                std::none_of(broken.begin(), broken.end(), [&](const auto& topic) {
+                                    return is_among(asked, topic);
+                                });
+    return can_do_without ? build_folder_without(name, folder, on_step, broken) : result;
 }
 
 } // namespace
 
 std::string Implementation::shown_file(const std::string& topic) const
 {
-    const bool is_borrowed = std::find(borrowed.begin(), borrowed.end(), topic) != borrowed.end();
+    const bool is_borrowed = is_among(borrowed, topic);
     return (fs::path(is_borrowed ? "student" : name) / (topic + ".cpp")).string();
 }
 
 fs::path Implementation::file(const std::string& topic) const
 {
-    const bool is_borrowed = std::find(borrowed.begin(), borrowed.end(), topic) != borrowed.end();
+    const bool is_borrowed = is_among(borrowed, topic);
     return (is_borrowed ? places().source / "student" : folder) / (topic + ".cpp");
 }
 
@@ -134,7 +163,8 @@ std::vector<std::string> topics()
     return result;
 }
 
-Implementation build_implementation(const std::string& name, const OnBuildStep& on_step)
+Implementation build_implementation(const std::string& name, const OnBuildStep& on_step,
+                                    const std::vector<std::string>& asked)
 {
     const BuildLock lock;
     if (name == "student" || name == "reference") {
@@ -146,7 +176,7 @@ Implementation build_implementation(const std::string& name, const OnBuildStep& 
     const fs::path folder = fs::canonical(name, error);
     if (error || !fs::is_directory(folder))
         throw InputError("--with: expected student, reference or a folder, found '" + name + "'");
-    return build_folder(name, folder, on_step);
+    return build_folder(name, folder, on_step, asked);
 }
 
 void build_targets(const std::vector<std::string>& targets, const OnBuildStep& on_step)

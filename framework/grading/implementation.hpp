@@ -10,10 +10,12 @@
 namespace rigor {
 
 struct Implementation {
-    std::string name;                  // as it was asked for: "student", "reference" or a folder
-    std::filesystem::path folder;      // of its sources
-    std::filesystem::path worker;      // the executable
-    std::vector<std::string> borrowed; // topics that the folder lacks, taken from student/
+    std::string name;                // as it was asked for: "student", "reference" or a folder
+    std::filesystem::path folder;    // of its sources
+    std::filesystem::path worker;    // the executable
+    std::vector<std::string> broken; // topics whose files do not compile, and nobody asked for
+    std::vector<std::string>
+        borrowed; // those and topics that the folder lacks, taken from student/
     std::vector<std::string>
         build_steps; // what had to be done, as ninja puts it; empty: it was up to date
     double build_seconds = 0;
@@ -32,8 +34,10 @@ using OnBuildStep = std::function<void(int done, int total, const std::string& s
 /// Builds the worker of `student`, `reference` or a folder that holds some of the topics' files; only what is out of
 /// date. A folder's files are compiled by the very commands that compile student/.
 ///
+/// @param asked  topics of a folder whose files have to compile; of another, student/ can take the place; none: all
 /// @throws InputError if there is no such implementation, std::runtime_error if code of ours does not compile
-Implementation build_implementation(const std::string& name, const OnBuildStep& on_step = {});
+Implementation build_implementation(const std::string& name, const OnBuildStep& on_step = {},
+                                    const std::vector<std::string>& asked = {});
 
 /// A topic's name for each file of student/, in the order of the assignments.
 std::vector<std::string> topics();

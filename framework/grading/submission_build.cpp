@@ -165,7 +165,8 @@ private:
 
 } // namespace
 
-SubmissionBuild prepare_submission_build(const fs::path& folder)
+SubmissionBuild prepare_submission_build(const fs::path& folder,
+                                         const std::vector<std::string>& without)
 {
     SubmissionBuild build;
     build.folder = fmt::format("submissions/{:016x}/", hash(folder.string()));
@@ -173,7 +174,8 @@ SubmissionBuild prepare_submission_build(const fs::path& folder)
     build.worker = build.folder + "worker";
     Rules rules(build, ninja_commands("worker_student"));
     for (const std::string& topic : topics()) {
-        if (fs::exists(folder / (topic + ".cpp")))
+        const bool is_left_out = std::find(without.begin(), without.end(), topic) != without.end();
+        if (!is_left_out && fs::exists(folder / (topic + ".cpp")))
             rules.compile(topic, folder / (topic + ".cpp"));
         else
             build.borrowed.push_back(topic);

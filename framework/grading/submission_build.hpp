@@ -20,7 +20,10 @@ struct SubmissionBuild {
 };
 
 /// Writes the rules, if they changed. @throws InputError if the folder holds no topic's file
-SubmissionBuild prepare_submission_build(const std::filesystem::path& folder);
+///
+/// @param without  topics whose files are left out as if the folder lacked them
+SubmissionBuild prepare_submission_build(const std::filesystem::path& folder,
+                                         const std::vector<std::string>& without = {});
 
 /// What the files of student/ are compiled to, relative to the build folder.
 std::vector<std::string> student_objects();

@@ -16,6 +16,7 @@ using nlohmann::json;
 struct Checked {
     int status = 0;
     json result;
+    std::string said; // on the terminal
 };
 
 /// Checks an implementation. @param what  as on the command line
@@ -30,7 +31,7 @@ inline Checked check(const std::vector<std::string>& what, const std::filesystem
     REQUIRE(std::filesystem::exists(file));
     std::stringstream text;
     text << std::ifstream(file).rdbuf();
-    return {run.status, json::parse(text.str())};
+    return {run.status, json::parse(text.str()), run.output};
 }
 
 } // namespace rigor::testing

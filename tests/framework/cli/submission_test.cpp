@@ -81,6 +81,23 @@ TEST_CASE("submission: a syntax error is told with file and line", "[cli][submis
     REQUIRE(checked.result["max_score"] > 0);
 }
 
+TEST_CASE("submission: a file that nobody asked for may be broken", "[cli][submission]")
+{
+    const TemporaryFolder folder;
+    std::filesystem::copy_file(sample("complete") / "inertia.cpp", folder.path() / "inertia.cpp");
+    folder.write("plasticity.cpp", "not C++\n");
+    const Checked asked = check({"A2.14"}, folder.path());
+    REQUIRE(asked.status == 0);
+    REQUIRE(asked.said.find("plasticity.cpp does not compile and is not asked for: what student/ "
+                            "has takes its place") != std::string::npos);
+    for (const char* what : {"A6.1", "a2"}) {
+        folder.write(what == std::string("a2") ? "inertia.cpp" : "plasticity.cpp", "not C++\n");
+        const Checked broken = check({what}, folder.path());
+        REQUIRE(broken.result["status"] == "compile_error");
+        REQUIRE(broken.status == 1);
+    }
+}
+
 TEST_CASE("submission: a function that is not there is a compile error", "[cli][submission]")
 {
     const TemporaryFolder folder;
