@@ -23,7 +23,6 @@ inline std::filesystem::path attack(const std::string& name)
 inline Limits tight()
 {
     Limits limits;
-    limits.start = Seconds(3);
     limits.call = Seconds(0.6);
     limits.memory = std::size_t{160} << 20;
     return limits;
