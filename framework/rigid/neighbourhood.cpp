@@ -247,10 +247,11 @@ Neighbourhood neighbourhood(const World& world, std::span<const RigidState> flow
         team.collect(pairs.size(), worth_sharing, [&](std::size_t first, std::size_t last) {
             return look_closely(at, std::span(pairs).subspan(first, last - first));
         });
-    near.contacts = std::move(all[0].contacts);
-    near.contacts.reserve(std::accumulate(
+    const std::size_t contacts = std::accumulate(
         all.begin(), all.end(), std::size_t{0},
-        [](std::size_t sum, const Found& found) { return sum + found.contacts.size(); }));
+        [](std::size_t sum, const Found& found) { return sum + found.contacts.size(); });
+    near.contacts = std::move(all[0].contacts); // which is empty then
+    near.contacts.reserve(contacts);
     bool any_may_meet = false;
     for (const Found& found : all) {
         near.contacts.insert(near.contacts.end(), found.contacts.begin(), found.contacts.end());
