@@ -2,120 +2,124 @@
 #include "rigid/blocks.hpp"
 
 #include <algorithm>
+#include <span>
 #include <tuple>
+#include <utility>
 
 namespace rigor {
 
 namespace {
 
-constexpr std::size_t bodies_of_a_block = 96;
-constexpr int most_halvings = 5;
+// Four slabs or eight, of which one is in halves at the two ends: two threads or four share them evenly, and the places
+// where neighbours meet as well, every other one at a time.
+constexpr std::size_t bodies_of_a_slab = 48;
+constexpr int most_fours = 2;
 
-// The parts are numbered as in a heap: 1 is the whole, 2k and 2k + 1 the halves of k.
-class Partition {
+// In which slab each body of an island is. They stand side by side along its longest horizontal extent, and have
+// the same number of bodies, the first and the last half of it.
+class Slabs {
 public:
-    Partition(const ContactProblem& problem, std::vector<int> bodies, int times)
-        : problem_(problem), bodies_(std::move(bodies)), part_of_(problem.bodies.size(), 0)
+    Slabs(const ContactProblem& problem, std::span<const int> bodies, int fours)
+        : slab_of_(problem.bodies.size(), -1), halves_(8 * fours)
     {
-        const Vector3d up = problem.up().cwiseAbs();
-        up.maxCoeff(&vertical_);
-        halve(0, bodies_.size(), 1, times);
+        const int axis = longest(problem, bodies);
+        places_.reserve(bodies.size());
+        for (int i : bodies) {
+            const Vector3d& X = problem.bodies[i].position;
+            places_.push_back({X[axis], X[(axis + 1) % 3], X[(axis + 2) % 3], i});
+        }
+        divide(0, halves_);
     }
 
-    // The smallest part that holds both bodies; a static body is in all.
-    int part_of(int body1, int body2) const
-    {
-        int a = part_of_[body1], b = part_of_[body2];
-        if (a == 0 || b == 0) return std::max(a, b);
-        while (a != b) {
-            a /= 2;
-            b /= 2;
-        }
-        return a;
-    }
+    // Of a body that does not move: -1.
+    int of(int body) const { return slab_of_[body]; }
 
 private:
-    void halve(std::size_t first, std::size_t last, int part, int times)
-    {
-        if (times == 0) {
-            for (std::size_t k = first; k < last; ++k)
-                part_of_[bodies_[k]] = part;
-            return;
-        }
-        const int axis = widest(first, last), across = 3 - axis - vertical_;
-        const std::size_t middle = first + (last - first) / 2;
-        const auto at = [&](int i) {
-            const Vector3d& X = problem_.bodies[i].position;
-            return std::tuple(X[axis], X[vertical_], X[across], i);
-        };
-        const auto begin = bodies_.begin();
-        std::nth_element(
-            begin + static_cast<std::ptrdiff_t>(first), begin + static_cast<std::ptrdiff_t>(middle),
-            begin + static_cast<std::ptrdiff_t>(last), [&](int i, int j) { return at(i) < at(j); });
-        halve(first, middle, 2 * part, times - 1);
-        halve(middle, last, 2 * part + 1, times - 1);
-    }
+    struct Place {
+        double along, across1, across2; // [m]
+        int body;
 
-    int widest(std::size_t first, std::size_t last) const
-    {
-        Vector3d low = problem_.bodies[bodies_[first]].position, high = low;
-        for (std::size_t k = first; k < last; ++k) {
-            low = low.cwiseMin(problem_.bodies[bodies_[k]].position);
-            high = high.cwiseMax(problem_.bodies[bodies_[k]].position);
+        friend bool operator<(const Place& a, const Place& b)
+        {
+            if (a.along != b.along) return a.along < b.along;
+            return std::tie(a.across1, a.across2, a.body) < std::tie(b.across1, b.across2, b.body);
         }
+    };
+
+    static int longest(const ContactProblem& problem, std::span<const int> bodies)
+    {
+        Vector3d low = problem.bodies[bodies[0]].position, high = low;
+        for (int i : bodies) {
+            low = low.cwiseMin(problem.bodies[i].position);
+            high = high.cwiseMax(problem.bodies[i].position);
+        }
+        int vertical = 1, axis = 0;
+        problem.up().cwiseAbs().maxCoeff(&vertical);
         Vector3d extent = high - low;
-        extent[vertical_] = -1;
-        int axis = 0;
+        extent[vertical] = -1;
         extent.maxCoeff(&axis);
         return axis;
     }
 
-    const ContactProblem& problem_;
-    std::vector<int> bodies_, part_of_;
-    int vertical_ = 1;
+    // Puts the places of half slabs [first, last) in order, half slab by half slab.
+    void divide(int first, int last)
+    {
+        const auto at = [&](int half) {
+            const auto n = static_cast<std::ptrdiff_t>(places_.size());
+            return places_.begin() + n * half / halves_;
+        };
+        if (last - first > 1) {
+            const int middle = first + (last - first) / 2;
+            std::nth_element(at(first), at(middle), at(last));
+            divide(first, middle);
+            divide(middle, last);
+            return;
+        }
+        for (auto place = at(first); place != at(last); ++place)
+            slab_of_[place->body] = (first + 1) / 2;
+    }
+
+    std::vector<int> slab_of_;
+    std::vector<Place> places_;
+    int halves_;
 };
 
 } // namespace
 
-void split_into_blocks(const ContactProblem& problem, Island& island)
+std::vector<ContactPair> split_into_blocks(const ContactProblem& problem, Island& island)
 {
-    int times = 0;
-    while (times < most_halvings && (island.bodies.size() >> (times + 1)) >= bodies_of_a_block)
-        ++times;
-    const int parts = 2 << times;
     const int n = static_cast<int>(island.pairs.size());
+    const std::size_t most = island.bodies.size() / (4 * bodies_of_a_slab);
+    const int fours = static_cast<int>(std::min<std::size_t>(most, most_fours));
     island.blocks = {{0, n}};
     island.stages = {{0, 1}};
-    if (times == 0) return;
+    if (fours == 0) return {};
 
-    // by part, the smallest parts first: 2^times and up, then 2^(times-1) and up ... 1
-    const Partition partition(problem, island.bodies, times);
-    const auto place = [&](int part) {
-        int first = 1; // of the parts as small as this one
-        while (2 * first <= part)
-            first *= 2;
-        return parts - 2 * first + (part - first);
+    // Blocks: the slabs; pairs of slabs 2i and 2i + 1; of 2i + 1 and 2i + 2; what reaches farther.
+    const Slabs slabs(problem, island.bodies, fours);
+    const int count = 4 * fours + 1, even = count, odd = even + count / 2, far = odd + count / 2;
+    const auto block_of = [&](const ContactPair& pair) {
+        const SolvedContact& c = problem.contacts[pair.first];
+        const int a = slabs.of(c.body1), b = slabs.of(c.body2);
+        const int low = std::min(a, b), high = std::max(a, b);
+        if (low < 0 || low == high) return high;
+        if (high - low > 1) return far;
+        return (low % 2 == 0 ? even : odd) + low / 2;
     };
-    std::vector<int> places(n), ends(parts - 1, 0);
-    for (int k = 0; k < n; ++k) {
-        const SolvedContact& c = problem.contacts[island.pairs[k].first];
-        places[k] = place(partition.part_of(c.body1, c.body2));
-        ++ends[places[k]];
-    }
+    std::vector<int> blocks(n), next(far + 1, 0);
+    for (int k = 0; k < n; ++k)
+        ++next[blocks[k] = block_of(island.pairs[k])];
     island.blocks.clear();
     int first = 0;
-    for (int& end : ends) {
-        island.blocks.push_back({first, first + end});
-        first += end;
-        end = island.blocks.back().first;
+    for (int& size : next) {
+        island.blocks.push_back({first, first + size});
+        first += std::exchange(size, first);
     }
     std::vector<ContactPair> pairs(n);
     for (int k = 0; k < n; ++k)
-        pairs[ends[places[k]]++] = island.pairs[k];
-    island.pairs = std::move(pairs);
-    island.stages.clear();
-    for (int size = parts / 2, begin = 0; size > 0; begin += size, size /= 2)
-        island.stages.push_back({begin, begin + size});
+        pairs[next[blocks[k]]++] = island.pairs[k];
+    island.stages = {{0, even}, {even, odd}, {odd, far}, {far, far + 1}};
+    return std::exchange(island.pairs, std::move(pairs));
 }
 
 } // namespace rigor

@@ -6,10 +6,10 @@
 
 namespace rigor {
 
-/// Puts the pairs of an island in blocks if it has many bodies: the bodies are halved again and again by a
-/// vertical plane, and a pair belongs to the smallest part that holds both of its bodies. Parts of one size
-/// share no body that moves. Within a block the pairs keep their order.
-void split_into_blocks(const ContactProblem& problem, Island& island);
+/// Puts the pairs of an island in blocks if it has many bodies: its bodies are divided into upright slabs, and a
+/// block is the pairs within a slab, or between two neighbours. Blocks of a stage share no body that moves. Within
+/// a block the pairs keep their order. @return the pairs that were replaced, if any
+std::vector<ContactPair> split_into_blocks(const ContactProblem& problem, Island& island);
 
 /// Calls work(k) for each block, one after the other or by several threads where the result cannot tell.
 template <class Work> void visit_blocks(const Island& island, Team& team, const Work& work)

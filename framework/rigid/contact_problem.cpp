@@ -10,6 +10,7 @@
 #include "rigid/warm_start.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 namespace rigor {
@@ -64,7 +65,7 @@ Vector3d ContactProblem::velocity_at(const SolvedContact& c, const Vector3d& x) 
     return velocity_between(bodies, c, x);
 }
 
-Vector3d ContactProblem::velocity_between(const std::vector<Body>& states, const Contact& c,
+Vector3d ContactProblem::velocity_between(std::span<const Body> states, const Contact& c,
                                           const Vector3d& x) const
 {
     const Body &body1 = states[c.body1], &body2 = states[c.body2];
@@ -108,7 +109,7 @@ namespace {
 // The bodies that have contacts, as they are and as the step's forces would leave them.
 void take_bodies(const World& world, std::span<const RigidState> flown,
                  std::span<const Contact> contacts, ContactProblem& problem,
-                 std::vector<Body>& after_forces)
+                 Joined<Body>& after_forces)
 {
     std::vector<char> touches(world.bodies.size(), false);
     for (const Contact& contact : contacts)
@@ -134,7 +135,7 @@ struct Filter {
     const World& world;
     const ContactProblem& problem;
     const Neighbourhood& near;
-    const std::vector<Body>& after_forces;
+    std::span<const Body> after_forces;
 
     // Appends it if it may close.
     void take(const Contact& contact, Joined<SolvedContact>& taken) const
@@ -159,24 +160,27 @@ void take_contacts(const Filter& filter, ContactProblem& problem)
 {
     const std::vector<Contact>& contacts = filter.near.contacts;
     constexpr std::size_t worth_sharing = 256; // contacts
-    problem.contacts = join(problem.team->collect(contacts.size(), worth_sharing,
-                                                  [&](std::size_t first, std::size_t last) {
-                                                      Joined<SolvedContact> taken;
-                                                      taken.reserve(last - first);
-                                                      for (std::size_t i = first; i < last; ++i)
-                                                          filter.take(contacts[i], taken);
-                                                      return taken;
-                                                  }),
-                            *problem.team);
+    problem.contacts = join(*problem.team, contacts.size(), worth_sharing,
+                            [&](std::size_t first, std::size_t last) {
+                                Joined<SolvedContact> taken;
+                                taken.reserve(last - first);
+                                for (std::size_t i = first; i < last; ++i)
+                                    filter.take(contacts[i], taken);
+                                return taken;
+                            });
 }
 
-void set_impulse_matrices(ContactProblem& problem, const Island& island)
+// Impulse matrices and, beside them, blocks.
+void prepare(ContactProblem& problem, Island& island)
 {
     constexpr std::size_t worth_sharing = 64; // pairs
-    problem.team->share_stretches(
-        island.pairs.size(), worth_sharing, [&](std::size_t first, std::size_t last) {
-            for (std::size_t k = first; k < last; ++k)
-                for (int i = island.pairs[k].first; i < island.pairs[k].last; ++i)
+    const std::span<const ContactPair> pairs = island.pairs;
+    std::vector<ContactPair> replaced; // those of `pairs` until all are done
+    problem.team->share_stretches_beside(
+        [&] { replaced = split_into_blocks(problem, island); }, pairs.size(), worth_sharing,
+        [&](std::size_t first, std::size_t last) {
+            for (const ContactPair& pair : pairs.subspan(first, last - first))
+                for (int i = pair.first; i < pair.last; ++i)
                     problem.set_impulse_matrix(problem.contacts[i]);
         });
 }
@@ -195,21 +199,33 @@ ContactProblem contact_problem(const World& world, std::span<const RigidState> f
     problem.optimised = world.formulas_are_reference && world.skips.readable_formulas;
     problem.counters = &counters;
     problem.team = &team;
-    std::vector<Body> after_forces;
+    Joined<Body> after_forces; // of those that have contacts
     take_bodies(world, flown, near.contacts, problem, after_forces);
     take_contacts({world, problem, near, after_forces}, problem);
 
-    std::vector<ContactPair> pairs = pairs_of(problem.contacts);
+    const std::vector<ContactPair> pairs = pairs_of(problem.contacts);
+    const auto find_islands = [&] {
+        std::vector<ContactPair> from_lowest = pairs;
+        sort_from_lowest(problem, from_lowest);
+        problem.islands = islands_of(world, problem, from_lowest);
+    };
     const bool is_iterative =
         problem.method == ContactMethod::built_in || problem.method == ContactMethod::simultaneous;
-    if (is_iterative && world.skips.warm_start)
-        start_warm(world, near.poses, time_step, pairs, problem.contacts, counters, team);
-    sort_from_lowest(problem, pairs);
-    problem.islands = islands_of(world, problem, pairs);
-    for (Island& island : problem.islands) {
-        set_impulse_matrices(problem, island);
-        split_into_blocks(problem, island);
+    if (is_iterative && world.skips.warm_start) {
+        constexpr std::size_t worth_sharing = 128; // pairs
+        std::atomic<std::uint64_t> started = 0;
+        team.share_stretches_beside(
+            find_islands, pairs.size(), worth_sharing, [&](std::size_t first, std::size_t last) {
+                started +=
+                    start_warm(world, near.poses, time_step,
+                               std::span(pairs).subspan(first, last - first), problem.contacts);
+            });
+        counters.warm_starts += started;
+    } else {
+        find_islands();
     }
+    for (Island& island : problem.islands)
+        prepare(problem, island);
     return problem;
 }
 

@@ -76,7 +76,7 @@ struct ContactProblem {
     /// v₁ - v₂ at a point [m/s].
     Vector3d velocity_at(const SolvedContact& contact, const Vector3d& x) const;
     /// The same for bodies in another state.
-    Vector3d velocity_between(const std::vector<Body>& states, const Contact& contact,
+    Vector3d velocity_between(std::span<const Body> states, const Contact& contact,
                               const Vector3d& x) const;
     /// K₁ + K₂ at a point [1/kg].
     Matrix3d impulse_matrix_at(const SolvedContact& contact, const Vector3d& x) const;

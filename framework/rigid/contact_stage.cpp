@@ -36,6 +36,7 @@ double largest(const ContactProblem& problem, std::span<const Held> all, const V
         return found;
     };
     constexpr std::size_t worth_sharing = 512; // contacts
+    if (problem.team->stretches_of(all.size(), worth_sharing) < 2) return largest_of(0, all.size());
     const std::vector<double> found = problem.team->collect(all.size(), worth_sharing, largest_of);
     return *std::max_element(found.begin(), found.end());
 }
@@ -202,11 +203,10 @@ Joined<Held> held_contacts(const ContactProblem& problem, const Island& island)
     };
     constexpr std::size_t worth_sharing = 256; // pairs
     const std::span<const ContactPair> pairs = island.pairs;
-    return join(problem.team->collect(pairs.size(), worth_sharing,
-                                      [&](std::size_t first, std::size_t last) {
-                                          return held_of(pairs.subspan(first, last - first));
-                                      }),
-                *problem.team);
+    return join(*problem.team, pairs.size(), worth_sharing,
+                [&](std::size_t first, std::size_t last) {
+                    return held_of(pairs.subspan(first, last - first));
+                });
 }
 
 namespace {

@@ -13,17 +13,16 @@ namespace {
 
 // Which stages gave a body an impulse.
 struct Impulses {
-    std::vector<bool> bounced, held;
+    bool bounced = false, held = false;
 };
 
-Impulses impulses_of(const ContactProblem& problem)
+std::vector<Impulses> impulses_of(const ContactProblem& problem)
 {
-    const std::size_t n = problem.bodies.size();
-    Impulses impulses{std::vector<bool>(n, false), std::vector<bool>(n, false)};
+    std::vector<Impulses> impulses(problem.bodies.size());
     for (const SolvedContact& c : problem.contacts)
         for (int i : {c.body1, c.body2}) {
-            if (!c.bounce.isZero(0)) impulses.bounced[i] = true;
-            if (!c.holding.isZero(0)) impulses.held[i] = true;
+            if (!c.bounce.isZero(0)) impulses[i].bounced = true;
+            if (!c.holding.isZero(0)) impulses[i].held = true;
         }
     return impulses;
 }
@@ -67,15 +66,16 @@ void move(const World& world, const ContactProblem& problem, const std::vector<b
           const std::vector<Body>& bounced, const std::vector<Displacement>& displacements,
           std::vector<RigidState>& states, Counters& counters)
 {
-    const Impulses impulses = impulses_of(problem);
+    const std::vector<Impulses> impulses = impulses_of(problem);
     const auto move_one = [&](int i, bool evenly, Counters& counted) {
         const bool is_displaced = !displacements.empty() && !displacements[i].shift.isZero(0);
-        if (!impulses.bounced[i] && !impulses.held[i]) { // its flight was its motion
+        const auto [bounced_off, is_held] = impulses[i];
+        if (!bounced_off && !is_held) { // its flight was its motion
             if (is_displaced) displace(states[i], displacements[i]);
             ++counted.free_flights;
             return;
         }
-        const bool flies = !impulses.held[i] && !pulled[i];
+        const bool flies = !is_held && !pulled[i];
         const Body& body = flies ? bounced[i] : problem.bodies[i];
         RigidState state = world.bodies[i].state;
         const Vector3d V = state.velocity, L = state.angular_momentum;

@@ -123,8 +123,8 @@ void heal(const ContactProblem& problem, const Island& island,
     if (problem.gravity.isZero(0)) return;
     std::vector<Rows> rows(island.blocks.size());
     const double left = is_heap(island) ? left_in_a_heap : left_fraction;
-    visit_blocks(island, *problem.team,
-                 [&](int k) { rows[k] = rows_of(problem, island, island.blocks[k], left); });
+    problem.team->share(static_cast<int>(rows.size()),
+                        [&](int k) { rows[k] = rows_of(problem, island, island.blocks[k], left); });
     std::size_t count = 0;
     bool any = false;
     for (const Rows& of_block : rows) {

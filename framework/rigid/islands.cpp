@@ -42,22 +42,13 @@ void sort_from_lowest(const ContactProblem& problem, std::vector<ContactPair>& p
         return problem.contacts[pair.first].point;
     };
     const FromLowest place_of(problem.gravity, pairs, lowest_of);
-    const auto is_lower = [](const Placed& a, const Placed& b) {
+    std::vector<Placed> placed;
+    placed.reserve(pairs.size());
+    for (const ContactPair& pair : pairs)
+        placed.push_back({place_of(lowest_of(pair)), pair});
+    std::sort(placed.begin(), placed.end(), [](const Placed& a, const Placed& b) {
         return std::pair(a.lowest, a.pair.first) < std::pair(b.lowest, b.pair.first);
-    };
-    std::vector<Placed> placed(pairs.size());
-    const auto sort_from = [&](std::size_t first, std::size_t last) {
-        for (std::size_t k = first; k < last; ++k)
-            placed[k] = {place_of(lowest_of(pairs[k])), pairs[k]};
-        std::sort(placed.begin() + static_cast<std::ptrdiff_t>(first),
-                  placed.begin() + static_cast<std::ptrdiff_t>(last), is_lower);
-    };
-    constexpr std::size_t worth_sharing = 512; // pairs
-    const std::size_t n = placed.size(), middle = n / 2;
-    problem.team->share_both(
-        n, worth_sharing, [&] { sort_from(0, middle); }, [&] { sort_from(middle, n); });
-    std::inplace_merge(placed.begin(), placed.begin() + static_cast<std::ptrdiff_t>(middle),
-                       placed.end(), is_lower);
+    });
     std::transform(placed.begin(), placed.end(), pairs.begin(),
                    [](const Placed& p) { return p.pair; });
 }
@@ -98,10 +89,11 @@ std::vector<Island> islands_of(const World& world, const ContactProblem& problem
         if (const int island = island_of[groups.of(i)]; island >= 0 && !world.bodies[i].is_static)
             islands[island].bodies.push_back(i);
 
-    std::vector<Island> active;
+    std::size_t active = 0;
     for (std::size_t i = 0; i < islands.size(); ++i)
-        if (is_active[i]) active.push_back(std::move(islands[i]));
-    return active;
+        if (is_active[i] && active++ != i) islands[active - 1] = std::move(islands[i]);
+    islands.resize(active);
+    return islands;
 }
 
 std::size_t contacts_of(std::span<const ContactPair> pairs)

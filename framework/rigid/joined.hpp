@@ -26,15 +26,17 @@ template <class T> struct Unfilled : std::allocator<T> {
 /// A list that threads put together.
 template <class T> using Joined = std::vector<T, Unfilled<T>>;
 
-/// All parts, one after the other.
-template <class T> Joined<T> join(std::vector<Joined<T>> parts, Team& team)
+/// What work(first, last) returns for stretches of [0, count), each of at least `least`: one after the other.
+template <class Work>
+auto join(Team& team, std::size_t count, std::size_t least, const Work& work)
+    -> decltype(work(count, count))
 {
-    if (parts.empty()) return {};
-    if (parts.size() == 1) return std::move(parts[0]);
+    if (team.stretches_of(count, least) < 2) return work(std::size_t{0}, count);
+    const auto parts = team.collect(count, least, work);
     std::vector<std::size_t> starts = {0};
-    for (const Joined<T>& part : parts)
+    for (const auto& part : parts)
         starts.push_back(starts.back() + part.size());
-    Joined<T> all(starts.back());
+    decltype(work(count, count)) all(starts.back());
     team.share(static_cast<int>(parts.size()), [&](int k) {
         std::uninitialized_copy(parts[k].begin(), parts[k].end(), all.data() + starts[k]);
     });

@@ -59,15 +59,16 @@ public:
     Progress sweep(std::vector<Vector3d>& steps) override
     {
         visit_blocks(island_, *problem_.team, [&](int block) {
-            Swept& swept = swept_[block];
-            swept = {};
+            Block& swept = blocks_[block];
+            swept.progress = {};
+            swept.impulses = 0;
             for (const RowPair& pair : pairs_of(block))
                 sweep(pair, steps, swept);
         });
         Progress all;
-        for (const Swept& swept : swept_) {
-            const Progress& progress = swept.progress;
-            problem_.counters->contact_impulses += swept.impulses;
+        for (const Block& block : blocks_) {
+            const Progress& progress = block.progress;
+            problem_.counters->contact_impulses += block.impulses;
             all.change = std::max(all.change, progress.change);
             all.total = std::max(all.total, progress.total);
             all.squared += progress.squared;
@@ -105,8 +106,9 @@ public:
     }
 
 private:
-    // What a sweep did in a block.
-    struct Swept {
+    // Some of these pairs, and what the last sweep did to them.
+    struct Block {
+        IslandStretch pairs;
         Progress progress;
         std::uint64_t impulses = 0;
     };
@@ -117,6 +119,7 @@ private:
         int k = 0;
         const int n = static_cast<int>(held_.size());
         blocks_.reserve(island_.blocks.size());
+        pairs_.reserve(std::min(island_.pairs.size(), held_.size()));
         for (const IslandStretch& block : island_.blocks) {
             const int first_pair = static_cast<int>(pairs_.size());
             for (int i = block.first; i < block.last; ++i) {
@@ -127,14 +130,13 @@ private:
                     ++k;
                 if (k > first) pairs_.push_back({c.body1, c.body2, first, k, {}});
             }
-            blocks_.push_back({first_pair, static_cast<int>(pairs_.size())});
+            blocks_.push_back({{first_pair, static_cast<int>(pairs_.size())}, {}, 0});
         }
-        swept_.resize(blocks_.size());
     }
 
     std::span<RowPair> pairs_of(int block)
     {
-        const auto [first, last] = blocks_[block];
+        const auto [first, last] = blocks_[block].pairs;
         return std::span(pairs_).subspan(first, last - first);
     }
 
@@ -152,7 +154,7 @@ private:
                 c.friction};
     }
 
-    void sweep(const RowPair& pair, std::vector<Vector3d>& steps, Swept& swept)
+    void sweep(const RowPair& pair, std::vector<Vector3d>& steps, Block& swept)
     {
         Progress& progress = swept.progress;
         visit(pair, [&](Row& row, TwoMotions& motions) {
@@ -208,10 +210,9 @@ private:
     ContactProblem& problem_;
     const Island& island_;
     std::span<const Held> held_;
-    std::vector<Row> rows_;
+    Joined<Row> rows_;
     std::vector<RowPair> pairs_;
-    std::vector<IslandStretch> blocks_; // of these pairs
-    std::vector<Swept> swept_;          // of each block, by the last sweep
+    std::vector<Block> blocks_;
 };
 
 } // namespace

@@ -168,7 +168,10 @@ End after_contacts(World& world, double time_step, const Start& start, Team& tea
         [&, &poses = near.poses] { end.held = warm_contacts(poses, problem.contacts, time_step); },
         [&] { others = records_of(problem); });
     take_warm(halving.warm, end.held);
-    end.records.insert(end.records.end(), others.begin(), others.end());
+    if (end.records.empty())
+        end.records = std::move(others);
+    else
+        end.records.insert(end.records.end(), others.begin(), others.end());
     counters.contacts += end.records.size();
     end.records.insert(end.records.end(), halving.records.begin(), halving.records.end());
     counters.islands += problem.islands.size();

@@ -43,7 +43,20 @@ public:
         });
     }
 
-    /// The same. @return what work returned, in the order of the stretches: one by one the same for any number
+    /// The same, with beside() at the same time.
+    template <class Beside, class Work>
+    void share_stretches_beside(const Beside& beside, std::size_t count, std::size_t least,
+                                const Work& work)
+    {
+        const int stretches = stretches_of(count, least);
+        share(stretches + 1, [&](int k) {
+            if (k == 0) return beside();
+            const auto [first, last] = stretch(count, stretches, k - 1);
+            work(first, last);
+        });
+    }
+
+    /// share_stretches. @return what work returned, in the order of the stretches: one by one the same for any number
     /// of threads, if put together in that order
     template <class Work>
     auto collect(std::size_t count, std::size_t least, const Work& work)

@@ -52,61 +52,49 @@ struct Match {
     auto operator<=>(const Match&) const = default;
 };
 
-// Of one pair of bodies; the memory is used again for the next.
-struct Matches {
-    std::vector<Match> near;
-    std::vector<char> is_taken, is_started; // of the step before, of this one
-};
-
 // The nearest find each other first: else a contact that carries nothing takes what holds its neighbour.
-// @return how many there were
+// @param matches  memory; those made come first in it
+// @return how many there are
 std::uint64_t start_warm(const World& world, const std::vector<Pose>& poses, double time_step,
-                         std::span<SolvedContact> contacts, Matches& matches)
+                         std::span<SolvedContact> contacts, std::vector<Match>& matches)
 {
     const std::span<const WarmContact> before = warm_of(world, contacts.front());
     if (before.empty()) return 0;
     const auto& [R, X] = poses[contacts.front().body1];
-    matches.near.clear();
+    matches.clear();
     for (std::size_t k = 0; k < before.size(); ++k) {
         const Vector3d x = optimised::product(R, before[k].point) + X;
         for (std::size_t i = 0; i < contacts.size(); ++i) {
             const double farthest = near_fraction * contacts[i].radius;
             const double distance = (x - contacts[i].point).squaredNorm();
-            if (distance <= farthest * farthest) matches.near.push_back({distance, i, k});
+            if (distance <= farthest * farthest) matches.push_back({distance, i, k});
         }
     }
-    std::sort(matches.near.begin(), matches.near.end());
-    matches.is_taken.assign(before.size(), false);
-    matches.is_started.assign(contacts.size(), false);
-    std::uint64_t count = 0;
-    for (const auto& [distance, i, k] : matches.near) {
-        if (matches.is_started[i] || matches.is_taken[k]) continue;
-        matches.is_started[i] = matches.is_taken[k] = true;
-        contacts[i].guess = turned_to(contacts[i], time_step * before[k].impulse);
-        ++count;
+    std::sort(matches.begin(), matches.end());
+    auto made = matches.begin();
+    for (const Match& match : matches) {
+        if (std::any_of(matches.begin(), made, [&](const Match& other) {
+                return other.contact == match.contact || other.before == match.before;
+            }))
+            continue;
+        SolvedContact& c = contacts[match.contact];
+        c.guess = turned_to(c, time_step * before[match.before].impulse);
+        *made++ = match;
     }
-    return count;
+    return static_cast<std::uint64_t>(made - matches.begin());
 }
 
 } // namespace
 
-void start_warm(const World& world, const std::vector<Pose>& poses, double time_step,
-                std::span<const ContactPair> pairs, std::span<SolvedContact> contacts,
-                Counters& counters, Team& team)
+std::uint64_t start_warm(const World& world, const std::vector<Pose>& poses, double time_step,
+                         std::span<const ContactPair> pairs, std::span<SolvedContact> contacts)
 {
-    constexpr std::size_t worth_sharing = 128; // pairs
-    const std::vector<std::uint64_t> counts =
-        team.collect(pairs.size(), worth_sharing, [&](std::size_t first, std::size_t last) {
-            Matches matches;
-            std::uint64_t count = 0;
-            for (const ContactPair& pair : pairs.subspan(first, last - first)) {
-                const auto of_pair = contacts.subspan(pair.first, pair.last - pair.first);
-                count += start_warm(world, poses, time_step, of_pair, matches);
-            }
-            return count;
-        });
-    for (const std::uint64_t count : counts)
-        counters.warm_starts += count;
+    std::vector<Match> matches;
+    std::uint64_t count = 0;
+    for (const ContactPair& pair : pairs)
+        count += start_warm(world, poses, time_step, contacts.subspan(pair.first, pair.count()),
+                            matches);
+    return count;
 }
 
 std::vector<WarmContact> warm_contacts(const std::vector<Pose>& poses,

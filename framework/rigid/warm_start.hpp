@@ -10,9 +10,9 @@ namespace rigor {
 ///
 /// @param poses  of all bodies, as the step begins
 /// @param pairs  of contacts, whose bodies are in ascending order
-void start_warm(const World& world, const std::vector<Pose>& poses, double time_step,
-                std::span<const ContactPair> pairs, std::span<SolvedContact> contacts,
-                Counters& counters, Team& team);
+/// @return how many contacts got one
+std::uint64_t start_warm(const World& world, const std::vector<Pose>& poses, double time_step,
+                         std::span<const ContactPair> pairs, std::span<SolvedContact> contacts);
 
 /// What the next step can start from. @param contacts  grouped by bodies, in ascending order
 std::vector<WarmContact> warm_contacts(const std::vector<Pose>& poses,
