@@ -36,10 +36,11 @@ template <class T, class IsWanted> T wait_for(std::atomic<T>& value, const IsWan
 
 // Which work it is, and how many of its tasks were taken: by the caller from the first on, by the others from the last
 // on. So tasks that come again and again, a step's sweeps, find most of what they need in their processor's cache.
-struct Ticket {
+struct alignas(std::uint64_t) Ticket {
     std::uint32_t work = 0;
     std::uint16_t from_first = 0, from_last = 0;
 };
+static_assert(std::atomic<Ticket>::is_always_lock_free);
 constexpr int most_tasks = 0xffff;
 
 // The helpers, and the work at hand.
