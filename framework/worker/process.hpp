@@ -14,10 +14,12 @@
 namespace rigor {
 
 #ifdef RIGOR_SANITIZED
-inline constexpr double patience = 20; // what a sanitizer slows a scene down by, and more
+inline constexpr bool is_sanitized = true;
 #else
-inline constexpr double patience = 1;
+inline constexpr bool is_sanitized = false;
 #endif
+/// What a sanitizer slows a scene down by, and more.
+inline constexpr double patience = is_sanitized ? 20 : 1;
 
 /// What an implementation may use. A limit on time is the greater of its floor and `multiple` times
 /// what the oracle took for the same request; without an oracle it is the floor. Time runs from the
