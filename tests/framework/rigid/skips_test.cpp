@@ -202,6 +202,34 @@ TEST_CASE("skips: a contact that carries nothing leaves its neighbour's impulse 
     }
 }
 
+TEST_CASE("skips: a body that is alone flies as it does far from others", "[rigid]")
+{
+    RigidBody body = body_of(Box{{1, 2, 3}}, {0, 5, 0});
+    body.state.velocity = {1, 2, 3};
+    body.state.angular_momentum = 4000 * Vector3d(3, 1, 2);
+    for (Integrator integrator : {Integrator::matrix, Integrator::linear, Integrator::exponential,
+                                  Integrator::buss, Integrator::runge_kutta}) {
+        CAPTURE(static_cast<int>(integrator));
+        World alone = world_of({body}), two = world_of({body, fixed(Box{{1, 1, 1}}, {0, 0.5})});
+        two.bodies[1].state.position = {1000, 0, 0};
+        alone.integrator = two.integrator = integrator;
+        for (int i = 0; i < 50; ++i) {
+            REQUIRE(step(alone, h).empty());
+            REQUIRE(step(two, h).empty());
+        }
+        const RigidState &a = alone.bodies[0].state, &b = two.bodies[0].state;
+        CHECK(a.position == b.position);
+        CHECK(a.orientation.s == b.orientation.s);
+        CHECK(a.orientation.v == b.orientation.v);
+        CHECK(a.velocity == b.velocity);
+        CHECK(a.angular_momentum == b.angular_momentum);
+        CHECK(alone.time == two.time);
+        CHECK(alone.counters.steps == two.counters.steps);
+        CHECK(alone.counters.substeps == two.counters.substeps);
+        CHECK(alone.counters.free_flights == two.counters.free_flights);
+    }
+}
+
 TEST_CASE("skips: a tree of boxes finds what comparing all pairs finds", "[geometry]")
 {
     // as large and as small as doubles are, and apart or touching by one rounding far from the origin
