@@ -97,8 +97,8 @@ Residuals sweep_on(ContactProblem& problem, Sweeps& sweeps, std::size_t count, c
     double before = 0, smallest = std::numeric_limits<double>::infinity();
     const bool is_large = count > large; // then the sweeps are better spent
     std::vector<Vector3d> steps(count, Vector3d::Zero());
-    std::vector<Vector3d> directions(is_large ? 0 : count, Vector3d::Zero());
-    bool is_wild = false; // where that made it worse, it is left
+    std::vector<Vector3d> directions; // from the second sweep on
+    bool is_wild = false;             // where that made it worse, it is left
     for (int i = 1; i <= limits.most; ++i) {
         const Progress progress = sweeps.sweep(steps);
         ++problem.counters->contact_sweeps;
@@ -116,6 +116,7 @@ Residuals sweep_on(ContactProblem& problem, Sweeps& sweeps, std::size_t count, c
         const bool slows_down = before > 0 && progress.squared <= before && !is_wild;
         const double beta = slows_down ? progress.squared / before : 0; // 0: starts afresh
         before = progress.squared;
+        directions.resize(count, Vector3d::Zero());
         for (std::size_t k = 0; k < count; ++k) {
             const Vector3d more = beta * directions[k];
             directions[k] = steps[k] + more;
@@ -149,6 +150,15 @@ std::vector<Body> bodies_of(const ContactProblem& problem, const Island& island)
     return bodies;
 }
 
+// What the sweeps started from.
+std::vector<Vector3d> guesses(const ContactProblem& problem, std::span<const Held> all)
+{
+    std::vector<Vector3d> impulses;
+    for (const Held& held : all)
+        impulses.push_back(problem.contacts[held.contact].guess);
+    return impulses;
+}
+
 void solve(ContactProblem& problem, const Island& island, std::span<const Held> all)
 {
     const int count = static_cast<int>(all.size());
@@ -165,13 +175,13 @@ void solve(ContactProblem& problem, const Island& island, std::span<const Held> 
                         rounding * speed + seen * approach(problem, all)};
     const std::vector<Body> free = may_jump ? bodies_of(problem, island) : std::vector<Body>();
     const std::unique_ptr<Sweeps> sweeps = sweeps_of(problem, island, all);
-    std::vector<Vector3d> start = may_jump ? sweeps->impulses() : std::vector<Vector3d>();
     const Residuals swept = sweep_on(problem, *sweeps, all.size(), limits);
     if (!swept.is_done && may_jump) {
         // Newton's impulses, from the better end of the sweeps; kept where the sweeps agree.
         ++problem.counters->newton_solves;
-        std::vector<Vector3d> best = swept.last <= swept.first ? sweeps->impulses() : start;
-        start = best;
+        const std::vector<Vector3d> start =
+            swept.last <= swept.first ? sweeps->impulses() : guesses(problem, all);
+        std::vector<Vector3d> best = start;
         if (newton_impulses(problem, island, free, all, best)) go_to(*sweeps, best);
         const Limits few{last_sweeps, limits.unnoticed};
         const Residuals after = sweep_on(problem, *sweeps, all.size(), few);
@@ -267,8 +277,10 @@ void process_contact(ContactProblem& problem, const Island& island)
     if (gain <= rounding * before.all || gain > before.inner) return;
     for (std::size_t k = 0; k < bodies.size(); ++k)
         problem.bodies[island.bodies[k]] = bodies[k];
-    for (Held& held : all)
+    for (Held& held : all) {
         held.target = std::min(held.target, 0.0);
+        problem.contacts[held.contact].holding.setZero();
+    }
     hold(problem, island, all);
 }
 

@@ -48,9 +48,10 @@ void fall_asleep(World& world, const ContactProblem& problem, const std::vector<
                  const std::vector<ContactRecord>& records)
 {
     if (!world.skips.sleep || world.gravity.isZero(0)) return;
-    std::vector<bool> fell(world.bodies.size(), false);
+    std::vector<bool> fell; // none, as long as it is empty
     for (const Island& island : problem.islands) {
         if (!has_rested(world, island, radii, pulled, states, problem.time_step)) continue;
+        fell.resize(world.bodies.size());
         const int group = *std::min_element(island.bodies.begin(), island.bodies.end());
         for (int i : island.bodies) {
             world.bodies[i].rest.group = group;
@@ -59,6 +60,7 @@ void fall_asleep(World& world, const ContactProblem& problem, const std::vector<
             fell[i] = true;
         }
     }
+    if (fell.empty()) return;
     for (const ContactRecord& record : records)
         if (fell[record.body1] || fell[record.body2]) world.sleeping_contacts.push_back(record);
 }

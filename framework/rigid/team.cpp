@@ -97,6 +97,7 @@ int Team::stretches_of(std::size_t count, std::size_t least) const
 
 Team::Stretch Team::stretch(std::size_t count, int stretches, int k)
 {
+    if (stretches == 1) return {0, count};
     const auto n = static_cast<std::size_t>(stretches), i = static_cast<std::size_t>(k);
     return {count * i / n, count * (i + 1) / n};
 }
