@@ -185,25 +185,6 @@ End after_contacts(World& world, double time_step, const Start& start, Team& tea
     return end;
 }
 
-// Whether nothing can meet the only body or pull at it: then it only flies.
-bool is_alone(const World& world)
-{
-    return world.bodies.size() == 1 && world.springs.empty() && world.forces.empty();
-}
-
-void fly_alone(World& world, double time_step)
-{
-    RigidBody& body = world.bodies[0];
-    Counters& counters = world.counters;
-    if (body.is_static) ++counters.static_skipped;
-    if (body.rest.is_asleep()) ++counters.bodies_asleep;
-    if (body.is_still()) return;
-    const RigidState flown = fly(world, body, body.state, time_step, counters);
-    require_finite(body, flown, world.time + time_step);
-    body.state = flown;
-    ++counters.free_flights;
-}
-
 // @param halvings  of the step that this is a part of
 std::vector<ContactRecord> step_halved(World& world, double time_step, int halvings)
 {
@@ -225,12 +206,27 @@ std::vector<ContactRecord> step_halved(World& world, double time_step, int halvi
     return std::move(end.records);
 }
 
+// The only body of a world meets nothing.
+RigidState flight_of_one(World& world, double time_step)
+{
+    const RigidBody& body = world.bodies[0];
+    Counters& counters = world.counters;
+    if (body.is_still() || !world.springs.empty() || !world.forces.empty()) {
+        Team alone;
+        return start_of_step(world, time_step, alone).flown[0];
+    }
+    const RigidState flown = fly(world, body, body.state, time_step, counters);
+    require_finite(body, flown, world.time + time_step);
+    ++counters.free_flights;
+    return flown;
+}
+
 } // namespace
 
 std::vector<ContactRecord> step(World& world, double time_step)
 {
-    if (!is_alone(world)) return step_halved(world, time_step, 0);
-    fly_alone(world, time_step);
+    if (world.bodies.size() != 1) return step_halved(world, time_step, 0);
+    world.bodies[0].state = flight_of_one(world, time_step);
     world.warm_contacts.clear();
     world.time += time_step;
     ++world.counters.steps;
