@@ -143,6 +143,16 @@ SuiteResult build_preset(const std::string& preset, const fs::path& build)
             make(preset + "  build", ninja) ? SuiteResult::passed : SuiteResult::failed};
 }
 
+// With its sanitizers.
+bool has_clang()
+{
+    Command command;
+    command.arguments = {"sh", "-c",
+                         "echo 'int main() {}' | "
+                         "clang++ -fsanitize=address,undefined -x c++ - -o /dev/null"};
+    return run(command, [](std::string_view) {}).ok();
+}
+
 } // namespace
 
 SuiteResult check_format()
@@ -162,15 +172,6 @@ SuiteResult check_format()
     for (std::size_t i = 0; i < wrong.size() && i < 10; ++i)
         fmt::print("    {}\n", wrong[i]);
     return {"format", ended.ok() ? SuiteResult::passed : SuiteResult::failed};
-}
-
-bool has_clang()
-{
-    Command command;
-    command.arguments = {"sh", "-c",
-                         "echo 'int main() {}' | "
-                         "clang++ -fsanitize=address,undefined -x c++ - -o /dev/null"};
-    return run(command, [](std::string_view) {}).ok();
 }
 
 std::vector<SuiteResult> run_preset(const std::string& preset)

@@ -16,9 +16,6 @@ struct SuiteResult {
 /// Whether every source file is as clang-format would have it; skipped where that is not installed.
 SuiteResult check_format();
 
-/// Whether clang++ is installed, with its sanitizers.
-bool has_clang();
-
 /// Configures and builds a preset of CMakePresets.json and runs all its suites. A suite that fails is printed whole.
 /// @throws InputError if there is no such preset
 std::vector<SuiteResult> run_preset(const std::string& preset);

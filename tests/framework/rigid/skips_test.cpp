@@ -196,7 +196,7 @@ TEST_CASE("skips: a contact that carries nothing leaves its neighbour's impulse 
         contacts[0].guess = contacts[1].guess = Vector3d::Zero();
         const std::vector<ContactPair> pairs = {{0, 2}};
         const std::vector<Pose> poses = {{}, {Matrix3d::Identity(), {0, 0.5, 0}}};
-        world.counters.warm_starts += start_warm(world, poses, h, pairs, contacts);
+        CHECK(start_warm(world, poses, h, pairs, contacts) == 1);
         CHECK(contacts[is_first].guess == h * force);
         CHECK(contacts[!is_first].guess == Vector3d::Zero());
     }
