@@ -47,7 +47,7 @@ RigidState one_step(Integrator integrator, const RigidBody& body, const RigidSta
 {
     if (integrator == Integrator::matrix) {
         Track<MatrixScheme> track{body, MatrixScheme::from(state), wrench};
-        runge_kutta_4(std::span(&track, 1), h, [](double) {});
+        runge_kutta_4(std::span(&track, 1), h, [] {});
         return MatrixScheme::to(track.stage, state);
     }
     if (integrator == Integrator::runge_kutta)
@@ -85,54 +85,63 @@ int count_substeps(int n, Counters& counters)
     return n;
 }
 
-std::vector<Motion> motions_of(const World& world, const std::vector<bool>& pulled,
-                               std::span<const RigidState> states)
-{
-    std::vector<Motion> motions(states.size());
-    for (std::size_t i = 0; i < states.size(); ++i) {
-        const RigidState& s = states[i];
-        const RigidBody& body = world.bodies[i];
-        motions[i] = {Matrix3d::Identity(), s.position, s.velocity, Vector3d::Zero()};
-        if (!pulled[i] && !body.is_static) continue; // nothing is attached here
-        motions[i].R = body_rotation(world.integrator, s);
-        motions[i].omega = angular_velocity_of(world.integrator, body, s);
-    }
-    return motions;
-}
-
 // Runge–Kutta 4 for the bodies in `together`, whose forces depend on each other at every stage.
+// @param middle  of the step: the time [s]
 template <class Scheme>
-void fly_together(const World& world, const std::vector<bool>& pulled,
-                  const std::vector<int>& together, std::vector<RigidState>& states, double h,
-                  double time)
+void fly_together(const World& world, Pulls& pulls, std::span<const int> together,
+                  std::vector<RigidState>& states, double h, double middle)
 {
     std::vector<Track<Scheme>> tracks;
+    tracks.reserve(together.size());
     for (int i : together)
         tracks.push_back({world.bodies[i], Scheme::from(states[i]), Wrench()});
-    std::vector<RigidState> stage = states;
-    runge_kutta_4(std::span(tracks), h, [&](double offset) {
+    runge_kutta_4(std::span(tracks), h, [&] {
         for (std::size_t k = 0; k < together.size(); ++k)
-            stage[together[k]] = Scheme::to(tracks[k].stage, stage[together[k]]);
-        const std::vector<Wrench> net =
-            wrenches(world, motions_of(world, pulled, stage), time + offset);
+            states[together[k]] = Scheme::to(tracks[k].stage, states[together[k]]);
+        const std::vector<Wrench>& net = pulls.at(states, middle);
         for (std::size_t k = 0; k < together.size(); ++k)
-            tracks[k].wrench = net[together[k]];
+            tracks[k].wrench = net[k];
     });
     for (std::size_t k = 0; k < together.size(); ++k)
         states[together[k]] = Scheme::to(tracks[k].stage, states[together[k]]);
 }
 
-void fly_pulled(const World& world, const std::vector<bool>& pulled,
-                const std::vector<int>& together, std::vector<RigidState>& states, double h,
-                double time)
+// Kicks, and free flights between them, by the method of Blanes and Moan: see the header.
+void fly_by_kicks(const World& world, Pulls& pulls, std::span<const int> together,
+                  std::vector<RigidState>& states, double h, double middle)
+{
+    constexpr double b1 = 0.0829844064174052, b2 = 0.396309801498368, b3 = -0.0390563049223486;
+    constexpr double a1 = 0.245298957184271, a2 = 0.604872665711080;
+    constexpr double a3 = 0.5 - (a1 + a2), b4 = 1 - 2 * (b1 + b2 + b3);
+    constexpr double kicks[] = {b1, b2, b3, b4, b3, b2, b1};
+    constexpr double flights[] = {a1, a2, a3, a3, a2, a1};
+    for (std::size_t s = 0; s < std::size(kicks); ++s) {
+        const std::vector<Wrench>& net = pulls.at(states, middle);
+        for (std::size_t k = 0; k < together.size(); ++k) {
+            const RigidBody& body = world.bodies[together[k]];
+            RigidState& state = states[together[k]];
+            state.velocity += kicks[s] * h * body.inverse.inverse_mass * net[k].force;
+            state.angular_momentum += kicks[s] * h * net[k].torque;
+            if (s < std::size(flights))
+                state = step_under_constant_wrench(body, state, Wrench(), flights[s] * h);
+        }
+    }
+}
+
+void fly_pulled(const World& world, Pulls& pulls, std::span<const int> together,
+                std::vector<RigidState>& states, double h, double middle)
 {
     if (world.integrator == Integrator::matrix)
-        return fly_together<MatrixScheme>(world, pulled, together, states, h, time);
+        return fly_together<MatrixScheme>(world, pulls, together, states, h, middle);
+    if (world.integrator == Integrator::runge_kutta && pulls.any_damps())
+        return fly_together<LieScheme>(world, pulls, together, states, h, middle);
     if (world.integrator == Integrator::runge_kutta)
-        return fly_together<LieScheme>(world, pulled, together, states, h, time);
-    const std::vector<Wrench> net = wrenches(world, motions_of(world, pulled, states), time);
-    for (int i : together)
-        states[i] = euler_step(world.integrator, world.bodies[i], states[i], net[i], h);
+        return fly_by_kicks(world, pulls, together, states, h, middle);
+    const std::vector<Wrench>& net = pulls.at(states, middle);
+    for (std::size_t k = 0; k < together.size(); ++k) {
+        const int i = together[k];
+        states[i] = euler_step(world.integrator, world.bodies[i], states[i], net[k], h);
+    }
 }
 
 } // namespace
@@ -194,8 +203,9 @@ std::vector<RigidState> fly_all(const World& world, const std::vector<bool>& pul
     // Those that springs tie together but that fly alone have moved already: none is among them.
     count_substeps(n, counters);
     const double h = time_step / n;
+    Pulls pulls(world, together);
     for (int k = 0; k < n; ++k)
-        fly_pulled(world, pulled, together, states, h, world.time + k * h);
+        fly_pulled(world, pulls, together, states, h, world.time + (k + 0.5) * h);
     for (int i : together)
         states[i] = with_unit_orientation(world.integrator, states[i]);
     return states;

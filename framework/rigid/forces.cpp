@@ -3,12 +3,13 @@
 
 #include "formulas/kinematics.hpp"
 #include "formulas/rotation.hpp"
+#include "rigid/flight.hpp"
+
+#include <algorithm>
 
 namespace rigor {
 
 namespace {
-
-using PointForces = std::vector<std::vector<PointForce>>; // for each body
 
 bool acts(const AppliedForce& force, double time)
 {
@@ -30,21 +31,13 @@ SpringEnd spring_end(int body, const Vector3d& point, bool damps, std::span<cons
     return end;
 }
 
-void add_spring(const Spring& spring, std::span<const Motion> motions, PointForces& forces)
+// @param needs_omega  whether anything depends on how fast its points move
+Motion motion_of(Integrator integrator, const RigidBody& body, const RigidState& state,
+                 bool needs_omega)
 {
-    const bool damps = spring.damping != 0;
-    const SpringEnd end1 = spring_end(spring.body1, spring.point1, damps, motions);
-    const SpringEnd end2 = spring_end(spring.body2, spring.point2, damps, motions);
-    const Vector3d d = end2.x - end1.x;
-    const double length = d.norm();
-    if (length == 0) return; // no direction to pull in
-
-    // f₁ = (k (|d| - l₀) + c (v₂ - v₁)·u) u,  u = d/|d|,  f₂ = -f₁
-    const Vector3d u = d / length;
-    const double tension = spring.stiffness * (length - spring.rest_length) +
-                           spring.damping * (end2.v - end1.v).dot(u);
-    if (spring.body1 >= 0) forces[spring.body1].push_back({tension * u, end1.x});
-    if (spring.body2 >= 0) forces[spring.body2].push_back({-tension * u, end2.x});
+    Motion m{body_rotation(integrator, state), state.position, state.velocity, Vector3d::Zero()};
+    if (needs_omega) m.omega = inverse_inertia(integrator, body, state) * state.angular_momentum;
+    return m;
 }
 
 } // namespace
@@ -75,27 +68,65 @@ Vector3d up_against(const Vector3d& gravity)
     return g > 0 ? Vector3d(-gravity / g) : Vector3d::UnitY();
 }
 
-std::vector<Wrench> wrenches(const World& world, std::span<const Motion> motions, double time)
+Pulls::Pulls(const World& world, std::span<const int> bodies)
+    : world_(world), bodies_(bodies),
+      any_damps_(std::any_of(world.springs.begin(), world.springs.end(),
+                             [](const Spring& spring) { return spring.damping != 0; })),
+      motions_(world.bodies.size()), forces_(world.bodies.size()), net_(bodies.size())
 {
-    PointForces forces(world.bodies.size());
     for (const Spring& spring : world.springs)
-        add_spring(spring, motions, forces);
-    for (const AppliedForce& force : world.forces)
-        if (acts(force, time)) {
-            const Motion& m = motions[force.body];
-            forces[force.body].push_back({force.force, world_point(m.R, m.X, force.point)});
-        }
+        for (int i : {spring.body1, spring.body2})
+            if (i >= 0 && world.bodies[i].is_static) {
+                const RigidBody& body = world.bodies[i];
+                motions_[i] = motion_of(world.integrator, body, body.state, false);
+            }
+}
 
-    std::vector<Wrench> net(world.bodies.size());
-    for (std::size_t i = 0; i < net.size(); ++i) {
-        const RigidBody& body = world.bodies[i];
-        if (body.is_static) continue;
-        if (!forces[i].empty()) net[i] = net_wrench(forces[i], motions[i].X);
-        const Wrench gravity = gravity_on(world, body, motions[i].X);
-        net[i].force += gravity.force;
-        net[i].torque += gravity.torque;
+void Pulls::push(int body, const Vector3d& force, const Vector3d& point)
+{
+    if (body >= 0 && !world_.bodies[body].is_static) forces_[body].push_back({force, point});
+}
+
+void Pulls::add_spring(const Spring& spring)
+{
+    const bool damps = spring.damping != 0;
+    const SpringEnd end1 = spring_end(spring.body1, spring.point1, damps, motions_);
+    const SpringEnd end2 = spring_end(spring.body2, spring.point2, damps, motions_);
+    const Vector3d d = end2.x - end1.x;
+    const double length = d.norm();
+    if (length == 0) return; // no direction to pull in
+
+    // f₁ = (k (|d| - l₀) + c (v₂ - v₁)·u) u,  u = d/|d|,  f₂ = -f₁
+    const Vector3d u = d / length;
+    const double tension = spring.stiffness * (length - spring.rest_length) +
+                           spring.damping * (end2.v - end1.v).dot(u);
+    push(spring.body1, tension * u, end1.x);
+    push(spring.body2, -tension * u, end2.x);
+}
+
+const std::vector<Wrench>& Pulls::at(std::span<const RigidState> states, double middle)
+{
+    for (int i : bodies_) {
+        motions_[i] = motion_of(world_.integrator, world_.bodies[i], states[i], any_damps_);
+        forces_[i].clear();
     }
-    return net;
+    for (const Spring& spring : world_.springs)
+        add_spring(spring);
+    for (const AppliedForce& force : world_.forces)
+        if (acts(force, middle)) {
+            const Motion& m = motions_[force.body];
+            push(force.body, force.force, world_point(m.R, m.X, force.point));
+        }
+    for (std::size_t k = 0; k < bodies_.size(); ++k) {
+        const int i = bodies_[k];
+        const Vector3d& X = motions_[i].X;
+        net_[k] = gravity_on(world_, world_.bodies[i], X);
+        if (forces_[i].empty()) continue;
+        const Wrench pull = net_wrench(forces_[i], X);
+        net_[k].force += pull.force;
+        net_[k].torque += pull.torque;
+    }
+    return net_;
 }
 
 } // namespace rigor

@@ -27,8 +27,7 @@ template <class Scheme> struct Track {
 
 /// Advances all tracks by h at once, so that they may pull at each other.
 ///
-/// @param update_wrenches  called with the time since the start at each stage; sets the tracks'
-///                         wrenches if they change
+/// @param update_wrenches  called at each stage; sets the tracks' wrenches if they change
 template <class Scheme, class Update>
 void runge_kutta_4(std::span<Track<Scheme>> tracks, double h, Update&& update_wrenches)
 {
@@ -37,7 +36,7 @@ void runge_kutta_4(std::span<Track<Scheme>> tracks, double h, Update&& update_wr
         for (Track<Scheme>& t : tracks)
             if (s > 0)
                 t.stage = Scheme::advance(t.start, Scheme::slope(t.rates, s, h), offsets[s] * h);
-        update_wrenches(offsets[s] * h);
+        update_wrenches();
         for (Track<Scheme>& t : tracks)
             t.rates[s] = Scheme::rate(*t.body, t.stage, t.wrench);
     }

@@ -72,6 +72,23 @@ inline void spin(RigidBody& body, const Vector3d& omega)
     body.state.angular_momentum = R * body.inertia * R.transpose() * omega;
 }
 
+inline const Vector3d free_moments(13, 10, 5); // [kg m²]
+
+/// 12 kg, without a shape.
+inline RigidBody free_box(const Vector3d& omega = {0, 0, 0})
+{
+    RigidBody body;
+    body.name = "box";
+    set_mass(body, 12, free_moments.asDiagonal().toDenseMatrix());
+    spin(body, omega);
+    return body;
+}
+
+inline Eigen::Quaterniond eigen(const Quaternion& q)
+{
+    return {q.s, q.v.x(), q.v.y(), q.v.z()};
+}
+
 /// Of all moving bodies together, about the origin.
 struct Totals {
     Vector3d momentum = Vector3d::Zero(), angular_momentum = Vector3d::Zero();

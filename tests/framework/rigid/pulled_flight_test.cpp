@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+// Bodies that springs and applied forces pull at.
+#include "support/free_rotor.hpp"
+#include "worlds.hpp"
+
+#include <algorithm>
+
+using namespace rigor;
+using namespace rigor::testing;
+
+namespace {
+
+// A box on a spring along x that is loose at the origin, where its other end is fixed.
+World oscillator(double stiffness, double damping = 0)
+{
+    World world = world_of({free_box()}, {0, 0, 0});
+    world.bodies[0].state.position = {1, 0, 0};
+    world.springs.push_back({0, -1, {0, 0, 0}, {0, 0, 0}, stiffness, damping, 0});
+    return world;
+}
+
+// A box that hangs off its center on a spring, swings and turns.
+World swing()
+{
+    World world = world_of({free_box({0.3, -0.2, 0.5})});
+    world.bodies[0].state.position = {1, -1, 0};
+    world.springs.push_back({0, -1, {0.5, 0.3, -0.2}, {0, 0, 0}, 600, 0, 1});
+    return world;
+}
+
+double energy(const World& world)
+{
+    const RigidBody& body = world.bodies[0];
+    const RigidState& s = body.state;
+    const Spring& spring = world.springs[0];
+    const Vector3d end = rotation_matrix(s.orientation) * spring.point1 + s.position;
+    const double stretch = (end - spring.point2).norm() - spring.rest_length;
+    return totals(world).kinetic_energy - body.mass * world.gravity.dot(s.position) +
+           0.5 * spring.stiffness * stretch * stretch;
+}
+
+} // namespace
+
+TEST_CASE("pulled: a spring between two bodies keeps their momentum and its period", "[rigid]")
+{
+    const double k = 40;
+    for (const Integrator integrator : {Integrator::matrix, Integrator::runge_kutta}) {
+        std::vector<double> errors;
+        for (int n : {50, 100, 200}) {
+            RigidBody a = free_box(), b = a;
+            set_mass(b, 4, a.inertia);
+            b.state.position = {1.5, 0, 0};
+            World world = world_of({a, b}, {0, 0, 0});
+            world.integrator = integrator;
+            world.springs.push_back({0, 1, {0, 0, 0}, {0, 0, 0}, k, 0, 1});
+            const double omega = std::sqrt(k / 3); // reduced mass 12·4/16
+            const double end = 3 / omega;
+            run(world, n, end / n);
+            const double distance =
+                (world.bodies[1].state.position - world.bodies[0].state.position).x();
+            errors.push_back(std::abs(distance - (1 + 0.5 * std::cos(omega * end))));
+            CHECK_THAT(totals(world).momentum, IsClose(Vector3d(0, 0, 0), Rounding(n, 20)));
+        }
+        check_order(errors, 4);
+        CHECK(errors.back() < 1e-7);
+    }
+}
+
+TEST_CASE("pulled: off-center springs and forces keep their order while bodies turn", "[rigid]")
+{
+    for (const auto& [integrator, order] :
+         {std::pair(Integrator::runge_kutta, 4.0), std::pair(Integrator::matrix, 4.0)}) {
+        const auto end_state = [kind = integrator](int n) {
+            World world = world_of({free_box({1, 2, 3}), free_box({-2, 0.5, 1})});
+            world.integrator = kind;
+            world.bodies[1].state.position = {2, 0, 0};
+            world.springs.push_back({0, 1, {0.5, 0.3, -0.2}, {-0.4, 0.1, 0.6}, 60, 0.5, 1});
+            world.springs.push_back({0, -1, {0, 1, 0}, {0, 3, 0}, 30, 0, 1});
+            world.forces.push_back({1, {3, -2, 5}, {0.2, 0.4, 0.1}, 0, 100});
+            run(world, n, 1.0 / n);
+            return world.bodies[0].state;
+        };
+        const RigidState exact = end_state(2560);
+        std::vector<double> errors;
+        for (int n : {40, 80, 160}) {
+            const RigidState s = end_state(n);
+            errors.push_back((s.position - exact.position).norm() +
+                             rotation_angle(eigen(s.orientation), eigen(exact.orientation)));
+        }
+        check_order(errors, order);
+    }
+}
+
+TEST_CASE("pulled: a damped spring keeps its order and its decay", "[rigid]")
+{
+    const double k = 600, c = 30, m = 12, end = 1;
+    const double gamma = c / (2 * m), omega = std::sqrt(k / m - gamma * gamma);
+    const double exact =
+        std::exp(-gamma * end) * (std::cos(omega * end) + gamma / omega * std::sin(omega * end));
+    for (const Integrator integrator : {Integrator::matrix, Integrator::runge_kutta}) {
+        std::vector<double> errors;
+        for (int n : {50, 100, 200}) {
+            World world = oscillator(k, c);
+            world.integrator = integrator;
+            run(world, n, end / n);
+            errors.push_back(std::abs(world.bodies[0].state.position.x() - exact));
+        }
+        check_order(errors, 4);
+        CHECK(errors.back() < 1e-6);
+    }
+}
+
+TEST_CASE("pulled: what swings on a spring keeps its energy", "[rigid]")
+{
+    const double h = 0.05, start = energy(swing());
+    const auto worst = [&](World& world, int steps) {
+        double largest = 0;
+        for (int i = 0; i < steps; ++i) {
+            step(world, h);
+            largest = std::max(largest, std::abs(energy(world) - start));
+        }
+        return largest;
+    };
+    World world = swing();
+    const double first = worst(world, 2000);
+    worst(world, 16000);
+    CHECK(worst(world, 2000) < 2 * first);
+    CHECK(first < 1e-4 * std::abs(start));
+
+    World losing = swing();
+    losing.integrator = Integrator::matrix;
+    CHECK(worst(losing, 2000) > 10 * first);
+}
+
+TEST_CASE("pulled: a spring is stable until its frequency times the step is five", "[rigid]")
+{
+    for (const auto& [product, is_stable] : {std::pair(4.9, true), std::pair(5.2, false)}) {
+        const double h = 0.1, omega = product / h;
+        World world = oscillator(12 * omega * omega);
+        run(world, 200, h);
+        CHECK((world.bodies[0].state.position.norm() < 100) == is_stable);
+    }
+}
+
+TEST_CASE("pulled: a force from one step's start to another's gives its whole impulse", "[rigid]")
+{
+    for (const Integrator integrator : {Integrator::matrix, Integrator::linear, Integrator::buss,
+                                        Integrator::exponential, Integrator::runge_kutta}) {
+        World world = world_of({free_box()}, {0, 0, 0});
+        world.integrator = integrator;
+        world.forces.push_back({0, {6, 0, 0}, {0, 0, 0}, 0.25, 0.75});
+        run(world, 16, 0.0625);
+        CHECK_THAT(world.bodies[0].state.velocity, IsClose(Vector3d(0.25, 0, 0), Rounding(16)));
+    }
+}
