@@ -13,7 +13,7 @@
 //
 // On a pendulum it is as accurate as Runge–Kutta 4 with steps a sixth as long, it keeps the energy for any
 // number of swings, and on a spring it is stable up to √(k/M) h = 5, where Runge–Kutta 4 ends at 2.8. It
-// takes forces that depend on places alone. If a spring damps, the bodies take the Runge–Kutta
+// takes forces that depend on places alone. If any spring damps, all of them take the Runge–Kutta
 // method of Munthe-Kaas (1999, "High order Runge–Kutta methods on manifolds", Appl. Numer. Math. 29)
 // with the two commutators of Munthe-Kaas and Owren (1999, "Computations in a free Lie algebra",
 // Phil. Trans. R. Soc. A 357): the orientation only ever changes by `advance_exact`, so it stays a
