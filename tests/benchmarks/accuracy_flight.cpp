@@ -101,7 +101,7 @@ AccuracyCase pendulum_case()
     c.trial.couple = Vector3d(0, -m * standard_gravity, 0);
     c.trial.arm = Vector3d(L / 2, 0, 0);
     c.end = 10.25 * period;
-    c.steps = doubled(50, 12);
+    c.steps = doubled(100, 11);
     c.peer_steps = doubled(200, 12);
     c.contestants = flight_contestants();
     c.error_of = [](const TrialEngine& engine, const auto&) {
