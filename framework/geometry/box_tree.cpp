@@ -50,13 +50,18 @@ std::array<BoxTree::Branch, 2> BoxTree::halve(const std::vector<Bounds>& boxes,
     }
     int axis = 0;
     (centers.high - centers.low).maxCoeff(&axis);
-    const auto center = [&](int i) { return boxes[i].low[axis] + boxes[i].high[axis]; };
+    for (int k = first; k < last; ++k) {
+        const Bounds& box = boxes[members_[k]];
+        along_[k] = {box.low[axis] + box.high[axis], members_[k]};
+    }
     const int middle = first + (last - first) / 2;
-    std::nth_element(members_.begin() + first, members_.begin() + middle, members_.begin() + last,
-                     [&](int i, int j) {
-                         const double a = center(i), b = center(j);
-                         return a < b || (a == b && i < j);
+    std::nth_element(along_.begin() + first, along_.begin() + middle, along_.begin() + last,
+                     [](const Along& a, const Along& b) {
+                         return a.center < b.center ||
+                                (a.center == b.center && a.member < b.member);
                      });
+    for (int k = first; k < last; ++k)
+        members_[k] = along_[k].member;
     const int leaves_before = leaves_of(middle - first);
     nodes_[node].left = node + 1;
     nodes_[node].right = node + 2 * leaves_before;

@@ -26,7 +26,7 @@ public:
     template <class Share>
     BoxTree(const std::vector<Bounds>& boxes, std::vector<int> members, std::size_t parts,
             const Share& share)
-        : members_(std::move(members)), boxes_(members_.size())
+        : members_(std::move(members)), boxes_(members_.size()), along_(members_.size())
     {
         if (members_.empty()) return;
         const int n = static_cast<int>(members_.size()), leaves = leaves_of(n);
@@ -144,6 +144,12 @@ private:
     };
     static int leaves_of(int members);
 
+    // A member, and twice its center along the axis that is halved.
+    struct Along {
+        double center = 0;
+        int member = 0;
+    };
+
     std::array<Branch, 2> halve(const std::vector<Bounds>& boxes, const Branch& branch);
     void build(const std::vector<Bounds>& boxes, const Branch& branch);
     void close(int node); // when what is below it is built
@@ -195,6 +201,7 @@ private:
     std::vector<Bounds> boxes_; // of the members, in their order
     std::vector<Node> nodes_;
     std::vector<Leaf> leaves_;
+    std::vector<Along> along_; // memory of halve
 };
 
 } // namespace rigor

@@ -35,7 +35,16 @@ private:
 /// Places that compare from the lowest up, and at one height by x, then z.
 class FromLowest {
 public:
-    using Place = std::array<double, 3>;
+    struct Place {
+        double height, x, z;
+
+        bool operator==(const Place&) const = default;
+        bool operator<(const Place& other) const
+        {
+            if (height != other.height) return height < other.height;
+            return x != other.x ? x < other.x : z < other.z;
+        }
+    };
 
     template <typename Points, typename At>
     FromLowest(const Vector3d& gravity, const Points& points, At at)

@@ -21,7 +21,9 @@ using namespace optimised;
 // A contact's normal, how far its bodies have to move apart along it, and what a push along it does.
 struct Row {
     int body1 = 0, body2 = 0;
-    TwoVectors n, torque, shift, turn; // torque: r × n
+    Vector3d n;
+    Two inverse_mass;
+    TwoVectors torque, turn; // r × n, and what that turns
     double per_normal_K = 0;
     double distance = 0; // at least; negative: they may come as much nearer [m]
     double push = 0;     // the sum so far, ≥ 0 [kg m]
@@ -38,12 +40,10 @@ Row row_of(const ContactProblem& problem, const SolvedContact& c, const TwoMasse
            double distance)
 {
     const Body &body1 = problem.bodies[c.body1], &body2 = problem.bodies[c.body2];
-    const TwoVectors n = twice(c.normal);
-    const TwoVectors torque =
-        cross(side_by_side(c.point - body1.position, c.point - body2.position), n);
-    const Two m = masses.inverse_mass;
+    const TwoVectors levers = side_by_side(c.point - body1.position, c.point - body2.position);
+    const TwoVectors torque = cross(levers, twice(c.normal));
     return {
-        c.body1,        c.body2,  n, torque, {m * n.x, m * n.y, m * n.z}, turned_by(masses, torque),
+        c.body1,        c.body2,  c.normal, masses.inverse_mass, torque, turned_by(masses, torque),
         1 / c.normal_K, distance, 0};
 }
 
@@ -84,13 +84,15 @@ Rows rows_of(const ContactProblem& problem, const Island& island, const IslandSt
 // One contact's law, with all the others in place. Displacements stand where velocities do.
 [[gnu::always_inline]] inline void push_apart(Row& row, TwoMotions& d)
 {
-    const Two apart = dot(row.n, d.V) + dot(row.torque, d.w);
+    const TwoVectors n = twice(row.n);
+    const Two apart = dot(n, d.V) + dot(row.torque, d.w);
     const double missing = row.distance - (apart[0] - apart[1]);
     const double needed = std::max(0.0, row.push + missing * row.per_normal_K);
     const double p = needed - row.push;
     row.push = needed;
     const Two both{p, p};
-    d.V += {both * row.shift.x, both * row.shift.y, both * row.shift.z};
+    const Two& m = row.inverse_mass;
+    d.V += {both * (m * n.x), both * (m * n.y), both * (m * n.z)};
     d.w += {both * row.turn.x, both * row.turn.y, both * row.turn.z};
 }
 

@@ -47,7 +47,7 @@ void sort_from_lowest(const ContactProblem& problem, std::vector<ContactPair>& p
     for (const ContactPair& pair : pairs)
         placed.push_back({place_of(lowest_of(pair)), pair});
     std::sort(placed.begin(), placed.end(), [](const Placed& a, const Placed& b) {
-        return std::pair(a.lowest, a.pair.first) < std::pair(b.lowest, b.pair.first);
+        return a.lowest < b.lowest || (a.lowest == b.lowest && a.pair.first < b.pair.first);
     });
     std::transform(placed.begin(), placed.end(), pairs.begin(),
                    [](const Placed& p) { return p.pair; });

@@ -201,11 +201,13 @@ void find_contacts(const World& world, const std::vector<Pose>& poses, int body1
             }
         }
     }
-    const FromLowest place_of(world.gravity, touches,
-                              [](const Touch& t) -> const Vector3d& { return t.point; });
-    std::sort(touches.begin(), touches.end(), [&](const Touch& a, const Touch& b) {
-        return place_of(a.point) < place_of(b.point);
-    });
+    if (touches.size() > 1) {
+        const FromLowest place_of(world.gravity, touches,
+                                  [](const Touch& t) -> const Vector3d& { return t.point; });
+        std::sort(touches.begin(), touches.end(), [&](const Touch& a, const Touch& b) {
+            return place_of(a.point) < place_of(b.point);
+        });
+    }
     for (const Touch& found : touches)
         contacts.push_back({found, body1, body2});
 }

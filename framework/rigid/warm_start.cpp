@@ -30,19 +30,29 @@ Vector3d turned_to(const SolvedContact& c, const Vector3d& impulse)
     return j_n * n + j_T;
 }
 
-// Those of the step before between the two bodies.
-std::span<const WarmContact> warm_of(const World& world, const SolvedContact& c)
-{
-    const auto is_before = [](const WarmContact& warm, const std::pair<int, int>& pair) {
-        return bodies_of(warm) < pair;
-    };
-    const std::vector<WarmContact>& all = world.warm_contacts;
-    const auto first = std::lower_bound(all.begin(), all.end(), bodies_of(c), is_before);
-    auto last = first;
-    while (last != all.end() && bodies_of(*last) == bodies_of(c))
-        ++last;
-    return {first, last};
-}
+// Those of the step before, pair of bodies by pair of bodies in ascending order.
+class WarmPairs {
+public:
+    explicit WarmPairs(std::span<const WarmContact> all) : rest_(all) {}
+
+    // Those between the bodies of this contact. The first search halves, each other one goes on from there.
+    std::span<const WarmContact> between_bodies_of(const SolvedContact& c)
+    {
+        const std::pair pair = bodies_of(c);
+        const auto is_before = [&](const WarmContact& warm) { return bodies_of(warm) < pair; };
+        const auto first = is_first_ ? std::partition_point(rest_.begin(), rest_.end(), is_before)
+                                     : std::find_if_not(rest_.begin(), rest_.end(), is_before);
+        const auto last = std::find_if_not(
+            first, rest_.end(), [&](const WarmContact& warm) { return bodies_of(warm) == pair; });
+        is_first_ = false;
+        rest_ = {last, rest_.end()};
+        return {first, last};
+    }
+
+private:
+    std::span<const WarmContact> rest_;
+    bool is_first_ = true;
+};
 
 // A contact, one of the step before, and how far they are apart.
 struct Match {
@@ -55,10 +65,10 @@ struct Match {
 // The nearest find each other first: else a contact that carries nothing takes what holds its neighbour.
 // @param matches  memory; those made come first in it
 // @return how many there are
-std::uint64_t start_warm(const World& world, const std::vector<Pose>& poses, double time_step,
-                         std::span<SolvedContact> contacts, std::vector<Match>& matches)
+std::uint64_t start_warm(std::span<const WarmContact> before, const std::vector<Pose>& poses,
+                         double time_step, std::span<SolvedContact> contacts,
+                         std::vector<Match>& matches)
 {
-    const std::span<const WarmContact> before = warm_of(world, contacts.front());
     if (before.empty()) return 0;
     const auto& [R, X] = poses[contacts.front().body1];
     matches.clear();
@@ -91,9 +101,12 @@ std::uint64_t start_warm(const World& world, const std::vector<Pose>& poses, dou
 {
     std::vector<Match> matches;
     std::uint64_t count = 0;
-    for (const ContactPair& pair : pairs)
-        count += start_warm(world, poses, time_step, contacts.subspan(pair.first, pair.count()),
-                            matches);
+    WarmPairs warm(world.warm_contacts);
+    for (const ContactPair& pair : pairs) {
+        const std::span<SolvedContact> of_pair = contacts.subspan(pair.first, pair.count());
+        count +=
+            start_warm(warm.between_bodies_of(of_pair.front()), poses, time_step, of_pair, matches);
+    }
     return count;
 }
 
