@@ -23,6 +23,11 @@ struct Bounds {
         low.array() -= margin;
         high.array() += margin;
     }
+    bool contains(const Bounds& other) const
+    {
+        return (low.array() <= other.low.array()).all() &&
+               (other.high.array() <= high.array()).all();
+    }
     bool overlaps(const Bounds& other) const
     {
         // without a branch for each axis: which of them keeps boxes apart cannot be predicted

@@ -4,6 +4,7 @@
 #include "geometry/box_tree.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace rigor {
@@ -99,31 +100,89 @@ std::vector<BodyPair> compare_all(const std::vector<Bounds>& bounds, const std::
     return pairs;
 }
 
+using Kind = PairMemory::Kind;
+
+Kind kind_of(const RigidBody& body, const Bounds& bounds)
+{
+    if (!bounds.high.allFinite()) return Kind::endless;
+    return body.is_still() ? Kind::still : Kind::moving;
+}
+
+// Of which one is not static.
+std::uint64_t pairs_possible(const World& world)
+{
+    const auto among = [](std::uint64_t bodies) {
+        return bodies < 2 ? 0 : bodies * (bodies - 1) / 2;
+    };
+    const auto fixed = std::count_if(world.bodies.begin(), world.bodies.end(),
+                                     [](const RigidBody& body) { return body.is_static; });
+    return among(world.bodies.size()) - among(static_cast<std::uint64_t>(fixed));
+}
+
+// Whether all bodies are of the kinds that they were, and in their rooms.
+bool is_valid(const PairMemory& memory, const World& world, const std::vector<Bounds>& bounds)
+{
+    if (memory.rooms.size() != bounds.size()) return false;
+    for (std::size_t i = 0; i < bounds.size(); ++i) {
+        const Kind kind = kind_of(world.bodies[i], bounds[i]);
+        if (kind != memory.kinds[i]) return false;
+        if (kind != Kind::endless && !memory.rooms[i].contains(bounds[i])) return false;
+    }
+    return true;
+}
+
 } // namespace
 
 std::vector<BodyPair> near_pairs(const World& world, const std::vector<Pose>& poses,
                                  const std::vector<Bounds>& bounds, Counters& counters, Team& team)
 {
-    std::vector<int> moving, still, endless;
-    std::uint64_t fixed = 0;
-    const int n = static_cast<int>(world.bodies.size());
-    for (int i = 0; i < n; ++i) {
-        const bool is_static = world.bodies[i].is_static, is_still = world.bodies[i].is_still();
-        const bool is_bounded = bounds[i].high.allFinite();
-        (!is_bounded ? endless : is_still ? still : moving).push_back(i);
-        fixed += is_static;
-    }
-    const auto pairs_among = [](std::uint64_t bodies) {
-        return bodies < 2 ? 0 : bodies * (bodies - 1) / 2;
-    };
-    counters.pairs_possible += pairs_among(world.bodies.size()) - pairs_among(fixed);
+    std::array<std::vector<int>, 3> members; // of each kind
+    for (int i = 0; i < static_cast<int>(world.bodies.size()); ++i)
+        members[static_cast<int>(kind_of(world.bodies[i], bounds[i]))].push_back(i);
+    counters.pairs_possible += pairs_possible(world);
 
+    const auto& [moving, still, endless] = members;
     std::vector<BodyPair> pairs = moving.size() <= few ? compare_all(bounds, moving, still)
                                                        : by_a_tree(bounds, moving, still, team);
     for (int i : endless)
         for (int j : moving)
             if (reaches(world.bodies[i], poses[i], bounds[j])) pairs.push_back(pair_of(i, j));
     return in_order(std::move(pairs), world.bodies.size());
+}
+
+std::vector<BodyPair> near_pairs(const World& world, const std::vector<Pose>& poses,
+                                 const std::vector<Bounds>& bounds,
+                                 const std::vector<double>& spare, PairMemory& memory,
+                                 Counters& counters, Team& team)
+{
+    constexpr std::size_t worth_remembering = 64; // bodies
+    if (bounds.size() < worth_remembering) return near_pairs(world, poses, bounds, counters, team);
+
+    counters.pairs_possible += pairs_possible(world);
+    if (is_valid(memory, world, bounds)) {
+        ++counters.pair_searches_saved;
+    } else {
+        memory.rooms = bounds;
+        memory.kinds.resize(bounds.size());
+        for (std::size_t i = 0; i < bounds.size(); ++i) {
+            memory.kinds[i] = kind_of(world.bodies[i], bounds[i]);
+            if (memory.kinds[i] == Kind::moving) memory.rooms[i].grow(spare[i]);
+        }
+        Counters uncounted;
+        memory.pairs = near_pairs(world, poses, memory.rooms, uncounted, team);
+    }
+    const auto come_near = [&](int i, int j) {
+        return memory.kinds[i] == Kind::endless ? reaches(world.bodies[i], poses[i], bounds[j])
+                                                : bounds[i].overlaps(bounds[j]);
+    };
+    std::vector<BodyPair> pairs;
+    pairs.reserve(memory.pairs.size());
+    for (const BodyPair& pair : memory.pairs) {
+        const auto [i, j] = pair;
+        if (memory.kinds[j] == Kind::endless ? come_near(j, i) : come_near(i, j))
+            pairs.push_back(pair);
+    }
+    return pairs;
 }
 
 } // namespace rigor

@@ -8,14 +8,6 @@
 
 namespace rigor {
 
-/// Two bodies, body1 < body2, of which one moves: neither static nor asleep.
-struct BodyPair {
-    int body1 = 0, body2 = 0;
-
-    bool operator==(const BodyPair&) const = default;
-    auto operator<=>(const BodyPair&) const = default;
-};
-
 /// Pairs of bodies whose bounds overlap, in ascending order.
 ///
 /// By a tree of the moving bodies' boxes (box_tree.hpp), n log n. Bodies with a plane have no bounds:
@@ -33,5 +25,13 @@ inline std::vector<BodyPair> near_pairs(const World& world, const std::vector<Po
     Team alone;
     return near_pairs(world, poses, bounds, counters, alone);
 }
+
+/// The same pairs, found among those that the memory has, as long as each body stays in its room there.
+///
+/// @param spare  for each body that moves, how much larger than its bounds to make its room [m]
+std::vector<BodyPair> near_pairs(const World& world, const std::vector<Pose>& poses,
+                                 const std::vector<Bounds>& bounds,
+                                 const std::vector<double>& spare, PairMemory& memory,
+                                 Counters& counters, Team& team);
 
 } // namespace rigor

@@ -174,6 +174,15 @@ std::vector<Bounds> wide_bounds(const Surroundings& at, Team& team)
     return wide;
 }
 
+// What bodies get to move in for some steps: a body that slows down or is held does not use it up soon.
+std::vector<double> spare_room(const Surroundings& at)
+{
+    std::vector<double> spare(at.travels.size());
+    for (std::size_t i = 0; i < spare.size(); ++i)
+        spare[i] = 0.1 * at.near.radii[i] + 3 * at.travels[i];
+    return spare;
+}
+
 // What looking closely at some pairs found.
 struct Found {
     std::vector<Contact> contacts;
@@ -232,12 +241,12 @@ Surroundings surroundings(const World& world, std::span<const RigidState> flown,
 } // namespace
 
 Neighbourhood neighbourhood(const World& world, std::span<const RigidState> flown, double time_step,
-                            Counters& counters, Team& team)
+                            PairMemory& memory, Counters& counters, Team& team)
 {
     Surroundings at = surroundings(world, flown, time_step, team);
     at.time_step = time_step;
-    const std::vector<BodyPair> pairs =
-        near_pairs(world, at.near.poses, wide_bounds(at, team), counters, team);
+    const std::vector<BodyPair> pairs = near_pairs(world, at.near.poses, wide_bounds(at, team),
+                                                   spare_room(at), memory, counters, team);
     if (pairs.empty()) return std::move(at.near);
     at.near.margins = margins_of(at, pairs, team);
 

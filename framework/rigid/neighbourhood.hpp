@@ -18,8 +18,9 @@ struct Neighbourhood {
     std::vector<int> disturbed; // sleeping bodies that another may touch: they have to wake first
 };
 
-/// @param flown  the states after free flight
+/// @param flown   the states after free flight
+/// @param memory  the world's, see near_pairs
 Neighbourhood neighbourhood(const World& world, std::span<const RigidState> flown, double time_step,
-                            Counters& counters, Team& team);
+                            PairMemory& memory, Counters& counters, Team& team);
 
 } // namespace rigor

@@ -111,7 +111,7 @@ Start start_of_step(World& world, double time_step, Team& team)
     }
     for (const Counters before = world.counters;;) {
         fly_freely();
-        start.near = neighbourhood(world, start.flown, time_step, world.counters, team);
+        start.near = neighbourhood(world, start.flown, time_step, world.near, world.counters, team);
         if (start.near.disturbed.empty()) return start;
         wake(world, start.near.disturbed);
         world.counters = before;

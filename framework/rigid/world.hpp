@@ -4,6 +4,7 @@
 
 #include "formulas/types.hpp"
 #include "geometry/shape.hpp"
+#include "rigid/pair_memory.hpp"
 #include "rigid/team.hpp"
 
 #include <cstdint>
@@ -98,7 +99,7 @@ struct Skips {
 /// What was done, and what was skipped because the scene did not need it.
 struct Counters {
     std::uint64_t steps = 0, substeps = 0;
-    std::uint64_t pairs_possible = 0, pairs_tested = 0, contacts = 0;
+    std::uint64_t pairs_possible = 0, pairs_tested = 0, pair_searches_saved = 0, contacts = 0;
     std::uint64_t collision_impulses = 0, contact_impulses = 0;
     std::uint64_t isotropic_shortcuts = 0, free_flights = 0, static_skipped = 0;
     std::uint64_t islands = 0, bodies_asleep = 0, warm_starts = 0; // summed over the steps
@@ -140,6 +141,7 @@ struct World {
     double time = 0; // [s]
     std::vector<WarmContact> warm_contacts; // of the step before, in the order of their bodies
     std::vector<ContactRecord> sleeping_contacts; // what holds the bodies that sleep
+    PairMemory near; // saves work alone: the result is the same bits without it
     Counters counters;
 };
 

@@ -90,6 +90,7 @@ inline constexpr CounterField counter_fields[] = {
     {"substeps", &Counters::substeps},
     {"pairs possible", &Counters::pairs_possible},
     {"pairs tested", &Counters::pairs_tested},
+    {"pair searches saved", &Counters::pair_searches_saved},
     {"contacts", &Counters::contacts},
     {"collision impulses", &Counters::collision_impulses},
     {"contact impulses", &Counters::contact_impulses},

@@ -94,6 +94,7 @@ struct Phases {
 void look_into(const World& world, double whole, Phases& phases)
 {
     Counters counters;
+    PairMemory memory;
     Team alone;
     std::vector<RigidState> flown;
     const std::vector<bool> pulled = pulled_bodies(world, pile_step);
@@ -108,7 +109,8 @@ void look_into(const World& world, double whole, Phases& phases)
         if (!body.is_static) bounds.back().grow(bounding_radius(part) / 2);
     }
     const double broad = seconds([&] { near_pairs(world, poses, bounds, counters); });
-    const double near = seconds([&] { neighbourhood(world, flown, pile_step, counters, alone); });
+    const double near =
+        seconds([&] { neighbourhood(world, flown, pile_step, memory, counters, alone); });
     phases.flight.push_back(flight);
     phases.broad.push_back(broad);
     phases.narrow.push_back(std::max(0.0, near - broad)); // differences of noisy times

@@ -170,11 +170,58 @@ SkipCase broad_phase()
             0};
 }
 
+// Pairs among those of the step before, and pairs searched anew.
+SkipCase remembered_pairs()
+{
+    testing::Random random(1);
+    std::vector<RigidBody> bodies;
+    std::vector<Pose> poses;
+    std::vector<Bounds> bounds;
+    std::vector<Vector3d> ways;
+    for (int i = 0; i < many; ++i) {
+        bodies.push_back(body_of(cube(1), 10 * random.vector()));
+        poses.push_back({Matrix3d::Identity(), bodies.back().state.position});
+        bounds.push_back(bounds_of(bodies.back().parts[0].shape, poses.back()));
+        ways.push_back(0.005 * random.vector());
+    }
+    const World world = stress::world_of(std::move(bodies));
+    const auto steps = [=](bool remembers) {
+        const std::vector<double> spare(bounds.size(), 0.1);
+        std::vector<Bounds> moved = bounds;
+        PairMemory memory;
+        Counters counters;
+        Team alone;
+        SkipRun run;
+        for (int k = 0; k < 20; ++k) {
+            std::vector<BodyPair> pairs;
+            run.seconds += seconds([&] {
+                pairs = remembers ? near_pairs(world, poses, moved, spare, memory, counters, alone)
+                                  : near_pairs(world, poses, moved, counters, alone);
+            });
+            for (const BodyPair& pair : pairs)
+                run.result.insert(run.result.end(), {double(pair.body1), double(pair.body2)});
+            for (std::size_t i = 0; i < moved.size(); ++i) {
+                moved[i].low += ways[i];
+                moved[i].high += ways[i];
+            }
+        }
+        run.counter = static_cast<double>(counters.pair_searches_saved);
+        return run;
+    };
+    return {"a search for pairs while bodies stay in their rooms",
+            "1000 cubes that move by up to 5 mm a step",
+            "pair searches saved",
+            [=] { return steps(true); },
+            [=] { return steps(false); },
+            0};
+}
+
 } // namespace
 
 std::vector<SkipCase> built_in_skips()
 {
-    return {isotropic_inertia(), static_bodies(), free_flight(), broad_phase(), single_contact()};
+    return {isotropic_inertia(), static_bodies(),    free_flight(),
+            broad_phase(),       remembered_pairs(), single_contact()};
 }
 
 } // namespace rigor

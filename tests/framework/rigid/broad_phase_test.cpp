@@ -83,6 +83,35 @@ TEST_CASE("broad phase: pairs that could meet are counted without those of stati
     CHECK(found.size() < counters.pairs_possible / 4);
 }
 
+TEST_CASE("broad phase: what is remembered finds the same pairs while bodies move, stop and start",
+          "[rigid]")
+{
+    Random random(5);
+    Crowd c = crowd(2, 80, 3);
+    PairMemory memory;
+    Counters counters, anew;
+    Team alone;
+    const std::vector<double> spare(c.bounds.size(), 0.1);
+    for (int k = 0; k < 300; ++k) {
+        for (std::size_t i = 0; i < c.bounds.size(); ++i) {
+            RigidBody& body = c.world.bodies[i];
+            if (random.uniform(0, 1) > 0.999 && !body.is_static)
+                body.rest.group = body.rest.is_asleep() ? -1 : 0;
+            if (body.is_still() || is_plane(body.parts[0])) continue;
+            const Vector3d way = 0.03 * random.vector();
+            c.poses[i].X += way;
+            c.bounds[i].low += way;
+            c.bounds[i].high += way;
+        }
+        const auto found = near_pairs(c.world, c.poses, c.bounds, spare, memory, counters, alone);
+        REQUIRE(found == near_pairs(c.world, c.poses, c.bounds, anew));
+    }
+    CHECK(counters.pairs_possible == anew.pairs_possible);
+    CHECK(counters.pair_searches_saved > 100);
+    CHECK(counters.pair_searches_saved < 290);
+    CHECK(anew.pair_searches_saved == 0);
+}
+
 TEST_CASE("broad phase: the world without bodies has no pairs", "[rigid]")
 {
     Counters counters;
