@@ -60,19 +60,6 @@ Vector3d ContactProblem::up() const
     return up_against(gravity);
 }
 
-Vector3d ContactProblem::velocity_at(const SolvedContact& c, const Vector3d& x) const
-{
-    return velocity_between(bodies, c, x);
-}
-
-Vector3d ContactProblem::velocity_between(std::span<const Body> states, const Contact& c,
-                                          const Vector3d& x) const
-{
-    const Body &body1 = states[c.body1], &body2 = states[c.body2];
-    if (optimised) return optimised::relative_velocity(body1, body2, x);
-    return relative_velocity(body1, body2, x);
-}
-
 Matrix3d ContactProblem::impulse_matrix_at(const SolvedContact& c, const Vector3d& x) const
 {
     Matrix3d K = Matrix3d::Zero();

@@ -2,8 +2,10 @@
 // The bodies and contacts of one time step, and the two stages that change their momentum.
 #pragma once
 
+#include "formulas/collision.hpp"
 #include "rigid/joined.hpp"
 #include "rigid/neighbourhood.hpp"
+#include "rigid/optimised_forms.hpp"
 #include "rigid/team.hpp"
 #include "rigid/world.hpp"
 
@@ -74,10 +76,18 @@ struct ContactProblem {
         return contact.gap + time_step * v_n;
     }
     /// v₁ - v₂ at a point [m/s].
-    Vector3d velocity_at(const SolvedContact& contact, const Vector3d& x) const;
+    Vector3d velocity_at(const SolvedContact& contact, const Vector3d& x) const
+    {
+        return velocity_between(bodies, contact, x);
+    }
     /// The same for bodies in another state.
     Vector3d velocity_between(std::span<const Body> states, const Contact& contact,
-                              const Vector3d& x) const;
+                              const Vector3d& x) const
+    {
+        const Body &body1 = states[contact.body1], &body2 = states[contact.body2];
+        if (optimised) return optimised::relative_velocity(body1, body2, x);
+        return relative_velocity(body1, body2, x);
+    }
     /// K₁ + K₂ at a point [1/kg].
     Matrix3d impulse_matrix_at(const SolvedContact& contact, const Vector3d& x) const;
     /// K of a contact and what follows from it.
