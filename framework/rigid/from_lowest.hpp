@@ -7,7 +7,6 @@
 #include "rigid/forces.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace rigor {

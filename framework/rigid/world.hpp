@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Bodies, forces and settings: all that a time step reads, and nothing that it could derive.
+// Bodies, forces and settings: all that a time step reads, and of what it could derive only the near pairs.
 #pragma once
 
 #include "formulas/types.hpp"

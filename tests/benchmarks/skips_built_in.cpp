@@ -120,31 +120,45 @@ SkipCase single_contact()
             64 * second * eps};
 }
 
-// The pairs that the broad phase finds, and those that a look at every pair finds.
-SkipCase broad_phase()
+// Cubes at random places, and what the broad phase is told about them.
+struct Scattered {
+    World world;
+    std::vector<Pose> poses;
+    std::vector<Bounds> bounds;
+};
+
+Scattered scattered_cubes()
 {
     testing::Random random(1);
     std::vector<RigidBody> bodies;
-    std::vector<Pose> poses;
-    std::vector<Bounds> bounds;
+    Scattered cubes;
     for (int i = 0; i < many; ++i) {
         bodies.push_back(body_of(cube(1), 10 * random.vector()));
-        poses.push_back({Matrix3d::Identity(), bodies.back().state.position});
-        bounds.push_back(bounds_of(bodies.back().parts[0].shape, poses.back()));
+        cubes.poses.push_back({Matrix3d::Identity(), bodies.back().state.position});
+        cubes.bounds.push_back(bounds_of(bodies.back().parts[0].shape, cubes.poses.back()));
     }
-    const World world = stress::world_of(std::move(bodies));
-    const auto flat = [](const std::vector<BodyPair>& pairs) {
-        std::vector<double> all;
-        for (const BodyPair& pair : pairs)
-            all.insert(all.end(), {double(pair.body1), double(pair.body2)});
-        return all;
-    };
+    cubes.world = stress::world_of(std::move(bodies));
+    return cubes;
+}
+
+// Appends the numbers of the bodies.
+void add(const std::vector<BodyPair>& pairs, std::vector<double>& all)
+{
+    for (const BodyPair& pair : pairs)
+        all.insert(all.end(), {double(pair.body1), double(pair.body2)});
+}
+
+// The pairs that the broad phase finds, and those that a look at every pair finds.
+SkipCase broad_phase()
+{
+    const Scattered cubes = scattered_cubes();
     const auto found = [=] {
         std::vector<BodyPair> pairs;
         Counters counters;
         SkipRun run;
-        run.seconds = seconds([&] { pairs = near_pairs(world, poses, bounds, counters); });
-        run.result = flat(pairs);
+        run.seconds =
+            seconds([&] { pairs = near_pairs(cubes.world, cubes.poses, cubes.bounds, counters); });
+        add(pairs, run.result);
         run.counter = static_cast<double>(pairs.size());
         return run;
     };
@@ -154,11 +168,9 @@ SkipCase broad_phase()
         run.seconds = seconds([&] {
             for (int i = 0; i < many; ++i)
                 for (int j = i + 1; j < many; ++j)
-                    if (bounds[static_cast<std::size_t>(i)].overlaps(
-                            bounds[static_cast<std::size_t>(j)]))
-                        pairs.push_back({i, j});
+                    if (cubes.bounds[i].overlaps(cubes.bounds[j])) pairs.push_back({i, j});
         });
-        run.result = flat(pairs);
+        add(pairs, run.result);
         run.counter = many * (many - 1) / 2.0;
         return run;
     };
@@ -173,21 +185,16 @@ SkipCase broad_phase()
 // Pairs among those of the step before, and pairs searched anew.
 SkipCase remembered_pairs()
 {
-    testing::Random random(1);
-    std::vector<RigidBody> bodies;
-    std::vector<Pose> poses;
-    std::vector<Bounds> bounds;
+    const Scattered cubes = scattered_cubes();
+    testing::Random random(2);
     std::vector<Vector3d> ways;
-    for (int i = 0; i < many; ++i) {
-        bodies.push_back(body_of(cube(1), 10 * random.vector()));
-        poses.push_back({Matrix3d::Identity(), bodies.back().state.position});
-        bounds.push_back(bounds_of(bodies.back().parts[0].shape, poses.back()));
+    for (int i = 0; i < many; ++i)
         ways.push_back(0.005 * random.vector());
-    }
-    const World world = stress::world_of(std::move(bodies));
     const auto steps = [=](bool remembers) {
-        const std::vector<double> spare(bounds.size(), 0.1);
-        std::vector<Bounds> moved = bounds;
+        const World& world = cubes.world;
+        const std::vector<Pose>& poses = cubes.poses;
+        const std::vector<double> spare(cubes.bounds.size(), 0.1);
+        std::vector<Bounds> moved = cubes.bounds;
         PairMemory memory;
         Counters counters;
         Team alone;
@@ -198,8 +205,7 @@ SkipCase remembered_pairs()
                 pairs = remembers ? near_pairs(world, poses, moved, spare, memory, counters, alone)
                                   : near_pairs(world, poses, moved, counters, alone);
             });
-            for (const BodyPair& pair : pairs)
-                run.result.insert(run.result.end(), {double(pair.body1), double(pair.body2)});
+            add(pairs, run.result);
             for (std::size_t i = 0; i < moved.size(); ++i) {
                 moved[i].low += ways[i];
                 moved[i].high += ways[i];
