@@ -8,7 +8,7 @@
 #pragma once
 
 #include "formulas/types.hpp"
-#include "rigid/world.hpp"
+#include "rigid/bodies/world.hpp"
 
 #include <limits>
 #include <memory>

@@ -58,7 +58,7 @@ std::vector<Candidate> candidates(const Deformable& solid, const Workspace& work
     const std::vector<Matrix3d> smooth = smooth_stress(stresses, work.stress_neighbours, volumes);
     std::vector<Candidate> found;
     for (int e = 0; e < work.elements.size(); ++e) {
-        if (world.skips.stress_bound && bound_of(smooth[e]) <= m.strength) {
+        if (world.settings.skips.stress_bound && bound_of(smooth[e]) <= m.strength) {
             ++world.counters.eigenvalues_skipped;
             continue;
         }
@@ -233,7 +233,7 @@ int crack_with_virtual_nodes(Deformable& solid, const std::vector<Candidate>& fo
 
 void fracture(Deformable& solid, Workspace& work, World& world)
 {
-    if (world.skips.stress_bound && !may_crack(work, solid.material)) {
+    if (world.settings.skips.stress_bound && !may_crack(work, solid.material)) {
         world.counters.eigenvalues_skipped += work.elements.size();
         return;
     }

@@ -92,7 +92,7 @@ private:
                 continue;
             work_.body_numbers[c.body] = static_cast<int>(work_.free_bodies.size());
             work_.free_bodies.push_back({1 / body.inverse_mass, body.inverse_inertia.inverse(),
-                                         body.velocity + h_ * world.gravity,
+                                         body.velocity + h_ * world.settings.gravity,
                                          body.angular_velocity});
         }
     }

@@ -3,8 +3,8 @@
 
 #include "formulas/collision.hpp"
 #include "geometry/bounds.hpp"
-#include "rigid/flight.hpp"
-#include "rigid/sleep.hpp"
+#include "rigid/bodies/orientation.hpp"
+#include "rigid/step/sleep.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +19,7 @@ Body rigid_in_world(const World& world, const RigidBody& rigid)
     body.position = rigid.state.position;
     if (rigid.is_static) return body;
     body.inverse_mass = rigid.inverse.inverse_mass;
-    body.inverse_inertia = inverse_inertia(world.integrator, rigid, rigid.state);
+    body.inverse_inertia = inverse_inertia(world.settings.integrator, rigid, rigid.state);
     body.velocity = rigid.state.velocity;
     body.angular_momentum = rigid.state.angular_momentum;
     body.angular_velocity = body.inverse_inertia * rigid.state.angular_momentum;
@@ -53,7 +53,8 @@ RigidSide::RigidSide(const World& of) : world(of), is_pushed(of.bodies.size(), 0
     surfaces.reserve(of.bodies.size());
     for (const RigidBody& rigid : of.bodies) {
         bodies.push_back(rigid_in_world(of, rigid));
-        surfaces.push_back({body_rotation(of.integrator, rigid.state), rigid.state.position});
+        surfaces.push_back(
+            {body_rotation(of.settings.integrator, rigid.state), rigid.state.position});
     }
 }
 
@@ -78,7 +79,7 @@ void RigidSide::push(int body, const Vector3d& point, const Vector3d& impulse)
 bool RigidSide::rests(int body) const
 {
     return world.bodies[body].rest.is_asleep() ||
-           std::any_of(world.warm_contacts.begin(), world.warm_contacts.end(),
+           std::any_of(world.memory.warm_contacts.begin(), world.memory.warm_contacts.end(),
                        [&](const WarmContact& c) { return c.body1 == body || c.body2 == body; });
 }
 
@@ -90,7 +91,7 @@ void RigidSide::give_back(World& to, double time_step) const
         // Its flight will add h V + ½ g h². Held by nodes it does not fly, but drifts with the velocity
         // that it has in the end, V + g h.
         if (!rests(static_cast<int>(i)))
-            to.bodies[i].state.position += 0.5 * time_step * time_step * to.gravity;
+            to.bodies[i].state.position += 0.5 * time_step * time_step * to.settings.gravity;
         to.bodies[i].state.velocity = bodies[i].velocity;
         to.bodies[i].state.angular_momentum = bodies[i].angular_momentum;
     }
@@ -109,7 +110,7 @@ void NodeContacts::find(const Deformable& solid, const std::vector<char>& is_sur
         for (const Part& part : body.parts) {
             const Pose pose = part_pose(rigid.surfaces[b], part);
             const double reach = reach_of(solid, rigid.bodies[b], bounding_radius(part),
-                                          rigid.world.gravity, time_step);
+                                          rigid.world.settings.gravity, time_step);
             Bounds near = bounds_of(part.shape, pose);
             near.grow(reach);
             if (!near.overlaps(bounds)) continue;
@@ -154,7 +155,7 @@ void collide_nodes(Deformable& solid, const std::vector<char>& is_held,
                    bool with_restitution, Counters& counters)
 {
     const double weak =
-        2 * time_step * rigid.world.gravity.norm(); // speeds that gravity undoes at once
+        2 * time_step * rigid.world.settings.gravity.norm(); // speeds that gravity undoes at once
     for (const NodeContact& c : contacts.all()) {
         const Vector3d x = solid.positions[c.node], n = c.normal;
         const double inverse_mass = is_held[c.node] ? 0 : 1 / solid.masses[c.node];

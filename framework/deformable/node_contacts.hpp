@@ -4,7 +4,7 @@
 
 #include "deformable/deformable.hpp"
 #include "geometry/pose.hpp"
-#include "rigid/distance_field.hpp"
+#include "rigid/detection/shapes/distance_field.hpp"
 
 namespace rigor {
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include "rigid/step/step.hpp"
 #include "deformable/crush.hpp"
 #include "deformable/failure.hpp"
 #include "deformable/handles.hpp"
 #include "deformable/node_motion.hpp"
-#include "rigid/non_finite.hpp"
+#include "rigid/bodies/non_finite.hpp"
 
 namespace rigor {
 
@@ -34,7 +35,8 @@ void move(Deformable& solid, RigidSide& rigid, World& world, double time_step)
     Workspace& work = workspace_of(solid);
     work.contacts.find(solid, work.is_surface, rigid, time_step, world.counters);
     const NodeMotion motion{
-        solid, work, rigid, world.gravity, world.time, time_step, radius_of(solid), world.counters};
+        solid,         work, rigid, world.settings.gravity, world.time, time_step, radius_of(solid),
+        world.counters};
     if (solid.integrator == NodeIntegrator::explicit_step)
         move_explicitly(motion);
     else

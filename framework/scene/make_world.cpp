@@ -3,7 +3,7 @@
 
 #include "geometry/pose.hpp"
 #include "geometry/solid_mesh.hpp"
-#include "rigid/mass.hpp"
+#include "rigid/bodies/mass.hpp"
 
 #include <map>
 
@@ -63,12 +63,12 @@ RecordedWorld make_recorded_world(const Scene& scene, const RunSettings& setting
 {
     RecordedWorld made;
     World& world = made.world.rigid;
-    world.gravity = scene.gravity;
-    world.integrator = scene.integrator;
-    world.contact_method = scene.contact_method;
-    world.skips = scene.skips;
-    world.formulas_are_reference = settings.formulas_are_reference;
-    world.team = Team(settings.threads);
+    world.settings.gravity = scene.gravity;
+    world.settings.integrator = scene.integrator;
+    world.settings.contact_method = scene.contact_method;
+    world.settings.skips = scene.skips;
+    world.settings.formulas_are_reference = settings.formulas_are_reference;
+    world.pool = ThreadPool(settings.threads);
     world.springs = scene.springs;
     world.forces = scene.forces;
     OwnMeshes meshes;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "scene/record_solid.hpp"
 
-#include "rigid/non_finite.hpp"
+#include "rigid/bodies/non_finite.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Our own engine as a contestant, and the list of all.
 #include "accuracy_engine.hpp"
-#include "rigid/mass.hpp"
+#include "rigid/bodies/mass.hpp"
 
 namespace rigor {
 
@@ -32,11 +32,11 @@ class RigorEngine final : public TrialEngine {
 public:
     RigorEngine(const Trial& trial, Integrator integrator, ContactMethod method)
     {
-        world_.integrator = integrator;
-        world_.contact_method = method;
-        world_.formulas_are_reference = true;
-        world_.skips.sleep = false;
-        world_.gravity = trial.gravity;
+        world_.settings.integrator = integrator;
+        world_.settings.contact_method = method;
+        world_.settings.formulas_are_reference = true;
+        world_.settings.skips.sleep = false;
+        world_.settings.gravity = trial.gravity;
         const Material material = {trial.restitution, trial.friction};
         for (const TrialBody& body : trial.bodies) {
             world_.bodies.push_back(rigid_body(body, material));

@@ -2,7 +2,7 @@
 #include "deformable/remesh.hpp"
 #include "deformable_parts.hpp"
 #include "formulas/fracture.hpp"
-#include "rigid/mass.hpp"
+#include "rigid/bodies/mass.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -108,7 +108,7 @@ DeformableWorld victim(FractureMethod method, NodeIntegrator integrator, Random&
         block.handles.push_back(handle);
     }
     DeformableWorld world = world_of(block);
-    world.rigid.gravity = {0, -9.81, 0};
+    world.rigid.settings.gravity = {0, -9.81, 0};
     testing::add_floor(world);
     RigidBody ball;
     ball.name = "ball";

@@ -81,7 +81,7 @@ Deformable held_bar(int cells)
 double hanging_error(int cells)
 {
     DeformableWorld world = world_of(held_bar(cells));
-    world.rigid.gravity = {1e-3, 0, 0};
+    world.rigid.settings.gravity = {1e-3, 0, 0};
     for (int i = 0; i < 12; ++i)
         step(world, 100);
     const Deformable& bar = world.solids[0];

@@ -30,7 +30,7 @@ DeformableWorld bent_bar(const std::array<int, 3>& cells, NodeIntegrator integra
     handle.nodes = end_nodes(bar, -1);
     bar.handles.push_back(handle);
     DeformableWorld world = world_of(bar);
-    world.rigid.gravity = {0, -9.81, 0};
+    world.rigid.settings.gravity = {0, -9.81, 0};
     return world;
 }
 
@@ -155,7 +155,7 @@ void measure_skip(Bench& bench)
 {
     const auto pulled = [](bool skips) {
         DeformableWorld world = bent_bar({32, 8, 8}, NodeIntegrator::implicit_step);
-        world.rigid.skips.stress_bound = skips;
+        world.rigid.settings.skips.stress_bound = skips;
         Deformable& bar = world.solids[0];
         bar.material.strength = 1e5;
         Handle handle;

@@ -129,7 +129,7 @@ void settle(Bench& bench, int side)
         step(sleeping, pile_step);
     const double settled = sleeping.time;
     World awake = sleeping;
-    awake.skips.sleep = false;
+    awake.settings.skips.sleep = false;
     for (RigidBody& body : awake.bodies)
         body.rest = {};
     const auto some_steps = [](World& world) {

@@ -4,11 +4,11 @@
 #include "geometry/generators.hpp"
 #include "geometry/solid_mesh.hpp"
 #include "pile_run.hpp"
-#include "rigid/broad_phase.hpp"
-#include "rigid/flight.hpp"
-#include "rigid/forces.hpp"
-#include "rigid/mass.hpp"
-#include "rigid/neighbourhood.hpp"
+#include "rigid/bodies/mass.hpp"
+#include "rigid/detection/broad_phase.hpp"
+#include "rigid/detection/contact_candidates.hpp"
+#include "rigid/motion/forces.hpp"
+#include "rigid/motion/free_flight.hpp"
 #include "support/random.hpp"
 
 #include <algorithm>
@@ -62,10 +62,10 @@ World room_of_bodies(const Room& room)
     const std::vector<Shape> shapes = nonconvex_shapes();
     const double w = room.x * spacing / 2, d = room.z * spacing / 2, height = 20;
     World world;
-    world.gravity = {0, pile_gravity, 0};
-    world.contact_method = ContactMethod::simultaneous;
-    world.formulas_are_reference = true;
-    world.skips.sleep = false;
+    world.settings.gravity = {0, pile_gravity, 0};
+    world.settings.contact_method = ContactMethod::simultaneous;
+    world.settings.formulas_are_reference = true;
+    world.settings.skips.sleep = false;
     const auto wall = [&](const Vector3d& size, const Vector3d& X) {
         world.bodies.push_back(body_of(Box{size}, X, {}, true));
     };
@@ -94,8 +94,8 @@ struct Phases {
 void look_into(const World& world, double whole, Phases& phases)
 {
     Counters counters;
-    PairMemory memory;
-    Team alone;
+    PairCache memory;
+    ThreadPool alone;
     std::vector<RigidState> flown;
     const std::vector<bool> pulled = pulled_bodies(world, pile_step);
     const double flight =
@@ -110,7 +110,7 @@ void look_into(const World& world, double whole, Phases& phases)
     }
     const double broad = seconds([&] { near_pairs(world, poses, bounds, counters); });
     const double near =
-        seconds([&] { neighbourhood(world, flown, pile_step, memory, counters, alone); });
+        seconds([&] { contact_candidates(world, flown, pile_step, memory, counters, alone); });
     phases.flight.push_back(flight);
     phases.broad.push_back(broad);
     phases.narrow.push_back(std::max(0.0, near - broad)); // differences of noisy times

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "pile_run.hpp"
 
-#include "rigid/keep_memory.hpp"
+#include "rigid/parallel/keep_memory.hpp"
 
 #include <cstdio>
 #include <stdexcept>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "pile_run.hpp"
 
-#include "rigid/mass.hpp"
+#include "rigid/bodies/mass.hpp"
 #include "support/bench.hpp"
 
 #include <string>
@@ -11,12 +11,12 @@ namespace rigor {
 World pile_world(const PileStart& start, const PileOptions& options)
 {
     World world;
-    world.gravity = {0, pile_gravity, 0};
-    world.contact_method = ContactMethod::simultaneous;
-    world.formulas_are_reference = true;
-    world.skips.sleep = options.sleep;
-    world.formulas_are_reference = true;
-    world.team = Team(options.threads);
+    world.settings.gravity = {0, pile_gravity, 0};
+    world.settings.contact_method = ContactMethod::simultaneous;
+    world.settings.formulas_are_reference = true;
+    world.settings.skips.sleep = options.sleep;
+    world.settings.formulas_are_reference = true;
+    world.pool = ThreadPool(options.threads);
     const auto add = [&world](const Vector3d& size, const Vector3d& X, const Quaternion& q,
                               bool is_static) {
         RigidBody& body = world.bodies.emplace_back();

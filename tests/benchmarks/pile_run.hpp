@@ -4,7 +4,7 @@
 #pragma once
 
 #include "geometry/pose.hpp"
-#include "rigid/world.hpp"
+#include "rigid/bodies/world.hpp"
 
 #include <functional>
 #include <string>

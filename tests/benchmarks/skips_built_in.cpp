@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "rigid/broad_phase.hpp"
-#include "rigid/mass.hpp"
+#include "rigid/detection/broad_phase.hpp"
+#include "rigid/bodies/mass.hpp"
 #include "skips_run.hpp"
 #include "stress/scenes.hpp"
 #include "support/random.hpp"
@@ -195,9 +195,9 @@ SkipCase remembered_pairs()
         const std::vector<Pose>& poses = cubes.poses;
         const std::vector<double> spare(cubes.bounds.size(), 0.1);
         std::vector<Bounds> moved = cubes.bounds;
-        PairMemory memory;
+        PairCache memory;
         Counters counters;
-        Team alone;
+        ThreadPool alone;
         SkipRun run;
         for (int k = 0; k < 20; ++k) {
             std::vector<BodyPair> pairs;

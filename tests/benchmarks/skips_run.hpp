@@ -2,7 +2,7 @@
 // What `bench skips` measures: one piece of work with a skip and without it, in turns.
 #pragma once
 
-#include "rigid/world.hpp"
+#include "rigid/bodies/world.hpp"
 #include "support/bench.hpp"
 
 #include <functional>

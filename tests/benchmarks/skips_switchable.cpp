@@ -64,8 +64,8 @@ SkipCase switched(const std::string& name, const std::string& scene, const World
                   std::uint64_t Counters::*counter, double bound)
 {
     World with = world, without = world;
-    with.skips.*skip = true;
-    without.skips.*skip = false;
+    with.settings.skips.*skip = true;
+    without.settings.skips.*skip = false;
     if (skip == &Skips::sleep)
         for (RigidBody& body : without.bodies)
             body.rest = {}; // awake
@@ -98,7 +98,7 @@ SkipRun run_steps(const World& world, int steps, std::uint64_t Counters::*counte
 std::vector<SkipCase> switchable_skips()
 {
     World sleepy = towers(50, 4);
-    sleepy.skips.sleep = true;
+    sleepy.settings.skips.sleep = true;
     const World high = towers(1, 20), wall = stress::world_of(gable(12, 8));
     return {
         switched("islands", "50 towers of 4 cubes, each pushed", pushed_towers(50, 4), 30,
@@ -109,7 +109,7 @@ std::vector<SkipCase> switchable_skips()
                  "contact sweeps", &Counters::contact_sweeps, resting),
         switched("early exit", "100 cubes that land", landing_cubes(100), 120, &Skips::early_exit,
                  "contact sweeps", &Counters::contact_sweeps, resting),
-        switched("readable formulas", "tower of 20 cubes", high, 120, &Skips::readable_formulas,
+        switched("readable formulas", "tower of 20 cubes", high, 120, &Skips::optimised_formulas,
                  "contact impulses", &Counters::contact_impulses, resting),
     };
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Run time against attitude error of a free rigid body, for every integrator and, where they are
 // installed, for Bullet and ODE.
-#include "rigid/mass.hpp"
-#include "rigid/world.hpp"
+#include "rigid/bodies/mass.hpp"
+#include "rigid/bodies/world.hpp"
 #include "spin_run.hpp"
 #include "support/bench.hpp"
 #include "support/free_rotor.hpp"
@@ -31,7 +31,7 @@ struct Contestant {
 SpinRun spin(Integrator integrator, int steps)
 {
     World world;
-    world.integrator = integrator;
+    world.settings.integrator = integrator;
     RigidBody& body = world.bodies.emplace_back();
     body.name = "box";
     set_mass(body, spin_mass, spin_inertia.asDiagonal().toDenseMatrix());

@@ -3,7 +3,7 @@
 
 #include "geometry/pose.hpp"
 #include "geometry/solid_mesh.hpp"
-#include "rigid/mass.hpp"
+#include "rigid/bodies/mass.hpp"
 #include "support/random.hpp"
 
 #include <cmath>
@@ -14,10 +14,10 @@ World world_of(std::vector<RigidBody> bodies, const Vector3d& gravity)
 {
     World world;
     world.bodies = std::move(bodies);
-    world.gravity = gravity;
-    world.contact_method = ContactMethod::simultaneous;
-    world.formulas_are_reference = true; // the reference is linked in
-    world.skips.sleep = false;
+    world.settings.gravity = gravity;
+    world.settings.contact_method = ContactMethod::simultaneous;
+    world.settings.formulas_are_reference = true; // the reference is linked in
+    world.settings.skips.sleep = false;
     return world;
 }
 

@@ -2,7 +2,7 @@
 // Bodies and worlds of the stress cases.
 #pragma once
 
-#include "rigid/world.hpp"
+#include "rigid/bodies/world.hpp"
 
 namespace rigor::stress {
 

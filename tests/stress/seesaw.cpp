@@ -58,7 +58,7 @@ double angle_with_contact(ContactMethod method, int steps, Record& record)
     bodies.push_back(fixed(cube(edge), {0, -edge / std::numbers::sqrt2, 0}, {0, 1},
                            turn({0, 0, 1}, std::numbers::pi / 4)));
     World world = world_of(std::move(bodies));
-    world.contact_method = method;
+    world.settings.contact_method = method;
     const double scale = lifting_energy(world, edge);
     Watch watch(std::move(world), record, scale);
     watch.run(steps, until / steps);

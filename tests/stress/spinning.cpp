@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A million steps of spinning, and inertias that are hardly bodies any more.
-#include "rigid/mass.hpp"
+#include "rigid/bodies/mass.hpp"
 #include "stress/scenes.hpp"
 #include "stress/watch.hpp"
 
@@ -32,7 +32,7 @@ void spin_long(Record& record, Integrator integrator, int steps, const Vector3d&
                const Vector3d& angular_velocity)
 {
     World world = world_of({free_body(moments, angular_velocity)}, {0, 0, 0});
-    world.integrator = integrator;
+    world.settings.integrator = integrator;
     Watch watch(std::move(world), record, 0);
     double worst = 0;
     watch.run(steps, 0.01, steps, [&] {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Touches that have no best answer: faces in one plane, edges along each other, bodies hardly
+// Contacts that have no best answer: faces in one plane, edges along each other, bodies hardly
 // thicker than a rounding, floors of many pieces.
 #include "stress/scenes.hpp"
 #include "stress/watch.hpp"

@@ -4,7 +4,7 @@
 #include "geometry/bounds.hpp"
 #include "geometry/pose.hpp"
 #include "geometry/solid_mesh.hpp"
-#include "rigid/non_finite.hpp"
+#include "rigid/bodies/non_finite.hpp"
 #include "support/bench.hpp"
 #include "support/depth.hpp"
 
@@ -73,7 +73,7 @@ double total_energy(const World& world)
 {
     double energy = kinetic_energy(world);
     for (const RigidBody& body : world.bodies)
-        if (!body.is_static) energy -= body.mass * world.gravity.dot(body.state.position);
+        if (!body.is_static) energy -= body.mass * world.settings.gravity.dot(body.state.position);
     return energy;
 }
 
@@ -82,7 +82,7 @@ double lifting_energy(const World& world, double height)
     double mass = 0;
     for (const RigidBody& body : world.bodies)
         if (!body.is_static) mass += body.mass;
-    return mass * world.gravity.norm() * height;
+    return mass * world.settings.gravity.norm() * height;
 }
 
 double deepest_overlap(const World& world)

@@ -2,7 +2,7 @@
 // Runs a world and records what a case asks for.
 #pragma once
 
-#include "rigid/world.hpp"
+#include "rigid/bodies/world.hpp"
 #include "stress/stress.hpp"
 
 namespace rigor::stress {

@@ -61,7 +61,7 @@ inline void pull_apart(Deformable& solid, double distance, double time)
 inline DeformableWorld world_of(Deformable solid)
 {
     DeformableWorld world;
-    world.rigid.formulas_are_reference = true;
+    world.rigid.settings.formulas_are_reference = true;
     world.solids.push_back(std::move(solid));
     return world;
 }

@@ -2,8 +2,8 @@
 // A worker: the engine linked with one implementation of the formulas. It answers the requests of
 // one client through shared memory (descriptor 3) until it is killed.
 #include "formulas/not_implemented.hpp"
-#include "rigid/keep_memory.hpp"
-#include "rigid/non_finite.hpp"
+#include "rigid/parallel/keep_memory.hpp"
+#include "rigid/bodies/non_finite.hpp"
 #include "scene/trajectory.hpp"
 #include "worker/channel.hpp"
 #include "worker/main/dispatch.hpp"

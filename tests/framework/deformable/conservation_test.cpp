@@ -18,7 +18,7 @@ double energy(const DeformableWorld& world)
     for (const Deformable& solid : world.solids) {
         const DeformableTotals of = totals(solid);
         sum += of.kinetic_energy + of.elastic_energy -
-               of.mass * world.rigid.gravity.dot(of.center_of_mass);
+               of.mass * world.rigid.settings.gravity.dot(of.center_of_mass);
     }
     return sum;
 }
@@ -51,7 +51,7 @@ DeformableWorld falling_splinters(unsigned seed)
             faces.push_back({t, f});
     remesh(block, split_along_faces(block.rest, faces));
     DeformableWorld world = world_of(block);
-    world.rigid.gravity = {0, -9.81, 0};
+    world.rigid.settings.gravity = {0, -9.81, 0};
     add_floor(world);
     world.rigid.bodies[0].material = {0, 0.6};
     return world;
@@ -78,7 +78,7 @@ DeformableWorld bent_bar(FractureMethod method)
         bar.handles.push_back(handle);
     }
     DeformableWorld world = world_of(bar);
-    world.rigid.gravity = {0, -9.81, 0};
+    world.rigid.settings.gravity = {0, -9.81, 0};
     add_floor(world);
     world.rigid.bodies[0].material = {0, 0.6};
     return world;

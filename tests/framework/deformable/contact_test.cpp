@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "rigid/mass.hpp"
+#include "rigid/bodies/mass.hpp"
 #include "support/close.hpp"
 #include "support/deformables.hpp"
 
@@ -28,7 +28,7 @@ DeformableWorld block_above_floor(NodeIntegrator integrator, double height)
                         Matrix3d::Identity(), Vector3d(0, 0.1 + height, 0));
     block.integrator = integrator;
     DeformableWorld world = world_of(block);
-    world.rigid.gravity = {0, -9.81, 0};
+    world.rigid.settings.gravity = {0, -9.81, 0};
     add_floor(world);
     return world;
 }
@@ -69,7 +69,8 @@ TEST_CASE("contact: on a slope a block slides or sticks as friction says", "[def
         for (const double friction : {0.2, 1.0}) {
             CAPTURE(friction);
             DeformableWorld world = block_above_floor(integrator, 0.0);
-            world.rigid.gravity = {9.81 * std::sin(0.5), -9.81 * std::cos(0.5), 0}; // tan 0.546
+            world.rigid.settings.gravity = {9.81 * std::sin(0.5), -9.81 * std::cos(0.5),
+                                            0}; // tan 0.546
             world.solids[0].material.surface.friction = friction;
             world.rigid.bodies[0].material.friction = friction;
             run(world, 1.0 / 60, 60);
@@ -86,7 +87,7 @@ TEST_CASE("contact: a ball and a block give each other the same impulse", "[defo
 {
     for (const NodeIntegrator integrator : integrators) {
         DeformableWorld world = block_above_floor(integrator, 0);
-        world.rigid.gravity.setZero();
+        world.rigid.settings.gravity.setZero();
         world.rigid.bodies.clear();
         world.rigid.bodies.push_back(ball(0.1, {0.05, 0.35, 0.02}, {0.5, -3, 0}));
         const RigidBody& b = world.rigid.bodies[0];

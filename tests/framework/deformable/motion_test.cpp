@@ -114,7 +114,7 @@ TEST_CASE("motion: a bar that hangs by its end stretches as it should, to second
     std::vector<double> errors;
     for (const int cells : {1, 2, 4}) {
         DeformableWorld world = world_of(held_bar(cells, 0));
-        world.rigid.gravity = {1e-3, 0, 0};
+        world.rigid.settings.gravity = {1e-3, 0, 0};
         run(world, 100, 12);
         const Deformable& bar = world.solids[0];
         const double c = bar.material.density * 1e-3 / bar.material.youngs_modulus, L = 1;
@@ -171,7 +171,7 @@ TEST_CASE("motion: implicit steps of any length come to rest", "[deformable]")
         Random random(3);
         for (Vector3d& v : world.solids[0].velocities)
             v = 10 * random.vector();
-        world.rigid.gravity = {0, -1, 0};
+        world.rigid.settings.gravity = {0, -1, 0};
         run(world, time_step, 400);
         const DeformableTotals sum = totals(world.solids[0]);
         check_at_most(sum.kinetic_energy, 1e-6, "kinetic energy");
@@ -207,7 +207,7 @@ TEST_CASE("motion: what can hardly be compressed keeps its volume", "[deformable
         DeformableWorld world = world_of(held_bar(2, 0.499));
         world.solids[0].integrator = integrator;
         world.solids[0].material.damping = 1e-3;
-        world.rigid.gravity = {2, 0, 0};
+        world.rigid.settings.gravity = {2, 0, 0};
         run(world, 0.01, 100);
         const Deformable& bar = world.solids[0];
         double volume = 0;
@@ -281,7 +281,7 @@ TEST_CASE("motion: handles lead their nodes and let go", "[deformable]")
         CHECK_THAT(bar.positions[node],
                    IsClose((half * first + Vector3d(0, 1, 0)).eval(), Rounding(64)));
         run(world, 0.025, 40);
-        world.rigid.gravity = {0, -10, 0};
+        world.rigid.settings.gravity = {0, -10, 0};
         run(world, 0.025, 20);
         CHECK(bar.positions[node].y() < first.y() + 1.5);
     }

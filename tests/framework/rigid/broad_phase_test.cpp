@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "rigid/broad_phase.hpp"
+#include "rigid/detection/broad_phase.hpp"
 #include "worlds.hpp"
 
 #include <algorithm>
@@ -88,9 +88,9 @@ TEST_CASE("broad phase: what is remembered finds the same pairs while bodies mov
 {
     Random random(5);
     Crowd c = crowd(2, 80, 3);
-    PairMemory memory;
+    PairCache memory;
     Counters counters, anew;
-    Team alone;
+    ThreadPool alone;
     const std::vector<double> spare(c.bounds.size(), 0.1);
     for (int k = 0; k < 300; ++k) {
         for (std::size_t i = 0; i < c.bounds.size(); ++i) {

@@ -7,23 +7,23 @@
 #include "geometry/mesh_surface.hpp"
 #include "geometry/signed_distance.hpp"
 #include "geometry/solid_mesh.hpp"
-#include "rigid/narrow_phase.hpp"
+#include "rigid/detection/narrow_phase.hpp"
 #include "worlds.hpp"
 
 namespace rigor::testing {
 
-inline std::vector<Touch> touches_of(const Shape& a, const Pose& pose_a, const Shape& b,
+inline std::vector<Contact> touches_of(const Shape& a, const Pose& pose_a, const Shape& b,
                                      const Pose& pose_b, double reach = 1e9)
 {
-    std::vector<Touch> touches;
-    find_touches(a, pose_a, b, pose_b, reach, touches);
+    std::vector<Contact> touches;
+    find_shape_contacts(a, pose_a, b, pose_b, reach, touches);
     return touches;
 }
 
-inline double deepest(const std::vector<Touch>& touches)
+inline double deepest(const std::vector<Contact>& touches)
 {
     double least = 1e300;
-    for (const Touch& t : touches)
+    for (const Contact& t : touches)
         least = std::min(least, t.gap);
     return least;
 }

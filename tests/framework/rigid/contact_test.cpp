@@ -63,7 +63,7 @@ TEST_CASE("contact: by an integrator of first order a block slides with the velo
     for (const Integrator integrator :
          {Integrator::linear, Integrator::exponential, Integrator::buss}) {
         Incline slope = incline(thirty_degrees, 0.2, 0.5, false);
-        slope.world.integrator = integrator;
+        slope.world.settings.integrator = integrator;
         run(slope.world, 100, h);
         CHECK_THAT(slope.slid(), IsClose(a * h * h * 100 * 101 / 2, Rounding(6400, 1)));
     }
@@ -104,7 +104,7 @@ TEST_CASE("contact: what rocks on a smooth ground gains no energy", "[rigid]")
 TEST_CASE("contact: what lands does not go into the ground", "[rigid]")
 {
     World world = world_of({fixed(Plane{}, {0, 0}), body_of(Box{{1, 1, 1}}, {0, 1.5, 0}, {0, 0})});
-    world.contact_method = ContactMethod::simultaneous; // takes the impact as a contact
+    world.settings.contact_method = ContactMethod::simultaneous; // takes the impact as a contact
     for (int n = 0; n < 60; ++n) {
         step(world, 1.0 / 60);
         REQUIRE(world.bodies[1].state.position.y() > 0.5 - 1e-12);
@@ -227,8 +227,8 @@ TEST_CASE("contact: a stack of thirty cubes stands where it was put", "[rigid]")
                 Box{{1, 1, 1}},
                 {0.01 * random.uniform(-1, 1), 0.5 + i, 0.01 * random.uniform(-1, 1)}, {0, 0.5}));
         World world = world_of(bodies);
-        world.contact_method = method;
-        world.skips.sleep = false;
+        world.settings.contact_method = method;
+        world.settings.skips.sleep = false;
         run(world, 120, 1.0 / 60);
         for (std::size_t i = 1; i < bodies.size(); ++i)
             CHECK_THAT(world.bodies[i].state.position,
@@ -243,7 +243,7 @@ TEST_CASE("contact: ten thousand times its mass on a cube does not press it into
     set_mass(heavy, 1e4 * heavy.mass, 1e4 * heavy.inertia);
     World world =
         world_of({fixed(Plane{}, {0, 0.5}), body_of(Box{{1, 1, 1}}, {0, 0.5, 0}, {0, 0.5}), heavy});
-    world.skips.sleep = false;
+    world.settings.skips.sleep = false;
     run(world, 300, 1.0 / 60);
     CHECK_THAT(world.bodies[1].state.position, IsClose(Vector3d(0, 0.5, 0), Order(1e-6)));
     CHECK_THAT(world.bodies[2].state.position, IsClose(Vector3d(0, 1.5, 0), Order(1e-6)));

@@ -25,7 +25,7 @@ World busy_world(ContactMethod method)
     for (int i = 0; i < 4; ++i)
         bodies.push_back(body_of(Sphere{0.5}, {-10.0 - 3 * i, 1.0 + i, 0}, material));
     World world = world_of(std::move(bodies));
-    world.contact_method = method;
+    world.settings.contact_method = method;
     return world;
 }
 
@@ -71,9 +71,9 @@ TEST_CASE("determinism: the number of threads does not change a bit", "[rigid]")
         for (const bool reference : {false, true}) {
             CAPTURE(static_cast<int>(method), reference);
             World world = busy_world(method);
-            world.formulas_are_reference = reference;
+            world.settings.formulas_are_reference = reference;
             const std::vector<double> one = run_bits(world, one_second);
-            world.team = Team(reference ? 3 : 2);
+            world.pool = ThreadPool(reference ? 3 : 2);
             REQUIRE(same_bits(run_bits(world, one_second), one));
         }
 }

@@ -10,7 +10,7 @@ namespace {
 double attitude_error(Integrator integrator, const Vector3d& omega, double end, int steps)
 {
     World world = world_of({free_box(omega)}, {0, 0, 0});
-    world.integrator = integrator;
+    world.settings.integrator = integrator;
     run(world, steps, end / steps);
     return rotation_angle(eigen(world.bodies[0].state.orientation),
                           FreeRotor(free_moments, omega).orientation(end));
@@ -61,7 +61,7 @@ TEST_CASE("flight: an isotropic body takes one exact step of any size", "[rigid]
     for (const Integrator integrator :
          {Integrator::exponential, Integrator::buss, Integrator::runge_kutta}) {
         World world = world_of({body_of(Sphere{0.5}, {0, 0, 0})}, {0, 0, 0});
-        world.integrator = integrator;
+        world.settings.integrator = integrator;
         const Vector3d w(7, -11, 13);
         spin(world.bodies[0], w);
         step(world, 2);
@@ -78,7 +78,7 @@ TEST_CASE("flight: without the isotropic shortcut the motion is the same", "[rig
          {Integrator::matrix, Integrator::linear, Integrator::exponential, Integrator::buss,
           Integrator::runge_kutta}) {
         World world = world_of({body_of(Box{{1, 1, 1}}, {0, 0, 0}, {}, turn({1, 2, 3}, 1))});
-        world.integrator = integrator;
+        world.settings.integrator = integrator;
         spin(world.bodies[0], {1, -2, 0.5});
         World without = world;
         without.bodies[0].is_isotropic = false;
@@ -125,7 +125,7 @@ TEST_CASE("flight: a rod that spins fast about itself keeps its energy", "[rigid
 TEST_CASE("flight: the linear update turns by twice an arc tangent", "[rigid]")
 {
     World world = world_of({body_of(Sphere{0.5}, {0, 0, 0})}, {0, 0, 0});
-    world.integrator = Integrator::linear;
+    world.settings.integrator = Integrator::linear;
     spin(world.bodies[0], {0, 0, 1});
     step(world, 0.1);
     const Quaternion& q = world.bodies[0].state.orientation;
@@ -148,7 +148,7 @@ TEST_CASE("flight: free fall is a parabola to rounding", "[rigid]")
     for (const Integrator integrator :
          {Integrator::matrix, Integrator::buss, Integrator::runge_kutta}) {
         World world = world_of({body_of(Sphere{0.1}, {1, 2, 3})});
-        world.integrator = integrator;
+        world.settings.integrator = integrator;
         world.bodies[0].state.velocity = {4, 5, 6};
         run(world, n, h);
         const double t = n * h;
@@ -158,7 +158,7 @@ TEST_CASE("flight: free fall is a parabola to rounding", "[rigid]")
     }
     for (const Integrator integrator : {Integrator::linear, Integrator::exponential}) {
         World world = world_of({body_of(Sphere{0.1}, {0, 0, 0})});
-        world.integrator = integrator;
+        world.settings.integrator = integrator;
         world.bodies[0].state.velocity = {0, 5, 0};
         run(world, n, h);
         CHECK_THAT(world.bodies[0].state.position.y(),

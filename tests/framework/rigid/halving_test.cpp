@@ -35,7 +35,7 @@ TEST_CASE("halving: a corner that hits a wall turns the cube, but not into the w
         cube.state.velocity = {100, 0, 0};
         World world =
             world_of({fixed(Box{{0.01, 10, 10}}, plastic, {0.005, 0, 0}), cube}, {0, 0, 0});
-        world.contact_method = method;
+        world.settings.contact_method = method;
         double energy = totals(world).kinetic_energy;
         for (int i = 0; i < 5; ++i) {
             const Vector3d before = totals(world).momentum;
@@ -62,7 +62,7 @@ TEST_CASE("halving: thin plates that slap on each other keep their order", "[rig
         bodies.push_back(body_of(Box{{1, 1e-3, 1}}, {0.05 * i, 0.1 * (i + 1), 0}, plastic,
                                  turn({1, 0, 2}, 0.02 * i)));
     World world = world_of(bodies);
-    world.contact_method = ContactMethod::simultaneous;
+    world.settings.contact_method = ContactMethod::simultaneous;
     run(world, 60, h);
     double below = -5e-4;
     for (int i = 1; i <= 3; ++i) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "geometry/generators.hpp"
 #include "geometry/solid_mesh.hpp"
-#include "rigid/non_finite.hpp"
+#include "rigid/bodies/non_finite.hpp"
 #include "worlds.hpp"
 
 using namespace rigor;

@@ -3,8 +3,8 @@
 #include "contact_shapes.hpp"
 #include "formulas/collision.hpp"
 #include "geometry/level_set.hpp"
-#include "rigid/non_finite.hpp"
-#include "rigid/reduce_touches.hpp"
+#include "rigid/bodies/non_finite.hpp"
+#include "rigid/detection/shapes/reduce_contacts.hpp"
 
 using namespace rigor;
 using namespace rigor::testing;
@@ -112,7 +112,7 @@ TEST_CASE("mesh contact: crossed cubes that touch at edges only have their conta
         CHECK_THAT(deepest(touches), IsClose(-overlap, Order(1e-9)));
         const auto at =
             std::min_element(touches.begin(), touches.end(),
-                             [](const Touch& a, const Touch& b) { return a.gap < b.gap; });
+                             [](const Contact& a, const Contact& b) { return a.gap < b.gap; });
         CHECK_THAT(at->normal, IsClose(Vector3d(0, 1, 0), Order(1e-9)));
         CHECK_THAT(at->point, IsClose(Vector3d(0, half - overlap / 2, 0), Order(1e-9)));
     }
@@ -126,7 +126,7 @@ TEST_CASE("mesh contact: bars that cross flat touch at the corners of their cros
     const auto touches = touches_of(Box{{0.3, 0.3, 0.7}}, upper, cross, lower, 0.001);
     REQUIRE(touches.size() >= 4);
     Vector3d low = Vector3d::Constant(1e9), high = -low;
-    for (const Touch& t : touches) {
+    for (const Contact& t : touches) {
         CHECK_THAT(t.normal, IsClose(Vector3d(0, 1, 0), Order(1e-6)));
         CHECK_THAT(t.gap, IsClose(-1e-4, Order(1e-6)));
         low = low.cwiseMin(t.point);
@@ -153,11 +153,11 @@ TEST_CASE("mesh contact: a ring on a peg keeps contacts on all sides", "[rigid]"
         for (const Vector3d& side :
              {Vector3d(1, 0, 0), Vector3d(-1, 0, 0), Vector3d(0, 0, 1), Vector3d(0, 0, -1)}) {
             double most = -1;
-            for (const Touch& t : touches)
+            for (const Contact& t : touches)
                 most = std::max(most, t.normal.dot(side));
             CHECK(most > 0.7);
         }
-        for (const Touch& t : touches) {
+        for (const Contact& t : touches) {
             CHECK(std::abs(t.normal.y()) < 1e-6);
             CHECK(std::abs(t.gap - 0.005) <
                   0.003); // polygons of 48 sides: up to 0.3 (1 - cos 3.75°) less
@@ -172,7 +172,7 @@ TEST_CASE("mesh contact: an aligned block on a block of its size is held along t
     const auto touches = touches_of(mesh(cube), above, mesh(box_mesh({1, 1, 1})), {}, 0.01);
     REQUIRE(touches.size() >= 4);
     Vector3d low = Vector3d::Constant(1e9), high = -low;
-    for (const Touch& t : touches) { // corners on edges, where the gradient looks askew
+    for (const Contact& t : touches) { // corners on edges, where the gradient looks askew
         CHECK_THAT(t.normal, IsClose(Vector3d(0, 1, 0), Order(1e-6)));
         low = low.cwiseMin(t.point);
         high = high.cwiseMax(t.point);
@@ -221,7 +221,7 @@ TEST_CASE("mesh contact: a ball in a corner touches both walls", "[rigid]")
     const auto touches =
         touches_of(Sphere{r}, {Matrix3d::Identity(), {-0.7 + r, -0.7 + r, 0.1}}, corner, {}, 0.01);
     REQUIRE(touches.size() == 2);
-    for (const Touch& t : touches)
+    for (const Contact& t : touches)
         CHECK_THAT(t.gap, IsClose(0.0, Order(1e-9)));
     const Vector3d sum = touches[0].normal + touches[1].normal;
     CHECK_THAT(sum, IsClose(Vector3d(1, 1, 0), Order(1e-9)));
@@ -234,7 +234,7 @@ TEST_CASE("mesh contact: a ball over the hole of a ring rests on three points", 
     REQUIRE(touches.size() == 3);
     Vector3d sum = Vector3d::Zero();
     const double gap = std::hypot(0.4, 0.55) - 0.65;
-    for (const Touch& t : touches) {
+    for (const Contact& t : touches) {
         CHECK_THAT(t.gap, IsClose(gap, Rounding(16, 2)));
         sum += t.normal;
     }
@@ -249,14 +249,14 @@ TEST_CASE("contact: a cylinder touches a box with its face or its line or its ri
     const Cylinder drum{0.5, 1.2};
     const auto standing = touches_of(drum, {Matrix3d::Identity(), {0.2, 1.1, 0}}, table, {}, 0.01);
     REQUIRE(standing.size() == 8);
-    for (const Touch& t : standing) {
+    for (const Contact& t : standing) {
         CHECK_THAT(t.normal, IsExactly(Vector3d(0, 1, 0)));
         CHECK_THAT(t.gap, IsClose(0.0, Rounding(8, 2)));
         CHECK_THAT((t.point - Vector3d(0.2, 0.5, 0)).norm(), IsClose(0.5, Rounding(16)));
     }
     const auto lying = touches_of(drum, turned({0, 0, 1}, 90, {0, 1 - 1e-3, 0}), table, {}, 0.01);
     REQUIRE(lying.size() == 2);
-    for (const Touch& t : lying) {
+    for (const Contact& t : lying) {
         CHECK_THAT(t.normal, IsClose(Vector3d(0, 1, 0), Rounding(16)));
         CHECK_THAT(t.gap, IsClose(-1e-3, Rounding(16, 2)));
         CHECK_THAT(std::abs(t.point.x()), IsClose(0.6, Rounding(16)));
@@ -279,22 +279,22 @@ TEST_CASE("contact: of many touches eight stay that span them and one of them is
     for (unsigned seed = 0; seed < 30; ++seed) {
         CAPTURE(seed);
         Random random(seed);
-        std::vector<Touch> touches(1, Touch{{9, 9, 9}, {0, 1, 0}, -1}); // not to be looked at
+        std::vector<Contact> touches(1, Contact{{9, 9, 9}, {0, 1, 0}, -1}); // not to be looked at
         double least = 1;
         for (int i = 0; i < 200; ++i) {
             const Vector3d p = random.vector();
             touches.push_back({{p.x(), 0, p.z()}, {0, 1, 0}, 0.1 * p.y() * p.y() - 0.02});
             least = std::min(least, touches.back().gap);
         }
-        reduce_touches(touches, 1, 0.1);
-        REQUIRE(touches.size() == 1 + most_touches);
+        reduce_contacts(touches, 1, 0.1);
+        REQUIRE(touches.size() == 1 + most_contacts);
         REQUIRE(touches[0].gap == -1);
         touches.erase(touches.begin());
         REQUIRE(deepest(touches) <= least + 1e-4);
         for (const double x : {-1.0, 1.0})
             for (const double z : {-1.0, 1.0}) { // something is kept near each corner
                 double nearest = 1e9;
-                for (const Touch& t : touches)
+                for (const Contact& t : touches)
                     nearest = std::min(nearest, (t.point - Vector3d(x, 0, z)).norm());
                 REQUIRE(nearest < 1.2); // of a square of side 2
             }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "rigid/narrow_phase.hpp"
+#include "rigid/detection/narrow_phase.hpp"
 #include "worlds.hpp"
 
 using namespace rigor;
@@ -9,11 +9,11 @@ namespace {
 
 constexpr double anything = 1e9;
 
-std::vector<Touch> touches_of(const Shape& a, const Pose& pose_a, const Shape& b,
+std::vector<Contact> touches_of(const Shape& a, const Pose& pose_a, const Shape& b,
                               const Pose& pose_b, double reach = anything)
 {
-    std::vector<Touch> touches;
-    find_touches(a, pose_a, b, pose_b, reach, touches);
+    std::vector<Contact> touches;
+    find_shape_contacts(a, pose_a, b, pose_b, reach, touches);
     return touches;
 }
 
@@ -93,7 +93,7 @@ TEST_CASE("narrow phase: spheres touch on the line of their centers", "[rigid]")
         const Pose a = random_pose(random, 1), b = random_pose(random, 1);
         const auto touches = touches_of(Sphere{0.4}, a, Sphere{0.7}, b);
         REQUIRE(touches.size() == 1);
-        const Touch& t = touches[0];
+        const Contact& t = touches[0];
         REQUIRE_THAT(t.gap, IsClose((a.X - b.X).norm() - 1.1, Rounding(8, 2)));
         REQUIRE_THAT(t.normal, IsClose(Vector3d((a.X - b.X).normalized()), Rounding(8)));
         REQUIRE_THAT((t.point - b.X).norm(), IsClose(0.7 + t.gap / 2, Rounding(16, 2)));
@@ -117,7 +117,7 @@ TEST_CASE("narrow phase: a sphere touches a box where the box is nearest", "[rig
         inside += is_inside;
         const auto touches = touches_of(Sphere{0.25}, {Matrix3d::Identity(), pose * c}, box, pose);
         REQUIRE(touches.size() == 1);
-        const Touch& t = touches[0];
+        const Contact& t = touches[0];
         const double distance = t.gap + 0.25; // signed, to the center
         REQUIRE((distance < 0) == is_inside);
         REQUIRE(std::abs(std::abs(distance) - distance_to_surface(box, c, 200)) < 0.01);
@@ -136,7 +136,7 @@ TEST_CASE("narrow phase: the touch of a sphere is on its own normal", "[rigid]")
         Random random(seed);
         const Pose sphere = random_pose(random, 2), other = random_pose(random, 1);
         for (const Shape& shape : {Shape(Sphere{0.5}), Shape(Box{{1, 1, 2}}), Shape(Plane{})}) {
-            const Touch t = touches_of(Sphere{0.3}, sphere, shape, other).at(0);
+            const Contact t = touches_of(Sphere{0.3}, sphere, shape, other).at(0);
             REQUIRE_THAT(Vector3d((t.point - sphere.X).cross(t.normal)),
                          IsClose(Vector3d(0, 0, 0), Rounding(32, 4)));
         }
@@ -177,7 +177,7 @@ TEST_CASE("narrow phase: boxes overlap by what the fifteen axes say", "[rigid]")
         REQUIRE(touches.empty() == (exact >= 0));
         if (touches.empty()) continue;
         double deepest = 0;
-        for (const Touch& t : touches) {
+        for (const Contact& t : touches) {
             deepest = std::min(deepest, t.gap);
             REQUIRE_THAT(t.normal.norm(), IsClose(1.0, Rounding(16)));
             // in the middle of the overlap, so within half of it of both boxes
@@ -245,7 +245,7 @@ TEST_CASE("narrow phase: aligned cubes have the four corners of their common fac
         touches_of(Box{{1, 1, 1}}, {Matrix3d::Identity(), {0.25, 1, 0}}, Box{{1, 1, 1}}, {}, 0.1);
     REQUIRE(touches.size() == 4);
     Vector3d middle = Vector3d::Zero();
-    for (const Touch& t : touches) {
+    for (const Contact& t : touches) {
         CHECK_THAT(t.gap, IsClose(0.0, Rounding(8, 1)));
         CHECK_THAT(t.normal, IsExactly(Vector3d(0, 1, 0)));
         middle += t.point / 4;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // The engine's faster forms give what the reference's formulas give.
-#include "rigid/optimised_forms.hpp"
+#include "rigid/bodies/optimised_forms.hpp"
 
 #include "formulas/collision.hpp"
 #include "formulas/contact.hpp"
-#include "rigid/blocks.hpp"
-#include "rigid/contact_stage.hpp"
-#include "rigid/sweeps.hpp"
+#include "rigid/contact/blocks.hpp"
+#include "rigid/contact/resting_contact.hpp"
+#include "rigid/contact/solvers/sweeps.hpp"
 #include "support/catch.hpp"
 #include "worlds.hpp"
 
@@ -37,14 +37,14 @@ struct Heap {
     ContactProblem problem;
     Island island;
     Counters counters;
-    Team alone;
+    ThreadPool alone;
     std::vector<BodyContact> contacts;
 
     explicit Heap(unsigned seed)
     {
         Random random(seed);
         problem.counters = &counters;
-        problem.team = &alone;
+        problem.pool = &alone;
         problem.optimised = true;
         problem.time_step = 0.01;
         problem.gravity = {0, -g, 0};
@@ -54,7 +54,7 @@ struct Heap {
             island.bodies.push_back(i);
         }
         for (int i = 0; i < 15; ++i) {
-            SolvedContact c;
+            ContactConstraint c;
             c.body1 = 1 + i % 6;
             c.body2 = i < 6 ? 0 : 1 + (i * 5 + 3) % 6;
             if (c.body1 == c.body2) continue;
@@ -70,7 +70,7 @@ struct Heap {
         }
         split_into_blocks(problem, island);
         for (const Held& h : held_contacts(problem, island)) {
-            const SolvedContact& c = problem.contacts[h.contact];
+            const ContactConstraint& c = problem.contacts[h.contact];
             contacts.push_back(
                 {c.body1, c.body2, c.point, c.normal, -c.gap, c.friction, h.target, c.guess});
         }
@@ -106,7 +106,7 @@ TEST_CASE("optimised: the sweeps are those of resolve_simultaneously", "[rigid]"
             REQUIRE(heap.contacts.size() > 8);
             const ContactResult expected =
                 resolve_simultaneously(heap.problem.bodies, heap.contacts, sweeps);
-            const Joined<Held> held = held_contacts(heap.problem, heap.island);
+            const UninitializedVector<Held> held = held_contacts(heap.problem, heap.island);
             const auto fast = optimised_sweeps(heap.problem, heap.island, held);
             std::vector<Vector3d> steps(held.size());
             for (int i = 0; i < sweeps; ++i)
@@ -130,7 +130,7 @@ TEST_CASE("optimised: a world of boxes moves as by the readable formulas", "[rig
         bodies.push_back(body_of(Box{{0.4, 0.3, 0.5}}, Vector3d(0.9 * i, 0.4, 0), {0.2, 0.5},
                                  random.quaternion()));
     World fast = world_of(bodies), readable = fast;
-    fast.formulas_are_reference = true;
+    fast.settings.formulas_are_reference = true;
     run(fast, 60, 0.01);
     run(readable, 60, 0.01);
     REQUIRE(fast.counters.contact_impulses > 100);

@@ -35,7 +35,7 @@ double energy(const World& world)
     const Spring& spring = world.springs[0];
     const Vector3d end = rotation_matrix(s.orientation) * spring.point1 + s.position;
     const double stretch = (end - spring.point2).norm() - spring.rest_length;
-    return totals(world).kinetic_energy - body.mass * world.gravity.dot(s.position) +
+    return totals(world).kinetic_energy - body.mass * world.settings.gravity.dot(s.position) +
            0.5 * spring.stiffness * stretch * stretch;
 }
 
@@ -51,7 +51,7 @@ TEST_CASE("pulled: a spring between two bodies keeps their momentum and its peri
             set_mass(b, 4, a.inertia);
             b.state.position = {1.5, 0, 0};
             World world = world_of({a, b}, {0, 0, 0});
-            world.integrator = integrator;
+            world.settings.integrator = integrator;
             world.springs.push_back({0, 1, {0, 0, 0}, {0, 0, 0}, k, 0, 1});
             const double omega = std::sqrt(k / 3); // reduced mass 12·4/16
             const double end = 3 / omega;
@@ -74,7 +74,7 @@ TEST_CASE("pulled: off-center springs and forces keep their order while bodies t
         CAPTURE(integrator, damping);
         const auto end_state = [kind = integrator, c = damping](int n) {
             World world = world_of({free_box({1, 2, 3}), free_box({-2, 0.5, 1})});
-            world.integrator = kind;
+            world.settings.integrator = kind;
             world.bodies[1].state.position = {2, 0, 0};
             world.springs.push_back({0, 1, {0.5, 0.3, -0.2}, {-0.4, 0.1, 0.6}, 60, c, 1});
             world.springs.push_back({0, -1, {0, 1, 0}, {0, 3, 0}, 30, 0, 1});
@@ -103,7 +103,7 @@ TEST_CASE("pulled: a damped spring keeps its order and its decay", "[rigid]")
         std::vector<double> errors;
         for (int n : {50, 100, 200}) {
             World world = oscillator(k, c);
-            world.integrator = integrator;
+            world.settings.integrator = integrator;
             run(world, n, end / n);
             errors.push_back(std::abs(world.bodies[0].state.position.x() - exact));
         }
@@ -130,7 +130,7 @@ TEST_CASE("pulled: what swings on a spring keeps its energy", "[rigid]")
     CHECK(first < 1e-4 * std::abs(start));
 
     World losing = swing();
-    losing.integrator = Integrator::matrix;
+    losing.settings.integrator = Integrator::matrix;
     CHECK(worst(losing, 2000) > 10 * first);
 }
 
@@ -149,7 +149,7 @@ TEST_CASE("pulled: a force from one step's start to another's gives its whole im
     for (const Integrator integrator : {Integrator::matrix, Integrator::linear, Integrator::buss,
                                         Integrator::exponential, Integrator::runge_kutta}) {
         World world = world_of({free_box()}, {0, 0, 0});
-        world.integrator = integrator;
+        world.settings.integrator = integrator;
         world.forces.push_back({0, {6, 0, 0}, {0, 0, 0}, 0.25, 0.75});
         run(world, 16, 0.0625);
         CHECK_THAT(world.bodies[0].state.velocity, IsClose(Vector3d(0.25, 0, 0), Rounding(16)));

@@ -21,7 +21,7 @@ TEST_CASE("contact: on a plane the deepest touch of a shape is its lowest point"
             REQUIRE(touches.size() <= 18);
             REQUIRE_THAT(deepest(touches),
                          IsClose(lowest, Order(3e-5))); // of eight the deepest, or as deep
-            for (const Touch& t : touches) {
+            for (const Contact& t : touches) {
                 REQUIRE_THAT(t.normal, IsExactly(n));
                 REQUIRE_THAT(n.dot(t.point - plane.X), IsClose(t.gap, Rounding(64, 8)));
             }
@@ -41,7 +41,7 @@ TEST_CASE("contact: seen from the other side every pair has the same touches", "
                 const auto there = touches_of(first.shape, a, second.shape, b, 0.1),
                            back = touches_of(second.shape, b, first.shape, a, 0.1);
                 REQUIRE(there.size() <= 9);
-                for (const Touch& t : there) {
+                for (const Contact& t : there) {
                     REQUIRE(t.point.allFinite());
                     REQUIRE_THAT(t.normal.norm(), IsClose(1.0, Rounding(16)));
                     REQUIRE(t.gap < 0.1);
@@ -107,7 +107,7 @@ TEST_CASE("contact: nothing is a number that is none for shapes at one place", "
             for (const Vector3d& X :
                  {Vector3d(0, 0, 0), Vector3d(0, 1e-15, 0), Vector3d(1e-3, 0, 0)}) {
                 CAPTURE(first.name, second.name);
-                for (const Touch& t :
+                for (const Contact& t :
                      touches_of(first.shape, {}, second.shape, {Matrix3d::Identity(), X}, 0.1)) {
                     REQUIRE(std::isfinite(t.gap));
                     REQUIRE(t.point.allFinite());

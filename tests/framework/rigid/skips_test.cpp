@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What a step leaves out changes nothing, or no more than is said here.
 #include "geometry/box_tree.hpp"
-#include "rigid/warm_start.hpp"
+#include "rigid/contact/warm_start.hpp"
 #include "support/catch.hpp"
 #include "worlds.hpp"
 
@@ -27,8 +27,8 @@ World stacks(int count, int height)
                                               0.01 * random.uniform(-1, 1)),
                                      {0, 0.5}));
     World world = world_of(bodies);
-    world.contact_method = ContactMethod::simultaneous;
-    world.formulas_are_reference = true;
+    world.settings.contact_method = ContactMethod::simultaneous;
+    world.settings.formulas_are_reference = true;
     return world;
 }
 
@@ -51,8 +51,8 @@ World heap(int side)
                                          turn(random.unit_vector(), random.uniform(0, 0.25))));
             }
     World world = world_of(bodies);
-    world.contact_method = ContactMethod::simultaneous;
-    world.formulas_are_reference = true;
+    world.settings.contact_method = ContactMethod::simultaneous;
+    world.settings.formulas_are_reference = true;
     return world;
 }
 
@@ -71,8 +71,8 @@ TEST_CASE("skips: without islands warm start or early exit stacks stand as with 
 {
     const auto without = GENERATE(&Skips::islands, &Skips::warm_start, &Skips::early_exit);
     World with = stacks(3, 5), other = with;
-    with.skips.sleep = other.skips.sleep = false;
-    other.skips.*without = false;
+    with.settings.skips.sleep = other.settings.skips.sleep = false;
+    other.settings.skips.*without = false;
     run(with, 120, h);
     run(other, 120, h);
     CHECK(with.counters.warm_starts > 1000);
@@ -87,7 +87,7 @@ TEST_CASE("skips: without islands warm start or early exit stacks stand as with 
 TEST_CASE("skips: bodies at rest sleep where they are and keep their contacts", "[rigid]")
 {
     World sleeping = stacks(2, 4), awake = sleeping;
-    awake.skips.sleep = false;
+    awake.settings.skips.sleep = false;
     run(sleeping, 120, h);
     run(awake, 120, h);
     CHECK(awake.counters.bodies_asleep == 0);
@@ -153,10 +153,10 @@ TEST_CASE("skips: a heap comes to rest and sleeps where it would lie awake", "[r
     const std::uint64_t before = sleeping.counters.bodies_asleep;
 
     // awake it would stay for the next half second where it was for the last
-    awake.skips.sleep = false;
+    awake.settings.skips.sleep = false;
     for (RigidBody& body : awake.bodies)
         body.rest = {};
-    awake.sleeping_contacts.clear();
+    awake.memory.sleeping_contacts.clear();
     run(awake, 31, h);
     run(sleeping, 30, h);
     CHECK(sleeping.counters.bodies_asleep - before == 30 * 64);
@@ -182,9 +182,9 @@ TEST_CASE("skips: a contact that carries nothing leaves its neighbour's impulse 
 {
     World world = world_of({fixed(Plane{}, {0, 0.5}), body_of(Box{{1, 1, 1}}, {0, 0.5, 0})});
     const Vector3d loaded(0.5, 0, 0.5), empty(0.48, 0, 0.5), force(0, -7, 0);
-    world.warm_contacts = {{0, 1, loaded, force}};
-    std::vector<SolvedContact> contacts(2);
-    for (SolvedContact& c : contacts) {
+    world.memory.warm_contacts = {{0, 1, loaded, force}};
+    std::vector<ContactConstraint> contacts(2);
+    for (ContactConstraint& c : contacts) {
         c.body2 = 1;
         c.normal = {0, -1, 0};
         c.radius = 1;
@@ -212,7 +212,7 @@ TEST_CASE("skips: a body that is alone flies as it does far from others", "[rigi
         CAPTURE(static_cast<int>(integrator));
         World alone = world_of({body}), two = world_of({body, fixed(Box{{1, 1, 1}}, {0, 0.5})});
         two.bodies[1].state.position = {1000, 0, 0};
-        alone.integrator = two.integrator = integrator;
+        alone.settings.integrator = two.settings.integrator = integrator;
         for (int i = 0; i < 50; ++i) {
             REQUIRE(step(alone, h).empty());
             REQUIRE(step(two, h).empty());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What holds for any step: conservation, determinism, order, and that what is skipped changes nothing.
-#include "rigid/non_finite.hpp"
+#include "rigid/bodies/non_finite.hpp"
 #include "worlds.hpp"
 
 #include <algorithm>

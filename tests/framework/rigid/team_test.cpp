@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Threads that share the work of a step, and what they share.
-#include "rigid/team.hpp"
+#include "rigid/parallel/thread_pool.hpp"
 
-#include "rigid/blocks.hpp"
+#include "rigid/contact/blocks.hpp"
 #include "support/catch.hpp"
 #include "worlds.hpp"
 
@@ -28,8 +28,8 @@ World large_heap()
                 bodies.push_back(body_of(Box{{1, 1, 1}}, X + 1e-4 * random.vector(), {0, 0.5}));
             }
     World world = world_of(std::move(bodies));
-    world.contact_method = ContactMethod::simultaneous;
-    world.formulas_are_reference = true;
+    world.settings.contact_method = ContactMethod::simultaneous;
+    world.settings.formulas_are_reference = true;
     return world;
 }
 
@@ -46,7 +46,7 @@ ContactProblem chain(int bodies, Island& island)
         island.bodies.push_back(i);
     }
     for (int i = 0; i < bodies; ++i) {
-        SolvedContact c;
+        ContactConstraint c;
         c.body1 = i;
         c.body2 = i + 1;
         problem.contacts.push_back(c);
@@ -60,12 +60,12 @@ ContactProblem chain(int bodies, Island& island)
 TEST_CASE("team: each task is done once", "[rigid]")
 {
     for (int threads : {1, 2, 4}) {
-        Team team(threads);
+        ThreadPool pool(threads);
         for (int tasks : {0, 1, 2, 7, 100})
             for (int round = 0; round < 50; ++round) {
                 CAPTURE(threads, tasks, round);
                 std::vector<int> done(tasks, 0);
-                team.share(tasks, [&](int k) { ++done[k]; });
+                pool.for_each_task(tasks, [&](int k) { ++done[k]; });
                 REQUIRE(done == std::vector<int>(tasks, 1));
             }
     }
@@ -73,11 +73,11 @@ TEST_CASE("team: each task is done once", "[rigid]")
 
 TEST_CASE("team: stretches are all of it", "[rigid]")
 {
-    Team team(3);
+    ThreadPool pool(3);
     for (std::size_t count : {0, 1, 5, 64, 1000}) {
         CAPTURE(count);
         std::vector<int> done(count, 0);
-        team.share_stretches(count, 8, [&](std::size_t first, std::size_t last) {
+        pool.for_each_range(count, 8, [&](std::size_t first, std::size_t last) {
             for (std::size_t i = first; i < last; ++i)
                 ++done[i];
         });
@@ -88,13 +88,13 @@ TEST_CASE("team: stretches are all of it", "[rigid]")
 TEST_CASE("team: of several that throw the first is heard and work goes on", "[rigid]")
 {
     for (int threads : {2, 3}) {
-        Team team(threads);
+        ThreadPool pool(threads);
         const auto fail = [](int k) {
             if (k % 10 == 3) throw std::runtime_error(std::to_string(k));
         };
-        REQUIRE_THROWS_WITH(team.share(40, fail), "3");
+        REQUIRE_THROWS_WITH(pool.for_each_task(40, fail), "3");
         std::atomic<int> sum = 0;
-        team.share(40, [&](int k) { sum += k; });
+        pool.for_each_task(40, [&](int k) { sum += k; });
         REQUIRE(sum == 780);
     }
 }
@@ -115,7 +115,7 @@ TEST_CASE("team: blocks of one stage share no body and no pair is lost", "[rigid
                 last = island.blocks[k].last;
                 std::set<int> own;
                 for (int i = island.blocks[k].first; i < last; ++i) {
-                    const SolvedContact& c = problem.contacts[island.pairs[i].first];
+                    const ContactConstraint& c = problem.contacts[island.pairs[i].first];
                     REQUIRE(seen.insert(island.pairs[i].first).second);
                     for (int body : {c.body1, c.body2})
                         if (!problem.bodies[body].is_static()) own.insert(body);
@@ -132,7 +132,7 @@ TEST_CASE("team: blocks of one stage share no body and no pair is lost", "[rigid
 TEST_CASE("team: a large heap moves by the same bits with any number of threads", "[rigid]")
 {
     World one = large_heap(), three = one;
-    three.team = Team(3);
+    three.pool = ThreadPool(3);
     for (int i = 0; i < 8; ++i) {
         step(one, 1.0 / 60);
         step(three, 1.0 / 60);

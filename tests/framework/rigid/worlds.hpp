@@ -3,8 +3,8 @@
 #pragma once
 
 #include "geometry/pose.hpp"
-#include "rigid/mass.hpp"
-#include "rigid/world.hpp"
+#include "rigid/bodies/mass.hpp"
+#include "rigid/bodies/world.hpp"
 #include "support/close.hpp"
 #include "support/random.hpp"
 
@@ -50,7 +50,7 @@ inline World world_of(std::vector<RigidBody> bodies, const Vector3d& gravity = {
 {
     World world;
     world.bodies = std::move(bodies);
-    world.gravity = gravity;
+    world.settings.gravity = gravity;
     return world;
 }
 

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+
+namespace rigor {
+
+/// The work that was done since the start, and the work that was left out because the scene did not
+/// need it.
+struct Counters {
+    std::uint64_t steps = 0, substeps = 0;
+    std::uint64_t pairs_possible = 0, pairs_tested = 0, pair_searches_saved = 0, contacts = 0;
+    std::uint64_t collision_impulses = 0, contact_impulses = 0;
+    std::uint64_t isotropic_shortcuts = 0, free_flights = 0, static_skipped = 0;
+    std::uint64_t islands = 0, bodies_asleep = 0, warm_starts = 0; // summed over the steps
+    std::uint64_t contact_sweeps = 0, early_exits = 0, newton_solves = 0;
+    std::uint64_t corrected_contacts = 0;
+    std::uint64_t level_sets_built = 0, level_set_samples = 0;
+    // deformable solids
+    std::uint64_t deformable_substeps = 0, system_solves = 0, solver_iterations = 0;
+    std::uint64_t node_impulses = 0, elements_flowed = 0, flow_skipped = 0;
+    std::uint64_t eigenvalues = 0, eigenvalues_skipped = 0, cracks = 0, mesh_changes = 0;
+};
+
+} // namespace rigor

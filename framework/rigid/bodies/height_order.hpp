@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+// The order in which contacts and bodies are visited where the result depends on an order. The points
+// of a face lie at one height although rounding makes their heights differ. Heights that differ by
+// rounding alone count as equal here, so that the order is the same for every correct implementation
+// of the formulas.
+#pragma once
+
+#include "formulas/types.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rigor {
+
+/// The unit vector against gravity; y without gravity.
+inline Vector3d up_direction(const Vector3d& gravity)
+{
+    const double g = gravity.norm();
+    return g > 0 ? Vector3d(-gravity / g) : Vector3d::UnitY();
+}
+
+/// Rounds lengths to 2⁻³⁶ times the power of two below the largest coordinate.
+class RoundedLength {
+public:
+    /// @param points  the points whose lengths will be rounded [m]
+    /// @param at      gives the coordinates of one of them
+    template <typename Points, typename At> RoundedLength(const Points& points, At at)
+    {
+        double largest = 0;
+        for (const auto& p : points)
+            largest = std::max(largest, at(p).cwiseAbs().maxCoeff());
+        shift_ = std::ldexp(1.5, 16 + (std::isnormal(largest) ? std::ilogb(largest) : 0));
+    }
+
+    /// Adding the shift leaves no binary digit below the 36th, since 16 + 36 are all that a double has.
+    double operator()(double x) const { return (x + shift_) - shift_; }
+
+private:
+    double shift_;
+};
+
+/// Orders places from the lowest up, and places of one height by x, then by z.
+class HeightOrder {
+public:
+    struct Place {
+        double height, x, z;
+
+        bool operator==(const Place&) const = default;
+        bool operator<(const Place& other) const
+        {
+            if (height != other.height) return height < other.height;
+            return x != other.x ? x < other.x : z < other.z;
+        }
+    };
+
+    template <typename Points, typename At>
+    HeightOrder(const Vector3d& gravity, const Points& points, At at)
+        : up_(up_direction(gravity)), rounded_(points, at)
+    {
+    }
+
+    Place operator()(const Vector3d& x) const
+    {
+        return {rounded_(up_.dot(x)), rounded_(x.x()), rounded_(x.z())};
+    }
+
+private:
+    Vector3d up_;
+    RoundedLength rounded_;
+};
+
+} // namespace rigor

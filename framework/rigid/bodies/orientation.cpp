@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#include "rigid/bodies/orientation.hpp"
+
+#include "formulas/inertia.hpp"
+#include "formulas/rotation.hpp"
+#include "geometry/pose.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rigor {
+
+Matrix3d body_rotation(Integrator integrator, const RigidState& state)
+{
+    if (integrator == Integrator::matrix) return rotation_matrix(state.orientation);
+    return to_matrix(state.orientation);
+}
+
+Matrix3d inverse_inertia(Integrator integrator, const RigidBody& body, const RigidState& state)
+{
+    const Matrix3d& I_inverse = body.inverse.inverse_inertia;
+    if (body.is_static || body.is_isotropic) return I_inverse;
+    return world_inverse_inertia(body_rotation(integrator, state), I_inverse);
+}
+
+Vector3d angular_velocity(Integrator integrator, const RigidBody& body, const RigidState& state)
+{
+    return inverse_inertia(integrator, body, state) * state.angular_momentum;
+}
+
+double orientation_distance(const Quaternion& p, const Quaternion& q)
+{
+    const double difference = (p.s - q.s) * (p.s - q.s) + (p.v - q.v).squaredNorm();
+    const double sum = (p.s + q.s) * (p.s + q.s) + (p.v + q.v).squaredNorm();
+    return std::sqrt(std::min(difference, sum));
+}
+
+} // namespace rigor

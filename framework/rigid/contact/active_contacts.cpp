@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#include "rigid/contact/active_contacts.hpp"
+
+#include "rigid/contact/position_correction.hpp"
+
+namespace rigor {
+
+UninitializedVector<int> activate_contacts(ContactProblem& problem, const Island& island)
+{
+    const auto activate = [&](std::span<const ContactPair> pairs) {
+        UninitializedVector<int> active;
+        active.reserve(contact_count(pairs));
+        for (const ContactPair& pair : pairs)
+            for (int i = pair.first; i < pair.last; ++i) {
+                ContactConstraint& c = problem.contacts[i];
+                if (!(c.normal_K > 0) || !(c.tangential_K > 0)) continue; // neither body can move
+                c.target_speed =
+                    c.gap > 0 ? -c.gap / problem.time_step : correction_speed(problem, c);
+                active.push_back(i);
+            }
+        return active;
+    };
+    constexpr std::size_t grain_size = 256; // pairs
+    const std::span<const ContactPair> pairs = island.pairs;
+    return concatenate_ranges(*problem.pool, pairs.size(), grain_size,
+                              [&](std::size_t first, std::size_t last) {
+                                  return activate(pairs.subspan(first, last - first));
+                              });
+}
+
+} // namespace rigor

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+#include "rigid/contact/blocks.hpp"
+
+#include <algorithm>
+#include <span>
+#include <tuple>
+#include <utility>
+
+namespace rigor {
+
+namespace {
+
+// Four slabs or eight, of which one is in halves at the two ends: two threads or four share them evenly, and the places
+// where neighbours meet as well, every other one at a time.
+constexpr std::size_t bodies_of_a_slab = 48;
+constexpr int most_fours = 2;
+
+// In which slab each body of an island is. They stand side by side along its longest horizontal extent, and have
+// the same number of bodies, the first and the last half of it.
+class Slabs {
+public:
+    Slabs(const ContactProblem& problem, std::span<const int> bodies, int fours)
+        : slab_of_(problem.bodies.size(), -1), halves_(8 * fours)
+    {
+        const int axis = longest(problem, bodies);
+        places_.reserve(bodies.size());
+        for (int i : bodies) {
+            const Vector3d& X = problem.bodies[i].position;
+            places_.push_back({X[axis], X[(axis + 1) % 3], X[(axis + 2) % 3], i});
+        }
+        divide(0, halves_);
+    }
+
+    // Of a body that does not move: -1.
+    int of(int body) const { return slab_of_[body]; }
+
+private:
+    struct Place {
+        double along, across1, across2; // [m]
+        int body;
+
+        friend bool operator<(const Place& a, const Place& b)
+        {
+            if (a.along != b.along) return a.along < b.along;
+            return std::tie(a.across1, a.across2, a.body) < std::tie(b.across1, b.across2, b.body);
+        }
+    };
+
+    static int longest(const ContactProblem& problem, std::span<const int> bodies)
+    {
+        Vector3d low = problem.bodies[bodies[0]].position, high = low;
+        for (int i : bodies) {
+            low = low.cwiseMin(problem.bodies[i].position);
+            high = high.cwiseMax(problem.bodies[i].position);
+        }
+        int vertical = 1, axis = 0;
+        problem.up().cwiseAbs().maxCoeff(&vertical);
+        Vector3d extent = high - low;
+        extent[vertical] = -1;
+        extent.maxCoeff(&axis);
+        return axis;
+    }
+
+    // Puts the places of half slabs [first, last) in order, half slab by half slab.
+    void divide(int first, int last)
+    {
+        const auto at = [&](int half) {
+            const auto n = static_cast<std::ptrdiff_t>(places_.size());
+            return places_.begin() + n * half / halves_;
+        };
+        if (last - first > 1) {
+            const int middle = first + (last - first) / 2;
+            std::nth_element(at(first), at(middle), at(last));
+            divide(first, middle);
+            divide(middle, last);
+            return;
+        }
+        for (auto place = at(first); place != at(last); ++place)
+            slab_of_[place->body] = (first + 1) / 2;
+    }
+
+    std::vector<int> slab_of_;
+    std::vector<Place> places_;
+    int halves_;
+};
+
+} // namespace
+
+std::vector<ContactPair> split_into_blocks(const ContactProblem& problem, Island& island)
+{
+    const int n = static_cast<int>(island.pairs.size());
+    const std::size_t most = island.bodies.size() / (4 * bodies_of_a_slab);
+    const int fours = static_cast<int>(std::min<std::size_t>(most, most_fours));
+    island.blocks = {{0, n}};
+    island.colors = {{0, 1}};
+    if (fours == 0) return {};
+
+    // Blocks: the slabs; pairs of slabs 2i and 2i + 1; of 2i + 1 and 2i + 2; what reaches farther.
+    const Slabs slabs(problem, island.bodies, fours);
+    const int count = 4 * fours + 1, even = count, odd = even + count / 2, far = odd + count / 2;
+    const auto block_of = [&](const ContactPair& pair) {
+        const ContactConstraint& c = problem.contacts[pair.first];
+        const int a = slabs.of(c.body1), b = slabs.of(c.body2);
+        const int low = std::min(a, b), high = std::max(a, b);
+        if (low < 0 || low == high) return high;
+        if (high - low > 1) return far;
+        return (low % 2 == 0 ? even : odd) + low / 2;
+    };
+    std::vector<int> blocks(n), next(far + 1, 0);
+    for (int k = 0; k < n; ++k)
+        ++next[blocks[k] = block_of(island.pairs[k])];
+    island.blocks.clear();
+    int first = 0;
+    for (int& size : next) {
+        island.blocks.push_back({first, first + size});
+        first += std::exchange(size, first);
+    }
+    std::vector<ContactPair> pairs(n);
+    for (int k = 0; k < n; ++k)
+        pairs[next[blocks[k]]++] = island.pairs[k];
+    island.colors = {{0, even}, {even, odd}, {odd, far}, {far, far + 1}};
+    return std::exchange(island.pairs, std::move(pairs));
+}
+
+} // namespace rigor

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// A large island in blocks, so that several threads can sweep it at the same time.
+#pragma once
+
+#include "rigid/contact/contact_problem.hpp"
+
+namespace rigor {
+
+/// Splits an island of many bodies into blocks. Its bodies are divided into upright slabs; a block holds
+/// the pairs within a slab or between two neighbouring slabs. Blocks of one color share no body that
+/// moves (graph coloring). Within a block the pairs keep their order.
+///
+/// @return the pairs that were replaced, if any
+std::vector<ContactPair> split_into_blocks(const ContactProblem& problem, Island& island);
+
+/// Calls work(k) for each block: color after color, the blocks of a color by several threads.
+template <class Work> void visit_blocks(const Island& island, ThreadPool& pool, const Work& work)
+{
+    for (const IndexRange& color : island.colors)
+        pool.for_each_task(color.last - color.first, [&](int k) { work(color.first + k); });
+}
+
+} // namespace rigor

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+// The collision stage (Guendelman, Bridson and Fedkiw 2003, section 6). For each pair of bodies it
+// collects the points that would penetrate, lets the formula choose the deepest approaching one,
+// averages the points that are equally deep, and applies the formula's impulse there.
+#include "rigid/contact/collisions.hpp"
+
+#include "formulas/collision.hpp"
+#include "rigid/bodies/optimised_forms.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace rigor {
+
+namespace {
+
+constexpr int most_sweeps = 10; // over the pairs of an island; what still approaches then, rests
+constexpr int most_rounds = 4;  // bounces of one pair in a sweep
+constexpr double equally_deep = 0.9; // as a fraction of the deepest point's depth
+constexpr double same_normal = 1e-9; // 1 - n·n' of points that count as one face
+
+// The points of a pair at which a collision may happen now.
+struct Candidates {
+    std::vector<ContactPoint> points;
+    std::vector<int> contacts; // their indices in the problem
+    bool any_approaches = false;
+};
+
+void collect(const ContactProblem& problem, const ContactPair& pair, Candidates& candidates)
+{
+    candidates.points.clear();
+    candidates.contacts.clear();
+    candidates.any_approaches = false;
+    for (int i = pair.first; i < pair.last; ++i) {
+        const ContactConstraint& c = problem.contacts[i];
+        if (c.restitution == 0 && problem.settings.contact_method == ContactMethod::simultaneous) continue;
+        const Vector3d v = problem.velocity_at(c, c.point);
+        const double v_n = v.dot(c.normal);
+        const double depth = -problem.predicted_gap(c, v_n + c.force_speed);
+        if (!(depth > 0)) continue;
+        // Thrown up with -v_n against the acceleration force_speed/h, it is back after 2 v_n/force_speed
+        // steps.
+        const bool is_over_in_the_step = v_n < 0 && 2 * v_n > c.force_speed;
+        if (is_over_in_the_step) continue;
+        candidates.points.push_back({c.point, c.normal, depth, v});
+        candidates.contacts.push_back(i);
+        candidates.any_approaches |= v_n < 0;
+    }
+}
+
+// The index that the formula chose, if it is one.
+int checked(int index, std::size_t size)
+{
+    if (index < 0 || static_cast<std::size_t>(index) >= size)
+        throw std::out_of_range("deepest_approaching_point returned " + std::to_string(index) +
+                                " for " + std::to_string(size) + " contacts");
+    return index;
+}
+
+// The impulse, shortened where it would give energy. With restitution and friction together, Newton's
+// law may give a body more energy than it had (Kane and Levinson 1985, "Dynamics: theory and
+// applications"): ΔE = j·v + ½ jᵀKj.
+Vector3d without_gain(const Matrix3d& K, const Vector3d& v, const Vector3d& j)
+{
+    const double work = j.dot(v), stored = j.dot(optimised::product(K, j)) / 2;
+    constexpr double rounding = 1e-12; // of the energy
+    if (!(work + stored > rounding * stored)) return j; // a NaN passes and is reported later
+    return std::max(0.0, -work / stored) * j;
+}
+
+// Bounces the pair once, at its deepest approaching point and the points equally deep.
+// @return whether it did
+bool bounce(ContactProblem& problem, const Candidates& candidates)
+{
+    const std::optional<int> deepest = deepest_approaching_point(candidates.points);
+    if (!deepest) return false;
+    const ContactPoint& chosen = candidates.points[checked(*deepest, candidates.points.size())];
+
+    std::vector<int> together;
+    Vector3d x = Vector3d::Zero();
+    for (std::size_t k = 0; k < candidates.points.size(); ++k) {
+        const ContactPoint& p = candidates.points[k];
+        const bool is_alike =
+            p.depth >= equally_deep * chosen.depth && p.depth * equally_deep <= chosen.depth &&
+            p.normal.dot(chosen.normal) > 1 - same_normal && p.relative_velocity.dot(p.normal) < 0;
+        if (!is_alike && &p != &chosen) continue;
+        together.push_back(candidates.contacts[k]);
+        x += p.point;
+    }
+    const double count = static_cast<double>(together.size());
+    const ContactConstraint& c = problem.contacts[together.front()];
+    const bool is_alone = together.size() == 1;
+    if (!is_alone) x /= count;
+    const Matrix3d K = is_alone ? c.K : problem.impulse_matrix_at(c, x);
+    const Vector3d v = is_alone ? chosen.relative_velocity : problem.velocity_at(c, x);
+    Vector3d j = collision_impulse(K, v, chosen.normal, c.restitution, c.friction);
+    if (c.restitution > 0 && c.friction > 0) j = without_gain(K, v, j);
+    if (j.isZero(0)) return false;
+
+    problem.apply(c, x, j);
+    ++problem.counters->collision_impulses;
+    for (int i : together)
+        problem.contacts[i].collision_impulse += j / count;
+    return true;
+}
+
+void resolve(ContactProblem& problem, const Island& island)
+{
+    Candidates candidates;
+    for (int sweep = 0; sweep < most_sweeps; ++sweep) {
+        bool bounced = false;
+        for (const ContactPair& pair : island.pairs)
+            for (int round = 0; round < most_rounds; ++round) {
+                collect(problem, pair, candidates);
+                if (!candidates.any_approaches || !bounce(problem, candidates)) break;
+                bounced = true;
+            }
+        if (!bounced) return;
+    }
+}
+
+} // namespace
+
+void process_collisions(ContactProblem& problem)
+{
+    for (const Island& island : problem.islands)
+        resolve(problem, island);
+}
+
+} // namespace rigor

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#include "rigid/contact/contact_problem.hpp"
+
+#include "rigid/bodies/height_order.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace rigor {
+
+namespace {
+
+// The larger eigenvalue of K across n. The sum of the two is tr K - nᵀKn, and the sum of their squares
+// is |K|² - 2 |K n|² + (nᵀKn)².
+double tangential_eigenvalue(const Matrix3d& K, const Vector3d& n)
+{
+    const Vector3d Kn = optimised::product(K, n);
+    const double nKn = n.dot(Kn);
+    const double sum = K.trace() - nKn;
+    const double squares = K.squaredNorm() - 2 * Kn.squaredNorm() + nKn * nKn;
+    return (sum + std::sqrt(std::max(0.0, 2 * squares - sum * sum))) / 2;
+}
+
+} // namespace
+
+std::size_t contact_count(std::span<const ContactPair> pairs)
+{
+    return std::accumulate(
+        pairs.begin(), pairs.end(), std::size_t{0},
+        [](std::size_t sum, const ContactPair& pair) { return sum + pair.count(); });
+}
+
+bool is_heap(const Island& island)
+{
+    // A stack has one pair of touching bodies for each body. Up to 8 bodies any island is cheap to
+    // solve as a stack; above 256 none is.
+    constexpr std::size_t few_bodies = 8, many_bodies = 256;
+    const std::size_t bodies = island.bodies.size(), pairs = island.pairs.size();
+    return bodies > few_bodies && (bodies > many_bodies || 4 * pairs > 5 * bodies + 8);
+}
+
+Vector3d ContactProblem::up() const
+{
+    return up_direction(settings.gravity);
+}
+
+std::vector<Body> ContactProblem::bodies_of(const Island& island) const
+{
+    std::vector<Body> copies;
+    for (int i : island.bodies)
+        copies.push_back(bodies[i]);
+    return copies;
+}
+
+Matrix3d ContactProblem::impulse_matrix_at(const ContactConstraint& c, const Vector3d& x) const
+{
+    Matrix3d K = Matrix3d::Zero();
+    for (int i : {c.body1, c.body2}) {
+        const Body& body = bodies[i];
+        if (body.is_static()) continue;
+        K += optimised ? optimised::impulse_matrix(body, x)
+                       : impulse_matrix(body.inverse_mass, body.inverse_inertia, body.position, x);
+    }
+    return K;
+}
+
+void ContactProblem::set_impulse_matrix(ContactConstraint& c) const
+{
+    c.K = impulse_matrix_at(c, c.point);
+    c.normal_K = c.normal.dot(optimised::product(c.K, c.normal));
+    c.tangential_K = tangential_eigenvalue(c.K, c.normal);
+}
+
+void ContactProblem::apply(const ContactConstraint& c, const Vector3d& x, const Vector3d& j)
+{
+    Body &body1 = bodies[c.body1], &body2 = bodies[c.body2];
+    if (optimised) {
+        optimised::apply_impulse(body1, x, j);
+        optimised::apply_impulse(body2, x, -j);
+        return;
+    }
+    if (!body1.is_static()) body1 = apply_impulse(body1, x, j);
+    if (!body2.is_static()) body2 = apply_impulse(body2, x, -j);
+}
+
+} // namespace rigor

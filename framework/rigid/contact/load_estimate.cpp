@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#include "rigid/contact/load_estimate.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rigor {
+
+namespace {
+
+constexpr double steepest = 0.3;  // contacts whose normal is flatter than this carry no weight
+constexpr double touching = 1e-6; // of the radius: what falls together keeps its gap to rounding
+
+// A body, one that it stands on, and the contact between them.
+struct Support {
+    int upper = 0, lower = 0, contact = 0;
+};
+
+std::vector<Support> supports_of(const ContactProblem& problem, std::span<const int> active,
+                                 const Vector3d& up)
+{
+    std::vector<Support> supports;
+    for (int i : active) {
+        const ContactConstraint& c = problem.contacts[i];
+        const double slope = c.normal.dot(up);
+        const double v_n = problem.velocity_at(c, c.point).dot(c.normal);
+        if (std::abs(slope) < steepest || problem.predicted_gap(c, v_n) > touching * c.radius)
+            continue;
+        const Support support =
+            slope > 0 ? Support{c.body1, c.body2, i} : Support{c.body2, c.body1, i};
+        if (!problem.bodies[support.upper].is_static()) supports.push_back(support);
+    }
+    return supports;
+}
+
+void support(ContactProblem& problem, const Support& by, const Vector3d& push)
+{
+    ContactConstraint& c = problem.contacts[by.contact];
+    Vector3d j = by.upper == c.body1 ? push : Vector3d(-push);
+    const double j_n = j.dot(c.normal);
+    if ((j - j_n * c.normal).norm() > c.friction * j_n) j = j_n * c.normal;
+    c.initial_impulse = j;
+}
+
+} // namespace
+
+void estimate_loads(ContactProblem& problem, const Island& island, std::span<const int> active)
+{
+    const double g = problem.settings.gravity.norm();
+    if (g == 0) return;
+    const Vector3d up = problem.up();
+    std::vector<Support> supports = supports_of(problem, active, up);
+    const bool is_grounded = std::any_of(supports.begin(), supports.end(), [&](const Support& s) {
+        return problem.bodies[s.lower].is_static();
+    });
+    if (!is_grounded) return;
+
+    const auto height = [&](int body) { return up.dot(problem.bodies[body].position); };
+    std::stable_sort(supports.begin(), supports.end(), [&](const Support& a, const Support& b) {
+        const double p = height(a.upper), q = height(b.upper);
+        return p > q || (p == q && a.upper < b.upper);
+    });
+    std::vector<double> loads(problem.bodies.size(), 0.0); // [N s]
+    for (int i : island.bodies)
+        loads[i] = g * problem.time_step / problem.bodies[i].inverse_mass;
+    for (auto first = supports.begin(); first != supports.end();) {
+        const auto last = std::find_if(first, supports.end(),
+                                       [&](const Support& s) { return s.upper != first->upper; });
+        const double share = loads[first->upper] / static_cast<double>(last - first);
+        for (; first != last; ++first) {
+            support(problem, *first, share * up);
+            loads[first->lower] += share;
+        }
+    }
+}
+
+} // namespace rigor

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+// From contact candidates to a contact problem. First it takes the bodies that have contacts, then the
+// contacts that may close in this step; it groups them by pairs of bodies and into islands, beside that
+// starts them warm, and last it computes their impulse matrices and the blocks of large islands.
+#include "rigid/contact/make_problem.hpp"
+
+#include "rigid/bodies/orientation.hpp"
+#include "rigid/contact/blocks.hpp"
+#include "rigid/contact/islands.hpp"
+#include "rigid/contact/warm_start.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+namespace rigor {
+
+namespace {
+
+Body body_in_world(Integrator integrator, const RigidBody& rigid)
+{
+    const RigidState& s = rigid.state;
+    Body body;
+    body.position = s.position;
+    if (rigid.is_static) return body;
+    body.inverse_mass = rigid.inverse.inverse_mass;
+    body.inverse_inertia = inverse_inertia(integrator, rigid, s);
+    body.velocity = s.velocity;
+    body.angular_momentum = s.angular_momentum;
+    body.angular_velocity = body.inverse_inertia * s.angular_momentum;
+    return body;
+}
+
+// The bodies that have contacts, as they are and as the step's forces would leave them.
+void take_bodies(const World& world, std::span<const RigidState> flown,
+                 std::span<const Contact> contacts, ContactProblem& problem,
+                 UninitializedVector<Body>& after_forces)
+{
+    std::vector<char> touches(world.bodies.size(), false);
+    for (const Contact& contact : contacts)
+        touches[contact.body1] = touches[contact.body2] = true;
+    std::vector<int> touching;
+    for (int i = 0; i < static_cast<int>(touches.size()); ++i)
+        if (touches[i]) touching.push_back(i);
+    problem.bodies.resize(world.bodies.size());
+    after_forces.resize(world.bodies.size());
+    constexpr std::size_t grain_size = 64; // bodies
+    problem.pool->for_each_range(
+        touching.size(), grain_size, [&](std::size_t first, std::size_t last) {
+            for (std::size_t k = first; k < last; ++k) {
+                const int i = touching[k];
+                problem.bodies[i] = body_in_world(world.settings.integrator, world.bodies[i]);
+                after_forces[i] = with_forces(problem.bodies[i], world.bodies[i].state, flown[i]);
+            }
+        });
+}
+
+// Decides which candidates are solved.
+struct Filter {
+    const World& world;
+    const ContactProblem& problem;
+    const ContactCandidates& candidates;
+    std::span<const Body> after_forces;
+
+    // Appends the contact if it may close in this step.
+    void take(const Contact& contact, UninitializedVector<ContactConstraint>& taken) const
+    {
+        const Vector3d &n = contact.normal, &x = contact.point;
+        const double free_speed = problem.velocity_between(after_forces, contact, x).dot(n);
+        const double margin =
+            candidates.margins[contact.body1] + candidates.margins[contact.body2];
+        if (contact.gap + problem.time_step * free_speed >= margin) return;
+
+        ContactConstraint& c = taken.emplace_back(ContactConstraint{contact});
+        c.free_speed = free_speed;
+        c.force_speed = free_speed - problem.velocity_at(c, x).dot(n);
+        const Material &a = world.bodies[c.body1].material, &b = world.bodies[c.body2].material;
+        c.restitution = std::min(a.restitution, b.restitution);
+        c.friction = std::sqrt(a.friction * b.friction);
+        const double r1 = candidates.radii[c.body1], r2 = candidates.radii[c.body2];
+        c.radius = r1 > 0 && r2 > 0 ? std::min(r1, r2) : std::max(r1, r2);
+    }
+};
+
+void take_contacts(const Filter& filter, ContactProblem& problem)
+{
+    const std::vector<Contact>& contacts = filter.candidates.contacts;
+    constexpr std::size_t grain_size = 256; // contacts
+    problem.contacts =
+        concatenate_ranges(*problem.pool, contacts.size(), grain_size,
+                           [&](std::size_t first, std::size_t last) {
+                               UninitializedVector<ContactConstraint> taken;
+                               taken.reserve(last - first);
+                               for (std::size_t i = first; i < last; ++i)
+                                   filter.take(contacts[i], taken);
+                               return taken;
+                           });
+}
+
+// Islands and, beside them, the impulses that iterative methods start from.
+void find_islands(const World& world, const ContactCandidates& candidates, ContactProblem& problem)
+{
+    const std::vector<ContactPair> pairs = pairs_of(problem.contacts);
+    const auto find = [&] {
+        std::vector<ContactPair> by_height = pairs;
+        sort_by_height(problem, by_height);
+        problem.islands = islands_of(world, problem, by_height);
+    };
+    const ContactMethod method = problem.settings.contact_method;
+    const bool is_iterative =
+        method == ContactMethod::built_in || method == ContactMethod::simultaneous;
+    if (!is_iterative || !problem.settings.skips.warm_start) return find();
+
+    constexpr std::size_t grain_size = 128; // pairs
+    std::atomic<std::uint64_t> started = 0;
+    problem.pool->for_each_range_beside(
+        find, pairs.size(), grain_size, [&](std::size_t first, std::size_t last) {
+            started += start_warm(world.memory.warm_contacts, candidates.poses, problem.time_step,
+                                  std::span(pairs).subspan(first, last - first), problem.contacts);
+        });
+    problem.counters->warm_starts += started;
+}
+
+// Impulse matrices and, beside them, blocks.
+void prepare(ContactProblem& problem, Island& island)
+{
+    constexpr std::size_t grain_size = 64; // pairs
+    const std::span<const ContactPair> pairs = island.pairs;
+    std::vector<ContactPair> replaced; // keeps what `pairs` shows until all threads are done
+    problem.pool->for_each_range_beside(
+        [&] { replaced = split_into_blocks(problem, island); }, pairs.size(), grain_size,
+        [&](std::size_t first, std::size_t last) {
+            for (const ContactPair& pair : pairs.subspan(first, last - first))
+                for (int i = pair.first; i < pair.last; ++i)
+                    problem.set_impulse_matrix(problem.contacts[i]);
+        });
+}
+
+} // namespace
+
+Body with_forces(Body body, const RigidState& start, const RigidState& flown)
+{
+    if (body.is_static()) return body;
+    const Vector3d dL = flown.angular_momentum - start.angular_momentum;
+    body.velocity += flown.velocity - start.velocity;
+    body.angular_momentum += dL;
+    body.angular_velocity += body.inverse_inertia * dL;
+    return body;
+}
+
+ContactProblem make_problem(World& world, std::span<const RigidState> flown,
+                            const ContactCandidates& candidates, double time_step,
+                            ThreadPool& pool)
+{
+    ContactProblem problem;
+    problem.time_step = time_step;
+    problem.settings = world.settings;
+    problem.optimised = world.settings.uses_optimised_formulas();
+    problem.counters = &world.counters;
+    problem.pool = &pool;
+    UninitializedVector<Body> after_forces; // of the bodies that have contacts
+    take_bodies(world, flown, candidates.contacts, problem, after_forces);
+    take_contacts({world, problem, candidates, after_forces}, problem);
+    find_islands(world, candidates, problem);
+    for (Island& island : problem.islands)
+        prepare(problem, island);
+    return problem;
+}
+
+} // namespace rigor

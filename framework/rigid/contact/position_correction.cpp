@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: MIT
+// Position correction: projected Gauss–Seidel on displacements, with the impulse matrices of the step.
+// For each island it makes a row for each contact that is, or could come, into penetration, and sweeps
+// over the rows as the contact solver does, with displacements in the place of velocities.
+#include "rigid/contact/position_correction.hpp"
+
+#include "rigid/contact/blocks.hpp"
+#include "rigid/bodies/two_bodies.hpp"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace rigor {
+
+namespace {
+
+constexpr double corrected_fraction = 0.2; // of the excess overlap, in a step
+constexpr double correction_rate = 1;      // at most so many radii of the smaller body a second [1/s]
+// Overlap that is kept, as a fraction of the radius: what rounding makes, and in a heap the slop that
+// lets it come to rest.
+constexpr double rounding_slop = 1e-6, heap_slop = 1e-4;
+constexpr double weightless_slop = 1e-3; // without gravity, where a correction costs energy
+// Sweeps: as many as visit most_visits rows, within these bounds.
+constexpr int most_visits = 2000, fewest_sweeps = 4, most_sweeps = 20;
+
+using namespace optimised;
+
+// A contact: its normal, how far its bodies have to move apart along it, and what a unit of correction
+// does to them.
+struct CorrectionRow {
+    int body1 = 0, body2 = 0;
+    Vector3d n;
+    Two inverse_mass;
+    TwoVectors torque;           // r × n
+    TwoVectors turn;             // I⁻¹ (r × n)
+    double inverse_normal_K = 0; // 1/(nᵀKn)
+    double distance = 0;         // to move apart; negative: they may come so much nearer [m]
+    double correction = 0;       // the sum so far, ≥ 0 [kg m]
+};
+
+// The rows of the contacts of a block.
+struct Rows {
+    std::vector<CorrectionRow> all;
+    std::uint64_t penetrating = 0;
+    bool needs_correction = false; // any of them
+};
+
+CorrectionRow row_of(const ContactProblem& problem, const ContactConstraint& c, const TwoMasses& masses,
+           double distance)
+{
+    const Body &body1 = problem.bodies[c.body1], &body2 = problem.bodies[c.body2];
+    const TwoVectors levers = side_by_side(c.point - body1.position, c.point - body2.position);
+    const TwoVectors torque = cross(levers, twice(c.normal));
+    return {
+        c.body1,        c.body2,  c.normal, masses.inverse_mass, torque, turned_by(masses, torque),
+        1 / c.normal_K, distance, 0};
+}
+
+Rows rows_of(const ContactProblem& problem, const Island& island, const IndexRange& block,
+             double slop)
+{
+    const double h = problem.time_step;
+    Rows rows;
+    std::size_t most = 0;
+    for (int k = block.first; k < block.last; ++k)
+        most += island.pairs[k].count();
+    rows.all.reserve(most);
+    for (int k = block.first; k < block.last; ++k) {
+        const ContactConstraint& lowest = problem.contacts[island.pairs[k].first];
+        const TwoMasses masses(problem.bodies[lowest.body1], problem.bodies[lowest.body2]);
+        for (int i = island.pairs[k].first; i < island.pairs[k].last; ++i) {
+            const ContactConstraint& c = problem.contacts[i];
+            if (!(c.normal_K > 0)) continue;
+            const double v_n = problem.velocity_at(c, c.point).dot(c.normal);
+            const double gap = problem.predicted_gap(c, v_n);
+            const double radius = c.radius;
+            if (gap > correction_rate * radius * h) continue; // nothing could close it
+            double distance = -gap;
+            if (gap < 0) {
+                const double excess = -gap - slop * radius;
+                const bool is_corrected = excess > slop * radius; // so that the correction ends
+                rows.needs_correction |= is_corrected;
+                distance =
+                    is_corrected ? std::min(corrected_fraction * excess, correction_rate * radius * h) : 0;
+                ++rows.penetrating;
+            }
+            rows.all.push_back(row_of(problem, c, masses, distance));
+        }
+    }
+    return rows;
+}
+
+// The law of one contact with all others as they are. Displacements stand where velocities do.
+[[gnu::always_inline]] inline void correct(CorrectionRow& row, TwoMotions& d)
+{
+    const TwoVectors n = twice(row.n);
+    const Two apart = dot(n, d.V) + dot(row.torque, d.w);
+    const double missing = row.distance - (apart[0] - apart[1]);
+    const double needed = std::max(0.0, row.correction + missing * row.inverse_normal_K);
+    const double p = needed - row.correction;
+    row.correction = needed;
+    const Two both{p, p};
+    const Two& m = row.inverse_mass;
+    d.V += {both * (m * n.x), both * (m * n.y), both * (m * n.z)};
+    d.w += {both * row.turn.x, both * row.turn.y, both * row.turn.z};
+}
+
+void sweep(const ContactProblem& problem, std::vector<CorrectionRow>& rows,
+           std::vector<Displacement>& displacements)
+{
+    for (std::size_t first = 0, last = 0; first < rows.size(); first = last) {
+        const auto [body1, body2] = std::pair(rows[first].body1, rows[first].body2);
+        Displacement &d1 = displacements[body1], &d2 = displacements[body2];
+        TwoMotions d{side_by_side(d1.shift, d2.shift), side_by_side(d1.turn, d2.turn)};
+        for (; last < rows.size() && rows[last].body1 == body1 && rows[last].body2 == body2; ++last)
+            correct(rows[last], d);
+        if (!problem.bodies[body1].is_static()) d1 = {of_first(d.V), of_first(d.w)};
+        if (!problem.bodies[body2].is_static()) d2 = {of_second(d.V), of_second(d.w)};
+    }
+}
+
+} // namespace
+
+double correction_speed(const ContactProblem& problem, const ContactConstraint& c)
+{
+    const double excess = -c.gap - weightless_slop * c.radius;
+    if (!problem.settings.gravity.isZero(0) || excess <= 0) return 0;
+    return std::min(corrected_fraction * excess / problem.time_step, correction_rate * c.radius);
+}
+
+namespace {
+
+void correct(const ContactProblem& problem, const Island& island,
+             std::vector<Displacement>& displacements)
+{
+    std::vector<Rows> rows(island.blocks.size());
+    const double slop = is_heap(island) ? heap_slop : rounding_slop;
+    problem.pool->for_each_task(static_cast<int>(rows.size()), [&](int k) {
+        rows[k] = rows_of(problem, island, island.blocks[k], slop);
+    });
+    std::size_t count = 0;
+    bool any = false;
+    for (const Rows& of_block : rows) {
+        count += of_block.all.size();
+        any |= of_block.needs_correction;
+        problem.counters->corrected_contacts += of_block.penetrating;
+    }
+    if (!any) return;
+    displacements.resize(problem.bodies.size());
+    const int sweeps =
+        std::clamp(most_visits / static_cast<int>(count), fewest_sweeps, most_sweeps);
+    for (int i = 0; i < sweeps; ++i)
+        visit_blocks(island, *problem.pool,
+                     [&](int k) { sweep(problem, rows[k].all, displacements); });
+}
+
+} // namespace
+
+std::vector<Displacement> correct_positions(const ContactProblem& problem)
+{
+    std::vector<Displacement> displacements;
+    if (problem.settings.gravity.isZero(0)) return displacements;
+    for (const Island& island : problem.islands)
+        correct(problem, island, displacements);
+    return displacements;
+}
+
+} // namespace rigor

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+// The contact stage of an island: its active contacts are solved by the world's contact method. Where
+// penetration is corrected by a speed, the energy decides whether the result may stand; if not, the
+// island is solved again without that correction.
+#include "rigid/contact/resting_contact.hpp"
+
+#include "rigid/contact/active_contacts.hpp"
+#include "rigid/contact/load_estimate.hpp"
+#include "rigid/contact/one_at_a_time.hpp"
+#include "rigid/contact/solvers/island_solver.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace rigor {
+
+namespace {
+
+void solve(ContactProblem& problem, const Island& island, std::span<const int> active)
+{
+    switch (problem.settings.contact_method) {
+    case ContactMethod::one_at_a_time:
+        return resolve_one_at_a_time(problem, active, false);
+    case ContactMethod::shock_propagation:
+        return resolve_one_at_a_time(problem, active, true);
+    case ContactMethod::built_in:
+    case ContactMethod::simultaneous:
+        break;
+    }
+    const bool is_warm = std::any_of(active.begin(), active.end(), [&](int i) {
+        return !problem.contacts[i].initial_impulse.isZero(0);
+    });
+    if (!is_warm) estimate_loads(problem, island, active);
+    solve_island(problem, island, active);
+}
+
+// Kinetic energy of an island, and the part of it in the motion of the bodies against each other [J].
+struct Energy {
+    double all = 0, inner = 0;
+};
+
+Energy kinetic_energy(const ContactProblem& problem, const Island& island)
+{
+    double energy = 0, M = 0;
+    Vector3d P(0, 0, 0);
+    for (int i : island.bodies) {
+        const Body& b = problem.bodies[i];
+        const double m = 1 / b.inverse_mass;
+        energy += (m * b.velocity.squaredNorm() + b.angular_velocity.dot(b.angular_momentum)) / 2;
+        P += m * b.velocity;
+        M += m;
+    }
+    return {energy, energy - P.squaredNorm() / (2 * M)};
+}
+
+void resolve(ContactProblem& problem, const Island& island)
+{
+    const UninitializedVector<int> active = activate_contacts(problem, island);
+    if (active.empty()) return;
+    const bool corrects = std::any_of(active.begin(), active.end(), [&](int i) {
+        return problem.contacts[i].target_speed > 0;
+    });
+    if (!corrects) return solve(problem, island, active);
+
+    // A correction by a speed takes its energy from what the contacts take away in this step, or it
+    // waits. Bodies that hardly move against each other get it for nothing.
+    constexpr double rounding = 2 * std::numeric_limits<double>::epsilon();
+    const std::vector<Body> bodies = problem.bodies_of(island);
+    const Energy before = kinetic_energy(problem, island);
+    solve(problem, island, active);
+    const double gain = kinetic_energy(problem, island).all - before.all;
+    if (gain <= rounding * before.all || gain > before.inner) return;
+    for (std::size_t k = 0; k < bodies.size(); ++k)
+        problem.bodies[island.bodies[k]] = bodies[k];
+    for (int i : active) {
+        ContactConstraint& c = problem.contacts[i];
+        c.target_speed = std::min(c.target_speed, 0.0);
+        c.contact_impulse.setZero();
+    }
+    solve(problem, island, active);
+}
+
+} // namespace
+
+void process_contact(ContactProblem& problem)
+{
+    for (const Island& island : problem.islands)
+        resolve(problem, island);
+}
+
+} // namespace rigor

@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: MIT
+#include "rigid/contact/solvers/newton_contact.hpp"
+
+#include "rigid/bodies/height_order.hpp"
+#include "rigid/contact/solvers/newton_row.hpp"
+
+#include <Eigen/Sparse>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+namespace rigor {
+
+namespace {
+
+using namespace newton;
+using Eigen::VectorXd;
+
+// ρ of a contact is a weight over nᵀKn. A round leaves 1/weight of a velocity, but a large weight finds
+// what touches and what slides only from near the answer: so it grows from round to round.
+constexpr double first_weight = 1000, last_weight = 1e6, growth = 10;
+constexpr int most_rounds = 14, most_steps = 40, most_bisections = 30;
+constexpr double settled = 1e-13;    // a change of impulses, of their size
+constexpr double gain = 0.5;         // of a round: less, and more of them get nowhere
+constexpr double flat = 0.1;         // of the slope at the start: where a line search may end
+constexpr double converged = 1e-13;  // a Newton step, of the velocities' size
+constexpr double u_rounding = 1e-15; // of the fastest; λ - ρ u has weight times that
+
+// Places in `island.bodies`, in an order that does not depend on how the bodies are numbered.
+std::vector<int> from_the_lowest(const ContactProblem& problem, const Island& island)
+{
+    std::vector<int> places(island.bodies.size());
+    std::iota(places.begin(), places.end(), 0);
+    const auto position = [&](int i) -> const Vector3d& {
+        return problem.bodies[island.bodies[i]].position;
+    };
+    const HeightOrder place_of(problem.settings.gravity, places, position);
+    std::sort(places.begin(), places.end(), [&](int i, int j) {
+        return std::pair(place_of(position(i)), i) < std::pair(place_of(position(j)), j);
+    });
+    return places;
+}
+
+class Newton {
+public:
+    Newton(const ContactProblem& problem, const Island& island, const std::vector<Body>& free,
+           std::span<const int> active, const std::vector<Vector3d>& impulses)
+    {
+        std::vector<int> unknowns(problem.bodies.size(), -1);
+        for (int place : from_the_lowest(problem, island)) {
+            unknowns[island.bodies[place]] = static_cast<int>(bodies_.size());
+            bodies_.push_back(&free[place]);
+        }
+        const auto n = static_cast<Eigen::Index>(6 * bodies_.size());
+        v_free_.resize(n);
+        for (std::size_t i = 0; i < bodies_.size(); ++i) {
+            v_free_.segment<3>(6 * i) = bodies_[i]->velocity;
+            v_free_.segment<3>(6 * i + 3) = bodies_[i]->angular_velocity;
+            // a body that cannot turn about an axis gets a moment there that holds it
+            const Matrix3d& J = bodies_[i]->inverse_inertia;
+            const bool can_turn = J.determinant() > 1e-12 * std::pow(J.norm(), 3);
+            const double least = can_turn ? 0 : 1e-9 * J.norm() + 1e-300;
+            inertias_.push_back((J + least * Matrix3d::Identity()).inverse());
+        }
+        for (std::size_t k = 0; k < active.size(); ++k) {
+            const ContactConstraint& c = problem.contacts[active[k]];
+            NewtonRow row;
+            row.body1 = unknowns[c.body1];
+            row.body2 = unknowns[c.body2];
+            row.n = c.normal;
+            row.r1 = c.point - problem.bodies[c.body1].position;
+            row.r2 = c.point - problem.bodies[c.body2].position;
+            row.s = c.target_speed * c.normal;
+            row.friction = c.friction;
+            row.normal_K = c.normal_K;
+            row.lambda = impulses[k];
+            rows_.push_back(row);
+        }
+        v_ = v_free_ + momentum_change();
+    }
+
+    bool solve()
+    {
+        double weight = first_weight, before = std::numeric_limits<double>::infinity();
+        for (int round = 0; round < most_rounds; ++round) {
+            for (NewtonRow& row : rows_) {
+                row.rho = weight / row.normal_K;
+                row.limit = row.friction * std::max(0.0, row.lambda.dot(row.n));
+            }
+            if (!minimise()) return round > 0;
+            double change = 0, total = 0, speed = 0;
+            for (NewtonRow& row : rows_) {
+                const Vector3d last = row.lambda;
+                row.lambda = projected(row, row.lambda - row.rho * u(row, v_, row.s));
+                change = std::max(change, row.normal_K * (row.lambda - last).norm());
+                total = std::max(total, row.normal_K * row.lambda.norm());
+                speed = std::max({speed, velocity(v_, row.body1, row.r1).norm(),
+                                  velocity(v_, row.body2, row.r2).norm()});
+            }
+            const double rounding = u_rounding * weight * speed;
+            if (change <= settled * total + rounding) break;
+            // Contacts that contradict each other keep a velocity, and their impulses grow for ever.
+            if (weight == last_weight && change > gain * before) break;
+            before = weight == last_weight ? change : std::numeric_limits<double>::infinity();
+            weight = std::min(last_weight, growth * weight);
+        }
+        return true;
+    }
+
+    const std::vector<NewtonRow>& rows() const { return rows_; }
+
+private:
+    // M⁻¹ Jᵀ λ
+    VectorXd momentum_change() const
+    {
+        VectorXd change = VectorXd::Zero(v_free_.size());
+        for (const NewtonRow& row : rows_) {
+            const auto push = [&](int body, const Vector3d& r, const Vector3d& j) {
+                if (body < 0) return;
+                change.segment<3>(6 * body) += bodies_[body]->inverse_mass * j;
+                change.segment<3>(6 * body + 3) += bodies_[body]->inverse_inertia * r.cross(j);
+            };
+            push(row.body1, row.r1, row.lambda);
+            push(row.body2, row.r2, -row.lambda);
+        }
+        return change;
+    }
+
+    // Along dv, Φ(v) = ½ (v - v_free)ᵀ M (v - v_free) + Σ φ(λ - ρ u(v)) falls as long as its slope
+    //
+    //     dvᵀ M (v + t dv - v_free) - Σ P(y - t ρ du)·du,   du = J dv
+    //
+    // is negative; the slope only ever grows with t. @return t in [0, 1]
+    double lowest(const VectorXd& dv) const
+    {
+        double start = 0, growing = 0;
+        for (std::size_t i = 0; i < bodies_.size(); ++i) {
+            const Vector3d V = dv.segment<3>(6 * i), w = dv.segment<3>(6 * i + 3);
+            const Vector3d MV = V / bodies_[i]->inverse_mass, Iw = inertias_[i] * w;
+            start += MV.dot(v_.segment<3>(6 * i) - v_free_.segment<3>(6 * i)) +
+                     Iw.dot(v_.segment<3>(6 * i + 3) - v_free_.segment<3>(6 * i + 3));
+            growing += MV.dot(V) + Iw.dot(w);
+        }
+        std::vector<Vector3d> y, du;
+        for (const NewtonRow& row : rows_) {
+            y.push_back(row.lambda - row.rho * u(row, v_, row.s));
+            du.push_back(u(row, dv, Vector3d::Zero()));
+        }
+        const auto slope = [&](double t) {
+            double sum = start + t * growing;
+            for (std::size_t k = 0; k < rows_.size(); ++k)
+                sum -= projected(rows_[k], y[k] - t * rows_[k].rho * du[k]).dot(du[k]);
+            return sum;
+        };
+        if (slope(1) <= 0) return 1;
+        const double enough = flat * slope(0);
+        double low = 0, high = 1;
+        for (int i = 0; i < most_bisections; ++i) {
+            const double middle = (low + high) / 2, there = slope(middle);
+            (there <= 0 ? low : high) = middle;
+            if (there <= 0 && there >= enough) break;
+        }
+        return low;
+    }
+
+    // Gradient and Hessian of Φ at v.
+    void linearise(VectorXd& gradient, Eigen::SparseMatrix<double>& H) const
+    {
+        gradient = VectorXd::Zero(v_.size());
+        std::vector<Matrix6d> diagonal(bodies_.size(), Matrix6d::Zero());
+        for (std::size_t i = 0; i < bodies_.size(); ++i) {
+            const double mass = 1 / bodies_[i]->inverse_mass;
+            diagonal[i].topLeftCorner<3, 3>() = mass * Matrix3d::Identity();
+            diagonal[i].bottomRightCorner<3, 3>() = inertias_[i];
+            gradient.segment<6>(6 * i) =
+                diagonal[i] * (v_.segment<6>(6 * i) - v_free_.segment<6>(6 * i));
+        }
+        std::vector<Eigen::Triplet<double>> entries;
+        Matrix6d coupling = Matrix6d::Zero(); // of the rows of a pair, which follow each other
+        for (std::size_t k = 0; k < rows_.size(); ++k) {
+            const NewtonRow& row = rows_[k];
+            const auto [body1, body2] = std::pair(row.body1, row.body2);
+            const Vector3d y = row.lambda - row.rho * u(row, v_, row.s);
+            const Vector3d p = projected(row, y);
+            const Matrix3d D = row.rho * slope(row, y);
+            if (body1 >= 0) {
+                gradient.segment<3>(6 * body1) -= p;
+                gradient.segment<3>(6 * body1 + 3) -= row.r1.cross(p);
+                add_product(row.r1, D, row.r1, diagonal[body1]);
+            }
+            if (body2 >= 0) {
+                gradient.segment<3>(6 * body2) += p;
+                gradient.segment<3>(6 * body2 + 3) += row.r2.cross(p);
+                add_product(row.r2, D, row.r2, diagonal[body2]);
+            }
+            if (body1 < 0 || body2 < 0) continue;
+            const bool is_first_lower = body1 > body2; // of H the lower half is kept
+            add_product(is_first_lower ? row.r1 : row.r2, -D, is_first_lower ? row.r2 : row.r1,
+                        coupling);
+            const bool is_last =
+                k + 1 == rows_.size() || rows_[k + 1].body1 != body1 || rows_[k + 1].body2 != body2;
+            if (!is_last) continue;
+            add_block(std::max(body1, body2), std::min(body1, body2), coupling, entries);
+            coupling.setZero();
+        }
+        for (std::size_t i = 0; i < bodies_.size(); ++i)
+            add_block(static_cast<int>(i), static_cast<int>(i), diagonal[i], entries);
+        H.resize(v_.size(), v_.size());
+        H.setFromTriplets(entries.begin(), entries.end());
+    }
+
+    static void add_block(int row, int column, const Matrix6d& block,
+                          std::vector<Eigen::Triplet<double>>& entries)
+    {
+        for (int i = 0; i < 6; ++i)
+            for (int j = 0; j < (row == column ? i + 1 : 6); ++j)
+                entries.emplace_back(6 * row + i, 6 * column + j, block(i, j));
+    }
+
+    // sum += Jᵀ(r) D J(q), where J(r) = (δ, -r*) makes of (V, ω) the velocity at the lever arm's end
+    static void add_product(const Vector3d& r, const Matrix3d& D, const Vector3d& q, Matrix6d& sum)
+    {
+        Matrix3d Dq; // D q*
+        Dq.col(0) = q.z() * D.col(1) - q.y() * D.col(2);
+        Dq.col(1) = q.x() * D.col(2) - q.z() * D.col(0);
+        Dq.col(2) = q.y() * D.col(0) - q.x() * D.col(1);
+        sum.topLeftCorner<3, 3>() += D;
+        sum.topRightCorner<3, 3>() -= Dq;
+        for (int i = 0; i < 3; ++i) { // r* by columns
+            sum.block<3, 1>(3, i) += r.cross(Vector3d(D.col(i)));
+            sum.block<3, 1>(3, 3 + i) -= r.cross(Vector3d(Dq.col(i)));
+        }
+    }
+
+    // v of the round by Newton's method.
+    bool minimise()
+    {
+        VectorXd gradient;
+        Eigen::SparseMatrix<double> H;
+        for (int step = 0; step < most_steps; ++step) {
+            linearise(gradient, H);
+            if (!is_analysed_) solver_.analyzePattern(H); // it stays the same
+            is_analysed_ = true;
+            solver_.factorize(H);
+            if (solver_.info() != Eigen::Success) return false;
+            const VectorXd dv = -solver_.solve(gradient);
+            if (!dv.allFinite()) return false;
+            const double t = lowest(dv);
+            v_ += t * dv;
+            const double size = v_.cwiseAbs().maxCoeff() + v_free_.cwiseAbs().maxCoeff();
+            const double moved = t * dv.cwiseAbs().maxCoeff();
+            if (moved <= converged * size) return true;
+            if (step + 1 == most_steps && moved <= settled * size) return true;
+        }
+        return false;
+    }
+
+    std::vector<const Body*> bodies_;
+    std::vector<Matrix3d> inertias_; // world space
+    std::vector<NewtonRow> rows_;
+    VectorXd v_free_, v_; // V, ω of each body
+    Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> solver_;
+    bool is_analysed_ = false;
+};
+
+} // namespace
+
+bool newton_impulses(const ContactProblem& problem, const Island& island,
+                     const std::vector<Body>& free, std::span<const int> active,
+                     std::vector<Vector3d>& impulses)
+{
+    Newton newton(problem, island, free, active, impulses);
+    if (!newton.solve()) return false;
+    for (std::size_t k = 0; k < impulses.size(); ++k) {
+        const Vector3d& lambda = newton.rows()[k].lambda;
+        if (!lambda.allFinite()) return false;
+        impulses[k] = lambda;
+    }
+    return true;
+}
+
+} // namespace rigor

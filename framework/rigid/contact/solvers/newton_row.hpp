@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+// A contact in `newton_impulses`: its velocity u, the projection P and its slope.
+#pragma once
+
+#include "formulas/types.hpp"
+
+#include <algorithm>
+
+namespace rigor::newton {
+
+// A contact as the method sees it: bodies by the index of their unknowns, or -1.
+struct NewtonRow {
+    int body1 = -1, body2 = -1;
+    Vector3d n, r1, r2, s; // s: the velocity asked for, s n
+    double friction = 0, normal_K = 0, rho = 0;
+    double limit = 0; // of the tangential part, held during a round: μ λₙ
+    Vector3d lambda = Vector3d::Zero();
+};
+
+struct Split {
+    double normal = 0;
+    Vector3d tangential;
+};
+
+inline Split split(const NewtonRow& row, const Vector3d& y)
+{
+    const double normal = y.dot(row.n);
+    return {normal, y - normal * row.n};
+}
+
+// Of a body's point at the lever arm r [m/s].
+inline Vector3d velocity(const Eigen::VectorXd& v, int body, const Vector3d& r)
+{
+    if (body < 0) return Vector3d::Zero();
+    const Vector3d V = v.segment<3>(6 * body), w = v.segment<3>(6 * body + 3);
+    return V + w.cross(r);
+}
+
+// u = J v - s
+inline Vector3d u(const NewtonRow& row, const Eigen::VectorXd& v, const Vector3d& s)
+{
+    return velocity(v, row.body1, row.r1) - velocity(v, row.body2, row.r2) - s;
+}
+
+// P(y)
+inline Vector3d projected(const NewtonRow& row, const Vector3d& y)
+{
+    auto [normal, tangential] = split(row, y);
+    const double length = tangential.norm();
+    if (length > row.limit) tangential *= row.limit / length;
+    return std::max(0.0, normal) * row.n + tangential;
+}
+
+// P'(y)
+inline Matrix3d slope(const NewtonRow& row, const Vector3d& y)
+{
+    const auto [normal, tangential] = split(row, y);
+    const Matrix3d nn = row.n * row.n.transpose();
+    Matrix3d D = Matrix3d::Zero();
+    if (normal > 0) D += nn;
+    const double length = tangential.norm();
+    if (length <= row.limit) return D + Matrix3d::Identity() - nn;
+    const Vector3d T = tangential / length;
+    return D + row.limit / length * (Matrix3d::Identity() - nn - T * T.transpose());
+}
+
+} // namespace rigor::newton

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#include "rigid/contact/solvers/simultaneous_sweeps.hpp"
+
+#include "formulas/contact.hpp"
+#include "rigid/contact/local_island.hpp"
+
+#include <algorithm>
+
+namespace rigor {
+
+namespace {
+
+class SimultaneousSweeps : public Sweeps {
+public:
+    SimultaneousSweeps(ContactProblem& problem, std::span<const int> active)
+        : problem_(problem), active_(active), local_(local_island(problem, active))
+    {
+        result_.bodies = local_.bodies;
+    }
+
+    Progress sweep(std::vector<Vector3d>& steps) override
+    {
+        result_ = resolve_simultaneously(local_.bodies, local_.contacts, 1);
+        check_size(local_, result_, "resolve_simultaneously");
+        Progress progress;
+        for (std::size_t k = 0; k < active_.size(); ++k) {
+            const double K = problem_.contacts[active_[k]].normal_K;
+            Vector3d& j = local_.contacts[k].impulse;
+            steps[k] = result_.impulses[k] - j;
+            j = result_.impulses[k];
+            progress.change = std::max(progress.change, K * steps[k].norm());
+            progress.total = std::max(progress.total, K * j.norm());
+            progress.squared += K * steps[k].squaredNorm();
+            if (!steps[k].isZero(0)) ++problem_.counters->contact_impulses;
+        }
+        return progress;
+    }
+
+    std::vector<Vector3d> impulses() const override
+    {
+        std::vector<Vector3d> all;
+        for (const BodyContact& c : local_.contacts)
+            all.push_back(c.impulse);
+        return all;
+    }
+
+    void add(const std::vector<Vector3d>& changes) override
+    {
+        for (std::size_t k = 0; k < active_.size(); ++k)
+            local_.contacts[k].impulse += changes[k];
+    }
+
+    void finish() override
+    {
+        take_result(problem_, local_, active_, result_, "resolve_simultaneously");
+    }
+
+private:
+    ContactProblem& problem_;
+    std::span<const int> active_;
+    LocalIsland local_;
+    ContactResult result_; // of the last sweep
+};
+
+} // namespace
+
+std::unique_ptr<Sweeps> simultaneous_sweeps(ContactProblem& problem, std::span<const int> active)
+{
+    return std::make_unique<SimultaneousSweeps>(problem, active);
+}
+
+} // namespace rigor

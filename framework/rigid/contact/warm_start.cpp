@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+#include "rigid/contact/warm_start.hpp"
+
+#include "geometry/pose.hpp"
+#include "rigid/bodies/optimised_forms.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace rigor {
+
+namespace {
+
+constexpr double near_fraction = 0.1; // of the radius
+
+template <class C> std::pair<int, int> bodies_of(const C& contact)
+{
+    return {contact.body1, contact.body2};
+}
+
+// As a push along n and a friction within the cone.
+Vector3d turned_to(const ContactConstraint& c, const Vector3d& impulse)
+{
+    const Vector3d& n = c.normal;
+    const double j_n = impulse.dot(n);
+    if (j_n <= 0) return Vector3d::Zero();
+    Vector3d j_T = impulse - j_n * n;
+    const double length = j_T.norm();
+    if (length > c.friction * j_n) j_T *= c.friction * j_n / length;
+    return j_n * n + j_T;
+}
+
+// Those of the step before, pair of bodies by pair of bodies in ascending order.
+class WarmPairs {
+public:
+    explicit WarmPairs(std::span<const WarmContact> all) : rest_(all) {}
+
+    // Those between the bodies of this contact. The first search halves, each other one goes on from there.
+    std::span<const WarmContact> between_bodies_of(const ContactConstraint& c)
+    {
+        const std::pair pair = bodies_of(c);
+        const auto is_before = [&](const WarmContact& warm) { return bodies_of(warm) < pair; };
+        const auto first = is_first_ ? std::partition_point(rest_.begin(), rest_.end(), is_before)
+                                     : std::find_if_not(rest_.begin(), rest_.end(), is_before);
+        const auto last = std::find_if_not(
+            first, rest_.end(), [&](const WarmContact& warm) { return bodies_of(warm) == pair; });
+        is_first_ = false;
+        rest_ = {last, rest_.end()};
+        return {first, last};
+    }
+
+private:
+    std::span<const WarmContact> rest_;
+    bool is_first_ = true;
+};
+
+// A contact, one of the step before, and how far they are apart.
+struct Match {
+    double distance = 0; // squared [m²]
+    std::size_t contact = 0, before = 0;
+
+    auto operator<=>(const Match&) const = default;
+};
+
+// The nearest find each other first: else a contact that carries nothing takes what holds its neighbour.
+// @param matches  memory; those made come first in it
+// @return how many there are
+std::uint64_t start_pair_warm(std::span<const WarmContact> before,
+                              const std::vector<Pose>& poses, double time_step,
+                              std::span<ContactConstraint> contacts,
+                              std::vector<Match>& matches)
+{
+    if (before.empty()) return 0;
+    const auto& [R, X] = poses[contacts.front().body1];
+    matches.clear();
+    for (std::size_t k = 0; k < before.size(); ++k) {
+        const Vector3d x = optimised::product(R, before[k].point) + X;
+        for (std::size_t i = 0; i < contacts.size(); ++i) {
+            const double farthest = near_fraction * contacts[i].radius;
+            const double distance = (x - contacts[i].point).squaredNorm();
+            if (distance <= farthest * farthest) matches.push_back({distance, i, k});
+        }
+    }
+    std::sort(matches.begin(), matches.end());
+    auto made = matches.begin();
+    for (const Match& match : matches) {
+        if (std::any_of(matches.begin(), made, [&](const Match& other) {
+                return other.contact == match.contact || other.before == match.before;
+            }))
+            continue;
+        ContactConstraint& c = contacts[match.contact];
+        c.initial_impulse = turned_to(c, time_step * before[match.before].impulse);
+        *made++ = match;
+    }
+    return static_cast<std::uint64_t>(made - matches.begin());
+}
+
+} // namespace
+
+std::uint64_t start_warm(std::span<const WarmContact> before, const std::vector<Pose>& poses,
+                         double time_step, std::span<const ContactPair> pairs,
+                         std::span<ContactConstraint> contacts)
+{
+    std::vector<Match> matches;
+    std::uint64_t count = 0;
+    WarmPairs warm(before);
+    for (const ContactPair& pair : pairs) {
+        const std::span<ContactConstraint> of_pair = contacts.subspan(pair.first, pair.count());
+        count +=
+            start_pair_warm(warm.between_bodies_of(of_pair.front()), poses, time_step, of_pair, matches);
+    }
+    return count;
+}
+
+std::vector<WarmContact> warm_contacts(const std::vector<Pose>& poses,
+                                       std::span<const ContactConstraint> contacts, double time_step)
+{
+    std::vector<WarmContact> warm;
+    warm.reserve(contacts.size());
+    for (const ContactConstraint& c : contacts) {
+        if (c.contact_impulse.isZero(0)) continue;
+        const auto& [R, X] = poses[c.body1];
+        warm.push_back(
+            {c.body1, c.body2, R.transpose() * Vector3d(c.point - X), c.contact_impulse / time_step});
+    }
+    return warm;
+}
+
+} // namespace rigor

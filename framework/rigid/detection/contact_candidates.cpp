@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: MIT
+// Contact candidates of a step: all pairs of points that may touch before it ends. The bounds of each
+// body are swept over its free flight; the broad phase pairs them; impulses that pass from body to body
+// widen the margins; the narrow phase looks for contacts within path and margin. Sleeping bodies that
+// another may touch are named, since they have to wake before the step goes on.
+#include "rigid/detection/contact_candidates.hpp"
+
+#include "rigid/bodies/orientation.hpp"
+#include "rigid/detection/broad_phase.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+namespace rigor {
+
+namespace {
+
+double body_radius(const RigidBody& body)
+{
+    double radius = 0;
+    for (const Part& part : body.parts)
+        radius = std::max(radius, bounding_radius(part));
+    return radius;
+}
+
+Bounds body_bounds(const RigidBody& body, const Pose& pose)
+{
+    Bounds bounds;
+    for (const Part& part : body.parts)
+        bounds.include(bounds_of(part.shape, part_pose(pose, part)));
+    return bounds;
+}
+
+// How far the points of a body move at most in the step, along its path or with its last velocity [m].
+// A turn by the angle α moves a quaternion by about α/2; a quarter more than α covers the chord and an
+// axis that tumbles.
+double travel(const RigidState& from, const RigidState& to, double radius, double time_step)
+{
+    const double moved = (to.position - from.position).norm();
+    return std::max(moved, time_step * to.velocity.norm()) +
+           2.5 * orientation_distance(from.orientation, to.orientation) * radius;
+}
+
+// What the propagation of impulses needs of a body.
+struct Partner {
+    double mass = 0, restitution = 0;
+    bool is_still = false;
+};
+
+Partner partner(const RigidBody& body)
+{
+    return {body.mass, body.material.restitution, body.is_still()};
+}
+
+// The share of body j's speed that body i gets when j hits it: (1 + ε) m_j / (m_i + m_j), at most 1.
+double speed_transfer(const Partner& i, const Partner& j)
+{
+    const double restitution = std::min(i.restitution, j.restitution);
+    return std::min(1.0, (1 + restitution) * j.mass / (i.mass + j.mass));
+}
+
+// Everything that the search for contacts of a pair needs to know.
+struct Search {
+    const World& world;
+    std::vector<Bounds> bounds;   // of each body, swept over the step
+    std::vector<double> travels;  // of each body [m]
+    ContactCandidates candidates; // poses and radii are there, margins come next, contacts last
+    double time_step = 0;         // [s]
+};
+
+// Whether the swept bounds of two bodies come closer than `reach`.
+bool come_near(const Search& search, const BodyPair& pair, double reach)
+{
+    Bounds bounds = search.bounds[pair.body1];
+    bounds.grow(reach);
+    return bounds.overlaps(search.bounds[pair.body2]);
+}
+
+// The margin of body i if impulses may move it by `farthest`. Half its radius is always enough.
+double margin(const Search& search, int i, double farthest)
+{
+    return std::min(farthest, search.candidates.radii[i] / 2);
+}
+
+// How far an impulse may move a body.
+struct PossibleTravel {
+    int body = 0;
+    double distance = 0; // [m]
+};
+
+// Impulses pass from body to body within a step, as along a row of balls. A round finds what bodies
+// that moved farther in the round before give to their neighbours.
+struct ImpulsePropagation {
+    const std::vector<Partner>& bodies;
+    std::vector<double> farthest;  // of each body, so far [m]
+    std::vector<char> has_changed; // of each body: whether the round before changed `farthest`
+
+    std::vector<PossibleTravel> round(const Search& search, std::span<const BodyPair> pairs) const
+    {
+        std::vector<PossibleTravel> farther;
+        for (const BodyPair& pair : pairs) {
+            auto [slower, faster] = pair;
+            if (!has_changed[slower] && !has_changed[faster]) continue;
+            if (farthest[slower] > farthest[faster]) std::swap(slower, faster);
+            if (farthest[faster] <= farthest[slower]) continue; // nothing is passed on
+            if (bodies[slower].is_still || bodies[faster].is_still) continue;
+            const double passed =
+                speed_transfer(bodies[slower], bodies[faster]) * farthest[faster];
+            if (passed <= farthest[slower]) continue;
+            const double reach = margin(search, slower, farthest[slower]) +
+                                 margin(search, faster, farthest[faster]);
+            if (come_near(search, pair, reach)) farther.push_back({slower, passed});
+        }
+        return farther;
+    }
+};
+
+// The margins of all bodies. A body at rest may be hit in this step and then move on with the share of
+// the speed that the impulse leaves it.
+std::vector<double> margins_of(const Search& search, const std::vector<BodyPair>& pairs,
+                               ThreadPool& pool)
+{
+    std::vector<double> margins(search.travels.size());
+    for (int i = 0; i < static_cast<int>(margins.size()); ++i)
+        margins[i] = margin(search, i, search.travels[i]);
+    const std::vector<RigidBody>& all = search.world.bodies;
+    if (std::all_of(pairs.begin(), pairs.end(), [&](const BodyPair& pair) {
+            return all[pair.body1].is_still() || all[pair.body2].is_still();
+        }))
+        return margins; // no body is hit that moves
+
+    std::vector<Partner> bodies;
+    bodies.reserve(all.size());
+    for (const RigidBody& body : all)
+        bodies.push_back(partner(body));
+    constexpr int most_rounds = 8;          // bodies that an impulse passes through in a step
+    constexpr std::size_t grain_size = 1024; // pairs
+    ImpulsePropagation propagation{bodies, search.travels, std::vector<char>(bodies.size(), true)};
+    bool any = true;
+    for (int round = 0; round < most_rounds && any; ++round) {
+        const std::vector<std::vector<PossibleTravel>> found =
+            pool.collect_ranges(pairs.size(), grain_size, [&](std::size_t first, std::size_t last) {
+                return propagation.round(search, std::span(pairs).subspan(first, last - first));
+            });
+        any = false;
+        propagation.has_changed.assign(bodies.size(), false);
+        for (const std::vector<PossibleTravel>& of_range : found)
+            for (const auto& [body, distance] : of_range) {
+                if (distance <= propagation.farthest[body]) continue;
+                propagation.farthest[body] = distance;
+                propagation.has_changed[body] = any = true;
+            }
+    }
+    for (int i = 0; i < static_cast<int>(margins.size()); ++i)
+        margins[i] = margin(search, i, propagation.farthest[i]);
+    return margins;
+}
+
+// The swept bounds with what an impulse may add to a body's motion. No body is faster than the
+// fastest, nor heavier than the heaviest, so this bounds every propagation.
+std::vector<Bounds> bounds_with_impulses(const Search& search, ThreadPool& pool)
+{
+    const double fastest = *std::max_element(search.travels.begin(), search.travels.end());
+    Partner heaviest{0, 1};
+    for (const RigidBody& body : search.world.bodies)
+        heaviest.mass = std::max(heaviest.mass, body.mass);
+    std::vector<Bounds> wide = search.bounds;
+    constexpr std::size_t grain_size = 128; // bodies
+    pool.for_each_range(wide.size(), grain_size, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+            const Partner body = partner(search.world.bodies[i]);
+            const double hit = body.is_still ? 0 : speed_transfer(body, heaviest) * fastest;
+            wide[i].grow(margin(search, static_cast<int>(i), std::max(search.travels[i], hit)));
+        }
+    });
+    return wide;
+}
+
+// The margins of the fat bounds in the pair cache: a tenth of the radius and three steps of travel, so
+// that a body that slows down or is held stays within its fat bounds for long.
+std::vector<double> fat_margins(const Search& search)
+{
+    std::vector<double> margins(search.travels.size());
+    for (std::size_t i = 0; i < margins.size(); ++i)
+        margins[i] = 0.1 * search.candidates.radii[i] + 3 * search.travels[i];
+    return margins;
+}
+
+// The result of the narrow phase for some pairs.
+struct Found {
+    std::vector<Contact> contacts;
+    std::vector<int> disturbed;
+    bool any_may_meet = false;
+    Counters counters;
+};
+
+Found narrow_phase(const Search& search, std::span<const BodyPair> pairs)
+{
+    Found found;
+    for (const auto& [i, j] : pairs) {
+        const double margin = search.candidates.margins[i] + search.candidates.margins[j];
+        if (!come_near(search, {i, j}, margin)) continue;
+        ++found.counters.pairs_tested;
+        const double path = search.travels[i] + search.travels[j];
+        const std::size_t first = found.contacts.size();
+        find_contacts(search.world, search.candidates.poses, i, j, path + margin, found.contacts, found.counters,
+                      search.time_step);
+        bool may_meet = false;
+        for (std::size_t k = first; k < found.contacts.size(); ++k)
+            may_meet |= found.contacts[k].gap < path;
+        found.any_may_meet |= may_meet;
+        for (int sleeping : {i, j}) {
+            if (!search.world.bodies[sleeping].rest.is_asleep()) continue;
+            if (may_meet) found.disturbed.push_back(sleeping);
+            found.contacts.resize(first);
+        }
+    }
+    return found;
+}
+
+// Where the bodies are and where they fly to.
+Search search_of(const World& world, std::span<const RigidState> flown, double time_step,
+                          ThreadPool& pool)
+{
+    constexpr std::size_t grain_size = 32; // bodies
+    const std::size_t n = flown.size();
+    Search search{world, std::vector<Bounds>(n), std::vector<double>(n), {}, time_step};
+    search.candidates.poses.resize(n);
+    search.candidates.radii.resize(n);
+    pool.for_each_range(n, grain_size, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+            const RigidBody& body = world.bodies[i];
+            search.candidates.poses[i] = pose_of(body.state);
+            search.bounds[i] = body_bounds(body, search.candidates.poses[i]);
+            if (!body.is_static) search.candidates.radii[i] = body_radius(body);
+            if (body.is_still()) continue;
+            search.bounds[i].include(body_bounds(body, pose_of(flown[i])));
+            search.travels[i] = travel(body.state, flown[i], search.candidates.radii[i], time_step);
+        }
+    });
+    return search;
+}
+
+} // namespace
+
+ContactCandidates contact_candidates(World& world, std::span<const RigidState> flown,
+                                     double time_step, ThreadPool& pool)
+{
+    Search search = search_of(world, flown, time_step, pool);
+    ContactCandidates& candidates = search.candidates;
+    const std::vector<BodyPair> pairs =
+        cached_near_pairs(world, candidates.poses, bounds_with_impulses(search, pool),
+                          fat_margins(search), pool);
+    if (pairs.empty()) return std::move(candidates);
+    candidates.margins = margins_of(search, pairs, pool);
+
+    constexpr std::size_t grain_size = 128; // pairs
+    std::vector<Found> all =
+        pool.collect_ranges(pairs.size(), grain_size, [&](std::size_t first, std::size_t last) {
+            return narrow_phase(search, std::span(pairs).subspan(first, last - first));
+        });
+    const std::size_t contacts = std::accumulate(
+        all.begin(), all.end(), std::size_t{0},
+        [](std::size_t sum, const Found& found) { return sum + found.contacts.size(); });
+    candidates.contacts = std::move(all[0].contacts); // which is empty then
+    candidates.contacts.reserve(contacts);
+    bool any_may_meet = false;
+    Counters& counters = world.counters;
+    for (const Found& found : all) {
+        candidates.contacts.insert(candidates.contacts.end(), found.contacts.begin(),
+                                   found.contacts.end());
+        candidates.disturbed.insert(candidates.disturbed.end(), found.disturbed.begin(),
+                                    found.disturbed.end());
+        any_may_meet |= found.any_may_meet;
+        counters.pairs_tested += found.counters.pairs_tested;
+        counters.level_sets_built += found.counters.level_sets_built;
+        counters.level_set_samples += found.counters.level_set_samples;
+    }
+    if (!any_may_meet) candidates.contacts.clear(); // then no formula of collisions is needed
+    return std::move(candidates);
+}
+
+} // namespace rigor

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: MIT
+#include "rigid/detection/narrow_phase.hpp"
+
+#include "geometry/bounds.hpp"
+#include "geometry/convex.hpp"
+#include "rigid/detection/shapes/box_box.hpp"
+#include "rigid/detection/shapes/convex_contact.hpp"
+#include "rigid/detection/shapes/core_contact.hpp"
+#include "rigid/detection/shapes/distance_field.hpp"
+#include "rigid/bodies/height_order.hpp"
+#include "rigid/detection/shapes/mesh_contact.hpp"
+#include "rigid/bodies/non_finite.hpp"
+#include "rigid/detection/shapes/plane_contact.hpp"
+
+#include <algorithm>
+
+namespace rigor {
+
+namespace {
+
+struct PlacedSphere {
+    double radius;
+    Vector3d center;
+};
+
+using Contacts = std::vector<Contact>;
+
+void find_sphere_contacts(const PlacedSphere& a, const PlacedSphere& b, double reach, Contacts& contacts)
+{
+    const Vector3d d = a.center - b.center;
+    const double distance = d.norm();
+    const double gap = distance - a.radius - b.radius;
+    if (gap >= reach) return;
+    const Vector3d n = distance > 0 ? Vector3d(d / distance) : Vector3d::UnitY(); // concentric: up
+    contacts.push_back({b.center + (b.radius + gap / 2) * n, n, gap});
+}
+
+// Out of a box, from the point of it that is nearest to a sphere: normal, and distance from there.
+struct OutOfBox {
+    Vector3d n = Vector3d::Zero();
+    double gap = 0;
+    bool is_inside = false; // the sphere's center is: out through the nearest face
+};
+
+// @param c  the sphere's center, in the frame of the box
+OutOfBox out_of_box(const Vector3d& half, const Vector3d& c, double radius)
+{
+    OutOfBox out;
+    const Vector3d nearest = c.cwiseMax(-half).cwiseMin(half);
+    const double distance = (c - nearest).norm();
+    if (distance > 0) {
+        out.n = (c - nearest) / distance;
+        out.gap = distance - radius;
+        return out;
+    }
+    int axis = 0;
+    const double inside = (half - c.cwiseAbs()).minCoeff(&axis);
+    out.n[axis] = c[axis] < 0 ? -1 : 1;
+    out.gap = -inside - radius;
+    out.is_inside = true;
+    return out;
+}
+
+// A normal along which a sphere at c and a box are apart now, and how far they will be after the move d.
+struct ApartAhead {
+    Vector3d n;
+    double now, then;
+};
+
+// Of the normal at the move's end, if they do not meet there, and those of the faces: the one that has them
+// overlap least then. So a sphere that rolls over the joint of two boxes, or falls there, doesn't run into
+// the edge of the next.
+void look_ahead(const Vector3d& half, const Vector3d& c, const Vector3d& d, double radius,
+                ApartAhead& best)
+{
+    constexpr double slop = 1e-4; // of the radius
+    const auto consider = [&](const Vector3d& n) {
+        const double now = n.dot(c) - n.cwiseAbs().dot(half) - radius, then = now + n.dot(d);
+        if (now > -slop * radius && then > best.then) best = {n, now, then};
+    };
+    for (int i = 0; i < 3; ++i)
+        consider((c[i] < 0 ? -1 : 1) * Vector3d::Unit(i));
+    const OutOfBox end = out_of_box(half, c + d, radius);
+    if (!end.is_inside && end.gap > -slop * radius) consider(end.n);
+}
+
+void find_sphere_contacts(const PlacedSphere& sphere, const Box& box, const Pose& pose, const Vector3d& move,
+           double reach, Contacts& contacts)
+{
+    const Vector3d half = box.size / 2;
+    const Vector3d c = pose.R.transpose() * (sphere.center - pose.X);
+    const OutOfBox out = out_of_box(half, c, sphere.radius);
+    if (out.gap >= reach) return;
+    const Vector3d d = pose.R.transpose() * move;
+    ApartAhead best{out.n, out.gap, out.gap + d.dot(out.n)};
+    if (!out.is_inside && best.then < 0) look_ahead(half, c, d, sphere.radius, best);
+    const Vector3d n = pose.R * best.n;
+    contacts.push_back({sphere.center - sphere.radius * n, n, best.now});
+}
+
+// In the order of the variant, with what has a core first and planes last: half of the pairs are the other
+// half, seen from the other side.
+bool is_in_order(const Shape& a, const Shape& b)
+{
+    return a.index() <= b.index();
+}
+
+bool has_core(const Shape& shape)
+{
+    return std::holds_alternative<Sphere>(shape) || std::holds_alternative<Capsule>(shape) ||
+           std::holds_alternative<Torus>(shape);
+}
+
+// @param move  of shape 1, against shape 2, in the step to come
+void find_ordered(const Shape& shape1, const Pose& pose1, const Shape& shape2, const Pose& pose2,
+                  const Vector3d& move, double reach, Counters& counters, Contacts& contacts)
+{
+    if (std::holds_alternative<Plane>(shape2))
+        return find_plane_contacts(shape1, pose1, pose2, reach, contacts);
+    const Box* box2 = std::get_if<Box>(&shape2);
+    if (const Sphere* sphere = std::get_if<Sphere>(&shape1)) {
+        const PlacedSphere placed{sphere->radius, pose1.X};
+        if (const Sphere* other = std::get_if<Sphere>(&shape2))
+            return find_sphere_contacts(placed, PlacedSphere{other->radius, pose2.X}, reach, contacts);
+        if (box2) return find_sphere_contacts(placed, *box2, pose2, move, reach, contacts);
+    }
+    if (has_core(shape1)) return find_core_contacts(shape1, pose1, shape2, pose2, reach, counters, contacts);
+    if (const Box* box1 = std::get_if<Box>(&shape1); box1 && box2)
+        return find_box_contacts(*box1, pose1, *box2, pose2, move, reach, contacts);
+    if (is_convex_solid(shape1) && is_convex_solid(shape2))
+        return find_convex_contacts(shape1, pose1, shape2, pose2, reach, contacts);
+    find_mesh_contacts(shape1, pose1, shape2, pose2, reach, counters, contacts);
+}
+
+void find_in_any_order(const Shape& shape1, const Pose& pose1, const Shape& shape2,
+                       const Pose& pose2, const Vector3d& move, double reach, Counters& counters,
+                       Contacts& contacts)
+{
+    if (is_in_order(shape1, shape2))
+        return find_ordered(shape1, pose1, shape2, pose2, move, reach, counters, contacts);
+    const std::size_t first = contacts.size();
+    find_ordered(shape2, pose2, shape1, pose1, -move, reach, counters, contacts);
+    for (std::size_t i = first; i < contacts.size(); ++i)
+        contacts[i].normal = -contacts[i].normal;
+}
+
+Vector3d velocity_of(const RigidBody& body)
+{
+    return body.is_still() ? Vector3d(0, 0, 0) : body.state.velocity;
+}
+
+// The body that has the shape: its level set was asked.
+const std::string& owner(const RigidBody& body1, const RigidBody& body2, const Shape* shape)
+{
+    for (const Part& part : body1.parts)
+        if (&part.shape == shape) return body1.name;
+    return body2.name;
+}
+
+} // namespace
+
+void find_shape_contacts(const Shape& shape1, const Pose& pose1, const Shape& shape2, const Pose& pose2,
+                  double reach, Contacts& contacts)
+{
+    Counters counters;
+    find_in_any_order(shape1, pose1, shape2, pose2, {0, 0, 0}, reach, counters, contacts);
+}
+
+void find_contacts(const World& world, const std::vector<Pose>& poses, int body1, int body2,
+                   double reach, std::vector<Contact>& contacts)
+{
+    Counters counters;
+    find_contacts(world, poses, body1, body2, reach, contacts, counters);
+}
+
+void find_contacts(const World& world, const std::vector<Pose>& poses, int body1, int body2,
+                   double reach, std::vector<Contact>& contacts, Counters& counters,
+                   double time_step)
+{
+    const Vector3d move =
+        time_step * (velocity_of(world.bodies[body1]) - velocity_of(world.bodies[body2]));
+    const std::vector<Part>& parts1 = world.bodies[body1].parts;
+    const std::vector<Part>& parts2 = world.bodies[body2].parts;
+    const bool is_compound = parts1.size() * parts2.size() > 1;
+    std::vector<Contact> found;
+    found.reserve(8); // two faces have up to eight
+    for (const Part& part1 : parts1) {
+        const Pose pose1 = part_pose(poses[body1], part1);
+        Bounds bounds1;
+        if (is_compound) bounds1 = bounds_of(part1.shape, pose1);
+        bounds1.grow(reach);
+        for (const Part& part2 : parts2) {
+            const Pose pose2 = part_pose(poses[body2], part2);
+            if (is_compound && !bounds1.overlaps(bounds_of(part2.shape, pose2))) continue;
+            try {
+                find_in_any_order(part1.shape, pose1, part2.shape, pose2, move, reach, counters,
+                                  found);
+            } catch (const NonFiniteLevelSet& e) {
+                throw NonFiniteState(owner(world.bodies[body1], world.bodies[body2], e.shape),
+                                     std::string(e.quantity) + " of the level set", world.time);
+            }
+        }
+    }
+    if (found.size() > 1) {
+        const HeightOrder place_of(world.settings.gravity, found,
+                                  [](const Contact& t) -> const Vector3d& { return t.point; });
+        std::sort(found.begin(), found.end(), [&](const Contact& a, const Contact& b) {
+            return place_of(a.point) < place_of(b.point);
+        });
+    }
+    for (const Contact& contact : found)
+        contacts.push_back({contact.point, contact.normal, contact.gap, body1, body2});
+}
+
+} // namespace rigor

@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: MIT
+#include "rigid/detection/shapes/box_box.hpp"
+
+#include "rigid/bodies/optimised_forms.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace rigor {
+
+namespace {
+
+// A box at its place; its axes are the columns of R.
+struct Placed {
+    Matrix3d R;
+    Vector3d center, half;
+};
+
+// A separating axis, unit, pointing from box 1 to box 2, with the distance of the boxes along it.
+struct Axis {
+    double separation = -std::numeric_limits<double>::infinity();
+    int axis1 = 0, axis2 = 0;
+    Vector3d direction = Vector3d::Zero();
+};
+
+// The two boxes in numbers that every axis needs: C = AᵀB, |C|, and the distance of the centers in the
+// frame of either.
+struct Relation {
+    Matrix3d C, C_abs;
+    Vector3d d_a, d_b;
+
+    Relation(const Placed& a, const Placed& b)
+    {
+        const Vector3d d = b.center - a.center;
+        for (int j = 0; j < 3; ++j) {
+            for (int i = 0; i < 3; ++i)
+                C(i, j) = a.R.col(i).dot(b.R.col(j));
+            C_abs.col(j) = C.col(j).cwiseAbs();
+            d_a[j] = a.R.col(j).dot(d);
+            d_b[j] = b.R.col(j).dot(d);
+        }
+    }
+};
+
+Vector3d oriented(const Vector3d& axis, const Vector3d& towards)
+{
+    return axis.dot(towards) < 0 ? Vector3d(-axis) : axis;
+}
+
+// The best of the three faces of `a`; the direction points towards b.
+Axis best_face(const Placed& a, const Placed& b, const Relation& of)
+{
+    Axis best;
+    for (int i = 0; i < 3; ++i) {
+        const double separation = std::abs(of.d_a[i]) - a.half[i] - of.C_abs.row(i).dot(b.half);
+        if (separation > best.separation) best = {separation, i, 0, Vector3d::Zero()};
+    }
+    const Vector3d n = a.R.col(best.axis1);
+    best.direction = of.d_a[best.axis1] < 0 ? Vector3d(-n) : n;
+    return best;
+}
+
+// The best of the three faces of `b`, its axis in `axis1`; the direction points towards a.
+Axis best_other_face(const Placed& a, const Placed& b, const Relation& of)
+{
+    Axis best;
+    for (int j = 0; j < 3; ++j) {
+        const double separation = std::abs(of.d_b[j]) - b.half[j] - of.C_abs.col(j).dot(a.half);
+        if (separation > best.separation) best = {separation, j, 0, Vector3d::Zero()};
+    }
+    const Vector3d n = b.R.col(best.axis1);
+    best.direction = of.d_b[best.axis1] > 0 ? Vector3d(-n) : n;
+    return best;
+}
+
+// The best of the nine pairs of edges, by Gottschalk, Lin and Manocha (1996), if it is better than `least`.
+// Parallel edges separate no better than a face does.
+Axis best_edges(const Placed& a, const Placed& b, const Relation& of, double least)
+{
+    Axis best;
+    best.separation = least;
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) {
+            const int i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
+            const double distance = std::abs(of.d_a[i2] * of.C(i1, j) - of.d_a[i1] * of.C(i2, j));
+            const double reach = a.half[i1] * of.C_abs(i2, j) + a.half[i2] * of.C_abs(i1, j) +
+                                 b.half[j1] * of.C_abs(i, j2) + b.half[j2] * of.C_abs(i, j1);
+            const double between = distance - reach; // times the length of the axis, at most 1
+            if (between <= std::min(best.separation, 0.0)) continue;
+            const double c = of.C(i, j), squared = 1 - c * c; // of the length of the axis
+            if (squared < 1e-6) continue;
+            const double separation = between / std::sqrt(squared);
+            if (separation > best.separation) best = {separation, i, j, Vector3d::Zero()};
+        }
+    if (best.separation > least) {
+        const Vector3d l = a.R.col(best.axis1).cross(b.R.col(best.axis2)).normalized();
+        best.direction = oriented(l, b.center - a.center);
+    }
+    return best;
+}
+
+// A face that separates the boxes, and how far it will when they have moved on.
+struct Ahead {
+    double separation = -std::numeric_limits<double>::infinity();
+    Axis axis;
+    bool is_of_first = true;
+};
+
+// Of the faces that separate the boxes now, to `slop`, the one that will have them overlap least.
+// @param move  of box 1, against box 2, in the step to come
+[[gnu::noinline]] Ahead best_face_ahead(const Placed& a, const Placed& b, const Relation& of,
+                                        const Vector3d& move, double slop)
+{
+    Ahead best;
+    for (const bool is_of_first : {true, false})
+        for (int i = 0; i < 3; ++i) {
+            const Placed& box = is_of_first ? a : b;
+            const double d = is_of_first ? of.d_a[i] : -of.d_b[i]; // towards the other box
+            const double reach =
+                is_of_first ? of.C_abs.row(i).dot(b.half) : of.C_abs.col(i).dot(a.half);
+            const double now = std::abs(d) - box.half[i] - reach;
+            if (now < -slop) continue;
+            const Vector3d out = d < 0 ? Vector3d(-box.R.col(i)) : Vector3d(box.R.col(i));
+            const double then = now - (is_of_first ? 1 : -1) * move.dot(out);
+            if (then > best.separation) best = {then, {now, i, 0, out}, is_of_first};
+        }
+    return best;
+}
+
+// A polygon with at most 8 vertices, in the frame of the reference face: the face is |x| ≤ half x,
+// |y| ≤ half y, and z is the height above it.
+struct Polygon {
+    std::array<Vector3d, 8> vertices; // the first `size` are set
+    int size = 0;
+
+    void add(const Vector3d& v)
+    {
+        if (size < 8) vertices[size++] = v;
+    }
+};
+
+// Keeps what lies on the inner side of sign x[axis] ≤ limit (Sutherland and Hodgman 1974). A vertex
+// within rounding of the border is inside: otherwise aligned boxes get chance vertices.
+void clip(Polygon& polygon, int axis, double sign, double limit)
+{
+    const double border = limit * (1 + 1e-9);
+    const auto is_inside = [&](const Vector3d& v) { return sign * v[axis] <= border; };
+    const auto begin = polygon.vertices.begin(), end = begin + polygon.size;
+    if (std::all_of(begin, end, is_inside)) return;
+    Polygon kept;
+    for (int i = 0; i < polygon.size; ++i) {
+        const Vector3d& from = polygon.vertices[i];
+        const Vector3d& to = polygon.vertices[i + 1 < polygon.size ? i + 1 : 0];
+        if (is_inside(from)) kept.add(from);
+        if (is_inside(from) == is_inside(to)) continue;
+        const double a = sign * from[axis], b = sign * to[axis];
+        kept.add(from + (limit - a) / (b - a) * (to - from));
+    }
+    polygon = kept;
+}
+
+// The face of `box` that looks most against the third axis of the frame (R, origin), in that frame.
+Polygon incident_face(const Placed& box, const Matrix3d& R, const Vector3d& origin)
+{
+    Matrix3d A; // Rᵀ R_box: the axes of the box in the frame
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j)
+            A(i, j) = R.col(i).dot(box.R.col(j));
+    int k = 0;
+    A.row(2).cwiseAbs().maxCoeff(&k);
+    const int u = (k + 1) % 3, v = (k + 2) % 3;
+    const Vector3d d = box.center - origin;
+    const Vector3d to_center(R.col(0).dot(d), R.col(1).dot(d), R.col(2).dot(d));
+    const Vector3d center = to_center + (A(2, k) > 0 ? -1 : 1) * box.half[k] * A.col(k);
+    const Vector3d e_u = box.half[u] * A.col(u), e_v = box.half[v] * A.col(v);
+
+    Polygon face;
+    face.add(center + e_u + e_v);
+    face.add(center - e_u + e_v);
+    face.add(center - e_u - e_v);
+    face.add(center + e_u - e_v);
+    return face;
+}
+
+// Clips the incident face of `other` against the face of `reference` that `axis` names, and against as
+// much beside it as `other` will come from.
+// @param normal  of the contact, from box 2 to box 1
+// @param move    of `other`, against `reference`, in the step to come
+void touch_face(const Placed& reference, const Placed& other, const Axis& axis,
+                const Vector3d& normal, const Vector3d& move, double reach,
+                std::vector<Contact>& contacts)
+{
+    const int k = axis.axis1, u = (k + 1) % 3, v = (k + 2) % 3;
+    Matrix3d R; // of the face: two edges and the outward normal
+    R.col(0) = reference.R.col(u);
+    R.col(1) = reference.R.col(v);
+    R.col(2) = axis.direction;
+    const Vector3d origin = reference.center + reference.half[k] * axis.direction;
+
+    Polygon polygon = incident_face(other, R, origin);
+    for (const double sign : {-1.0, 1.0}) {
+        clip(polygon, 0, sign, reference.half[u] + std::max(0.0, -sign * move.dot(R.col(0))));
+        clip(polygon, 1, sign, reference.half[v] + std::max(0.0, -sign * move.dot(R.col(1))));
+    }
+    for (int i = 0; i < polygon.size; ++i) {
+        Vector3d p = polygon.vertices[i];
+        const double gap = p.z();
+        if (gap >= reach) continue;
+        p.z() /= 2; // in the middle of the gap
+        contacts.push_back({origin + optimised::product(R, p), normal, gap});
+    }
+}
+
+// Middle of the edge of `box` along its axis `axis` that lies farthest in `direction`.
+Vector3d edge_middle(const Placed& box, int axis, const Vector3d& direction)
+{
+    Vector3d middle = box.center;
+    for (int i = 0; i < 3; ++i) {
+        const double along = box.R.col(i).dot(direction);
+        if (i != axis && along != 0) middle += std::copysign(box.half[i], along) * box.R.col(i);
+    }
+    return middle;
+}
+
+void find_edge_contacts(const Placed& a, const Placed& b, const Axis& axis, double reach,
+                 std::vector<Contact>& contacts)
+{
+    const Vector3d u = a.R.col(axis.axis1), v = b.R.col(axis.axis2);
+    const Vector3d p = edge_middle(a, axis.axis1, axis.direction);
+    const Vector3d q = edge_middle(b, axis.axis2, -axis.direction);
+
+    // closest points p + s u, q + t v of the two lines, held to the edges
+    const double c = u.dot(v), d_u = u.dot(q - p), d_v = v.dot(q - p);
+    const double s = (d_u - c * d_v) / (1 - c * c);
+    const double t = (c * d_u - d_v) / (1 - c * c);
+    const double half_s = a.half[axis.axis1], half_t = b.half[axis.axis2];
+    const Vector3d on_a = p + std::clamp(s, -half_s, half_s) * u;
+    const Vector3d on_b = q + std::clamp(t, -half_t, half_t) * v;
+    if (axis.separation > 0 && (on_b - on_a).norm() >= reach) return; // they pass by each other
+    contacts.push_back({(on_a + on_b) / 2, -axis.direction, axis.separation});
+}
+
+double face_area(const Placed& box, int axis)
+{
+    return box.half[(axis + 1) % 3] * box.half[(axis + 2) % 3];
+}
+
+} // namespace
+
+void find_box_contacts(const Box& box1, const Pose& pose1, const Box& box2, const Pose& pose2,
+                 const Vector3d& move, double reach, std::vector<Contact>& contacts)
+{
+    const Placed a{pose1.R, pose1.X, box1.size / 2}, b{pose2.R, pose2.X, box2.size / 2};
+    const Relation relation(a, b);
+    const Axis face1 = best_face(a, b, relation);
+    if (face1.separation >= reach) return;
+    const Axis face2 = best_other_face(a, b, relation); // its direction points from 2 to 1
+    if (face2.separation >= reach) return;
+
+    const double smallest = std::min(a.half.minCoeff(), b.half.minCoeff());
+    const double clearly = 0.01 * smallest, slop = 1e-4 * smallest;
+    const double least = std::max(face1.separation, face2.separation) + clearly;
+    const Axis edges = best_edges(a, b, relation, least);
+    bool is_edges = edges.separation > least;
+    const double better = face1.separation - face2.separation;
+    const double larger = face_area(a, face1.axis1) - face_area(b, face2.axis1);
+    bool is_first = std::abs(better) > clearly || larger == 0 ? better >= 0 : larger > 0;
+    Axis face = is_first ? face1 : face2;
+
+    const Axis& best = is_edges ? edges : face;
+    const double then =
+        best.separation - (is_edges || is_first ? 1 : -1) * move.dot(best.direction);
+    Vector3d comes = Vector3d::Zero(); // what does not have this face, against what has it
+    if (best.separation > -slop && then < -slop) {
+        const Ahead ahead = best_face_ahead(a, b, relation, move, slop);
+        if (ahead.separation > then + slop) {
+            is_edges = false;
+            is_first = ahead.is_of_first;
+            face = ahead.axis;
+            comes = is_first ? Vector3d(-move) : move;
+        }
+    }
+    if (is_edges) {
+        if (edges.separation < reach) find_edge_contacts(a, b, edges, reach, contacts);
+        return;
+    }
+    const Vector3d normal = is_first ? Vector3d(-face.direction) : face.direction;
+    touch_face(is_first ? a : b, is_first ? b : a, face, normal, comes, reach, contacts);
+}
+
+} // namespace rigor

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: MIT
+#include "rigid/detection/shapes/convex_contact.hpp"
+
+#include "geometry/convex.hpp"
+#include "rigid/detection/shapes/reduce_contacts.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rigor {
+
+namespace {
+
+using Eigen::Vector2d;
+
+// A feature seen along the normal: places across it, heights along it.
+struct Outline {
+    std::vector<Vector2d> places;
+    std::vector<double> heights;
+
+    int count() const { return static_cast<int>(places.size()); }
+    void add(const Vector2d& place, double height)
+    {
+        places.push_back(place);
+        heights.push_back(height);
+    }
+};
+
+double cross(const Vector2d& a, const Vector2d& b)
+{
+    return a.x() * b.y() - a.y() * b.x();
+}
+
+double signed_area(const Outline& o)
+{
+    double area = 0;
+    for (int i = 1; i + 1 < o.count(); ++i)
+        area += cross(o.places[i] - o.places[0], o.places[i + 1] - o.places[0]) / 2;
+    return area;
+}
+
+// Axes across a normal, and the normal.
+Matrix3d frame_about(const Vector3d& n)
+{
+    int least = 0;
+    n.cwiseAbs().minCoeff(&least);
+    const Vector3d u = n.cross(Vector3d::Unit(least)).normalized();
+    Matrix3d R;
+    R << u, n.cross(u), n;
+    return R;
+}
+
+// Counter-clockwise, in the frame.
+Outline outline(const Feature& feature, const Matrix3d& frame, const Vector3d& origin)
+{
+    Outline o;
+    for (int i = 0; i < feature.count; ++i) {
+        const Vector3d p = frame.transpose() * (feature.points[i] - origin);
+        o.add(p.head<2>(), p.z());
+    }
+    if (signed_area(o) < 0) {
+        std::reverse(o.places.begin(), o.places.end());
+        std::reverse(o.heights.begin(), o.heights.end());
+    }
+    return o;
+}
+
+// Height of the plane through an outline, or of the line through a segment, at a place.
+double height_at(const Outline& o, const Vector2d& place)
+{
+    const Vector2d p = place - o.places[0];
+    if (o.count() == 2) {
+        const Vector2d d = o.places[1] - o.places[0];
+        return o.heights[0] + p.dot(d) / d.squaredNorm() * (o.heights[1] - o.heights[0]);
+    }
+    // the widest of the triangles at the first corner spans the plane
+    int best = 1;
+    double widest = 0;
+    for (int i = 1; i + 1 < o.count(); ++i) {
+        const double area = cross(o.places[i] - o.places[0], o.places[i + 1] - o.places[0]);
+        if (area <= widest) continue;
+        widest = area;
+        best = i;
+    }
+    const Vector2d a = o.places[best] - o.places[0], b = o.places[best + 1] - o.places[0];
+    const double s = cross(p, b) / cross(a, b), t = cross(a, p) / cross(a, b);
+    return o.heights[0] + s * (o.heights[best] - o.heights[0]) +
+           t * (o.heights[best + 1] - o.heights[0]);
+}
+
+// What of an outline lies to the left of the line from a to b. What lies on it to rounding is left of it:
+// otherwise aligned faces get chance corners.
+Outline left_of(const Outline& o, const Vector2d& a, const Vector2d& b)
+{
+    const Vector2d d = (b - a).normalized();
+    const double border = -1e-9 * (b - a).norm();
+    Outline kept;
+    const int sides = o.count() > 2 ? o.count() : o.count() - 1;
+    for (int i = 0; i < o.count(); ++i) {
+        const int j = (i + 1) % o.count();
+        const double from = cross(d, o.places[i] - a), to = cross(d, o.places[j] - a);
+        if (from >= border) kept.add(o.places[i], o.heights[i]);
+        if (i >= sides || (from >= border) == (to >= border)) continue;
+        const double t = from / (from - to);
+        kept.add(o.places[i] + t * (o.places[j] - o.places[i]),
+                 o.heights[i] + t * (o.heights[j] - o.heights[i]));
+    }
+    return kept;
+}
+
+// What of outline 1 lies over outline 2, which is a polygon.
+Outline clipped(Outline o, const Outline& by)
+{
+    for (int i = 0; i < by.count() && o.count() > 0; ++i)
+        o = left_of(o, by.places[i], by.places[(i + 1) % by.count()]);
+    return o;
+}
+
+// What two nearly parallel segments have in common, along the first.
+Outline common(const Outline& a, const Outline& b)
+{
+    const Vector2d d = a.places[1] - a.places[0], e = b.places[1] - b.places[0];
+    Outline o;
+    if (std::abs(cross(d, e)) > 0.1 * d.norm() * e.norm()) return o; // they cross
+    const auto along = [&](const Vector2d& p) {
+        return (p - a.places[0]).dot(d) / d.squaredNorm();
+    };
+    const double s = along(b.places[0]), t = along(b.places[1]);
+    const double first = std::max(0.0, std::min(s, t)), last = std::min(1.0, std::max(s, t));
+    if (first >= last) return o;
+    for (const double at : {first, last})
+        o.add(a.places[0] + at * d, a.heights[0] + at * (a.heights[1] - a.heights[0]));
+    return o;
+}
+
+// Where both features face each other: places and heights on feature 1. Empty: one touch will do.
+Outline overlap(const Outline& a, const Outline& b)
+{
+    if (a.count() < 2 || b.count() < 2) return {};
+    if (a.count() == 2 && b.count() == 2) return common(a, b);
+    if (b.count() > 2) return clipped(a, b);
+    Outline o = clipped(b, a); // a segment below a polygon: then its heights
+    for (int i = 0; i < o.count(); ++i)
+        o.heights[i] = height_at(a, o.places[i]);
+    return o;
+}
+
+} // namespace
+
+void find_convex_contacts(const Shape& shape1, const Pose& pose1, const Shape& shape2, const Pose& pose2,
+                  double reach, std::vector<Contact>& contacts)
+{
+    // in the frame of shape 2: far from the origin of the world nothing cancels
+    const Matrix3d to_2 = pose2.R.transpose();
+    const Pose pose{to_2 * pose1.R, to_2 * (pose1.X - pose2.X)};
+    const Separation nearest = separation(shape1, pose, shape2, reach);
+    if (nearest.distance >= reach) return;
+
+    const Vector3d& n = nearest.normal;
+    Feature feature1 = feature_towards(shape1, -(pose.R.transpose() * n));
+    for (int i = 0; i < feature1.count; ++i)
+        feature1.points[i] = pose * feature1.points[i];
+    const Matrix3d frame = frame_about(n);
+    const Outline above = outline(feature1, frame, nearest.point2);
+    const Outline below = outline(feature_towards(shape2, n), frame, nearest.point2);
+
+    const std::size_t first = contacts.size();
+    const auto add = [&](const Vector3d& middle, double gap) {
+        if (gap < reach) contacts.push_back({pose2 * middle, pose2.R * n, gap});
+    };
+    const Outline shared = overlap(above, below);
+    double lowest = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < shared.count(); ++i) {
+        const double floor = height_at(below, shared.places[i]);
+        const double gap = shared.heights[i] - floor;
+        Vector3d p(shared.places[i].x(), shared.places[i].y(), (shared.heights[i] + floor) / 2);
+        lowest = std::min(lowest, gap);
+        add(nearest.point2 + frame * p, gap);
+    }
+    const double extent = (nearest.point1 - pose.X).norm();
+    if (!(lowest <= nearest.distance + 1e-6 * extent))
+        add((nearest.point1 + nearest.point2) / 2, nearest.distance);
+    reduce_contacts(contacts, first, reach);
+}
+
+} // namespace rigor

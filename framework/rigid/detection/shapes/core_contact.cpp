@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: MIT
+#include "rigid/detection/shapes/core_contact.hpp"
+
+#include "geometry/solid_mesh.hpp"
+#include "rigid/detection/shapes/distance_field.hpp"
+#include "rigid/detection/shapes/mesh_contact.hpp"
+#include "rigid/detection/shapes/reduce_contacts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace rigor {
+
+namespace {
+
+// A curve with a radius around it, in the frame of the other shape.
+struct Core {
+    double radius = 0;
+    double length = 0; // of the parameter; 0: a point
+    int samples = 1;
+    bool is_closed = false;
+    Pose pose;
+    double circle = 0; // radius of the curve, if it is closed
+
+    Vector3d at(double s) const
+    {
+        if (!is_closed) return pose * Vector3d(0, s - length / 2, 0);
+        return pose * Vector3d(circle * std::cos(s), 0, circle * std::sin(s));
+    }
+    double meters() const { return is_closed ? length * circle : length; }
+};
+
+struct CoreOf {
+    const Pose& pose;
+
+    Core operator()(const Sphere& s) const
+    {
+        Core core;
+        core.radius = s.radius;
+        core.pose = pose;
+        return core;
+    }
+    Core operator()(const Capsule& c) const { return {c.radius, c.height, 17, false, pose, 0}; }
+    Core operator()(const Torus& t) const
+    {
+        return {t.tube, 2 * std::numbers::pi, 48, true, pose, t.radius};
+    }
+    template <class Other> Core operator()(const Other&) const { return {}; }
+};
+
+// A local minimum of f between a and b (golden section; Kiefer 1953), to 1e-9 of the interval.
+template <class Function> double minimum(const Function& f, double a, double b)
+{
+    constexpr double golden = 0.6180339887498949;
+    double s = b - golden * (b - a), t = a + golden * (b - a);
+    double f_s = f(s), f_t = f(t);
+    for (int i = 0; i < 42; ++i) {
+        if (f_s <= f_t) {
+            b = t;
+            t = s;
+            f_t = f_s;
+            s = b - golden * (b - a);
+            f_s = f(s);
+        } else {
+            a = s;
+            s = t;
+            f_s = f_t;
+            t = a + golden * (b - a);
+            f_t = f(t);
+        }
+    }
+    return (a + b) / 2;
+}
+
+class AlongCore {
+public:
+    AlongCore(const Core& core, const DistanceField& field, const Pose& pose2, double reach,
+              std::vector<Contact>& contacts)
+        : core_(core), field_(field), pose2_(pose2), reach_(reach), contacts_(contacts)
+    {
+    }
+
+    void find()
+    {
+        if (core_.samples == 1) return add(0);
+        const int n = core_.samples;
+        const double step = core_.length / (core_.is_closed ? n : n - 1);
+        std::vector<double> gaps;
+        double least = std::numeric_limits<double>::infinity();
+        for (int i = 0; i < n; ++i) {
+            gaps.push_back(gap(i * step));
+            least = std::min(least, gaps.back());
+        }
+        // between two samples the gap is at most half their distance less
+        if (least - core_.meters() / n - field_.uncertainty() >= reach_) return;
+        const std::size_t first = contacts_.size();
+        for (int i = 0; i < n; ++i) {
+            if (gaps[i] < reach_) add(i * step);
+            const double before = gaps[core_.is_closed ? (i + n - 1) % n : std::max(i - 1, 0)];
+            const double after = gaps[core_.is_closed ? (i + 1) % n : std::min(i + 1, n - 1)];
+            if (gaps[i] > before || gaps[i] > after) continue;
+            refine(i, step, gaps[i]);
+        }
+        reduce_contacts(contacts_, first, reach_, core_.is_closed ? most_contacts : most_contacts / 2);
+    }
+
+private:
+    double gap(double s) const { return field_.ball_distance(core_.at(s), core_.radius); }
+
+    void refine(int i, double step, double at_sample)
+    {
+        const double low = core_.is_closed ? (i - 1) * step : std::max(i - 1, 0) * step;
+        const double high =
+            core_.is_closed ? (i + 1) * step : std::min((i + 1) * step, core_.length);
+        const double s = minimum([&](double t) { return gap(t); }, low, high);
+        const double least = gap(s);
+        if (least < at_sample - 1e-9 * core_.meters()) add(s);
+    }
+
+    void add(double s)
+    {
+        const Vector3d p = core_.at(s);
+        const auto [gap, n] = field_.ball(p, core_.radius);
+        if (gap < reach_) contacts_.push_back({pose2_ * (p - core_.radius * n), pose2_.R * n, gap});
+    }
+
+    const Core& core_;
+    const DistanceField& field_;
+    const Pose& pose2_;
+    double reach_;
+    std::vector<Contact>& contacts_;
+};
+
+// Two rings, and a ball on a ring: a circle and a point or another circle. The circle of the ring is the
+// core then, so that a ball over the hole rests on three points.
+void touch_ring(const Sphere& sphere, const Vector3d& center, const Torus& torus, const Pose& pose,
+                double reach, std::vector<Contact>& contacts)
+{
+    const Vector3d c = pose.R.transpose() * (center - pose.X);
+    const double away = std::hypot(c.x(), c.z());
+    const double angle = away > 0 ? std::atan2(c.z(), c.x()) : 0;
+    for (int i = 0; i < 3; ++i) {
+        const double a = angle + i * 2 * std::numbers::pi / 3;
+        const Vector3d d = c - torus.radius * Vector3d(std::cos(a), 0, std::sin(a));
+        const double distance = d.norm(), gap = distance - torus.tube - sphere.radius;
+        if (gap >= reach) continue;
+        const Vector3d n =
+            pose.R * (distance > 0 ? Vector3d(d / distance) : Vector3d::UnitY().eval());
+        contacts.push_back({center - (sphere.radius + gap / 2) * n, n, gap});
+    }
+}
+
+// A ball on a mesh: each place that it looks at squarely, so both walls of a corner.
+void touch_ball(const Core& core, const SolidMesh& mesh, const DistanceField& field,
+                const Pose& pose2, double reach, std::vector<Contact>& contacts)
+{
+    const Vector3d c = core.at(0);
+    const auto add = [&](const SurfaceDistance& ball) {
+        const auto& [gap, n] = ball;
+        if (gap < reach) contacts.push_back({pose2 * (c - core.radius * n), pose2.R * n, gap});
+    };
+    if (field.at_least(c) <= 0 && field.distance(c) <= 0) return add(field.ball(c, core.radius));
+    std::vector<Vector3d> known;
+    for (const TriangleTree::Found& found : mesh.triangles().local_minima(c, core.radius + reach)) {
+        const Vector3d d = (found.point - c).normalized();
+        constexpr double alike = 0.9; // cosine of 25 degrees
+        const bool is_new = std::all_of(known.begin(), known.end(),
+                                        [&](const Vector3d& k) { return k.dot(d) < alike; });
+        if (!is_new || known.size() >= most_contacts) continue;
+        known.push_back(d);
+        add(field.ball_towards(c, core.radius, found.point));
+    }
+}
+
+} // namespace
+
+void find_core_contacts(const Shape& shape1, const Pose& pose1, const Shape& shape2, const Pose& pose2,
+                double reach, Counters& counters, std::vector<Contact>& contacts)
+{
+    const Sphere* sphere = std::get_if<Sphere>(&shape1);
+    const Torus* ring = std::get_if<Torus>(&shape2);
+    if (sphere && ring) return touch_ring(*sphere, pose1.X, *ring, pose2, reach, contacts);
+
+    const Matrix3d to_2 = pose2.R.transpose();
+    const Pose pose{to_2 * pose1.R, to_2 * (pose1.X - pose2.X)};
+    const DistanceField field(shape2, counters);
+    const Core core = std::visit(CoreOf{pose}, shape1);
+    const Mesh* mesh = std::get_if<Mesh>(&shape2);
+    if (mesh && sphere) return touch_ball(core, *mesh->solid, field, pose2, reach, contacts);
+    const std::size_t first = contacts.size();
+    AlongCore(core, field, pose2, reach, contacts).find();
+    if (!mesh) return;
+    find_point_contacts(shape1, pose1, *mesh->solid, pose2, reach, counters, contacts);
+    reduce_contacts(contacts, first, reach);
+}
+
+} // namespace rigor

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#include "rigid/detection/shapes/distance_field.hpp"
+
+#include "formulas/collision.hpp"
+#include "geometry/solid_mesh.hpp"
+
+#include <cmath>
+
+namespace rigor {
+
+DistanceField::DistanceField(const Shape& shape, Counters& counters)
+    : shape_(shape), counters_(counters)
+{
+    const Mesh* mesh = std::get_if<Mesh>(&shape);
+    if (!mesh) return;
+    mesh_ = mesh->solid.get();
+    grid_ = &mesh_->level_set([&] { ++counters.level_sets_built; });
+}
+
+double DistanceField::distance(const Vector3d& p) const
+{
+    if (!grid_) return signed_distance(shape_, p).distance;
+    ++counters_.level_set_samples;
+    const double phi = sample_level_set(*grid_, p);
+    if (!std::isfinite(phi)) throw NonFiniteLevelSet{"signed distance", &shape_};
+    return phi;
+}
+
+double DistanceField::at_least(const Vector3d& p) const
+{
+    return mesh_ ? std::sqrt(squared_distance(mesh_->bounds(), p)) : -1e300;
+}
+
+bool DistanceField::is_in_grid(const Vector3d& p) const
+{
+    const Vector3d s = (p - grid_->origin) / grid_->cell_size;
+    for (int i = 0; i < 3; ++i)
+        if (!(s[i] >= 0 && s[i] <= grid_->size[i] - 1)) return false;
+    return true;
+}
+
+// To a cell before the surface, where the grid knows it best.
+double DistanceField::way_to_grid(double away) const
+{
+    return std::max(away - grid_->cell_size, 0.0);
+}
+
+Vector3d DistanceField::nearest_point(const Vector3d& p) const
+{
+    return mesh_->triangles().nearest(p).point;
+}
+
+SurfaceDistance DistanceField::ball_towards(const Vector3d& center, double radius,
+                                            const Vector3d& target) const
+{
+    const double away = (target - center).norm();
+    if (!(away > 0)) return {distance(center) - radius, normal(center)};
+    const Vector3d d = (target - center) / away;
+    const double way = way_to_grid(away);
+    const Vector3d p = center + way * d, gradient = normal(p);
+    // a gradient that is not about the way back is what the formula says
+    return {distance(p) + way - radius, gradient.dot(d) < -0.5 ? Vector3d(-d) : gradient};
+}
+
+double DistanceField::ball_distance(const Vector3d& center, double radius) const
+{
+    if (!grid_ || is_in_grid(center)) return distance(center) - radius;
+    const Vector3d to_surface = nearest_point(center) - center;
+    const double away = to_surface.norm(), way = way_to_grid(away);
+    return distance(center + way / away * to_surface) + way - radius;
+}
+
+SurfaceDistance DistanceField::ball(const Vector3d& center, double radius) const
+{
+    if (!grid_ || is_in_grid(center)) return {distance(center) - radius, normal(center)};
+    return ball_towards(center, radius, nearest_point(center));
+}
+
+Vector3d DistanceField::normal(const Vector3d& p) const
+{
+    if (!grid_) return signed_distance(shape_, p).normal;
+    const Vector3d n = level_set_normal(*grid_, p);
+    if (!n.allFinite()) throw NonFiniteLevelSet{"normal", &shape_};
+    return n;
+}
+
+} // namespace rigor

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#include "rigid/detection/shapes/edge_contact.hpp"
+
+#include "geometry/solid_mesh.hpp"
+
+#include <cmath>
+
+namespace rigor {
+
+namespace {
+
+constexpr double parallel = 0.05; // sine of the angle of edges that rather touch with their ends
+constexpr double rounding = 1e-6; // of a direction
+
+std::vector<SharpEdge> box_edges(const Box& box)
+{
+    std::vector<SharpEdge> edges;
+    for (int axis = 0; axis < 3; ++axis)
+        for (int corner = 0; corner < 4; ++corner) {
+            const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+            const Vector3d n1 = (corner & 1 ? 1 : -1) * Vector3d::Unit(u);
+            const Vector3d n2 = (corner & 2 ? 1 : -1) * Vector3d::Unit(v);
+            const Vector3d middle = (n1 + n2).cwiseProduct(box.size / 2);
+            const Vector3d half = box.size[axis] / 2 * Vector3d::Unit(axis);
+            edges.push_back({middle - half, middle + half, n1, n2, 0});
+        }
+    return edges;
+}
+
+SharpEdge moved(const SharpEdge& e, const Pose& pose)
+{
+    return {pose * e.from, pose * e.to, pose.R * e.normal1, pose.R * e.normal2, e.cone};
+}
+
+// Whether n, across the edge, lies between the normals of its faces.
+bool is_between(const Vector3d& n, const SharpEdge& edge)
+{
+    const Vector3d axis = edge.normal1.cross(edge.normal2);
+    return edge.normal1.cross(n).dot(axis) >= -rounding &&
+           n.cross(edge.normal2).dot(axis) >= -rounding && n.dot(edge.normal1 + edge.normal2) > 0;
+}
+
+// @param deepest  overlap that is an edge's [m]
+void touch(const SharpEdge& a, const SharpEdge& b, double reach, double deepest,
+           std::vector<Contact>& contacts)
+{
+    const Vector3d u = a.to - a.from, v = b.to - b.from, across = u.cross(v);
+    const double area = across.norm();
+    if (!(area > parallel * u.norm() * v.norm())) return;
+    Vector3d n = across / area;
+    if (n.dot(b.normal1 + b.normal2) < 0) n = -n;
+    const Vector3d d = b.from - a.from;
+    const double gap = -d.dot(n);
+    if (gap >= reach || gap < -deepest) return;
+    // where the lines a.from + s u and b.from + t v are nearest
+    const double s = d.cross(v).dot(across) / (area * area);
+    const double t = d.cross(u).dot(across) / (area * area);
+    if (s < 0 || s > 1 || t < 0 || t > 1) return;
+    if (!is_between(n, b) || !is_between(-n, a)) return;
+    contacts.push_back({(a.from + s * u + b.from + t * v) / 2, n, gap});
+}
+
+} // namespace
+
+void find_edge_contacts(const Shape& shape1, const Pose& pose, const MeshSurface& surface2, double reach,
+                 std::vector<Contact>& contacts)
+{
+    if (surface2.edge_tree().empty()) return;
+    Bounds near = surface2.edge_tree().nodes()[0].bounds;
+    const double deepest = 0.05 * (near.high - near.low).maxCoeff();
+    const double slack = std::max(reach, deepest);
+    near.grow(slack);
+    const auto against_2 = [&](const SharpEdge& edge) {
+        const SharpEdge a = moved(edge, pose);
+        Bounds bounds{a.from.cwiseMin(a.to), a.from.cwiseMax(a.to)};
+        bounds.grow(slack);
+        if (!bounds.overlaps(near)) return;
+        surface2.edge_tree().near(
+            bounds, [&](int i) { touch(a, surface2.edges()[i], reach, deepest, contacts); });
+    };
+    if (const Box* box = std::get_if<Box>(&shape1))
+        for (const SharpEdge& edge : box_edges(*box))
+            against_2(edge);
+    if (const Mesh* mesh = std::get_if<Mesh>(&shape1))
+        for (const SharpEdge& edge : mesh->solid->surface().edges())
+            against_2(edge);
+}
+
+} // namespace rigor

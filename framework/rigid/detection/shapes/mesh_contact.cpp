@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+#include "rigid/detection/shapes/mesh_contact.hpp"
+
+#include "geometry/solid_mesh.hpp"
+#include "rigid/detection/shapes/distance_field.hpp"
+#include "rigid/detection/shapes/edge_contact.hpp"
+#include "rigid/detection/shapes/reduce_contacts.hpp"
+#include "rigid/detection/shapes/smooth_contact.hpp"
+
+#include <cmath>
+
+namespace rigor {
+
+namespace {
+
+// A normal this far from where the other shape's distance grows belongs to the far side of a wall.
+constexpr double opposite = 0.3;
+constexpr double far = 6; // times its own radius: from there a part of a surface is like a point
+
+// The points of a mesh that are near another shape.
+class PointsInField {
+public:
+    // @param pose  of the mesh in the frame of the field
+    PointsInField(const MeshSurface& surface, const Pose& pose, const DistanceField& field,
+                  double reach)
+        : surface_(surface), pose_(pose), field_(field), reach_(reach)
+    {
+    }
+
+    // In the frame of the field, normals out of it.
+    void find(std::vector<Contact>& contacts) const { descend(0, contacts); }
+
+private:
+    // A node's points are all about as far as its middle: if that is far for the node's size, one of
+    // them stands for all. Of a node of the size of a cell or two, the nearest does.
+    void descend(int index, std::vector<Contact>& contacts) const
+    {
+        const BoundingTree::Node& node = surface_.point_tree().nodes()[index];
+        const Vector3d middle = pose_ * ((node.bounds.low + node.bounds.high) / 2);
+        const double radius = (node.bounds.high - node.bounds.low).norm() / 2;
+        const double farthest = reach_ + radius + field_.uncertainty();
+        if (field_.at_least(middle) >= farthest) return;
+        if (node.is_leaf()) return add_nearest(node.first, node.last, contacts);
+        const double distance = field_.distance(middle);
+        if (distance >= farthest) return;
+        if (distance > far * radius) return add_nearest(node.first, node.first + 1, contacts);
+        if (radius < 1.5 * surface_.spacing()) return add_nearest(node.first, node.last, contacts);
+        descend(index + 1, contacts);
+        descend(node.right, contacts);
+    }
+
+    void add_nearest(int first, int last, std::vector<Contact>& contacts) const
+    {
+        const double as_near = 1e-3 * surface_.spacing();
+        int nearest = -1;
+        double least = reach_;
+        for (int i = first; i < last; ++i) {
+            const int number = surface_.point_tree().order()[i];
+            const double gap = field_.distance(pose_ * surface_.points()[number].point);
+            // of points as near, vertices before edges before faces: the order of their numbers
+            const bool is_nearer = nearest < 0        ? gap < reach_
+                                   : number < nearest ? gap < least + as_near
+                                                      : gap < least - as_near;
+            if (!is_nearer) continue;
+            nearest = number;
+            least = gap;
+        }
+        if (nearest >= 0) add(surface_.points()[nearest], least, contacts);
+    }
+
+    void add(const SurfacePoint& sample, double gap, std::vector<Contact>& contacts) const
+    {
+        const Vector3d p = pose_ * sample.point;
+        const Vector3d gradient = field_.normal(p);
+        const Vector3d own =
+            surface_.nearest_normal(sample.cone, -(pose_.R.transpose() * gradient));
+        const Vector3d n = -(pose_.R * own);
+        if (n.dot(gradient) < opposite) return;
+        contacts.push_back({p - gap / 2 * n, n, gap});
+    }
+
+    const MeshSurface& surface_;
+    const Pose& pose_;
+    const DistanceField& field_;
+    double reach_;
+};
+
+Pose inverse(const Pose& pose)
+{
+    return {pose.R.transpose(), -(pose.R.transpose() * pose.X)};
+}
+
+// The points of mesh 2 near shape 1, in the frame of the mesh; normals from 2 to 1.
+// @param from_1  pose of shape 1 there
+void add_points(const Shape& shape1, const Pose& from_1, const SolidMesh& mesh2, double reach,
+                Counters& counters, std::vector<Contact>& found)
+{
+    const DistanceField field1(shape1, counters);
+    const Pose from_2 = inverse(from_1);
+    const std::size_t first = found.size();
+    PointsInField(mesh2.surface(), from_2, field1, reach).find(found);
+    for (std::size_t i = first; i < found.size(); ++i)
+        found[i] = {from_1 * found[i].point, -(from_1.R * found[i].normal), found[i].gap};
+}
+
+} // namespace
+
+void find_point_contacts(const Shape& shape1, const Pose& pose1, const SolidMesh& mesh2, const Pose& pose2,
+                  double reach, Counters& counters, std::vector<Contact>& contacts)
+{
+    const std::size_t first = contacts.size();
+    add_points(shape1, inverse(pose2) * pose1, mesh2, reach, counters, contacts);
+    for (std::size_t i = first; i < contacts.size(); ++i)
+        contacts[i] = {pose2 * contacts[i].point, pose2.R * contacts[i].normal, contacts[i].gap};
+}
+
+void find_mesh_contacts(const Shape& shape1, const Pose& pose1, const Shape& shape2, const Pose& pose2,
+                double reach, Counters& counters, std::vector<Contact>& contacts)
+{
+    const SolidMesh& mesh2 = *std::get<Mesh>(shape2).solid;
+    const Pose from_1 = inverse(pose2) * pose1, from_2 = inverse(from_1);
+    Bounds near2 = mesh2.bounds(), near1 = bounds_of(shape1, {});
+    near2.grow(reach);
+    near1.grow(reach);
+    if (!near2.overlaps(bounds_of(shape1, from_1)) || !near1.overlaps(bounds_of(shape2, from_2)))
+        return;
+
+    std::vector<Contact> found; // in the frame of shape 2, normals from 2 to 1
+    add_points(shape1, from_1, mesh2, reach, counters, found);
+    const DistanceField field2(shape2, counters);
+    if (const Mesh* mesh1 = std::get_if<Mesh>(&shape1))
+        PointsInField(mesh1->solid->surface(), from_1, field2, reach).find(found);
+    else
+        find_smooth_contacts(shape1, from_1, field2, reach, found);
+    find_edge_contacts(shape1, from_1, mesh2.surface(), reach, found);
+
+    reduce_contacts(found, 0, reach);
+    for (const Contact& t : found)
+        contacts.push_back({pose2 * t.point, pose2.R * t.normal, t.gap});
+}
+
+} // namespace rigor

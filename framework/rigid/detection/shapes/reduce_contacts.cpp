@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+#include "rigid/detection/shapes/reduce_contacts.hpp"
+
+#include "geometry/bounds.hpp"
+
+#include <algorithm>
+#include <span>
+
+namespace rigor {
+
+namespace {
+
+constexpr double as_deep = 1e-5; // of the extent: what rounding and solving leave
+
+class Selection {
+public:
+    Selection(std::span<const Contact> contacts, double reach)
+        : contacts_(contacts), reach_(reach), stands_for_(contacts.size(), 0),
+          distance_(contacts.size(), 1e300)
+    {
+        Bounds bounds;
+        deepest_ = contacts[0].gap;
+        for (const Contact& t : contacts) {
+            bounds.include({t.point, t.point});
+            deepest_ = std::min(deepest_, t.gap);
+            middle_ += t.point / static_cast<double>(contacts.size());
+        }
+        extent_ = std::max((bounds.high - bounds.low).norm(), 1e-300);
+    }
+
+    std::vector<int> choose(std::size_t count)
+    {
+        add(outermost_of_deepest());
+        while (chosen_.size() < count) {
+            int best = -1;
+            double farthest = 0;
+            for (int i = 0; i < size(); ++i) {
+                const double score = weight(i) * distance_[i];
+                if (score <= farthest) continue;
+                farthest = score;
+                best = i;
+            }
+            if (best < 0) break;
+            add(best);
+        }
+        give_way();
+        return chosen_;
+    }
+
+private:
+    int size() const { return static_cast<int>(contacts_.size()); }
+
+    // 1 for the deepest, 0 at the reach.
+    double weight(int i) const
+    {
+        const double range = reach_ - deepest_;
+        return range > 0 ? (reach_ - contacts_[i].gap) / range : 1;
+    }
+
+    // By place, relative to the extent, and by direction.
+    double apart(int i, int j) const
+    {
+        const Contact &a = contacts_[i], &b = contacts_[j];
+        return std::sqrt((a.point - b.point).squaredNorm() / (extent_ * extent_) +
+                         0.25 * (a.normal - b.normal).squaredNorm());
+    }
+
+    int outermost_of_deepest() const
+    {
+        int best = -1;
+        double farthest = -1;
+        for (int i = 0; i < size(); ++i) {
+            if (contacts_[i].gap > deepest_ + as_deep * extent_) continue;
+            const double d = (contacts_[i].point - middle_).norm();
+            if (d <= farthest * (1 + 1e-9)) continue; // of equals the first
+            farthest = d;
+            best = i;
+        }
+        return best;
+    }
+
+    void add(int i)
+    {
+        for (int j = 0; j < size(); ++j) {
+            const double d = apart(i, j);
+            if (d >= distance_[j]) continue;
+            distance_[j] = d;
+            stands_for_[j] = static_cast<int>(chosen_.size());
+        }
+        chosen_.push_back(i);
+    }
+
+    void give_way()
+    {
+        for (int i = 0; i < size(); ++i) {
+            int& standing = chosen_[stands_for_[i]];
+            if (contacts_[i].gap < contacts_[standing].gap - as_deep * extent_) standing = i;
+        }
+    }
+
+    std::span<const Contact> contacts_;
+    double reach_, deepest_ = 0, extent_ = 0;
+    Vector3d middle_ = Vector3d::Zero();
+    std::vector<int> chosen_;
+    std::vector<int> stands_for_;  // which of the chosen, of each touch
+    std::vector<double> distance_; // to the nearest of the chosen
+};
+
+} // namespace
+
+void reduce_contacts(std::vector<Contact>& contacts, std::size_t first, double reach, std::size_t most)
+{
+    if (contacts.size() - first <= most) return;
+    const std::span<const Contact> found(contacts.data() + first, contacts.size() - first);
+    std::vector<Contact> kept;
+    for (const int i : Selection(found, reach).choose(most))
+        kept.push_back(found[i]);
+    contacts.resize(first);
+    contacts.insert(contacts.end(), kept.begin(), kept.end());
+}
+
+} // namespace rigor

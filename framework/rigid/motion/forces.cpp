@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+#include "rigid/motion/forces.hpp"
+
+#include "formulas/kinematics.hpp"
+#include "formulas/rotation.hpp"
+#include "rigid/bodies/orientation.hpp"
+
+#include <algorithm>
+
+namespace rigor {
+
+namespace {
+
+bool acts(const AppliedForce& force, double time)
+{
+    return force.start <= time && time < force.end;
+}
+
+// One end of a spring: its position and, if the spring damps, its velocity.
+struct SpringEnd {
+    Vector3d x = Vector3d::Zero(), v = Vector3d::Zero();
+};
+
+SpringEnd spring_end(int body, const Vector3d& point, bool damps, std::span<const Motion> motions)
+{
+    if (body < 0) return {point, Vector3d::Zero()};
+    const Motion& m = motions[body];
+    SpringEnd end;
+    end.x = world_point(m.R, m.X, point);
+    if (damps) end.v = point_velocity(m.V, m.omega, m.X, end.x);
+    return end;
+}
+
+// @param needs_omega  whether any force depends on the velocity of the body's points
+Motion motion_of(Integrator integrator, const RigidBody& body, const RigidState& state,
+                 bool needs_omega)
+{
+    Motion m{body_rotation(integrator, state), state.position, state.velocity, Vector3d::Zero()};
+    if (needs_omega) m.omega = angular_velocity(integrator, body, state);
+    return m;
+}
+
+} // namespace
+
+std::vector<bool> pulled_bodies(const World& world, double time_step)
+{
+    std::vector<bool> pulled(world.bodies.size(), false);
+    for (const Spring& spring : world.springs)
+        for (int body : {spring.body1, spring.body2})
+            if (body >= 0 && !world.bodies[body].is_static) pulled[body] = true;
+    for (const AppliedForce& force : world.forces)
+        if (force.start <= world.time + time_step && world.time < force.end)
+            if (!world.bodies[force.body].is_static) pulled[force.body] = true;
+    return pulled;
+}
+
+Wrench gravity_on(const Settings& settings, const RigidBody& body, const Vector3d& X)
+{
+    const Vector3d& g = settings.gravity;
+    if (g.isZero(0)) return {};
+    if (settings.integrator == Integrator::matrix) return net_wrench({{body.mass * g, X}}, X);
+    return gravity_wrench(body.mass, g);
+}
+
+AppliedWrenches::AppliedWrenches(const World& world, std::span<const int> bodies)
+    : world_(world), bodies_(bodies),
+      any_spring_damps_(std::any_of(world.springs.begin(), world.springs.end(),
+                             [](const Spring& spring) { return spring.damping != 0; })),
+      motions_(world.bodies.size()), forces_(world.bodies.size()), net_(bodies.size())
+{
+    for (const Spring& spring : world.springs)
+        for (int i : {spring.body1, spring.body2})
+            if (i >= 0 && world.bodies[i].is_static) {
+                const RigidBody& body = world.bodies[i];
+                motions_[i] = motion_of(world.settings.integrator, body, body.state, false);
+            }
+}
+
+void AppliedWrenches::push(int body, const Vector3d& force, const Vector3d& point)
+{
+    if (body >= 0 && !world_.bodies[body].is_static) forces_[body].push_back({force, point});
+}
+
+void AppliedWrenches::add_spring(const Spring& spring)
+{
+    const bool damps = spring.damping != 0;
+    const SpringEnd end1 = spring_end(spring.body1, spring.point1, damps, motions_);
+    const SpringEnd end2 = spring_end(spring.body2, spring.point2, damps, motions_);
+    const Vector3d d = end2.x - end1.x;
+    const double length = d.norm();
+    if (length == 0) return; // no direction to pull in
+
+    // f₁ = (k (|d| - l₀) + c (v₂ - v₁)·u) u,  u = d/|d|,  f₂ = -f₁
+    const Vector3d u = d / length;
+    const double tension = spring.stiffness * (length - spring.rest_length) +
+                           spring.damping * (end2.v - end1.v).dot(u);
+    push(spring.body1, tension * u, end1.x);
+    push(spring.body2, -tension * u, end2.x);
+}
+
+const std::vector<Wrench>& AppliedWrenches::at(std::span<const RigidState> states, double middle)
+{
+    for (int i : bodies_) {
+        motions_[i] = motion_of(world_.settings.integrator, world_.bodies[i], states[i], any_spring_damps_);
+        forces_[i].clear();
+    }
+    for (const Spring& spring : world_.springs)
+        add_spring(spring);
+    for (const AppliedForce& force : world_.forces)
+        if (acts(force, middle)) {
+            const Motion& m = motions_[force.body];
+            push(force.body, force.force, world_point(m.R, m.X, force.point));
+        }
+    for (std::size_t k = 0; k < bodies_.size(); ++k) {
+        const int i = bodies_[k];
+        const Vector3d& X = motions_[i].X;
+        net_[k] = gravity_on(world_.settings, world_.bodies[i], X);
+        if (forces_[i].empty()) continue;
+        const Wrench pull = net_wrench(forces_[i], X);
+        net_[k].force += pull.force;
+        net_[k].torque += pull.torque;
+    }
+    return net_;
+}
+
+} // namespace rigor

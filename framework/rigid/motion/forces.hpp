@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// The forces on bodies between contacts: gravity, springs, applied forces.
+#pragma once
+
+#include "rigid/bodies/world.hpp"
+
+#include <span>
+
+namespace rigor {
+
+/// Position and velocity of a body at one moment, on which the forces depend.
+struct Motion {
+    Matrix3d R = Matrix3d::Identity();
+    Vector3d X = Vector3d::Zero();     // [m]
+    Vector3d V = Vector3d::Zero();     // [m/s]
+    Vector3d omega = Vector3d::Zero(); // [rad/s]
+};
+
+/// For each body, whether springs or applied forces pull at it at some time in [time, time + step].
+/// Static bodies: false.
+std::vector<bool> pulled_bodies(const World& world, double time_step);
+
+/// Gravity alone. For the integrator `matrix` it is a point force at the center of mass, through
+/// `net_wrench`; for the others it is `gravity_wrench`. Without gravity no formula is called.
+Wrench gravity_on(const Settings& settings, const RigidBody& body, const Vector3d& X);
+
+/// The wrenches of springs, applied forces and gravity at one moment after the other. Its lists are kept
+/// between the moments, so that a step allocates them once.
+class AppliedWrenches {
+public:
+    /// @param bodies  indices of those that springs or applied forces pull at, ascending
+    AppliedWrenches(const World& world, std::span<const int> bodies);
+
+    /// Net force and torque on each of those bodies, in their order.
+    ///
+    /// Points of attachment are placed by `world_point` and, if any spring damps, moved by
+    /// `point_velocity`. For a body that nothing pulls at, no formula is called.
+    ///
+    /// @param states  the states of all bodies of the world
+    /// @param middle  the time in the middle of the step [s]. A force that acts then acts during the
+    ///                whole step, so that a force from the start of one step to the start of another
+    ///                gives its whole impulse
+    const std::vector<Wrench>& at(std::span<const RigidState> states, double middle);
+
+    /// Whether any spring damps. If none does, the wrenches depend on positions alone.
+    bool any_spring_damps() const { return any_spring_damps_; }
+
+private:
+    void add_spring(const Spring& spring);
+    void push(int body, const Vector3d& force, const Vector3d& point);
+
+    const World& world_;
+    std::span<const int> bodies_;
+    bool any_spring_damps_ = false;
+    std::vector<Motion> motions_;                 // one for each body of the world
+    std::vector<std::vector<PointForce>> forces_; // one list for each body of the world
+    std::vector<Wrench> net_;
+};
+
+} // namespace rigor

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: MIT
+// The states after a free flight: of one body, by the integrator's own step, and of all bodies of a
+// world. Bodies that fly alone come first; then those that springs tie together advance stage by
+// stage, since their forces depend on each other. The methods are named in the header.
+#include "rigid/motion/free_flight.hpp"
+
+#include "formulas/rotation.hpp"
+#include "geometry/pose.hpp"
+#include "rigid/bodies/orientation.hpp"
+#include "rigid/motion/constant_wrench_step.hpp"
+#include "rigid/motion/forces.hpp"
+#include "rigid/motion/runge_kutta.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+namespace rigor {
+
+namespace {
+
+constexpr double quarter_turn = std::numbers::pi / 2;
+// A body that needs more substeps makes over 250 turns in a step: no result is of use there, and the
+// limit keeps the run from standing still.
+constexpr double most_substeps = 1000;
+
+// A step of the methods that take one wrench for the whole step.
+RigidState euler_step(Integrator integrator, const RigidBody& body, const RigidState& state,
+                      const Wrench& wrench, double h)
+{
+    if (integrator == Integrator::linear)
+        return step_symplectic_euler(state, body.inverse, wrench, h);
+    if (integrator == Integrator::buss) return step_buss(state, body.inverse, wrench, h);
+
+    RigidState next = state;
+    next.velocity += h * body.inverse.inverse_mass * wrench.force;
+    next.position += h * next.velocity;
+    next.angular_momentum += h * wrench.torque;
+    const Vector3d w = angular_velocity(integrator, body, next); // new L, old q
+    next.orientation = advance_exact(state.orientation, w, h);
+    return next;
+}
+
+RigidState one_step(Integrator integrator, const RigidBody& body, const RigidState& state,
+                    const Wrench& wrench, double h)
+{
+    if (integrator == Integrator::matrix) {
+        Track<MatrixScheme> track{body, MatrixScheme::from(state), wrench};
+        runge_kutta_4(std::span(&track, 1), h, [] {});
+        return MatrixScheme::to(track.stage, state);
+    }
+    if (integrator == Integrator::runge_kutta)
+        return constant_wrench_step(body, state, wrench, h);
+    return euler_step(integrator, body, state, wrench, h);
+}
+
+// The number of equal substeps of which none turns the body by more than a quarter turn.
+int substeps_for(Integrator integrator, const RigidBody& body, const RigidState& state, double h)
+{
+    if (integrator == Integrator::matrix) return 1;
+    if (body.is_isotropic && integrator != Integrator::linear) return 1;
+    // |ω| ≤ |I⁻¹| |L| shows for most bodies, without their ω, that they are slow enough. A NaN passes
+    // here; it is reported with its quantity at the end of the step.
+    const double bound = body.inverse.inverse_inertia.norm() * state.angular_momentum.norm();
+    if (!(bound * h > quarter_turn)) return 1;
+    const double limit = max_time_step(angular_velocity(integrator, body, state));
+    if (!(limit > 0))
+        throw std::domain_error("max_time_step returned " + std::to_string(limit) + " for body '" +
+                                body.name + "': expected a time > 0");
+    return static_cast<int>(std::clamp(std::ceil(h / limit), 1.0, most_substeps));
+}
+
+// Makes the quaternion unit again, since the rounding of many rotations adds up. The integrators
+// `matrix` and `linear` do that themselves.
+RigidState with_unit_orientation(Integrator integrator, RigidState state)
+{
+    if (integrator != Integrator::matrix && integrator != Integrator::linear)
+        state.orientation = normalize(state.orientation);
+    return state;
+}
+
+int count_substeps(int n, Counters& counters)
+{
+    if (n > 1) counters.substeps += n;
+    return n;
+}
+
+// Runge–Kutta 4 for the bodies in `together`, whose forces depend on each other at every stage.
+// @param middle  the time in the middle of the step [s]
+template <class Scheme>
+void fly_together(const World& world, AppliedWrenches& wrenches, std::span<const int> together,
+                  std::vector<RigidState>& states, double h, double middle)
+{
+    std::vector<Track<Scheme>> tracks;
+    tracks.reserve(together.size());
+    for (int i : together)
+        tracks.push_back({world.bodies[i], Scheme::from(states[i]), Wrench()});
+    runge_kutta_4(std::span(tracks), h, [&] {
+        for (std::size_t k = 0; k < together.size(); ++k)
+            states[together[k]] = Scheme::to(tracks[k].stage, states[together[k]]);
+        const std::vector<Wrench>& net = wrenches.at(states, middle);
+        for (std::size_t k = 0; k < together.size(); ++k)
+            tracks[k].wrench = net[k];
+    });
+    for (std::size_t k = 0; k < together.size(); ++k)
+        states[together[k]] = Scheme::to(tracks[k].stage, states[together[k]]);
+}
+
+// Kicks and free flights in turns, by the method of Blanes and Moan; see the header.
+void fly_by_kicks(const World& world, AppliedWrenches& wrenches, std::span<const int> together,
+                  std::vector<RigidState>& states, double h, double middle)
+{
+    constexpr double b1 = 0.0829844064174052, b2 = 0.396309801498368, b3 = -0.0390563049223486;
+    constexpr double a1 = 0.245298957184271, a2 = 0.604872665711080;
+    constexpr double a3 = 0.5 - (a1 + a2), b4 = 1 - 2 * (b1 + b2 + b3);
+    constexpr double kicks[] = {b1, b2, b3, b4, b3, b2, b1};
+    constexpr double flights[] = {a1, a2, a3, a3, a2, a1};
+    for (std::size_t s = 0; s < std::size(kicks); ++s) {
+        const std::vector<Wrench>& net = wrenches.at(states, middle);
+        for (std::size_t k = 0; k < together.size(); ++k) {
+            const RigidBody& body = world.bodies[together[k]];
+            RigidState& state = states[together[k]];
+            state.velocity += kicks[s] * h * body.inverse.inverse_mass * net[k].force;
+            state.angular_momentum += kicks[s] * h * net[k].torque;
+            if (s < std::size(flights))
+                state = constant_wrench_step(body, state, Wrench(), flights[s] * h);
+        }
+    }
+}
+
+void fly_pulled(const World& world, AppliedWrenches& wrenches, std::span<const int> together,
+                std::vector<RigidState>& states, double h, double middle)
+{
+    if (world.settings.integrator == Integrator::matrix)
+        return fly_together<MatrixScheme>(world, wrenches, together, states, h, middle);
+    if (world.settings.integrator == Integrator::runge_kutta && wrenches.any_spring_damps())
+        return fly_together<LieScheme>(world, wrenches, together, states, h, middle);
+    if (world.settings.integrator == Integrator::runge_kutta)
+        return fly_by_kicks(world, wrenches, together, states, h, middle);
+    const std::vector<Wrench>& net = wrenches.at(states, middle);
+    for (std::size_t k = 0; k < together.size(); ++k) {
+        const int i = together[k];
+        states[i] = euler_step(world.settings.integrator, world.bodies[i], states[i], net[k], h);
+    }
+}
+
+} // namespace
+
+RigidState fly(const Settings& settings, const RigidBody& body, RigidState state, double time_step,
+               Counters& counters, Gravity gravity)
+{
+    const Integrator integrator = settings.integrator;
+    const bool is_exact = body.is_symmetric() && integrator == Integrator::runge_kutta;
+    const int n =
+        is_exact ? 1 : count_substeps(substeps_for(integrator, body, state, time_step), counters);
+    if (body.is_isotropic) ++counters.isotropic_shortcuts;
+    for (int i = 0; i < n; ++i) {
+        const Wrench wrench =
+            gravity == Gravity::acts ? gravity_on(settings, body, state.position) : Wrench();
+        state = one_step(integrator, body, state, wrench, time_step / n);
+    }
+    return with_unit_orientation(integrator, state);
+}
+
+std::vector<RigidState> fly_all(World& world, const std::vector<bool>& pulled, double time_step,
+                                ThreadPool& pool)
+{
+    Counters& counters = world.counters;
+    std::vector<RigidState> states(world.bodies.size());
+    std::vector<int> together;
+    int n = 1;
+    for (std::size_t i = 0; i < world.bodies.size(); ++i) {
+        const RigidBody& body = world.bodies[i];
+        if (body.is_static) ++counters.static_skipped;
+        if (body.rest.is_asleep()) ++counters.bodies_asleep;
+        if (!pulled[i] || body.is_still()) continue;
+        together.push_back(static_cast<int>(i));
+        n = std::max(n, substeps_for(world.settings.integrator, body, body.state, time_step));
+        if (body.is_isotropic) ++counters.isotropic_shortcuts;
+    }
+    fly_in_parallel(pool, states.size(), counters,
+                  [&](std::size_t first, std::size_t last, Counters& counted) {
+                      for (std::size_t i = first; i < last; ++i) {
+                          const RigidBody& body = world.bodies[i];
+                          states[i] = body.is_still() || pulled[i]
+                                          ? body.state
+                                          : fly(world.settings, body, body.state, time_step, counted);
+                      }
+                  });
+    if (together.empty()) return states;
+
+    count_substeps(n, counters);
+    const double h = time_step / n;
+    AppliedWrenches wrenches(world, together);
+    for (int k = 0; k < n; ++k)
+        fly_pulled(world, wrenches, together, states, h, world.time + (k + 0.5) * h);
+    for (int i : together)
+        states[i] = with_unit_orientation(world.settings.integrator, states[i]);
+    return states;
+}
+
+} // namespace rigor

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+// Threads that share the work of a step.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+namespace rigor {
+
+/// The calling thread and worker threads that help it. The workers start when the first work comes,
+/// wait for more, and end with the pool. Which thread does a task changes nothing of its result, as
+/// long as no task writes what another one reads. A copy of a pool has workers of its own, since a
+/// pool works for one caller at a time.
+class ThreadPool {
+public:
+    /// @param threads  number of threads, the calling one among them; below 2 it works alone
+    explicit ThreadPool(int threads = 1);
+    ~ThreadPool();
+    ThreadPool(const ThreadPool& other);
+    ThreadPool(ThreadPool&& other) noexcept;
+    ThreadPool& operator=(ThreadPool other) noexcept;
+
+    /// Calls work(k) once for each k in [0, tasks). If several throw, the exception of the lowest k
+    /// is thrown again here.
+    template <class Work> void for_each_task(int tasks, const Work& work)
+    {
+        if (threads_ < 2 || tasks < 2) {
+            for (int k = 0; k < tasks; ++k)
+                work(k);
+            return;
+        }
+        run_by_workers(tasks, &work,
+                       [](const void* what, int k) { (*static_cast<const Work*>(what))(k); });
+    }
+
+    /// Calls work(first, last) for ranges that cover [0, count), each of at least `grain_size`.
+    template <class Work>
+    void for_each_range(std::size_t count, std::size_t grain_size, const Work& work)
+    {
+        const int ranges = range_count(count, grain_size);
+        for_each_task(ranges, [&](int k) {
+            const auto [first, last] = range(count, ranges, k);
+            work(first, last);
+        });
+    }
+
+    /// The same, and beside() at the same time.
+    template <class Beside, class Work>
+    void for_each_range_beside(const Beside& beside, std::size_t count, std::size_t grain_size,
+                               const Work& work)
+    {
+        const int ranges = range_count(count, grain_size);
+        for_each_task(ranges + 1, [&](int k) {
+            if (k == 0) return beside();
+            const auto [first, last] = range(count, ranges, k - 1);
+            work(first, last);
+        });
+    }
+
+    /// Calls work(first, last) as `for_each_range` does.
+    /// @return what the calls returned, in the order of the ranges. Put together in that order, the
+    ///         elements are the same for any number of threads.
+    template <class Work>
+    auto collect_ranges(std::size_t count, std::size_t grain_size, const Work& work)
+        -> std::vector<decltype(work(count, count))>
+    {
+        const int ranges = range_count(count, grain_size);
+        std::vector<decltype(work(count, count))> results(ranges);
+        for_each_task(ranges, [&](int k) {
+            const auto [first, last] = range(count, ranges, k);
+            results[k] = work(first, last);
+        });
+        return results;
+    }
+
+    /// Calls both functions: at the same time if `count` is at least two grains.
+    template <class First, class Second>
+    void run_both(std::size_t count, std::size_t grain_size, const First& first,
+                  const Second& second)
+    {
+        const int tasks = range_count(count, grain_size) < 2 ? 1 : 2;
+        for_each_task(tasks, [&](int k) {
+            if (k == 0) first();
+            if (k == 1 || tasks == 1) second();
+        });
+    }
+
+    /// The number of ranges that `for_each_range` makes.
+    int range_count(std::size_t count, std::size_t grain_size) const;
+
+    struct Range {
+        std::size_t first = 0, last = 0;
+    };
+    /// Range k of so many equal ones that cover [0, count).
+    static Range range(std::size_t count, int ranges, int k);
+
+private:
+    struct Workers;
+    using Call = void (*)(const void*, int);
+    void run_by_workers(int tasks, const void* what, Call call);
+
+    int threads_;
+    std::unique_ptr<Workers> workers_; // made when the first work comes
+};
+
+} // namespace rigor

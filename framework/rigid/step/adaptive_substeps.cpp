@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: MIT
+// Adaptive substeps of single islands. For each pair of bodies it first bounds the new overlap by their
+// turn and by what the solver left, and only where the bound is too large it looks for contacts again. An
+// island that overlaps anew gets a world of its own, with what is fixed near it, and two steps of half
+// the length.
+#include "rigid/step/adaptive_substeps.hpp"
+
+#include "geometry/bounds.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+namespace rigor {
+
+namespace {
+
+constexpr std::size_t most_bodies = 32; // of a refined island: more cost too much
+// New overlap that is allowed, as a part of the thinner body's thickness: where bodies turn into each
+// other, and where the solver left some speed.
+constexpr double overlap_by_turn = 0.005, overlap_by_speed = 0.05;
+
+// The least extent of a body's thinnest part [m].
+double thickness(const RigidBody& body)
+{
+    double least = std::numeric_limits<double>::infinity();
+    for (const Part& part : body.parts) {
+        if (is_plane(part)) continue;
+        if (const Box* box = std::get_if<Box>(&part.shape)) {
+            least = std::min(least, box->size.minCoeff());
+            continue;
+        }
+        const Bounds bounds = bounds_of(part.shape, {});
+        least = std::min(least, (bounds.high - bounds.low).minCoeff());
+    }
+    return least;
+}
+
+// A ball covers the same space however it turns.
+bool is_ball(const RigidBody& body)
+{
+    return body.parts.size() == 1 && std::holds_alternative<Sphere>(body.parts[0].shape);
+}
+
+// How far a body's turn may take it from the planes of its contacts [m].
+double departure(const World& world, const ContactProblem& problem, int i, double radius)
+{
+    const RigidBody& body = world.bodies[i];
+    if (body.is_still() || is_ball(body)) return 0;
+    const double angle = problem.time_step * problem.bodies[i].angular_velocity.norm();
+    return angle * angle / 2 * radius;
+}
+
+// The largest depth [m].
+double deepest(const std::vector<Contact>& contacts)
+{
+    double depth = 0;
+    for (const Contact& c : contacts)
+        depth = std::max(depth, -c.gap);
+    return depth;
+}
+
+// The bodies of an island in a world of their own, with what is fixed near them.
+struct IslandWorld {
+    World world;
+    std::vector<int> bodies; // their indices in the whole world, ascending
+};
+
+IslandWorld part_of(const World& world, const Island& island, const std::vector<Contact>& near)
+{
+    IslandWorld part;
+    part.bodies = island.bodies;
+    for (const Contact& c : near)
+        for (const auto& [fixed, other] :
+             {std::pair(c.body1, c.body2), std::pair(c.body2, c.body1)})
+            if (world.bodies[fixed].is_static &&
+                std::binary_search(island.bodies.begin(), island.bodies.end(), other))
+                part.bodies.push_back(fixed);
+    std::sort(part.bodies.begin(), part.bodies.end());
+    part.bodies.erase(std::unique(part.bodies.begin(), part.bodies.end()), part.bodies.end());
+
+    std::map<int, int> index;
+    for (int i : part.bodies) {
+        index[i] = static_cast<int>(part.world.bodies.size());
+        part.world.bodies.push_back(world.bodies[i]);
+    }
+    part.world.settings = world.settings;
+    part.world.settings.skips.sleep = false;
+    part.world.time = world.time;
+    part.world.counters = world.counters;
+    for (WarmContact warm : world.memory.warm_contacts) {
+        const auto body1 = index.find(warm.body1), body2 = index.find(warm.body2);
+        if (body1 == index.end() || body2 == index.end()) continue;
+        warm.body1 = body1->second;
+        warm.body2 = body2->second;
+        part.world.memory.warm_contacts.push_back(warm);
+    }
+    return part;
+}
+
+// Whether the two bodies of a pair overlap after the step by more than is allowed.
+class OverlapCheck {
+public:
+    OverlapCheck(const World& world, const ContactProblem& problem,
+                 const ContactCandidates& candidates, const std::vector<RigidState>& states)
+        : world_(world), problem_(problem), candidates_(candidates), states_(states)
+    {
+    }
+
+    bool operator()(const ContactPair& pair)
+    {
+        const ContactConstraint& first = problem_.contacts[pair.first];
+        const int i = first.body1, j = first.body2;
+        const double thinner = std::min(thickness(world_.bodies[i]), thickness(world_.bodies[j]));
+        double before = 0, predicted = 0; // depth [m]
+        for (int k = pair.first; k < pair.last; ++k) {
+            const ContactConstraint& c = problem_.contacts[k];
+            const double v_n = problem_.velocity_at(c, c.point).dot(c.normal);
+            before = std::max(before, -c.gap);
+            predicted = std::max(predicted, -problem_.predicted_gap(c, v_n));
+        }
+        const double turned = departure(world_, problem_, i, candidates_.radii[i]) +
+                              departure(world_, problem_, j, candidates_.radii[j]);
+        const bool may_turn_in = turned > overlap_by_turn * thinner;
+        if (!may_turn_in && !(predicted > before + overlap_by_speed * thinner)) return false;
+        const double allowed = may_turn_in ? overlap_by_turn : overlap_by_speed;
+        return depth_after(i, j) > before + allowed * thinner;
+    }
+
+private:
+    double depth_after(int i, int j)
+    {
+        poses_.resize(states_.size());
+        for (int body : {i, j})
+            poses_[body] = pose_of(states_[body]);
+        std::vector<Contact> after;
+        find_contacts(world_, poses_, i, j, 0, after);
+        return deepest(after);
+    }
+
+    const World& world_;
+    const ContactProblem& problem_;
+    const ContactCandidates& candidates_;
+    const std::vector<RigidState>& states_;
+    std::vector<Pose> poses_; // after the step, set for the pair that is looked at
+};
+
+void take_substeps(IslandWorld& part, const Step& step, double time_step, Refinement& refined)
+{
+    for (int half = 0; half < 2; ++half)
+        for (ContactRecord record : step(part.world, time_step / 2)) {
+            record.body1 = part.bodies[record.body1];
+            record.body2 = part.bodies[record.body2];
+            refined.records.push_back(record);
+        }
+    for (WarmContact contact : part.world.memory.warm_contacts) {
+        contact.body1 = part.bodies[contact.body1];
+        contact.body2 = part.bodies[contact.body2];
+        refined.warm_contacts.push_back(contact);
+    }
+}
+
+} // namespace
+
+Refinement refine_by_substeps(World& world, ContactProblem& problem,
+                              const std::vector<bool>& pulled,
+                              const ContactCandidates& candidates,
+                              std::vector<RigidState>& states, const Step& step)
+{
+    Refinement refined;
+    OverlapCheck overlaps_anew(world, problem, candidates, states);
+    for (const Island& island : problem.islands) {
+        if (island.bodies.size() > most_bodies) continue;
+        if (std::any_of(island.bodies.begin(), island.bodies.end(),
+                        [&](int i) { return pulled[i]; }))
+            continue;
+        if (std::none_of(island.pairs.begin(), island.pairs.end(), std::ref(overlaps_anew)))
+            continue;
+        IslandWorld part = part_of(world, island, candidates.contacts);
+        take_substeps(part, step, problem.time_step, refined);
+        for (std::size_t k = 0; k < part.bodies.size(); ++k)
+            if (!part.world.bodies[k].is_static)
+                states[part.bodies[k]] = part.world.bodies[k].state;
+        const std::uint64_t steps = world.counters.steps; // the halves are no steps of this world
+        world.counters = part.world.counters;
+        world.counters.steps = steps;
+        for (const ContactPair& pair : island.pairs)
+            for (int i = pair.first; i < pair.last; ++i) {
+                problem.contacts[i].collision_impulse.setZero();
+                problem.contacts[i].contact_impulse.setZero();
+            }
+    }
+    return refined;
+}
+
+} // namespace rigor

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: MIT
+// The moment of impact of two bodies that only bounce. A quadratic prediction from gap, speed and
+// acceleration of the contact that closes first starts a secant iteration on the gap; the collision
+// stage then runs on a world of these two bodies alone, at that moment.
+#include "rigid/step/impact.hpp"
+
+#include "geometry/pose.hpp"
+#include "rigid/bodies/orientation.hpp"
+#include "rigid/contact/collisions.hpp"
+#include "rigid/contact/make_problem.hpp"
+#include "rigid/motion/free_flight.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace rigor {
+
+namespace {
+
+constexpr int most_iterations = 8; // of the secant method; it converges in three or four
+constexpr double touching = 1e-10; // a gap of this part of the radius is none
+constexpr double met = 1e-6;       // a gap at which the iteration has found the impact
+
+// The two bodies alone, at some moment of the step.
+struct Meeting {
+    World world;
+    double time = 0; // since the start of the step [s]
+    double gap = 0;  // the smallest [m]
+    std::vector<Contact> contacts;
+};
+
+// How the contact of a pair that closes first does so: gap [m], v·n [m/s] and its rate [m/s²].
+struct Approach {
+    double gap = 0, speed = 0, rate = 0;
+
+    // When the gap closes, gap + speed t + ½ rate t² = 0.
+    double closes() const
+    {
+        if (gap <= 0) return 0;
+        const double root = speed * speed - 2 * rate * gap;
+        if (root < 0) return std::numeric_limits<double>::infinity();
+        const double divisor = -speed + std::sqrt(root);
+        return divisor > 0 ? 2 * gap / divisor : std::numeric_limits<double>::infinity();
+    }
+};
+
+Approach first_to_close(const World& world, const ContactProblem& problem, const ContactPair& pair)
+{
+    Approach first;
+    double earliest = std::numeric_limits<double>::infinity();
+    for (int i = pair.first; i < pair.last; ++i) {
+        const ContactConstraint& c = problem.contacts[i];
+        const auto velocity = [&](int body) -> Vector3d {
+            const RigidBody& b = world.bodies[body];
+            if (b.is_static) return Vector3d::Zero();
+            const Vector3d w = angular_velocity(world.settings.integrator, b, b.state);
+            return b.state.velocity + w.cross(c.point - b.state.position);
+        };
+        const double speed = (velocity(c.body1) - velocity(c.body2)).dot(c.normal);
+        const Approach approach{c.gap, speed, c.force_speed / problem.time_step};
+        const double time = approach.closes();
+        if (time >= earliest) continue;
+        earliest = time;
+        first = approach;
+    }
+    return first;
+}
+
+Meeting meeting_at(const World& world, const ContactConstraint& c, double time, double reach)
+{
+    Meeting meeting;
+    meeting.world.settings = world.settings;
+    meeting.world.settings.skips.warm_start = false;
+    meeting.time = time;
+    std::vector<Pose> poses;
+    for (int i : {c.body1, c.body2}) {
+        RigidBody& body = meeting.world.bodies.emplace_back(world.bodies[i]);
+        if (!body.is_static && time > 0) body.state =
+                fly(world.settings, body, body.state, time, meeting.world.counters);
+        poses.push_back(pose_of(body.state));
+    }
+    find_contacts(meeting.world, poses, 0, 1, reach, meeting.contacts);
+    meeting.gap = reach;
+    for (const Contact& contact : meeting.contacts)
+        meeting.gap = std::min(meeting.gap, contact.gap);
+    return meeting;
+}
+
+// Lets the pair bounce at its impact. @return  the contacts with their impulses, none if the bodies do not
+// meet in this step after all; empty if it is no such bounce, and then the states are as they were
+std::optional<std::vector<ContactRecord>> bounce_at_impact(const World& world,
+                                                           const ContactProblem& problem,
+                                                           const ContactPair& pair,
+                                                           std::vector<RigidState>& states)
+{
+    const double h = problem.time_step;
+    const ContactConstraint& c = problem.contacts[pair.first];
+    const Approach approach = first_to_close(world, problem, pair);
+    const double predicted = approach.closes();
+    if (!(predicted > 0)) return std::nullopt;
+    if (predicted >= h) { // they accelerate during the step and do not meet yet
+        Counters uncounted;
+        for (int i : {c.body1, c.body2})
+            if (const RigidBody& body = world.bodies[i]; !body.is_static)
+                states[i] = fly(world.settings, body, body.state, h, uncounted);
+        return std::vector<ContactRecord>();
+    }
+
+    // secant steps towards gap = 0
+    const double reach = 2 * std::abs(approach.gap) + c.radius;
+    double time = predicted, before = 0, gap_before = approach.gap;
+    Meeting meeting = meeting_at(world, c, time, reach);
+    for (int i = 0; i < most_iterations && std::abs(meeting.gap) > touching * c.radius; ++i) {
+        const double slope = (meeting.gap - gap_before) / (time - before);
+        if (!(slope < 0)) return std::nullopt;
+        before = time;
+        gap_before = meeting.gap;
+        time = std::clamp(time - meeting.gap / slope, 0.0, h);
+        if (time == before) break;
+        meeting = meeting_at(world, c, time, reach);
+    }
+    if (std::abs(meeting.gap) > met * c.radius) return std::nullopt;
+
+    // the collision there, of the points that close within the rest of the step
+    World& pair_world = meeting.world;
+    const double rest = h - time;
+    std::vector<RigidState> flown;
+    ContactCandidates near;
+    near.contacts = std::move(meeting.contacts);
+    near.margins.assign(2, std::numeric_limits<double>::infinity());
+    near.radii.assign(2, c.radius);
+    for (std::size_t k = 0; k < 2; ++k) {
+        const RigidBody& body = pair_world.bodies[k];
+        near.poses.push_back(pose_of(body.state));
+        if (body.is_static) near.radii[k] = 0;
+        flown.push_back(body.is_static ? body.state
+                                       : fly(pair_world.settings, body, body.state, rest,
+                                             pair_world.counters));
+    }
+    // The counters of the pair's world are dropped: the bounce was counted already.
+    ContactProblem impact = make_problem(pair_world, flown, near, rest, pair_world.pool);
+    if (impact.islands.size() != 1) return std::nullopt;
+    process_collisions(impact);
+
+    std::vector<ContactRecord> records;
+    for (const ContactConstraint& hit : impact.contacts) {
+        const double v_n = impact.velocity_at(hit, hit.point).dot(hit.normal) + hit.force_speed;
+        if (impact.predicted_gap(hit, v_n) < -touching * c.radius)
+            return std::nullopt; // meets again
+        if (!hit.collision_impulse.isZero(0))
+            records.push_back({c.body1, c.body2, hit.point, hit.normal, -hit.gap, hit.collision_impulse});
+    }
+    if (records.empty()) return std::nullopt;
+    for (std::size_t k = 0; k < 2; ++k) {
+        const RigidBody& body = pair_world.bodies[k];
+        if (body.is_static) continue;
+        RigidState state = body.state;
+        state.velocity = impact.bodies[k].velocity;
+        state.angular_momentum = impact.bodies[k].angular_momentum;
+        states[k == 0 ? c.body1 : c.body2] = fly(pair_world.settings, body, state, rest, pair_world.counters);
+    }
+    return records;
+}
+
+// The only pair of an island that bounced, if the island did nothing else.
+const ContactPair* lone_bounce(const ContactProblem& problem, const Island& island)
+{
+    const ContactPair* lone = nullptr;
+    for (const ContactPair& pair : island.pairs)
+        for (int i = pair.first; i < pair.last; ++i) {
+            const ContactConstraint& c = problem.contacts[i];
+            if (!c.contact_impulse.isZero(0)) return nullptr;
+            if (c.collision_impulse.isZero(0)) continue;
+            if (lone && lone != &pair) return nullptr;
+            lone = &pair;
+        }
+    return lone;
+}
+
+} // namespace
+
+std::vector<ContactRecord> bounce_at_impacts(const World& world, ContactProblem& problem,
+                                             const std::vector<bool>& pulled,
+                                             const std::vector<Displacement>& displacements,
+                                             std::vector<RigidState>& states)
+{
+    std::vector<ContactRecord> records;
+    for (const Island& island : problem.islands) {
+        const ContactPair* pair = lone_bounce(problem, island);
+        if (!pair) continue;
+        const ContactConstraint& c = problem.contacts[pair->first];
+        const auto moves_otherwise = [&](int i) {
+            return pulled[i] || (!displacements.empty() && !displacements[i].shift.isZero(0));
+        };
+        if (moves_otherwise(c.body1) || moves_otherwise(c.body2)) continue;
+        const auto found = bounce_at_impact(world, problem, *pair, states);
+        if (!found) continue;
+        records.insert(records.end(), found->begin(), found->end());
+        for (int i = pair->first; i < pair->last; ++i)
+            problem.contacts[i].collision_impulse.setZero();
+    }
+    return records;
+}
+
+} // namespace rigor

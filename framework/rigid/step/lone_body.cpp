@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#include "rigid/step/lone_body.hpp"
+
+#include "rigid/bodies/non_finite.hpp"
+#include "rigid/motion/free_flight.hpp"
+
+namespace rigor {
+
+bool is_lone_body(const World& world)
+{
+    return world.bodies.size() == 1 && !world.bodies[0].is_still() && world.springs.empty() &&
+           world.forces.empty();
+}
+
+std::vector<ContactRecord> step_lone_body(World& world, double time_step)
+{
+    RigidBody& body = world.bodies[0];
+    const RigidState flown = fly(world.settings, body, body.state, time_step, world.counters);
+    require_finite(body, flown, world.time + time_step);
+    ++world.counters.free_flights;
+    body.state = flown;
+    world.memory.warm_contacts.clear();
+    world.time += time_step;
+    ++world.counters.steps;
+    return world.memory.sleeping_contacts;
+}
+
+} // namespace rigor

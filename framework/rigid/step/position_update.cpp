@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+// The position update: each body flies once more, by the integrator of free flight, with the velocity
+// that the stages of contact left it. Displacements of the position correction come last.
+#include "rigid/step/position_update.hpp"
+
+#include "formulas/rotation.hpp"
+#include "rigid/motion/free_flight.hpp"
+#include "rigid/bodies/non_finite.hpp"
+
+#include <cmath>
+
+namespace rigor {
+
+namespace {
+
+// Which stages gave a body an impulse.
+struct Impulses {
+    bool has_bounced = false, is_held = false;
+};
+
+std::vector<Impulses> impulses_of(const ContactProblem& problem)
+{
+    std::vector<Impulses> impulses(problem.bodies.size());
+    for (const ContactConstraint& c : problem.contacts)
+        for (int i : {c.body1, c.body2}) {
+            if (!c.collision_impulse.isZero(0)) impulses[i].has_bounced = true;
+            if (!c.contact_impulse.isZero(0)) impulses[i].is_held = true;
+        }
+    return impulses;
+}
+
+void displace(RigidState& state, const Displacement& by)
+{
+    state.position += by.shift;
+    if (!by.turn.isZero(0)) state.orientation = advance_exact(state.orientation, by.turn, 1);
+}
+
+// Whether positions after a free flight converge at an order above the first. Bodies that contacts hold
+// shall not converge more slowly.
+bool is_of_higher_order(Integrator integrator)
+{
+    return integrator == Integrator::runge_kutta || integrator == Integrator::matrix;
+}
+
+// Whether contacts hold an island along the same normals during the whole step, as on an incline. On the
+// wall of a bowl the normals change, and there the mean of two velocities would bring in energy.
+bool is_held_evenly(const ContactProblem& problem, const Island& island,
+                    const std::vector<Body>& before)
+{
+    // A normal velocity of this part of the speed means that the contact opens or closes.
+    constexpr double opens = 1e-9;
+    for (const ContactPair& pair : island.pairs)
+        for (int i = pair.first; i < pair.last; ++i) {
+            const ContactConstraint& c = problem.contacts[i];
+            if (!c.collision_impulse.isZero(0)) return false;
+            if (c.contact_impulse.isZero(0)) continue;
+            for (const std::vector<Body>* bodies : {&before, &problem.bodies}) {
+                const double v_n = problem.velocity_between(*bodies, c, c.point).dot(c.normal);
+                const double speed =
+                    (*bodies)[c.body1].velocity.norm() + (*bodies)[c.body2].velocity.norm();
+                if (std::abs(v_n) > opens * speed) return false;
+            }
+        }
+    return true;
+}
+
+} // namespace
+
+void update_positions(World& world, const ContactProblem& problem, const std::vector<bool>& pulled,
+                      const std::vector<Body>& after_collisions,
+                      const std::vector<Displacement>& displacements,
+                      std::vector<RigidState>& states)
+{
+    Counters& counters = world.counters;
+    const std::vector<Impulses> impulses = impulses_of(problem);
+    const auto move = [&](int i, bool evenly, Counters& counted) {
+        const bool is_displaced = !displacements.empty() && !displacements[i].shift.isZero(0);
+        const auto [has_bounced, is_held] = impulses[i];
+        if (!has_bounced && !is_held) { // its free flight was its motion
+            if (is_displaced) displace(states[i], displacements[i]);
+            ++counted.free_flights;
+            return;
+        }
+        const bool flies = !is_held && !pulled[i];
+        const Body& body = flies ? after_collisions[i] : problem.bodies[i];
+        RigidState state = world.bodies[i].state;
+        const Vector3d V = state.velocity, L = state.angular_momentum;
+        state.velocity = body.velocity;
+        state.angular_momentum = body.angular_momentum;
+        require_finite(world.bodies[i], state, world.time + problem.time_step);
+        if (evenly) {
+            state.velocity = (V + body.velocity) / 2;
+            state.angular_momentum = (L + body.angular_momentum) / 2;
+        }
+        states[i] = fly(world.settings, world.bodies[i], state, problem.time_step, counted,
+                        flies ? Gravity::acts : Gravity::left_out);
+        if (evenly) {
+            states[i].velocity = body.velocity;
+            states[i].angular_momentum = body.angular_momentum;
+        }
+        if (is_displaced) displace(states[i], displacements[i]);
+    };
+    for (const Island& island : problem.islands) {
+        const bool evenly =
+            is_of_higher_order(world.settings.integrator) && is_held_evenly(problem, island, after_collisions);
+        fly_in_parallel(*problem.pool, island.bodies.size(), counters,
+                      [&](std::size_t first, std::size_t last, Counters& counted) {
+                          for (std::size_t at = first; at < last; ++at)
+                              move(island.bodies[at], evenly, counted);
+                      });
+        counters.free_flights -= island.bodies.size();
+    }
+}
+
+} // namespace rigor

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#include "rigid/step/sleep.hpp"
+
+#include "rigid/bodies/orientation.hpp"
+
+#include <algorithm>
+
+namespace rigor {
+
+namespace {
+
+constexpr double needed_rest = 0.5;    // [s]
+constexpr double rest_fraction = 1e-4; // a move of this part of the radius, or a turn [rad], is rest
+
+bool is_near(const RigidState& a, const RigidState& b, double radius)
+{
+    const double moved = (a.position - b.position).norm();
+    const double turned = 2 * orientation_distance(a.orientation, b.orientation);
+    return moved <= rest_fraction * radius && turned <= rest_fraction;
+}
+
+// Counts how long each body of the island has been at rest.
+// @return whether all have been for long enough
+bool has_rested(World& world, const Island& island, const std::vector<double>& radii,
+                const std::vector<bool>& pulled, const std::vector<RigidState>& states,
+                double time_step)
+{
+    bool all = true;
+    for (int i : island.bodies) {
+        Rest& rest = world.bodies[i].rest;
+        if (rest.duration > 0 && is_near(states[i], rest.place, radii[i])) {
+            rest.duration += time_step;
+        } else {
+            rest.duration = time_step;
+            rest.place = states[i];
+        }
+        all &= rest.duration >= needed_rest && !pulled[i];
+    }
+    return all;
+}
+
+} // namespace
+
+void fall_asleep(World& world, const ContactProblem& problem, const std::vector<double>& radii,
+                 const std::vector<bool>& pulled, std::vector<RigidState>& states,
+                 const std::vector<ContactRecord>& records)
+{
+    if (!world.settings.skips.sleep || world.settings.gravity.isZero(0)) return;
+    std::vector<bool> fell; // of each body; empty as long as none fell asleep
+    for (const Island& island : problem.islands) {
+        if (!has_rested(world, island, radii, pulled, states, problem.time_step)) continue;
+        fell.resize(world.bodies.size());
+        const int group = *std::min_element(island.bodies.begin(), island.bodies.end());
+        for (int i : island.bodies) {
+            world.bodies[i].rest.group = group;
+            states[i].velocity.setZero();
+            states[i].angular_momentum.setZero();
+            fell[i] = true;
+        }
+    }
+    if (fell.empty()) return;
+    for (const ContactRecord& record : records)
+        if (fell[record.body1] || fell[record.body2]) world.memory.sleeping_contacts.push_back(record);
+}
+
+void wake(World& world, const std::vector<int>& bodies)
+{
+    std::vector<bool> wakes(world.bodies.size(), false); // of each group
+    for (int i : bodies)
+        wakes[world.bodies[i].rest.group] = true;
+    const auto is_woken = [&](int i) {
+        const Rest& rest = world.bodies[i].rest;
+        return rest.is_asleep() && wakes[rest.group];
+    };
+    std::erase_if(world.memory.sleeping_contacts, [&](const ContactRecord& record) {
+        return is_woken(record.body1) || is_woken(record.body2);
+    });
+    for (RigidBody& body : world.bodies)
+        if (body.rest.is_asleep() && wakes[body.rest.group]) body.rest = {};
+}
+
+void wake_pulled(World& world, const std::vector<bool>& pulled)
+{
+    for (std::size_t i = 0; i < pulled.size(); ++i)
+        if (pulled[i] && world.bodies[i].rest.is_asleep()) wake(world, {static_cast<int>(i)});
+}
+
+} // namespace rigor

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+#include "rigid/step/step.hpp"
+
+#include "rigid/bodies/non_finite.hpp"
+#include "rigid/contact/collisions.hpp"
+#include "rigid/contact/make_problem.hpp"
+#include "rigid/contact/position_correction.hpp"
+#include "rigid/contact/resting_contact.hpp"
+#include "rigid/motion/forces.hpp"
+#include "rigid/motion/free_flight.hpp"
+#include "rigid/step/adaptive_substeps.hpp"
+#include "rigid/step/impact.hpp"
+#include "rigid/step/lone_body.hpp"
+#include "rigid/step/position_update.hpp"
+#include "rigid/step/sleep.hpp"
+#include "rigid/step/step_result.hpp"
+
+namespace rigor {
+
+namespace {
+
+std::vector<RigidState> free_flight(World& world, const std::vector<bool>& pulled, double time_step,
+                                    ThreadPool& pool)
+{
+    std::vector<RigidState> flown = fly_all(world, pulled, time_step, pool);
+    for (std::size_t i = 0; i < flown.size(); ++i) {
+        require_finite(world.bodies[i], flown[i], world.time + time_step);
+        if (!world.bodies[i].is_still()) ++world.counters.free_flights;
+    }
+    return flown;
+}
+
+// The forces change the bodies' momentum as they did in free flight.
+void apply_forces(ContactProblem& problem, const World& world, const std::vector<RigidState>& flown)
+{
+    for (const Island& island : problem.islands)
+        for (int i : island.bodies)
+            problem.bodies[i] = with_forces(problem.bodies[i], world.bodies[i].state, flown[i]);
+}
+
+// @param depth  how often the step was halved that this one is a part of
+std::vector<ContactRecord> step(World& world, double time_step, int depth)
+{
+    ThreadPool alone; // formulas of others than the reference may not be called by several threads
+    ThreadPool& pool = world.settings.formulas_are_reference ? world.pool : alone;
+    const std::vector<bool> pulled = pulled_bodies(world, time_step);
+    wake_pulled(world, pulled);
+
+    std::vector<RigidState> flown;
+    ContactCandidates candidates;
+    for (const Counters before = world.counters;; world.counters = before) {
+        flown = free_flight(world, pulled, time_step, pool);
+        if (world.bodies.size() < 2) break;
+        candidates = contact_candidates(world, flown, time_step, pool);
+        if (candidates.disturbed.empty()) break;
+        wake(world, candidates.disturbed); // and start again, now that they move
+    }
+    if (candidates.contacts.empty())
+        return finish_step(world, time_step, {std::move(flown), {}, {}});
+
+    ContactProblem problem = make_problem(world, flown, candidates, time_step, pool);
+    process_collisions(problem);
+    const std::vector<Body> after_collisions = problem.bodies;
+    apply_forces(problem, world, flown);
+    process_contact(problem);
+    const std::vector<Displacement> displacements = correct_positions(problem);
+
+    StepResult result{std::move(flown), {}, {}};
+    update_positions(world, problem, pulled, after_collisions, displacements, result.states);
+    result.records = bounce_at_impacts(world, problem, pulled, displacements, result.states);
+    const Refinement refined =
+        depth < most_halvings
+            ? refine_by_substeps(
+                  world, problem, pulled, candidates, result.states,
+                  [depth](World& part, double half) { return step(part, half, depth + 1); })
+            : Refinement();
+    collect_contacts(world, problem, candidates, refined, result);
+    fall_asleep(world, problem, candidates.radii, pulled, result.states, result.records);
+    return finish_step(world, time_step, std::move(result));
+}
+
+} // namespace
+
+std::vector<ContactRecord> step(World& world, double time_step)
+{
+    if (is_lone_body(world)) return step_lone_body(world, time_step);
+    return step(world, time_step, 0);
+}
+
+} // namespace rigor

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#include "rigid/step/step_result.hpp"
+
+#include "rigid/bodies/non_finite.hpp"
+#include "rigid/contact/warm_start.hpp"
+
+#include <algorithm>
+
+namespace rigor {
+
+namespace {
+
+std::vector<ContactRecord> records_of(const ContactProblem& problem)
+{
+    std::vector<ContactRecord> records;
+    records.reserve(problem.contacts.size());
+    for (const ContactConstraint& c : problem.contacts) {
+        const Vector3d impulse = c.collision_impulse + c.contact_impulse;
+        if (impulse.isZero(0)) continue;
+        records.push_back({c.body1, c.body2, c.point, c.normal, -c.gap, impulse});
+    }
+    return records;
+}
+
+template <class T> void append(std::vector<T>& list, const std::vector<T>& more)
+{
+    list.insert(list.end(), more.begin(), more.end());
+}
+
+void sort_by_bodies(std::vector<WarmContact>& contacts)
+{
+    std::stable_sort(contacts.begin(), contacts.end(),
+                     [](const WarmContact& a, const WarmContact& b) {
+                         return std::pair(a.body1, a.body2) < std::pair(b.body1, b.body2);
+                     });
+}
+
+} // namespace
+
+void collect_contacts(World& world, const ContactProblem& problem,
+                      const ContactCandidates& candidates, const Refinement& refined,
+                      StepResult& result)
+{
+    std::vector<ContactRecord> records;
+    constexpr std::size_t grain_size = 512; // contacts
+    problem.pool->run_both(
+        problem.contacts.size(), grain_size,
+        [&] {
+            result.warm_contacts =
+                warm_contacts(candidates.poses, problem.contacts, problem.time_step);
+        },
+        [&] { records = records_of(problem); });
+    if (!refined.warm_contacts.empty()) {
+        append(result.warm_contacts, refined.warm_contacts);
+        sort_by_bodies(result.warm_contacts);
+    }
+    if (result.records.empty())
+        result.records = std::move(records);
+    else
+        append(result.records, records);
+    world.counters.contacts += result.records.size();
+    append(result.records, refined.records);
+    world.counters.islands += problem.islands.size();
+    for (std::size_t i = 0; i < result.states.size(); ++i)
+        require_finite(world.bodies[i], result.states[i], world.time + problem.time_step);
+}
+
+std::vector<ContactRecord> finish_step(World& world, double time_step, StepResult result)
+{
+    std::erase_if(result.records, [&](const ContactRecord& r) { // these are remembered as sleeping
+        return world.bodies[r.body1].rest.is_asleep() || world.bodies[r.body2].rest.is_asleep();
+    });
+    for (std::size_t i = 0; i < result.states.size(); ++i)
+        world.bodies[i].state = result.states[i];
+    append(result.records, world.memory.sleeping_contacts);
+    world.memory.warm_contacts = std::move(result.warm_contacts);
+    world.time += time_step;
+    ++world.counters.steps;
+    return std::move(result.records);
+}
+
+} // namespace rigor
