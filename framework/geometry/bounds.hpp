@@ -2,7 +2,7 @@
 // Axis-aligned bounding boxes.
 #pragma once
 
-#include "geometry/pose.hpp"
+#include "formulas/types.hpp"
 
 #include <limits>
 
@@ -37,18 +37,5 @@ struct Bounds {
         return (overlap(0) & overlap(1) & overlap(2)) != 0;
     }
 };
-
-/// Bounds of a shape at a pose. A plane's are infinite.
-Bounds bounds_of(const Shape& shape, const Pose& pose);
-
-/// Radius of the ball about the origin of object space that holds the part [m]. A plane's is
-/// infinite.
-double bounding_radius(const Part& part);
-
-/// Whether a part is a plane.
-inline bool is_plane(const Part& part)
-{
-    return std::holds_alternative<Plane>(part.shape);
-}
 
 } // namespace rigor

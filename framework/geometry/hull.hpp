@@ -3,8 +3,9 @@
 #pragma once
 
 #include "formulas/types.hpp"
-#include "geometry/convex.hpp"
+#include "geometry/feature.hpp"
 
+#include <array>
 #include <vector>
 
 namespace rigor {

@@ -2,9 +2,15 @@
 // What a triangle mesh must be to have an inside.
 #pragma once
 
-#include "geometry/obj.hpp"
+#include "formulas/types.hpp"
+#include "geometry/mesh_error.hpp"
+
+#include <cstddef>
+#include <vector>
 
 namespace rigor {
+
+inline constexpr std::size_t most_mesh_triangles = 200'000, most_mesh_vertices = 200'000;
 
 /// Signed volume that the triangles enclose, positive if they turn counter-clockwise seen from
 /// outside [m³].

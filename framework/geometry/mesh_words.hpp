@@ -2,7 +2,7 @@
 // The words of a mesh's text, with the line that each is in.
 #pragma once
 
-#include "geometry/obj.hpp"
+#include "geometry/mesh_error.hpp"
 
 #include <string>
 #include <string_view>

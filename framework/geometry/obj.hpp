@@ -2,25 +2,13 @@
 // Triangle meshes as text, in the format of Wavefront's OBJ.
 #pragma once
 
-#include "formulas/types.hpp"
+#include "geometry/mesh_checks.hpp"
 
-#include <cstddef>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace rigor {
-
-/// Something is wrong with a mesh: `expected …, found …`, and in which line of its text.
-struct MeshError : std::runtime_error {
-    MeshError(int in_line, const std::string& message) : std::runtime_error(message), line(in_line)
-    {
-    }
-    int line = 0; // 0: in none
-};
-
-inline constexpr std::size_t most_mesh_triangles = 200'000, most_mesh_vertices = 200'000;
 
 /// A mesh as it was read. It has passed no check but that of its syntax.
 struct ObjMesh {

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
-#include "geometry/convex.hpp"
+#include "geometry/separation.hpp"
 
 #include "geometry/polytope.hpp"
+#include "geometry/shape_bounds.hpp"
 #include "geometry/simplex.hpp"
 #include "geometry/solid_mesh.hpp"
+#include "geometry/support.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <vector>
 
 namespace rigor {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "geometry/convex.hpp"
+#include "geometry/support.hpp"
 
 #include "geometry/solid_mesh.hpp"
 

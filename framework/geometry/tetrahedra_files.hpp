@@ -2,6 +2,7 @@
 // Meshes of tetrahedra as text: `.msh` of Gmsh, in its formats 2.2 and 4.1, and `.mesh` of Medit.
 #pragma once
 
+#include "geometry/mesh_error.hpp"
 #include "geometry/tetrahedra.hpp"
 
 #include <string>

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "geometry/tetrahedra_generators.hpp"
+
 #include "geometry/tetrahedra.hpp"
 
 #include <algorithm>

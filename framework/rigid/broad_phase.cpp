@@ -2,6 +2,7 @@
 #include "rigid/broad_phase.hpp"
 
 #include "geometry/box_tree.hpp"
+#include "geometry/shape_bounds.hpp"
 
 #include <algorithm>
 #include <array>

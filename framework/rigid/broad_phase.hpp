@@ -3,6 +3,7 @@
 #pragma once
 
 #include "geometry/bounds.hpp"
+#include "geometry/pose.hpp"
 #include "rigid/team.hpp"
 #include "rigid/world.hpp"
 

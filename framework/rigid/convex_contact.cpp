@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "rigid/convex_contact.hpp"
 
-#include "geometry/convex.hpp"
+#include "geometry/separation.hpp"
+#include "geometry/support.hpp"
 #include "rigid/reduce_touches.hpp"
 
 #include <algorithm>

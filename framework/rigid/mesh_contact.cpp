@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "rigid/mesh_contact.hpp"
 
+#include "geometry/shape_bounds.hpp"
 #include "geometry/solid_mesh.hpp"
 #include "rigid/distance_field.hpp"
 #include "rigid/edge_contact.hpp"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "rigid/narrow_phase.hpp"
 
-#include "geometry/bounds.hpp"
-#include "geometry/convex.hpp"
+#include "geometry/shape_bounds.hpp"
+#include "geometry/support.hpp"
 #include "rigid/box_box.hpp"
 #include "rigid/convex_contact.hpp"
 #include "rigid/core_contact.hpp"

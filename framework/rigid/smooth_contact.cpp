@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "rigid/smooth_contact.hpp"
 
-#include "geometry/convex.hpp"
+#include "geometry/support.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,6 +2,7 @@
 #include "pile_nonconvex.hpp"
 
 #include "geometry/generators.hpp"
+#include "geometry/shape_bounds.hpp"
 #include "geometry/solid_mesh.hpp"
 #include "pile_run.hpp"
 #include "rigid/broad_phase.hpp"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "stress/watch.hpp"
 
-#include "geometry/bounds.hpp"
 #include "geometry/pose.hpp"
+#include "geometry/shape_bounds.hpp"
 #include "geometry/solid_mesh.hpp"
 #include "rigid/non_finite.hpp"
 #include "support/bench.hpp"

@@ -4,6 +4,7 @@
 
 #include "deformable/deformable.hpp"
 #include "geometry/tetrahedra.hpp"
+#include "geometry/tetrahedra_generators.hpp"
 #include "support/random.hpp"
 
 #include <algorithm>

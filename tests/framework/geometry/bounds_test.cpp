@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "geometry/bounds.hpp"
+#include "geometry/shape_bounds.hpp"
 #include "support/close.hpp"
 #include "support/random.hpp"
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "geometry/convex.hpp"
 #include "geometry/generators.hpp"
+#include "geometry/separation.hpp"
 #include "geometry/solid_mesh.hpp"
+#include "geometry/support.hpp"
 #include "support/close.hpp"
 #include "support/random.hpp"
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include "geometry/tetrahedra_checks.hpp"
 #include "geometry/tetrahedra_files.hpp"
+#include "geometry/tetrahedra_generators.hpp"
 
 #include "support/close.hpp"
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "geometry/tetrahedra.hpp"
+#include "geometry/tetrahedra_checks.hpp"
+#include "geometry/tetrahedra_generators.hpp"
 
 #include "geometry/mesh_checks.hpp"
 #include "support/close.hpp"

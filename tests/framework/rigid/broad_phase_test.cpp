@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "geometry/shape_bounds.hpp"
 #include "rigid/broad_phase.hpp"
 #include "worlds.hpp"
 

@@ -2,11 +2,11 @@
 // Shapes of every kind, and what is known of them without the narrow phase.
 #pragma once
 
-#include "geometry/convex.hpp"
 #include "geometry/generators.hpp"
 #include "geometry/mesh_surface.hpp"
 #include "geometry/signed_distance.hpp"
 #include "geometry/solid_mesh.hpp"
+#include "geometry/support.hpp"
 #include "rigid/narrow_phase.hpp"
 #include "worlds.hpp"
 

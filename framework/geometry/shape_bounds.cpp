@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "geometry/bounds.hpp"
+#include "geometry/shape_bounds.hpp"
 
 #include "geometry/solid_mesh.hpp"
 
