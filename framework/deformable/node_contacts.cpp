@@ -2,7 +2,7 @@
 #include "deformable/node_contacts.hpp"
 
 #include "formulas/collision.hpp"
-#include "geometry/shape_bounds.hpp"
+#include "geometry/shapes/shape_bounds.hpp"
 #include "rigid/flight.hpp"
 #include "rigid/sleep.hpp"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "render/surfaces.hpp"
 
-#include "geometry/generators.hpp"
-#include "geometry/mesh_edges.hpp"
-#include "geometry/solid_mesh.hpp"
+#include "geometry/meshes/generators.hpp"
+#include "geometry/meshes/mesh_edges.hpp"
+#include "geometry/shapes/solid_mesh.hpp"
 
 #include <algorithm>
 #include <cmath>

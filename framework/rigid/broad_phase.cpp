@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "rigid/broad_phase.hpp"
 
-#include "geometry/box_tree.hpp"
-#include "geometry/shape_bounds.hpp"
+#include "geometry/bounds/box_tree.hpp"
+#include "geometry/shapes/shape_bounds.hpp"
 
 #include <algorithm>
 #include <array>

@@ -2,8 +2,8 @@
 // Which bodies are near enough to look at closely.
 #pragma once
 
-#include "geometry/bounds.hpp"
-#include "geometry/pose.hpp"
+#include "geometry/bounds/bounds.hpp"
+#include "geometry/shapes/pose.hpp"
 #include "rigid/team.hpp"
 #include "rigid/world.hpp"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "rigid/convex_contact.hpp"
 
-#include "geometry/separation.hpp"
-#include "geometry/support.hpp"
+#include "geometry/distance/separation.hpp"
+#include "geometry/distance/support.hpp"
 #include "rigid/reduce_touches.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "rigid/core_contact.hpp"
 
-#include "geometry/solid_mesh.hpp"
+#include "geometry/shapes/solid_mesh.hpp"
 #include "rigid/distance_field.hpp"
 #include "rigid/mesh_contact.hpp"
 #include "rigid/reduce_touches.hpp"

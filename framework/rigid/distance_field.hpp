@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "geometry/signed_distance.hpp"
+#include "geometry/distance/signed_distance.hpp"
 #include "rigid/world.hpp"
 
 namespace rigor {

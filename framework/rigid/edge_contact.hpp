@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "geometry/mesh_surface.hpp"
+#include "geometry/meshes/mesh_surface.hpp"
 #include "rigid/narrow_phase.hpp"
 
 namespace rigor {

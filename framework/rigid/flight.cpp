@@ -3,7 +3,7 @@
 
 #include "formulas/inertia.hpp"
 #include "formulas/rotation.hpp"
-#include "geometry/pose.hpp"
+#include "geometry/shapes/pose.hpp"
 #include "rigid/forces.hpp"
 #include "rigid/gravity_flight.hpp"
 #include "rigid/runge_kutta.hpp"

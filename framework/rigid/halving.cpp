@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "rigid/halving.hpp"
 
-#include "geometry/shape_bounds.hpp"
+#include "geometry/shapes/shape_bounds.hpp"
 
 #include <algorithm>
 #include <cmath>

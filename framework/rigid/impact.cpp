@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "rigid/impact.hpp"
 
-#include "geometry/pose.hpp"
+#include "geometry/shapes/pose.hpp"
 #include "rigid/collisions.hpp"
 #include "rigid/flight.hpp"
 

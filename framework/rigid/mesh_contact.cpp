@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "rigid/mesh_contact.hpp"
 
-#include "geometry/shape_bounds.hpp"
-#include "geometry/solid_mesh.hpp"
+#include "geometry/shapes/shape_bounds.hpp"
+#include "geometry/shapes/solid_mesh.hpp"
 #include "rigid/distance_field.hpp"
 #include "rigid/edge_contact.hpp"
 #include "rigid/reduce_touches.hpp"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "rigid/narrow_phase.hpp"
 
-#include "geometry/shape_bounds.hpp"
-#include "geometry/support.hpp"
+#include "geometry/distance/support.hpp"
+#include "geometry/shapes/shape_bounds.hpp"
 #include "rigid/box_box.hpp"
 #include "rigid/convex_contact.hpp"
 #include "rigid/core_contact.hpp"

@@ -2,7 +2,7 @@
 // Where two shapes touch, or are about to.
 #pragma once
 
-#include "geometry/pose.hpp"
+#include "geometry/shapes/pose.hpp"
 #include "rigid/world.hpp"
 
 namespace rigor {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "rigid/neighbourhood.hpp"
 
-#include "geometry/shape_bounds.hpp"
+#include "geometry/shapes/shape_bounds.hpp"
 #include "rigid/broad_phase.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "geometry/bounds.hpp"
+#include "geometry/bounds/bounds.hpp"
 
 #include <vector>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "rigid/plane_contact.hpp"
 
-#include "geometry/solid_mesh.hpp"
-#include "geometry/support.hpp"
+#include "geometry/distance/support.hpp"
+#include "geometry/shapes/solid_mesh.hpp"
 #include "rigid/reduce_touches.hpp"
 
 #include <cmath>

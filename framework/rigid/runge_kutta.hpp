@@ -4,7 +4,7 @@
 
 #include "formulas/kinematics.hpp"
 #include "formulas/rotation.hpp"
-#include "geometry/pose.hpp"
+#include "geometry/shapes/pose.hpp"
 #include "rigid/flight.hpp"
 
 #include <array>

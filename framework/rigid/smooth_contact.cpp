@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "rigid/smooth_contact.hpp"
 
-#include "geometry/support.hpp"
+#include "geometry/distance/support.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "formulas/types.hpp"
-#include "geometry/shape.hpp"
+#include "geometry/shapes/shape.hpp"
 #include "rigid/pair_memory.hpp"
 #include "rigid/team.hpp"
 

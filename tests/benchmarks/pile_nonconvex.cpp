@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "pile_nonconvex.hpp"
 
-#include "geometry/generators.hpp"
-#include "geometry/shape_bounds.hpp"
-#include "geometry/solid_mesh.hpp"
+#include "geometry/meshes/generators.hpp"
+#include "geometry/shapes/shape_bounds.hpp"
+#include "geometry/shapes/solid_mesh.hpp"
 #include "pile_run.hpp"
 #include "rigid/broad_phase.hpp"
 #include "rigid/flight.hpp"

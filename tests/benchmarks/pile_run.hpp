@@ -3,7 +3,7 @@
 // lie at the end.
 #pragma once
 
-#include "geometry/pose.hpp"
+#include "geometry/shapes/pose.hpp"
 #include "rigid/world.hpp"
 
 #include <functional>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "geometry/shape_bounds.hpp"
+#include "geometry/shapes/shape_bounds.hpp"
 #include "rigid/broad_phase.hpp"
 #include "worlds.hpp"
 

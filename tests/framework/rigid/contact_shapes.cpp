@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "contact_shapes.hpp"
 
-#include "geometry/triangle.hpp"
+#include "geometry/meshes/triangle.hpp"
 
 namespace rigor::testing {
 

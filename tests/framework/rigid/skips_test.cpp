@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What a step leaves out changes nothing, or no more than is said here.
-#include "geometry/box_tree.hpp"
+#include "geometry/bounds/box_tree.hpp"
 #include "rigid/warm_start.hpp"
 #include "support/catch.hpp"
 #include "worlds.hpp"

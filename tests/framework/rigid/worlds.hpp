@@ -2,7 +2,7 @@
 // Bodies and worlds for the engine's tests.
 #pragma once
 
-#include "geometry/pose.hpp"
+#include "geometry/shapes/pose.hpp"
 #include "rigid/mass.hpp"
 #include "rigid/world.hpp"
 #include "support/close.hpp"

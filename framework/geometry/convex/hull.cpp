@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+#include "geometry/convex/hull.hpp"
+
+#include "geometry/meshes/triangle.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rigor {
+
+namespace {
+
+constexpr double flat = 1e-9; // what counts as in a plane, of the size
+constexpr std::size_t most_normals = 32;
+
+double size_of(const std::vector<Vector3d>& vertices)
+{
+    Bounds bounds;
+    for (const Vector3d& v : vertices)
+        bounds.include({v, v});
+    return (bounds.high - bounds.low).maxCoeff();
+}
+
+} // namespace
+
+bool is_hull(const TriangleMesh& mesh)
+{
+    if (mesh.vertices.size() > Hull::most_vertices) return false;
+    const double tolerance = flat * size_of(mesh.vertices);
+    for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
+        const Triangle triangle = triangle_of(mesh, t);
+        const Vector3d n = triangle.area_normal().normalized();
+        for (const Vector3d& v : mesh.vertices)
+            if (n.dot(v - triangle.a) > tolerance) return false;
+    }
+    return true;
+}
+
+Hull::Hull(const TriangleMesh& mesh) : vertices_(mesh.vertices)
+{
+    merge_faces(mesh);
+    link_neighbours(mesh);
+    for (int axis = 0; axis < 3; ++axis)
+        for (const int side : {0, 1}) {
+            int best = 0;
+            for (int v = 1; v < static_cast<int>(vertices_.size()); ++v) {
+                const double gain = vertices_[v][axis] - vertices_[best][axis];
+                if ((side ? gain : -gain) > 0) best = v;
+            }
+            extremes_[2 * axis + side] = best;
+        }
+}
+
+void Hull::merge_faces(const TriangleMesh& mesh)
+{
+    const double tolerance = flat * size_of(vertices_);
+    for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
+        const Triangle triangle = triangle_of(mesh, t);
+        const double area = triangle.area_normal().norm();
+        const Vector3d n = triangle.area_normal() / area;
+        const auto same = std::find_if(faces_.begin(), faces_.end(), [&](const Face& face) {
+            return (face.normal - n).norm() < 1e-7 &&
+                   std::abs(n.dot(vertices_[face.corners[0]] - triangle.a)) <= tolerance;
+        });
+        if (same != faces_.end()) {
+            same->area += area;
+            continue;
+        }
+        Face face{n, area, {}};
+        for (int v = 0; v < static_cast<int>(vertices_.size()); ++v)
+            if (n.dot(vertices_[v] - triangle.a) >= -tolerance) face.corners.push_back(v);
+        const Vector3d middle = (triangle.a + triangle.b + triangle.c) / 3;
+        const Vector3d x = (triangle.a - middle).normalized(), y = n.cross(x);
+        const auto angle = [&](int v) {
+            const Vector3d p = vertices_[v] - middle;
+            return std::atan2(p.dot(y), p.dot(x));
+        };
+        std::sort(face.corners.begin(), face.corners.end(),
+                  [&](int v, int w) { return angle(v) < angle(w); });
+        faces_.push_back(std::move(face));
+    }
+    std::vector<const Face*> largest;
+    for (const Face& face : faces_)
+        largest.push_back(&face);
+    std::stable_sort(largest.begin(), largest.end(),
+                     [](const Face* a, const Face* b) { return a->area > b->area; });
+    largest.resize(std::min(largest.size(), most_normals));
+    for (const Face* face : largest)
+        face_normals_.push_back(face->normal);
+}
+
+void Hull::link_neighbours(const TriangleMesh& mesh)
+{
+    neighbours_.resize(vertices_.size());
+    for (const auto& triangle : mesh.triangles)
+        for (int i = 0; i < 3; ++i)
+            neighbours_[triangle[i]].push_back(triangle[(i + 1) % 3]);
+    for (std::vector<int>& around : neighbours_)
+        std::sort(around.begin(), around.end());
+}
+
+// Uphill from the extreme vertex of the nearest axis: where no neighbour is higher, nothing is.
+int Hull::farthest(const Vector3d& d) const
+{
+    int axis = 0;
+    d.cwiseAbs().maxCoeff(&axis);
+    int at = extremes_[2 * axis + (d[axis] > 0 ? 1 : 0)];
+    double height = d.dot(vertices_[at]);
+    for (bool climbs = true; climbs;) {
+        climbs = false;
+        for (const int neighbour : neighbours_[at]) {
+            const double h = d.dot(vertices_[neighbour]);
+            if (h <= height) continue;
+            at = neighbour;
+            height = h;
+            climbs = true;
+            break;
+        }
+    }
+    return at;
+}
+
+Vector3d Hull::support(const Vector3d& direction) const
+{
+    return vertices_[farthest(direction)];
+}
+
+Feature Hull::feature_towards(const Vector3d& d) const
+{
+    constexpr double looks_there = 0.9, across = 0.436; // 25 degrees
+    const auto facing =
+        std::max_element(faces_.begin(), faces_.end(), [&](const Face& a, const Face& b) {
+            return a.normal.dot(d) < b.normal.dot(d);
+        });
+    Feature feature;
+    if (facing->normal.dot(d) > looks_there) {
+        const std::size_t n = facing->corners.size();
+        const std::size_t kept = std::min<std::size_t>(n, Feature::most);
+        for (std::size_t i = 0; i < kept; ++i)
+            feature.add(vertices_[facing->corners[i * n / kept]]);
+        return feature;
+    }
+    const int corner = farthest(d);
+    int other = -1;
+    double flattest = across;
+    for (const int neighbour : neighbours_[corner]) {
+        const double slope =
+            std::abs(d.dot((vertices_[neighbour] - vertices_[corner]).normalized()));
+        if (slope >= flattest) continue;
+        flattest = slope;
+        other = neighbour;
+    }
+    feature.add(vertices_[corner]);
+    if (other >= 0) feature.add(vertices_[other]);
+    return feature;
+}
+
+} // namespace rigor

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#include "geometry/mesh_files/mesh_words.hpp"
+
+#include <charconv>
+#include <cmath>
+
+namespace rigor {
+
+namespace {
+
+constexpr std::string_view blanks = " \t\r\n\v\f";
+
+// A word in an error's words, cut off and without control characters.
+std::string quoted(std::string_view word)
+{
+    if (word.empty()) return "the end of the text";
+    std::string shown;
+    for (const char c : word.substr(0, 24))
+        shown += c >= ' ' && c <= '~' ? c : '?';
+    return "\"" + shown + (word.size() > 24 ? "...\"" : "\"");
+}
+
+template <class Number> bool parse(std::string_view word, Number& number)
+{
+    if (!word.empty() && word[0] == '+') word.remove_prefix(1);
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
+    return error == std::errc() && end == word.data() + word.size();
+}
+
+} // namespace
+
+std::string_view MeshWords::peek()
+{
+    while (!rest_.empty() && blanks.find(rest_.front()) != std::string_view::npos) {
+        line_ += rest_.front() == '\n';
+        rest_.remove_prefix(1);
+    }
+    return rest_.substr(0, rest_.find_first_of(blanks));
+}
+
+std::string_view MeshWords::next()
+{
+    const std::string_view word = peek();
+    rest_.remove_prefix(word.size());
+    return word;
+}
+
+void MeshWords::skip_line()
+{
+    const std::size_t end = rest_.find('\n');
+    if (end != std::string_view::npos) ++line_;
+    rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);
+}
+
+double MeshWords::coordinate()
+{
+    const std::string_view word = next();
+    double x = 0;
+    if (!parse(word, x) || !std::isfinite(x) || std::abs(x) > 1e12)
+        refuse("a coordinate of at most 1e12 in size", word);
+    return x;
+}
+
+long long MeshWords::integer(long long low, long long high, const char* what)
+{
+    const std::string_view word = next();
+    long long number = 0;
+    if (!parse(word, number) || number < low || number > high) refuse(what, word);
+    return number;
+}
+
+std::size_t MeshWords::count(std::size_t most, const char* what)
+{
+    const std::string_view word = next();
+    unsigned long long number = 0;
+    if (!parse(word, number)) refuse(std::string("a number of ") + what, word);
+    if (number > most) refuse("at most " + std::to_string(most) + " " + what, word);
+    return number;
+}
+
+void MeshWords::expect(std::string_view expected)
+{
+    const std::string_view word = next();
+    if (word != expected) refuse("\"" + std::string(expected) + "\"", word);
+}
+
+void MeshWords::refuse(const std::string& expected, std::string_view found) const
+{
+    throw MeshError(line_, "expected " + expected + ", found " + quoted(found));
+}
+
+} // namespace rigor

@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: MIT
+#include "geometry/mesh_files/tetrahedra_files.hpp"
+
+#include "geometry/mesh_files/mesh_words.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <limits>
+#include <utility>
+
+namespace rigor {
+
+namespace {
+
+constexpr std::size_t most_entities = 10 * most_tetrahedra; // of any kind, in a Gmsh file
+constexpr long long any = std::numeric_limits<long long>::max();
+
+// Vertices by the number that the text gives them, and tetrahedra of such numbers.
+class Collected {
+public:
+    void add_vertex(long long tag, MeshWords& words)
+    {
+        Vector3d v;
+        for (double& x : v)
+            x = words.coordinate();
+        tags_.push_back({tag, static_cast<int>(vertices_.size())});
+        vertices_.push_back(v);
+    }
+
+    void add_tetrahedron(MeshWords& words)
+    {
+        if (tetrahedra_.size() >= most_tetrahedra)
+            throw MeshError(words.line(), "expected at most " + std::to_string(most_tetrahedra) +
+                                              " tetrahedra, found more");
+        std::array<long long, 4> t{};
+        for (long long& tag : t)
+            tag = words.integer(1, any, "the number of a vertex");
+        tetrahedra_.push_back(t);
+        lines_.push_back(words.line());
+    }
+
+    TetrahedraText finish()
+    {
+        std::sort(tags_.begin(), tags_.end());
+        for (std::size_t i = 1; i < tags_.size(); ++i)
+            if (tags_[i].first == tags_[i - 1].first)
+                throw MeshError(0, "expected each vertex once, found number " +
+                                       std::to_string(tags_[i].first) + " twice");
+        TetrahedraText read;
+        std::vector<int> number(vertices_.size(), -1); // of those that are used
+        for (std::size_t t = 0; t < tetrahedra_.size(); ++t) {
+            std::array<int, 4> corners{};
+            for (int i = 0; i < 4; ++i) {
+                int& n = number[index(tetrahedra_[t][i], lines_[t])];
+                if (n < 0) {
+                    n = static_cast<int>(read.mesh.vertices.size());
+                    read.mesh.vertices.push_back(vertices_[&n - number.data()]);
+                }
+                corners[i] = n;
+            }
+            read.mesh.tetrahedra.push_back(corners);
+        }
+        if (read.mesh.tetrahedra.empty()) throw MeshError(0, "expected tetrahedra, found none");
+        read.lines = std::move(lines_);
+        return read;
+    }
+
+private:
+    int index(long long tag, int line) const
+    {
+        const auto found = std::lower_bound(tags_.begin(), tags_.end(), std::pair(tag, 0));
+        if (found == tags_.end() || found->first != tag)
+            throw MeshError(line, "expected vertices that the text has, found number " +
+                                      std::to_string(tag));
+        return found->second;
+    }
+
+    std::vector<std::pair<long long, int>> tags_;
+    std::vector<Vector3d> vertices_;
+    std::vector<std::array<long long, 4>> tetrahedra_;
+    std::vector<int> lines_;
+};
+
+constexpr const char* an_integer = "an integer";
+
+class MshReader {
+public:
+    explicit MshReader(std::string_view text) : words_(text) {}
+
+    TetrahedraText read()
+    {
+        words_.expect("$MeshFormat");
+        const std::string_view version = words_.next();
+        if (version != "2.2" && version != "4.1")
+            words_.refuse("the format of Gmsh 2.2 or 4.1", version);
+        if (const std::string_view form = words_.next(); form != "0")
+            words_.refuse("a text file, \"0\"", form);
+        const bool in_blocks = version == "4.1";
+        section_end("$EndMeshFormat");
+        for (std::string_view word = words_.next(); !word.empty(); word = words_.next()) {
+            if (word == "$Nodes") {
+                in_blocks ? node_blocks() : nodes();
+                words_.expect("$EndNodes");
+            } else if (word == "$Elements") {
+                in_blocks ? element_blocks() : elements();
+                words_.expect("$EndElements");
+            } else if (word.size() > 1 && word.front() == '$') {
+                section_end("$End" + std::string(word.substr(1)));
+            } else {
+                words_.refuse("a section, \"$Nodes\" or \"$Elements\"", word);
+            }
+        }
+        return collected_.finish();
+    }
+
+private:
+    void section_end(const std::string& end)
+    {
+        for (std::string_view word = words_.next(); word != end; word = words_.next())
+            if (word.empty()) words_.refuse("\"" + end + "\"", word);
+    }
+
+    void nodes()
+    {
+        const std::size_t n = words_.count(most_tetrahedron_vertices, "vertices");
+        for (std::size_t i = 0; i < n; ++i)
+            collected_.add_vertex(words_.integer(1, any, "the number of a vertex"), words_);
+    }
+
+    void node_blocks()
+    {
+        const std::size_t blocks = words_.count(most_entities, "blocks");
+        std::size_t left = words_.count(most_tetrahedron_vertices, "vertices");
+        words_.integer(0, any, an_integer), words_.integer(0, any, an_integer);
+        std::vector<long long> tags;
+        for (std::size_t b = 0; b < blocks; ++b) {
+            words_.integer(0, 3, "a dimension"), words_.integer(-any, any, an_integer);
+            const bool has_parameters = words_.integer(0, 1, "0 or 1") == 1;
+            tags.resize(words_.count(left, "vertices"));
+            left -= tags.size();
+            for (long long& tag : tags)
+                tag = words_.integer(1, any, "the number of a vertex");
+            for (const long long tag : tags) {
+                collected_.add_vertex(tag, words_);
+                if (has_parameters) words_.skip_line();
+            }
+        }
+    }
+
+    // An element after its kind. A point, a line or a triangle is not ours.
+    void element(long long kind)
+    {
+        constexpr long long linear = 4, curved[] = {11, 29, 30, 31};
+        if (std::find(std::begin(curved), std::end(curved), kind) != std::end(curved))
+            words_.refuse("tetrahedra of four vertices, kind 4", std::to_string(kind));
+        if (kind == linear)
+            collected_.add_tetrahedron(words_);
+        else
+            words_.skip_line();
+    }
+
+    void elements()
+    {
+        const std::size_t n = words_.count(most_entities, "elements");
+        for (std::size_t i = 0; i < n; ++i) {
+            words_.integer(1, any, "the number of an element");
+            const long long kind = words_.integer(1, 1000, "a kind of element");
+            const std::size_t tags = words_.count(100, "tags");
+            for (std::size_t k = 0; k < tags; ++k)
+                words_.integer(-any, any, an_integer);
+            element(kind);
+        }
+    }
+
+    void element_blocks()
+    {
+        const std::size_t blocks = words_.count(most_entities, "blocks");
+        std::size_t left = words_.count(most_entities, "elements");
+        words_.integer(0, any, an_integer), words_.integer(0, any, an_integer);
+        for (std::size_t b = 0; b < blocks; ++b) {
+            words_.integer(0, 3, "a dimension"), words_.integer(-any, any, an_integer);
+            const long long kind = words_.integer(1, 1000, "a kind of element");
+            const std::size_t n = words_.count(left, "elements");
+            left -= n;
+            for (std::size_t i = 0; i < n; ++i) {
+                words_.integer(1, any, "the number of an element");
+                element(kind);
+            }
+        }
+    }
+
+    MeshWords words_;
+    Collected collected_;
+};
+
+bool is_keyword(std::string_view word)
+{
+    return !word.empty() && std::isalpha(static_cast<unsigned char>(word.front()));
+}
+
+// Numbers and comments up to the next keyword.
+void skip_section(MeshWords& words)
+{
+    for (std::string_view word = words.peek(); !word.empty() && !is_keyword(word);
+         word = words.peek())
+        word.front() == '#' ? words.skip_line() : void(words.next());
+}
+
+void append(std::string& text, double number)
+{
+    std::array<char, 32> digits;
+    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr;
+    text.append(digits.data(), end);
+}
+
+} // namespace
+
+TetrahedraText read_msh(std::string_view text)
+{
+    return MshReader(text).read();
+}
+
+TetrahedraText read_medit(std::string_view text)
+{
+    MeshWords words(text);
+    Collected collected;
+    skip_section(words);
+    words.expect("MeshVersionFormatted");
+    words.integer(1, 4, "a version from 1 to 4");
+    for (skip_section(words); is_keyword(words.peek()); skip_section(words)) {
+        const std::string_view keyword = words.next();
+        if (keyword == "End") break;
+        if (keyword == "Dimension") words.integer(3, 3, "dimension 3");
+        if (keyword == "Vertices") {
+            const std::size_t n = words.count(most_tetrahedron_vertices, "vertices");
+            for (std::size_t i = 0; i < n; ++i) {
+                collected.add_vertex(static_cast<long long>(i) + 1, words);
+                words.integer(-any, any, "the reference of a vertex, an integer");
+            }
+        }
+        if (keyword == "Tetrahedra") {
+            const std::size_t n = words.count(most_tetrahedra, "tetrahedra");
+            for (std::size_t i = 0; i < n; ++i) {
+                collected.add_tetrahedron(words);
+                words.integer(-any, any, "the reference of a tetrahedron, an integer");
+            }
+        }
+    }
+    return collected.finish();
+}
+
+TetrahedraText read_tetrahedra(std::string_view text)
+{
+    return MeshWords(text).peek() == "$MeshFormat" ? read_msh(text) : read_medit(text);
+}
+
+std::string medit_text(const TetrahedralMesh& mesh)
+{
+    std::string text = "MeshVersionFormatted 2\nDimension 3\nVertices\n" +
+                       std::to_string(mesh.vertices.size()) + "\n";
+    for (const Vector3d& v : mesh.vertices) {
+        for (const double x : v) {
+            append(text, x);
+            text += ' ';
+        }
+        text += "0\n";
+    }
+    text += "Tetrahedra\n" + std::to_string(mesh.tetrahedra.size()) + "\n";
+    for (const auto& t : mesh.tetrahedra) {
+        for (const int v : t)
+            text += std::to_string(v + 1) + ' ';
+        text += "0\n";
+    }
+    return text + "End\n";
+}
+
+} // namespace rigor
