@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "rigid/broad_phase.hpp"
 
-#include "geometry/bounds/box_tree.hpp"
+#include "geometry/bounds/overlap_tree.hpp"
 #include "geometry/shapes/shape_bounds.hpp"
 
 #include <algorithm>
@@ -55,13 +55,13 @@ std::vector<BodyPair> in_order(std::vector<BodyPair> pairs, std::size_t bodies)
 }
 
 // In an order that depends on the number of threads: they are put in order later.
-std::vector<BodyPair> overlapping(const BoxTree& tree, std::size_t members, Team& team)
+std::vector<BodyPair> overlapping(const OverlapTree& tree, std::size_t members, Team& team)
 {
     constexpr std::size_t worth_sharing = 128; // members
     const int stretches = team.stretches_of(members, worth_sharing);
     if (stretches == 0) return {};
     constexpr std::size_t parts_a_stretch = 4; // they are not all the same size
-    const std::vector<BoxTree::NodePair> parts =
+    const std::vector<OverlapTree::NodePair> parts =
         tree.parts(stretches < 2 ? 1 : parts_a_stretch * static_cast<std::size_t>(stretches));
     std::vector<std::vector<BodyPair>> found(stretches);
     team.share(stretches, [&](int k) {
@@ -80,8 +80,8 @@ std::vector<BodyPair> by_a_tree(const std::vector<Bounds>& bounds, const std::ve
 {
     constexpr std::size_t worth_sharing = 256; // members
     const auto parts = static_cast<std::size_t>(team.stretches_of(moving.size(), worth_sharing));
-    const BoxTree tree(bounds, moving, parts,
-                       [&team](int tasks, const auto& build) { team.share(tasks, build); });
+    const OverlapTree tree(bounds, moving, parts,
+                           [&team](int tasks, const auto& build) { team.share(tasks, build); });
     std::vector<BodyPair> pairs = overlapping(tree, moving.size(), team);
     for (int i : still)
         tree.for_each_overlap(bounds[i], [&](int j) { pairs.push_back(pair_of(i, j)); });

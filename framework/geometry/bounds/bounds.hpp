@@ -38,4 +38,10 @@ struct Bounds {
     }
 };
 
+/// Squared distance from a point to a box, 0 inside [m²].
+inline double squared_distance(const Bounds& box, const Vector3d& p)
+{
+    return (p - p.cwiseMax(box.low).cwiseMin(box.high)).squaredNorm();
+}
+
 } // namespace rigor
