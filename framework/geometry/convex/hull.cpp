@@ -13,11 +13,9 @@ namespace {
 constexpr double flat = 1e-9; // what counts as in a plane, of the size
 constexpr std::size_t most_normals = 32;
 
-double size_of(const std::vector<Vector3d>& vertices)
+double size_of(const TriangleMesh& mesh)
 {
-    Bounds bounds;
-    for (const Vector3d& v : vertices)
-        bounds.include({v, v});
+    const Bounds bounds = bounds_of(mesh);
     return (bounds.high - bounds.low).maxCoeff();
 }
 
@@ -26,7 +24,7 @@ double size_of(const std::vector<Vector3d>& vertices)
 bool is_hull(const TriangleMesh& mesh)
 {
     if (mesh.vertices.size() > Hull::most_vertices) return false;
-    const double tolerance = flat * size_of(mesh.vertices);
+    const double tolerance = flat * size_of(mesh);
     for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
         const Triangle triangle = triangle_of(mesh, t);
         const Vector3d n = triangle.area_normal().normalized();
@@ -53,7 +51,7 @@ Hull::Hull(const TriangleMesh& mesh) : vertices_(mesh.vertices)
 
 void Hull::merge_faces(const TriangleMesh& mesh)
 {
-    const double tolerance = flat * size_of(vertices_);
+    const double tolerance = flat * size_of(mesh);
     for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
         const Triangle triangle = triangle_of(mesh, t);
         const double area = triangle.area_normal().norm();

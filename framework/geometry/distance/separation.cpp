@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "geometry/distance/separation.hpp"
 
-#include "geometry/convex/polytope.hpp"
+#include "geometry/convex/expanding_polytope.hpp"
 #include "geometry/convex/simplex.hpp"
 #include "geometry/distance/support.hpp"
 #include "geometry/shapes/shape_bounds.hpp"
@@ -17,9 +17,9 @@ namespace rigor {
 namespace {
 
 // The difference of shape 1, moved by `shift`, and shape 2.
-class Difference {
+class MinkowskiDifference {
 public:
-    Difference(const Shape& shape1, const Pose& pose, const Shape& shape2)
+    MinkowskiDifference(const Shape& shape1, const Pose& pose, const Shape& shape2)
         : shape1_(shape1), pose_(pose), shape2_(shape2)
     {
     }
@@ -104,18 +104,18 @@ std::vector<Vector3d> directions(const Shape& shape1, const Pose& pose, const Sh
     return all;
 }
 
-struct WayOut : Separation {
+struct PushOut : Separation {
     bool is_settled =
         false; // outside, the normal is the way's direction: no way beside it is shorter
 };
 
 // The way out along n, and from there on along the normal found outside, as long as that is shorter.
-WayOut way_out(const Difference& difference, Vector3d n, double size)
+PushOut push_out(const MinkowskiDifference& difference, Vector3d n, double size)
 {
     double margin =
         0.02 * size; // apart enough for a clean direction; the nearer, the longer a step
     double best = difference.along(n);
-    WayOut result;
+    PushOut result;
     for (int step = 0; step < 20; ++step, margin = std::max(0.2 * margin, 1e-5 * size)) {
         const auto found = difference.apart((margin - best) * n, 1e-9 * size, 1e300);
         if (!found) break;
@@ -135,7 +135,8 @@ WayOut way_out(const Difference& difference, Vector3d n, double size)
 
 // The normal of the nearest face of a polytope that grows until it reaches the difference there; empty
 // if the origin is not inside even with the shapes pushed together a little.
-std::optional<Vector3d> expanded(const Difference& difference, double size)
+std::optional<Vector3d> expanding_polytope_normal(const MinkowskiDifference& difference,
+                                                  double size)
 {
     const Vector3d inwards = difference.between_insides();
     const double length = inwards.norm();
@@ -158,7 +159,8 @@ std::optional<Vector3d> expanded(const Difference& difference, double size)
     return -polytope.nearest_normal();
 }
 
-Separation overlap(const Difference& difference, const std::vector<Vector3d>& tries, double size)
+Separation overlap(const MinkowskiDifference& difference, const std::vector<Vector3d>& tries,
+                   double size)
 {
     double least = std::numeric_limits<double>::infinity();
     Vector3d n = Vector3d::UnitY();
@@ -167,11 +169,11 @@ Separation overlap(const Difference& difference, const std::vector<Vector3d>& tr
             least = depth;
             n = direction;
         }
-    const WayOut best = way_out(difference, n, size);
+    const PushOut best = push_out(difference, n, size);
     constexpr double shallow = 0.02; // of the size: then no way elsewhere is much shorter
     if (-best.distance < shallow * size && best.is_settled) return best;
-    if (const auto normal = expanded(difference, size)) {
-        const Separation other = way_out(difference, *normal, size);
+    if (const auto normal = expanding_polytope_normal(difference, size)) {
+        const Separation other = push_out(difference, *normal, size);
         if (other.distance > best.distance + 1e-9 * size) return other;
     }
     return best;
@@ -188,7 +190,7 @@ double radius(const Shape& shape)
 
 Separation separation(const Shape& shape1, const Pose& pose, const Shape& shape2, double reach)
 {
-    const Difference difference(shape1, pose, shape2);
+    const MinkowskiDifference difference(shape1, pose, shape2);
     const double size = std::min(radius(shape1), radius(shape2));
     // nearer than this, the direction would be mostly rounding
     const double least = 1e-6 * size;

@@ -19,7 +19,7 @@ struct Separation {
 /// "A fast procedure for computing the distance between complex objects"). Overlapping: shape 1 is
 /// pushed out along the best of some directions until it is just apart, and the normal found there
 /// is the next direction, as long as that parts them sooner. Where this does not settle, or the overlap
-/// is deep, an expanding polytope finds a better start (polytope.hpp).
+/// is deep, an expanding polytope finds a better start (expanding_polytope.hpp).
 ///
 /// @param pose  of shape 1
 /// @param reach  farther apart than this, the distance may be any that is larger [m]

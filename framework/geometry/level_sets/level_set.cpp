@@ -11,14 +11,6 @@ namespace rigor {
 
 namespace {
 
-Bounds bounds_of(const TriangleMesh& mesh)
-{
-    Bounds bounds;
-    for (const Vector3d& v : mesh.vertices)
-        bounds.include({v, v});
-    return bounds;
-}
-
 // The normals that decide on which side of the surface a point lies.
 struct PseudoNormals {
     std::vector<Vector3d> faces, vertices;
@@ -127,7 +119,7 @@ LevelSet make_level_set(const TriangleMesh& mesh, int cells)
     return grid;
 }
 
-int cells_for(const TriangleMesh& mesh)
+int suggested_cells(const TriangleMesh& mesh)
 {
     constexpr double least = 32, most = 64, across = 3, quantile = 0.1;
     const TriangleTree tree(mesh);

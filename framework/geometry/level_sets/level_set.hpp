@@ -17,6 +17,6 @@ LevelSet make_level_set(const TriangleMesh& mesh, int cells);
 
 /// Cells that the walls of a mesh ask for, three across, within 32 … 64: by the thickness that a tenth
 /// of the surface stays below.
-int cells_for(const TriangleMesh& mesh);
+int suggested_cells(const TriangleMesh& mesh);
 
 } // namespace rigor

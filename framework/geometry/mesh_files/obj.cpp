@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "geometry/mesh_files/obj.hpp"
 
+#include "geometry/mesh_files/mesh_text.hpp"
+
 #include <array>
-#include <charconv>
 #include <cmath>
 
 namespace rigor {
@@ -27,23 +28,6 @@ public:
 private:
     std::string_view rest_;
 };
-
-// A word in an error's words, cut off and without control characters.
-std::string quoted(std::string_view word)
-{
-    if (word.empty()) return "the end of the line";
-    std::string shown;
-    for (const char c : word.substr(0, 24))
-        shown += c >= ' ' && c <= '~' ? c : '?';
-    return "\"" + shown + (word.size() > 24 ? "...\"" : "\"");
-}
-
-template <class Number> bool parse(std::string_view word, Number& number)
-{
-    if (!word.empty() && word[0] == '+') word.remove_prefix(1);
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
-    return error == std::errc() && end == word.data() + word.size();
-}
 
 class ObjReader {
 public:
@@ -90,7 +74,7 @@ private:
             const std::string_view word = words.next();
             if (!parse(word, x) || !std::isfinite(x) || std::abs(x) > 1e12)
                 throw MeshError(line_, "expected a coordinate of at most 1e12 in size, found " +
-                                           quoted(word));
+                                           quoted(word, "the end of the line"));
         }
         read_.mesh.vertices.push_back(v);
     }
@@ -102,7 +86,8 @@ private:
         int index = 0;
         if (!parse(word.substr(0, word.find('/')), index) || index == 0 || index < -count)
             throw MeshError(line_, "expected a vertex from 1, or from -1 back to -" +
-                                       std::to_string(count) + ", found " + quoted(word));
+                                       std::to_string(count) + ", found " +
+                                       quoted(word, "the end of the line"));
         return index > 0 ? index - 1 : count + index;
     }
 
@@ -135,13 +120,6 @@ private:
     ObjMesh read_;
     int line_ = 0;
 };
-
-void append(std::string& text, double number)
-{
-    std::array<char, 32> digits;
-    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr;
-    text.append(digits.data(), end);
-}
 
 } // namespace
 

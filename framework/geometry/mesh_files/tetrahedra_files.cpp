@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "geometry/mesh_files/tetrahedra_files.hpp"
 
-#include "geometry/mesh_files/mesh_words.hpp"
+#include "geometry/mesh_files/mesh_text.hpp"
+#include "geometry/mesh_files/tokenizer.hpp"
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <limits>
 #include <utility>
 
@@ -17,27 +17,27 @@ constexpr std::size_t most_entities = 10 * most_tetrahedra; // of any kind, in a
 constexpr long long any = std::numeric_limits<long long>::max();
 
 // Vertices by the number that the text gives them, and tetrahedra of such numbers.
-class Collected {
+class NumberedMesh {
 public:
-    void add_vertex(long long tag, MeshWords& words)
+    void add_vertex(long long tag, Tokenizer& tokens)
     {
         Vector3d v;
         for (double& x : v)
-            x = words.coordinate();
+            x = tokens.coordinate();
         tags_.push_back({tag, static_cast<int>(vertices_.size())});
         vertices_.push_back(v);
     }
 
-    void add_tetrahedron(MeshWords& words)
+    void add_tetrahedron(Tokenizer& tokens)
     {
         if (tetrahedra_.size() >= most_tetrahedra)
-            throw MeshError(words.line(), "expected at most " + std::to_string(most_tetrahedra) +
-                                              " tetrahedra, found more");
+            throw MeshError(tokens.line(), "expected at most " + std::to_string(most_tetrahedra) +
+                                               " tetrahedra, found more");
         std::array<long long, 4> t{};
         for (long long& tag : t)
-            tag = words.integer(1, any, "the number of a vertex");
+            tag = tokens.integer(1, any, "the number of a vertex");
         tetrahedra_.push_back(t);
-        lines_.push_back(words.line());
+        lines_.push_back(tokens.line());
     }
 
     TetrahedraText finish()
@@ -86,64 +86,64 @@ constexpr const char* an_integer = "an integer";
 
 class MshReader {
 public:
-    explicit MshReader(std::string_view text) : words_(text) {}
+    explicit MshReader(std::string_view text) : tokens_(text) {}
 
     TetrahedraText read()
     {
-        words_.expect("$MeshFormat");
-        const std::string_view version = words_.next();
+        tokens_.expect("$MeshFormat");
+        const std::string_view version = tokens_.next();
         if (version != "2.2" && version != "4.1")
-            words_.refuse("the format of Gmsh 2.2 or 4.1", version);
-        if (const std::string_view form = words_.next(); form != "0")
-            words_.refuse("a text file, \"0\"", form);
+            tokens_.refuse("the format of Gmsh 2.2 or 4.1", version);
+        if (const std::string_view form = tokens_.next(); form != "0")
+            tokens_.refuse("a text file, \"0\"", form);
         const bool in_blocks = version == "4.1";
         section_end("$EndMeshFormat");
-        for (std::string_view word = words_.next(); !word.empty(); word = words_.next()) {
+        for (std::string_view word = tokens_.next(); !word.empty(); word = tokens_.next()) {
             if (word == "$Nodes") {
                 in_blocks ? node_blocks() : nodes();
-                words_.expect("$EndNodes");
+                tokens_.expect("$EndNodes");
             } else if (word == "$Elements") {
                 in_blocks ? element_blocks() : elements();
-                words_.expect("$EndElements");
+                tokens_.expect("$EndElements");
             } else if (word.size() > 1 && word.front() == '$') {
                 section_end("$End" + std::string(word.substr(1)));
             } else {
-                words_.refuse("a section, \"$Nodes\" or \"$Elements\"", word);
+                tokens_.refuse("a section, \"$Nodes\" or \"$Elements\"", word);
             }
         }
-        return collected_.finish();
+        return numbered_.finish();
     }
 
 private:
     void section_end(const std::string& end)
     {
-        for (std::string_view word = words_.next(); word != end; word = words_.next())
-            if (word.empty()) words_.refuse("\"" + end + "\"", word);
+        for (std::string_view word = tokens_.next(); word != end; word = tokens_.next())
+            if (word.empty()) tokens_.refuse("\"" + end + "\"", word);
     }
 
     void nodes()
     {
-        const std::size_t n = words_.count(most_tetrahedron_vertices, "vertices");
+        const std::size_t n = tokens_.count(most_tetrahedron_vertices, "vertices");
         for (std::size_t i = 0; i < n; ++i)
-            collected_.add_vertex(words_.integer(1, any, "the number of a vertex"), words_);
+            numbered_.add_vertex(tokens_.integer(1, any, "the number of a vertex"), tokens_);
     }
 
     void node_blocks()
     {
-        const std::size_t blocks = words_.count(most_entities, "blocks");
-        std::size_t left = words_.count(most_tetrahedron_vertices, "vertices");
-        words_.integer(0, any, an_integer), words_.integer(0, any, an_integer);
+        const std::size_t blocks = tokens_.count(most_entities, "blocks");
+        std::size_t left = tokens_.count(most_tetrahedron_vertices, "vertices");
+        tokens_.integer(0, any, an_integer), tokens_.integer(0, any, an_integer);
         std::vector<long long> tags;
         for (std::size_t b = 0; b < blocks; ++b) {
-            words_.integer(0, 3, "a dimension"), words_.integer(-any, any, an_integer);
-            const bool has_parameters = words_.integer(0, 1, "0 or 1") == 1;
-            tags.resize(words_.count(left, "vertices"));
+            tokens_.integer(0, 3, "a dimension"), tokens_.integer(-any, any, an_integer);
+            const bool has_parameters = tokens_.integer(0, 1, "0 or 1") == 1;
+            tags.resize(tokens_.count(left, "vertices"));
             left -= tags.size();
             for (long long& tag : tags)
-                tag = words_.integer(1, any, "the number of a vertex");
+                tag = tokens_.integer(1, any, "the number of a vertex");
             for (const long long tag : tags) {
-                collected_.add_vertex(tag, words_);
-                if (has_parameters) words_.skip_line();
+                numbered_.add_vertex(tag, tokens_);
+                if (has_parameters) tokens_.skip_line();
             }
         }
     }
@@ -153,45 +153,45 @@ private:
     {
         constexpr long long linear = 4, curved[] = {11, 29, 30, 31};
         if (std::find(std::begin(curved), std::end(curved), kind) != std::end(curved))
-            words_.refuse("tetrahedra of four vertices, kind 4", std::to_string(kind));
+            tokens_.refuse("tetrahedra of four vertices, kind 4", std::to_string(kind));
         if (kind == linear)
-            collected_.add_tetrahedron(words_);
+            numbered_.add_tetrahedron(tokens_);
         else
-            words_.skip_line();
+            tokens_.skip_line();
     }
 
     void elements()
     {
-        const std::size_t n = words_.count(most_entities, "elements");
+        const std::size_t n = tokens_.count(most_entities, "elements");
         for (std::size_t i = 0; i < n; ++i) {
-            words_.integer(1, any, "the number of an element");
-            const long long kind = words_.integer(1, 1000, "a kind of element");
-            const std::size_t tags = words_.count(100, "tags");
+            tokens_.integer(1, any, "the number of an element");
+            const long long kind = tokens_.integer(1, 1000, "a kind of element");
+            const std::size_t tags = tokens_.count(100, "tags");
             for (std::size_t k = 0; k < tags; ++k)
-                words_.integer(-any, any, an_integer);
+                tokens_.integer(-any, any, an_integer);
             element(kind);
         }
     }
 
     void element_blocks()
     {
-        const std::size_t blocks = words_.count(most_entities, "blocks");
-        std::size_t left = words_.count(most_entities, "elements");
-        words_.integer(0, any, an_integer), words_.integer(0, any, an_integer);
+        const std::size_t blocks = tokens_.count(most_entities, "blocks");
+        std::size_t left = tokens_.count(most_entities, "elements");
+        tokens_.integer(0, any, an_integer), tokens_.integer(0, any, an_integer);
         for (std::size_t b = 0; b < blocks; ++b) {
-            words_.integer(0, 3, "a dimension"), words_.integer(-any, any, an_integer);
-            const long long kind = words_.integer(1, 1000, "a kind of element");
-            const std::size_t n = words_.count(left, "elements");
+            tokens_.integer(0, 3, "a dimension"), tokens_.integer(-any, any, an_integer);
+            const long long kind = tokens_.integer(1, 1000, "a kind of element");
+            const std::size_t n = tokens_.count(left, "elements");
             left -= n;
             for (std::size_t i = 0; i < n; ++i) {
-                words_.integer(1, any, "the number of an element");
+                tokens_.integer(1, any, "the number of an element");
                 element(kind);
             }
         }
     }
 
-    MeshWords words_;
-    Collected collected_;
+    Tokenizer tokens_;
+    NumberedMesh numbered_;
 };
 
 bool is_keyword(std::string_view word)
@@ -200,18 +200,11 @@ bool is_keyword(std::string_view word)
 }
 
 // Numbers and comments up to the next keyword.
-void skip_section(MeshWords& words)
+void skip_section(Tokenizer& tokens)
 {
-    for (std::string_view word = words.peek(); !word.empty() && !is_keyword(word);
-         word = words.peek())
-        word.front() == '#' ? words.skip_line() : void(words.next());
-}
-
-void append(std::string& text, double number)
-{
-    std::array<char, 32> digits;
-    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr;
-    text.append(digits.data(), end);
+    for (std::string_view word = tokens.peek(); !word.empty() && !is_keyword(word);
+         word = tokens.peek())
+        word.front() == '#' ? tokens.skip_line() : void(tokens.next());
 }
 
 } // namespace
@@ -223,36 +216,36 @@ TetrahedraText read_msh(std::string_view text)
 
 TetrahedraText read_medit(std::string_view text)
 {
-    MeshWords words(text);
-    Collected collected;
-    skip_section(words);
-    words.expect("MeshVersionFormatted");
-    words.integer(1, 4, "a version from 1 to 4");
-    for (skip_section(words); is_keyword(words.peek()); skip_section(words)) {
-        const std::string_view keyword = words.next();
+    Tokenizer tokens(text);
+    NumberedMesh numbered;
+    skip_section(tokens);
+    tokens.expect("MeshVersionFormatted");
+    tokens.integer(1, 4, "a version from 1 to 4");
+    for (skip_section(tokens); is_keyword(tokens.peek()); skip_section(tokens)) {
+        const std::string_view keyword = tokens.next();
         if (keyword == "End") break;
-        if (keyword == "Dimension") words.integer(3, 3, "dimension 3");
+        if (keyword == "Dimension") tokens.integer(3, 3, "dimension 3");
         if (keyword == "Vertices") {
-            const std::size_t n = words.count(most_tetrahedron_vertices, "vertices");
+            const std::size_t n = tokens.count(most_tetrahedron_vertices, "vertices");
             for (std::size_t i = 0; i < n; ++i) {
-                collected.add_vertex(static_cast<long long>(i) + 1, words);
-                words.integer(-any, any, "the reference of a vertex, an integer");
+                numbered.add_vertex(static_cast<long long>(i) + 1, tokens);
+                tokens.integer(-any, any, "the reference of a vertex, an integer");
             }
         }
         if (keyword == "Tetrahedra") {
-            const std::size_t n = words.count(most_tetrahedra, "tetrahedra");
+            const std::size_t n = tokens.count(most_tetrahedra, "tetrahedra");
             for (std::size_t i = 0; i < n; ++i) {
-                collected.add_tetrahedron(words);
-                words.integer(-any, any, "the reference of a tetrahedron, an integer");
+                numbered.add_tetrahedron(tokens);
+                tokens.integer(-any, any, "the reference of a tetrahedron, an integer");
             }
         }
     }
-    return collected.finish();
+    return numbered.finish();
 }
 
 TetrahedraText read_tetrahedra(std::string_view text)
 {
-    return MeshWords(text).peek() == "$MeshFormat" ? read_msh(text) : read_medit(text);
+    return Tokenizer(text).peek() == "$MeshFormat" ? read_msh(text) : read_medit(text);
 }
 
 std::string medit_text(const TetrahedralMesh& mesh)

@@ -64,7 +64,7 @@ std::vector<std::array<int, 3>> triangulated(const std::vector<PlanePoint>& poly
 
 } // namespace
 
-TriangleMesh turned_profile(const std::vector<PlanePoint>& profile, int sides)
+TriangleMesh surface_of_revolution(const std::vector<PlanePoint>& profile, int sides)
 {
     TriangleMesh mesh;
     std::vector<int> first; // vertex of each point; one alone on the axis
@@ -156,13 +156,13 @@ TriangleMesh torus_mesh(double radius, double tube, int sides, int tube_sides)
         const double angle = 2 * pi * i / tube_sides;
         section.push_back({radius + tube * std::cos(angle), tube * std::sin(angle)});
     }
-    return turned_profile(section, sides);
+    return surface_of_revolution(section, sides);
 }
 
 TriangleMesh ring_mesh(double inner_radius, double outer_radius, double height, int sides)
 {
     const double y = height / 2;
-    return turned_profile(
+    return surface_of_revolution(
         {{inner_radius, -y}, {outer_radius, -y}, {outer_radius, y}, {inner_radius, y}}, sides);
 }
 
@@ -204,7 +204,7 @@ TriangleMesh bowl_mesh(double radius, double thickness, int sides)
     };
     add_arc(radius, 0, steps);
     add_arc(radius - thickness, steps, 0);
-    return turned_profile(profile, sides);
+    return surface_of_revolution(profile, sides);
 }
 
 TriangleMesh gear_mesh(int teeth, double radius, double bore, double thickness)

@@ -16,7 +16,7 @@ using PlanePoint = std::array<double, 2>;
 /// A polygon turned about y in `sides` steps. Points on the axis become one vertex each.
 ///
 /// @param profile  (distance from the axis ≥ 0, height), counter-clockwise with the height up
-TriangleMesh turned_profile(const std::vector<PlanePoint>& profile, int sides);
+TriangleMesh surface_of_revolution(const std::vector<PlanePoint>& profile, int sides);
 
 /// A polygon in the plane of x and y, `thickness` thick along z about z = 0.
 ///

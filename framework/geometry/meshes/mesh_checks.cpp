@@ -8,19 +8,11 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
-#include <sstream>
 #include <utility>
 
 namespace rigor {
 
 namespace {
-
-std::string text(double number)
-{
-    std::ostringstream stream;
-    stream << number;
-    return stream.str();
-}
 
 class Check {
 public:
@@ -47,7 +39,8 @@ private:
     std::string place(int vertex) const
     {
         const Vector3d& v = mesh_.vertices[vertex];
-        return "(" + text(v.x()) + ", " + text(v.y()) + ", " + text(v.z()) + ")";
+        return "(" + number_text(v.x()) + ", " + number_text(v.y()) + ", " + number_text(v.z()) +
+               ")";
     }
     std::string place(const HalfEdge& e) const
     {
@@ -131,7 +124,7 @@ private:
             throw MeshError(0,
                             "expected faces that turn counter-clockwise seen from outside, found "
                             "a volume of " +
-                                text(volume) + " m³: turn the faces around");
+                                number_text(volume) + " m³: turn the faces around");
     }
 
     // Two faces at an edge that lie on each other.

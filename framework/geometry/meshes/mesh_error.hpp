@@ -14,4 +14,7 @@ struct MeshError : std::runtime_error {
     int line = 0; // 0: in none
 };
 
+/// A number as an error message shows it, in six digits.
+std::string number_text(double number);
+
 } // namespace rigor

@@ -3,6 +3,14 @@
 
 namespace rigor {
 
+Bounds bounds_of(const TriangleMesh& mesh)
+{
+    Bounds bounds;
+    for (const Vector3d& v : mesh.vertices)
+        bounds.include({v, v});
+    return bounds;
+}
+
 NearestOnTriangle nearest_on(const Triangle& triangle, const Vector3d& p)
 {
     const auto& [a, b, c] = triangle;

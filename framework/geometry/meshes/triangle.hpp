@@ -20,6 +20,9 @@ inline Triangle triangle_of(const TriangleMesh& mesh, int index)
     return {mesh.vertices[i], mesh.vertices[j], mesh.vertices[k]};
 }
 
+/// The bounds of all vertices of a mesh.
+Bounds bounds_of(const TriangleMesh& mesh);
+
 /// The point of a triangle nearest to another point, and what it lies on: 0, 1, 2 the vertices a, b,
 /// c; 3, 4, 5 the edges ab, bc, ca; 6 the face.
 struct NearestOnTriangle {

@@ -9,10 +9,9 @@
 namespace rigor {
 
 SolidMesh::SolidMesh(TriangleMesh mesh, std::string name, int cells)
-    : mesh_(std::move(mesh)), name_(std::move(name)), cells_(cells), volume_(signed_volume(mesh_))
+    : mesh_(std::move(mesh)), name_(std::move(name)), cells_(cells), bounds_(bounds_of(mesh_)),
+      volume_(signed_volume(mesh_))
 {
-    for (const Vector3d& v : mesh_.vertices)
-        bounds_.include({v, v});
     for (const Vector3d& v : mesh_.vertices)
         radius_ = std::max(radius_, (v - center()).norm());
     is_convex_ = is_hull(mesh_);
@@ -26,7 +25,7 @@ const Hull& SolidMesh::hull() const
 int SolidMesh::cells() const
 {
     if (cells_ > 0) return cells_;
-    return chosen_cells_.get([&] { return std::make_unique<int>(cells_for(mesh_)); });
+    return chosen_cells_.get([&] { return std::make_unique<int>(suggested_cells(mesh_)); });
 }
 
 const MeshSurface& SolidMesh::surface() const

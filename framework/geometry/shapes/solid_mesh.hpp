@@ -6,7 +6,7 @@
 #include "geometry/convex/hull.hpp"
 #include "geometry/meshes/mesh_surface.hpp"
 #include "geometry/meshes/triangle_tree.hpp"
-#include "geometry/shapes/once.hpp"
+#include "geometry/shapes/lazy.hpp"
 
 #include <string>
 
@@ -19,7 +19,7 @@ public:
     static constexpr int least_cells = 8, most_cells = 128;
 
     /// @param mesh   passed `check_mesh`
-    /// @param cells  of the level set along the longest side; 0: `cells_for(mesh)`
+    /// @param cells  of the level set along the longest side; 0: `suggested_cells(mesh)`
     explicit SolidMesh(TriangleMesh mesh, std::string name = "mesh", int cells = 0);
 
     SolidMesh(const SolidMesh&) = delete;
@@ -69,11 +69,11 @@ private:
     Bounds bounds_;
     double radius_ = 0, volume_ = 0;
     bool is_convex_ = false;
-    Once<Hull> hull_;
-    Once<int> chosen_cells_;
-    Once<MeshSurface> surface_;
-    Once<TriangleTree> triangles_;
-    Once<LevelSet> level_set_;
+    Lazy<Hull> hull_;
+    Lazy<int> chosen_cells_;
+    Lazy<MeshSurface> surface_;
+    Lazy<TriangleTree> triangles_;
+    Lazy<LevelSet> level_set_;
 };
 
 } // namespace rigor

@@ -3,20 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <string>
 #include <utility>
 
 namespace rigor {
 
 namespace {
-
-std::string text(double number)
-{
-    std::ostringstream stream;
-    stream << number;
-    return stream.str();
-}
 
 class Check {
 public:
@@ -83,7 +75,7 @@ private:
                 refuse(t,
                        "expected a tetrahedron with its fourth vertex where the first three turn "
                        "counter-clockwise, found " +
-                           name(t) + " inverted: its volume is " + text(V) + " m³");
+                           name(t) + " inverted: its volume is " + number_text(V) + " m³");
             if (V <= least)
                 refuse(t, "expected a tetrahedron with a volume, found " + name(t) + " flat");
         }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "geometry/mesh_files/obj.hpp"
 #include "geometry/meshes/generators.hpp"
 #include "geometry/meshes/mesh_checks.hpp"
 #include "support/close.hpp"

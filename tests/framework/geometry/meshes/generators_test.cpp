@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "geometry/bounds/bounds.hpp"
 #include "geometry/meshes/generators.hpp"
 #include "geometry/meshes/mesh_checks.hpp"
+#include "geometry/meshes/triangle.hpp"
 #include "support/close.hpp"
 
 #include <numbers>
@@ -12,14 +12,6 @@ using namespace rigor::testing;
 namespace {
 
 constexpr double pi = std::numbers::pi;
-
-Bounds bounds_of(const TriangleMesh& mesh)
-{
-    Bounds bounds;
-    for (const Vector3d& v : mesh.vertices)
-        bounds.include({v, v});
-    return bounds;
-}
 
 // The volume of a polygon turned in n steps is that of the polygon turned smoothly times this.
 double in_steps(int n)

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "geometry/mesh_files/mesh_words.hpp"
+#include "geometry/mesh_files/tokenizer.hpp"
 
-#include <charconv>
+#include "geometry/mesh_files/mesh_text.hpp"
+
 #include <cmath>
 
 namespace rigor {
@@ -10,26 +11,9 @@ namespace {
 
 constexpr std::string_view blanks = " \t\r\n\v\f";
 
-// A word in an error's words, cut off and without control characters.
-std::string quoted(std::string_view word)
-{
-    if (word.empty()) return "the end of the text";
-    std::string shown;
-    for (const char c : word.substr(0, 24))
-        shown += c >= ' ' && c <= '~' ? c : '?';
-    return "\"" + shown + (word.size() > 24 ? "...\"" : "\"");
-}
-
-template <class Number> bool parse(std::string_view word, Number& number)
-{
-    if (!word.empty() && word[0] == '+') word.remove_prefix(1);
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
-    return error == std::errc() && end == word.data() + word.size();
-}
-
 } // namespace
 
-std::string_view MeshWords::peek()
+std::string_view Tokenizer::peek()
 {
     while (!rest_.empty() && blanks.find(rest_.front()) != std::string_view::npos) {
         line_ += rest_.front() == '\n';
@@ -38,21 +22,21 @@ std::string_view MeshWords::peek()
     return rest_.substr(0, rest_.find_first_of(blanks));
 }
 
-std::string_view MeshWords::next()
+std::string_view Tokenizer::next()
 {
     const std::string_view word = peek();
     rest_.remove_prefix(word.size());
     return word;
 }
 
-void MeshWords::skip_line()
+void Tokenizer::skip_line()
 {
     const std::size_t end = rest_.find('\n');
     if (end != std::string_view::npos) ++line_;
     rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);
 }
 
-double MeshWords::coordinate()
+double Tokenizer::coordinate()
 {
     const std::string_view word = next();
     double x = 0;
@@ -61,7 +45,7 @@ double MeshWords::coordinate()
     return x;
 }
 
-long long MeshWords::integer(long long low, long long high, const char* what)
+long long Tokenizer::integer(long long low, long long high, const char* what)
 {
     const std::string_view word = next();
     long long number = 0;
@@ -69,7 +53,7 @@ long long MeshWords::integer(long long low, long long high, const char* what)
     return number;
 }
 
-std::size_t MeshWords::count(std::size_t most, const char* what)
+std::size_t Tokenizer::count(std::size_t most, const char* what)
 {
     const std::string_view word = next();
     unsigned long long number = 0;
@@ -78,15 +62,16 @@ std::size_t MeshWords::count(std::size_t most, const char* what)
     return number;
 }
 
-void MeshWords::expect(std::string_view expected)
+void Tokenizer::expect(std::string_view expected)
 {
     const std::string_view word = next();
     if (word != expected) refuse("\"" + std::string(expected) + "\"", word);
 }
 
-void MeshWords::refuse(const std::string& expected, std::string_view found) const
+void Tokenizer::refuse(const std::string& expected, std::string_view found) const
 {
-    throw MeshError(line_, "expected " + expected + ", found " + quoted(found));
+    throw MeshError(line_,
+                    "expected " + expected + ", found " + quoted(found, "the end of the text"));
 }
 
 } // namespace rigor

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "geometry/convex/polytope.hpp"
+#include "geometry/convex/expanding_polytope.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -7,7 +7,7 @@
 namespace rigor {
 
 /// A value that is made when it is first asked for, by whichever thread asks; the others wait.
-template <class T> class Once {
+template <class T> class Lazy {
 public:
     /// @param make  returns a std::unique_ptr<T>
     template <class Make> const T& get(const Make& make) const

@@ -9,9 +9,9 @@
 
 namespace rigor {
 
-class MeshWords {
+class Tokenizer {
 public:
-    explicit MeshWords(std::string_view text) : rest_(text) {}
+    explicit Tokenizer(std::string_view text) : rest_(text) {}
 
     int line() const { return line_; } // of the word read last, from 1
 
