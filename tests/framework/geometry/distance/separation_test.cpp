@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include "framework/geometry/distance/convex_shapes.hpp"
 #include "geometry/distance/separation.hpp"
 #include "geometry/distance/support.hpp"
-#include "geometry/meshes/generators.hpp"
-#include "geometry/shapes/solid_mesh.hpp"
 #include "support/close.hpp"
 #include "support/random.hpp"
 
@@ -10,20 +9,6 @@ using namespace rigor;
 using namespace rigor::testing;
 
 namespace {
-
-Shape mesh(const TriangleMesh& triangles)
-{
-    return Mesh{std::make_shared<SolidMesh>(triangles)};
-}
-
-const std::vector<Shape>& solids()
-{
-    static const std::vector<Shape> all = {
-        Box{{1, 1.5, 0.6}},     Cylinder{0.5, 1.2},         Cylinder{0.9, 0.3},
-        Cone{0.6, 1.2},         Ellipsoid{{0.4, 0.9, 0.6}}, mesh(voussoir_mesh(0.8, 1.5, 40, 0.7)),
-        mesh(icosphere(0.7, 2))};
-    return all;
-}
 
 // Distance of two shapes along a direction from 2 to 1, by their support functions.
 double along(const Shape& a, const Pose& pose, const Shape& b, const Vector3d& n)
@@ -58,33 +43,16 @@ double brute_force(const Shape& a, const Pose& pose, const Shape& b)
 
 } // namespace
 
-TEST_CASE("support: no point of the shape is farther", "[geometry]")
-{
-    for (const Shape& shape : solids())
-        for (unsigned seed = 0; seed < 50; ++seed) {
-            CAPTURE(shape.index(), seed);
-            Random random(seed);
-            const Vector3d d = random.unit_vector();
-            const Vector3d far = support(shape, d);
-            for (int i = 0; i < 50; ++i)
-                REQUIRE(d.dot(support(shape, random.unit_vector())) <= d.dot(far) + 1e-12);
-            const Feature feature = feature_towards(shape, d);
-            REQUIRE(feature.count >= 1);
-            if (feature.count > 1) continue;
-            REQUIRE_THAT(d.dot(feature.points[0]), IsClose(d.dot(far), Rounding(32, 2)));
-        }
-}
-
 TEST_CASE("separation: shapes apart are as far as their nearest points", "[geometry]")
 {
     int apart = 0;
-    for (std::size_t i = 0; i < solids().size(); ++i)
-        for (std::size_t j = 0; j < solids().size(); ++j)
+    for (std::size_t i = 0; i < convex_shapes().size(); ++i)
+        for (std::size_t j = 0; j < convex_shapes().size(); ++j)
             for (unsigned seed = 0; seed < 12; ++seed) {
                 CAPTURE(i, j, seed);
                 Random random(seed);
                 const Pose pose{random.rotation(), 2 * random.vector()};
-                const Shape &a = solids()[i], &b = solids()[j];
+                const Shape &a = convex_shapes()[i], &b = convex_shapes()[j];
                 const Separation found = separation(a, pose, b, 1e9);
                 if (found.distance <= 1e-3) continue;
                 ++apart;
@@ -101,12 +69,12 @@ TEST_CASE("separation: shapes apart are as far as their nearest points", "[geome
 TEST_CASE("separation: shapes that overlap a little are parted the shortest way", "[geometry]")
 {
     int overlapping = 0;
-    for (std::size_t i = 0; i < solids().size(); ++i)
-        for (std::size_t j = 0; j < solids().size(); ++j)
+    for (std::size_t i = 0; i < convex_shapes().size(); ++i)
+        for (std::size_t j = 0; j < convex_shapes().size(); ++j)
             for (unsigned seed = 0; seed < 6; ++seed) {
                 CAPTURE(i, j, seed);
                 Random random(seed);
-                const Shape &a = solids()[i], &b = solids()[j];
+                const Shape &a = convex_shapes()[i], &b = convex_shapes()[j];
                 Pose pose{random.rotation(), 4 * random.unit_vector()};
                 const Separation before = separation(a, pose, b, 1e9);
                 const double depth = random.uniform(0, 0.15);
@@ -126,8 +94,8 @@ TEST_CASE("separation: shapes that overlap a little are parted the shortest way"
 
 TEST_CASE("separation: it is finite and honest for shapes at one place", "[geometry]")
 {
-    for (const Shape& a : solids())
-        for (const Shape& b : solids())
+    for (const Shape& a : convex_shapes())
+        for (const Shape& b : convex_shapes())
             for (const Vector3d& X :
                  {Vector3d(0, 0, 0), Vector3d(0, 1e-12, 0), Vector3d(0.1, 0, 0)}) {
                 const Separation found = separation(a, {Matrix3d::Identity(), X}, b, 1e9);
@@ -141,8 +109,8 @@ TEST_CASE("separation: it is finite and honest for shapes at one place", "[geome
 
 TEST_CASE("separation: a touch is a distance of zero", "[geometry]")
 {
-    for (const Shape& a : solids())
-        for (const Shape& b : solids())
+    for (const Shape& a : convex_shapes())
+        for (const Shape& b : convex_shapes())
             for (unsigned seed = 0; seed < 4; ++seed) {
                 CAPTURE(a.index(), b.index(), seed);
                 Random random(seed);
