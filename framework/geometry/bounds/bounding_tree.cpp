@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Builds a tree of bounding boxes from the top down. Each node's items are divided at the median of
 // their centers, on the axis on which these are spread most (Ericson 2005, "Real-time collision
-// detection", 6.2). First come the upper nodes, then the branches below them, which threads may share,
-// and last the boxes of the upper nodes.
+// detection", 6.2). First come the upper nodes, then the branches below them, which threads may
+// share, and last the boxes of the upper nodes.
 #include "geometry/bounds/bounding_tree.hpp"
 
 #include <algorithm>
@@ -26,8 +26,8 @@ BoundingTree::BoundingTree(const std::vector<Bounds>& boxes)
 {
 }
 
-// After d halvings there are 2^d parts, and some have one item more than the others. When the smaller
-// parts are leaves, those of leaf_size + 1 items are halved once more.
+// After d halvings there are 2^d parts, and some have one item more than the others. When the
+// smaller parts are leaves, those of leaf_size + 1 items are halved once more.
 int BoundingTree::leaves_of(int items)
 {
     int parts = 1;
@@ -42,7 +42,7 @@ std::array<BoundingTree::Branch, 2> BoundingTree::halve(const std::vector<Bounds
                                                         std::vector<Center>& centers)
 {
     const auto [node, leaf, first, last] = branch;
-    Bounds spread; // of twice the centers
+    Bounds spread; // bounds of twice the centers
     for (int k = first; k < last; ++k) {
         const Bounds& box = boxes[order_[k]];
         const Vector3d center = box.low + box.high;

@@ -11,9 +11,9 @@
 
 namespace rigor {
 
-/// A binary tree of axis-aligned boxes. Items are halved again and again at the median of the axis on
-/// which their centers are spread most, until at most four are left. Building takes n log n steps, and
-/// the tree depends on the boxes alone.
+/// A binary tree of axis-aligned boxes. Items are halved again and again at the median of the axis
+/// on which their centers are spread most, until at most four are left. Building takes n log n
+/// steps, and the tree depends on the boxes alone.
 class BoundingTree {
 public:
     static constexpr int leaf_size = 4; // items in a leaf, at most
@@ -89,8 +89,8 @@ public:
     }
 
 private:
-    // Items that become a node and all nodes below it, and where these are stored: n leaves have n - 1
-    // nodes above them.
+    // Items that become a node and all nodes below it, and where these are stored. A branch of n
+    // leaves has 2 n - 1 nodes, leaves included.
     struct Branch {
         int node = 0, leaf = 0;  // the first node, the first leaf
         int first = 0, last = 0; // items

@@ -8,16 +8,18 @@
 
 namespace rigor {
 
-/// An axis-aligned box; as constructed it holds nothing.
+/// An axis-aligned box. A new one is empty, and overlaps nothing.
 struct Bounds {
     Vector3d low = Vector3d::Constant(std::numeric_limits<double>::infinity());   // [m]
     Vector3d high = Vector3d::Constant(-std::numeric_limits<double>::infinity()); // [m]
 
+    /// Becomes the smallest box that contains both.
     void include(const Bounds& other)
     {
         low = low.cwiseMin(other.low);
         high = high.cwiseMax(other.high);
     }
+    /// Moves every side outwards by a margin [m].
     void grow(double margin)
     {
         low.array() -= margin;
@@ -28,9 +30,10 @@ struct Bounds {
         return (low.array() <= other.low.array()).all() &&
                (other.high.array() <= high.array()).all();
     }
+    /// Whether the boxes have a point in common; boxes that touch do.
     bool overlaps(const Bounds& other) const
     {
-        // without a branch for each axis: which of them keeps boxes apart cannot be predicted
+        // No branch for each axis: a processor cannot predict which axis separates two boxes.
         const auto overlap = [&](int axis) -> int {
             return int{low[axis] <= other.high[axis]} & int{other.low[axis] <= high[axis]};
         };

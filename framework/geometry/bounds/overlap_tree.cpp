@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Finds all pairs of boxes that overlap. A tree is compared with itself, node by node from the root
-// (Ericson 2005, "Real-time collision detection", 6.3). A pair of nodes whose boxes overlap is divided
-// until both are leaves, and then four boxes are compared at once, first rounded and then exactly.
+// (Ericson 2005, "Real-time collision detection", 6.3). A pair of nodes whose boxes overlap is
+// divided until both are leaves, and then four boxes are compared at once, first rounded and then
+// exactly.
 #include "geometry/bounds/overlap_tree.hpp"
 
 #include <algorithm>

@@ -9,9 +9,9 @@
 
 namespace rigor {
 
-/// A bounding tree whose leaves keep their boxes in single precision too, side by side, so that four of
-/// them are compared at once. Every pair is then compared exactly: rounding keeps numbers in their
-/// order, so that boxes that overlap still do when rounded.
+/// A bounding tree whose leaves keep their boxes in single precision too, side by side, so that
+/// four of them are compared at once. Every pair is then compared exactly: rounding keeps numbers
+/// in their order, so that boxes that overlap still do when rounded.
 class OverlapTree {
 public:
     /// @param boxes    finite
@@ -76,8 +76,8 @@ public:
         }
     }
 
-    /// The search for all pairs, in parts: at least `least` pairs of nodes, if there are as many. No
-    /// pair of members belongs to two parts.
+    /// The search for all pairs, in parts: at least `least` pairs of nodes, if there are as many.
+    /// No pair of members belongs to two parts.
     std::vector<NodePair> parts(std::size_t least) const;
 
 private:
@@ -107,8 +107,8 @@ private:
 
     void fill_leaves(const std::vector<Bounds>& boxes, int stretches, int stretch);
 
-    // Appends the pairs of nodes that a pair, not both leaves, consists of; without those that do not
-    // overlap. The node with more members is divided.
+    // Appends the pairs of nodes that a pair, not both leaves, consists of; without those that do
+    // not overlap. The node with more members is divided.
     void divide(const NodePair& nodes, std::vector<NodePair>& parts) const
     {
         const auto add = [&](int a, int b) {
@@ -154,7 +154,7 @@ private:
     }
 
     BoundingTree tree_;
-    std::vector<Bounds> boxes_; // of the members, in the tree's order
+    std::vector<Bounds> boxes_; // in the tree's order
     std::vector<Leaf> leaves_;
 };
 

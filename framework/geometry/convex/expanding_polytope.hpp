@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// The polytope of the expanding polytope algorithm, EPA.
 #pragma once
 
 #include "formulas/types.hpp"
@@ -7,21 +8,22 @@
 
 namespace rigor {
 
-/// A convex polytope around the origin that grows towards a convex set from inside (van den Bergen 2001,
-/// "Proximity queries and penetration depth computation on 3D game objects").
+/// A convex polytope around the origin, inside a convex set, that grows until its nearest face is
+/// on the surface of the set (van den Bergen 2001, "Proximity queries and penetration depth
+/// computation on 3D game objects").
 class ExpandingPolytope {
 public:
-    /// @param corners  four points whose tetrahedron holds the origin
+    /// @param corners  four points whose tetrahedron contains the origin [m]
     explicit ExpandingPolytope(const std::array<Vector3d, 4>& corners);
 
-    /// Whether there is a face to go on from; not if the tetrahedron was flat.
+    /// Whether it has faces; without them, if the tetrahedron was flat, it cannot grow.
     bool is_solid() const { return !faces_.empty(); }
 
     /// Outward normal of the face nearest to the origin, and its distance [m].
     const Vector3d& nearest_normal() const { return faces_[nearest_].normal; }
     double nearest_distance() const { return faces_[nearest_].distance; }
 
-    /// Takes in a point beyond the nearest face. Whether it could.
+    /// Adds a point beyond the nearest face. False if rounding does not allow it.
     bool add(const Vector3d& p);
 
 private:

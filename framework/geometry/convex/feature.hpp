@@ -7,7 +7,8 @@
 
 namespace rigor {
 
-/// A convex polygon, a segment or a point of a surface. A circle is eight points of it.
+/// A feature of a convex surface: a polygon, a segment or a point. A circle is given as eight
+/// points.
 struct Feature {
     static constexpr int most = 16;
     std::array<Vector3d, most> points;

@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// Treats a convex mesh as a polyhedron. The support point is found by hill climbing from vertex to
+// vertex (Gilbert, Johnson and Keerthi 1988 define it; Ericson 2005, "Real-time collision
+// detection", 9.5.4 describes the climb). Triangles are first merged into flat faces, then
+// neighbours are linked, then the six extreme vertices are found.
 #include "geometry/convex/hull.hpp"
 
 #include "geometry/meshes/triangle.hpp"
@@ -10,7 +14,15 @@ namespace rigor {
 
 namespace {
 
-constexpr double flat = 1e-9; // what counts as in a plane, of the size
+// Distance from a plane, divided by the size, within which a point is in the plane: above the
+// rounding of coordinates from a file, far below any dent that is meant.
+constexpr double flat = 1e-9;
+
+// Difference of unit normals of triangles in one flat face. Normals are less exact than positions
+// by the shape of a triangle, hence more than above.
+constexpr double same_normal = 1e-7;
+
+// Face normals that a separation tries as directions, at most. It bounds the time of one attempt.
 constexpr std::size_t most_normals = 32;
 
 double size_of(const TriangleMesh& mesh)
@@ -57,7 +69,7 @@ void Hull::merge_faces(const TriangleMesh& mesh)
         const double area = triangle.area_normal().norm();
         const Vector3d n = triangle.area_normal() / area;
         const auto same = std::find_if(faces_.begin(), faces_.end(), [&](const Face& face) {
-            return (face.normal - n).norm() < 1e-7 &&
+            return (face.normal - n).norm() < same_normal &&
                    std::abs(n.dot(vertices_[face.corners[0]] - triangle.a)) <= tolerance;
         });
         if (same != faces_.end()) {
@@ -97,7 +109,8 @@ void Hull::link_neighbours(const TriangleMesh& mesh)
         std::sort(around.begin(), around.end());
 }
 
-// Uphill from the extreme vertex of the nearest axis: where no neighbour is higher, nothing is.
+// Climbs from the extreme vertex of the nearest axis. On a convex polyhedron a vertex without a
+// higher neighbour is the highest.
 int Hull::farthest(const Vector3d& d) const
 {
     int axis = 0;
@@ -125,7 +138,9 @@ Vector3d Hull::support(const Vector3d& direction) const
 
 Feature Hull::feature_towards(const Vector3d& d) const
 {
-    constexpr double looks_there = 0.9, across = 0.436; // 25 degrees
+    // Cosine and sine of about 25 degrees: a face may turn away from the direction by as much, and
+    // an edge may be as far from perpendicular to it.
+    constexpr double looks_there = 0.9, across = 0.436;
     const auto facing =
         std::max_element(faces_.begin(), faces_.end(), [&](const Face& a, const Face& b) {
             return a.normal.dot(d) < b.normal.dot(d);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A mesh without a dent, by its corners and flat faces.
+// A convex mesh as a polyhedron: vertices, neighbours and flat faces.
 #pragma once
 
 #include "formulas/types.hpp"
@@ -13,25 +13,28 @@ namespace rigor {
 /// The convex solid that a mesh is: its triangles merged to flat faces.
 class Hull {
 public:
-    static constexpr std::size_t most_vertices = 1000; // with more, the mesh goes by its level set
+    // Meshes with more vertices are treated by their level set: here every vertex is compared with
+    // every triangle once.
+    static constexpr std::size_t most_vertices = 1000;
 
-    /// @param mesh  `is_hull`
+    /// @param mesh  convex (`is_hull`)
     explicit Hull(const TriangleMesh& mesh);
 
     /// The farthest vertex along a direction.
     Vector3d support(const Vector3d& direction) const;
 
-    /// A face, an edge or a corner, as of every convex shape; of a face with many corners 16.
+    /// The face, edge or vertex that faces a direction (`feature_towards` in distance/support.hpp).
+    /// Of a face with more than 16 vertices, 16 are taken.
     Feature feature_towards(const Vector3d& direction) const;
 
-    /// Of at most the 32 largest faces.
+    /// Unit outward normals of the largest faces, at most 32.
     const std::vector<Vector3d>& face_normals() const { return face_normals_; }
 
 private:
     struct Face {
         Vector3d normal;
         double area = 0;
-        std::vector<int> corners; // in order around the normal
+        std::vector<int> corners; // counter-clockwise around the normal
     };
     int farthest(const Vector3d& direction) const;
     void merge_faces(const TriangleMesh& mesh);
@@ -40,12 +43,12 @@ private:
     std::vector<Vector3d> vertices_;
     std::vector<Face> faces_;
     std::vector<Vector3d> face_normals_;
-    std::vector<std::vector<int>> neighbours_; // of each vertex
-    std::array<int, 6> extremes_ = {};         // along ±x, ±y, ±z: where a search starts
+    std::vector<std::vector<int>> neighbours_; // for each vertex, those it has an edge to
+    std::array<int, 6> extremes_ = {}; // farthest along ±x, ±y, ±z: a search starts there
 };
 
-/// Whether a closed mesh has no dent: no vertex lies above the plane of any face, to 1e-9 of its size,
-/// and it is small enough to be searched.
+/// Whether a closed mesh is convex (no vertex is above the plane of any face by more than 1e-9 of
+/// the size) and has few enough vertices to be searched.
 bool is_hull(const TriangleMesh& mesh);
 
 } // namespace rigor

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Finds the point of a simplex nearest to the origin, by the Voronoi regions of its vertices, edges
+// and faces (Ericson 2005, "Real-time collision detection", 5.1). Segments are solved directly,
+// triangles and tetrahedra by their sides unless the nearest point is inside.
 #include "geometry/convex/simplex.hpp"
 
 namespace rigor {
@@ -50,8 +53,8 @@ Simplex nearest_on_triangle(const Vertex& a, const Vertex& b, const Vertex& c)
                   nearer(nearest_on_segment(b, c), nearest_on_segment(c, a)));
 }
 
-// Whether the origin and d lie on different sides of the plane of a, b, c. A flat tetrahedron has no
-// inside.
+// Whether the origin and d are on different sides of the plane through a, b, c. A flat tetrahedron
+// has no inside.
 bool is_beyond(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& d)
 {
     const Vector3d n = (b.w - a.w).cross(c.w - a.w);
@@ -59,7 +62,7 @@ bool is_beyond(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& 
     return origin * other <= 0;
 }
 
-// All four vertices: the origin is inside.
+// If the result has all four vertices, the origin is inside.
 Simplex nearest_on_tetrahedron(const std::array<Vertex, 4>& v)
 {
     Simplex best;

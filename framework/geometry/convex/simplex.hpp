@@ -1,22 +1,24 @@
 // SPDX-License-Identifier: MIT
+// The simplex of the GJK algorithm (Gilbert, Johnson and Keerthi 1988).
 #pragma once
 
 #include "formulas/types.hpp"
 
 namespace rigor {
 
-/// A point of the difference of two shapes, w = a - b.
+/// A point of the Minkowski difference of two shapes, w = a - b [m].
 struct Vertex {
     Vector3d w = Vector3d::Zero(), a = Vector3d::Zero(), b = Vector3d::Zero();
 };
 
-/// The smallest set of vertices whose hull holds the point v of a simplex that is nearest to the
-/// origin, v = Σ weights w.
+/// The vertices whose convex combination v = Σ weights w is the point of a simplex nearest to the
+/// origin; none of them can be left out.
 struct Simplex {
     std::array<Vertex, 4> vertices;
     std::array<double, 4> weights = {};
     int count = 0;
 
+    /// The convex combination of w, a or b.
     Vector3d blend(Vector3d Vertex::*point) const
     {
         Vector3d sum = Vector3d::Zero();
@@ -30,8 +32,8 @@ struct Simplex {
 /// A simplex of one vertex.
 Simplex simplex_of(const Vertex& vertex);
 
-/// What of a simplex of two to four vertices is nearest to the origin (Ericson 2005, "Real-time collision
-/// detection", 5.1). All four vertices: the origin is inside.
+/// The part of a simplex of two to four vertices that is nearest to the origin (Ericson 2005,
+/// "Real-time collision detection", 5.1). If it has all four vertices, the origin is inside.
 Simplex nearest_of(const Simplex& simplex);
 
 } // namespace rigor

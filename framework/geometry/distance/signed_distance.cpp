@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// Computes the exact distance of a point to a shape and the gradient. Shapes of revolution are
+// solved in the half-plane of distance from the axis and height, ellipsoids by Newton's method
+// (Eberly 2013, "Distance from a point to an ellipse, an ellipsoid, or a hyperellipsoid"). In each
+// function the cases inside come before those at sides, edges and tips.
 #include "geometry/distance/signed_distance.hpp"
 
 #include <algorithm>
@@ -11,8 +15,8 @@ namespace rigor {
 
 namespace {
 
-// A point about the y axis: its distance from the axis, its height, and the direction away from the
-// axis.
+// Cylindrical coordinates about the y axis: distance from the axis, height, and the direction away
+// from the axis.
 struct Cylindrical {
     explicit Cylindrical(const Vector3d& p) : distance(std::hypot(p.x(), p.z())), height(p.y())
     {
@@ -26,7 +30,8 @@ struct Cylindrical {
     Vector3d outward = Vector3d::UnitX();
 };
 
-// From a core point (a, b) in the half-plane of distance and height, less a radius.
+// The distance to a circle of points around (a, b) in the half-plane of distance and height: the
+// distance to its center less the radius.
 SurfaceDistance from_core(const Cylindrical& p, double a, double b, double radius)
 {
     const double d = std::hypot(p.distance - a, p.height - b);
@@ -69,7 +74,7 @@ SurfaceDistance signed_distance(const Cylinder& cylinder, const Vector3d& p)
     const Cylindrical at(p);
     const double up = at.height < 0 ? -1 : 1;
     const double a = at.distance - cylinder.radius, b = std::abs(at.height) - cylinder.height / 2;
-    if (a <= 0 && b <= 0) // inside: the nearer of side and cap
+    if (a <= 0 && b <= 0) // inside: side or cap, whichever is nearer
         return a > b ? SurfaceDistance{a, at.outward} : SurfaceDistance{b, at.direction(0, up)};
     const double d = std::hypot(std::max(a, 0.0), std::max(b, 0.0));
     return {d, at.direction(std::max(a, 0.0) / d, up * std::max(b, 0.0) / d)};
@@ -80,7 +85,7 @@ SurfaceDistance signed_distance(const Cone& cone, const Vector3d& p)
     const Cylindrical at(p);
     const double base = -cone.height / 4;
     const double length = std::hypot(cone.radius, cone.height);
-    // from the rim: along the slope to the tip, and away from it
+    // coordinates from the rim: along the slope up to the tip, and perpendicular to it
     const double x = at.distance - cone.radius, y = at.height - base;
     const double along = (-cone.radius * x + cone.height * y) / length;
     const double away = (cone.height * x + cone.radius * y) / length;
@@ -100,11 +105,13 @@ namespace {
 // F(u) = Σ (rᵢ zᵢ/(u + rᵢ - 1))² - 1 (rᵢ → eᵢ/e₂ for zᵢ = yᵢ/e₂), which falls and is convex.
 Vector3d nearest_in_octant(const Vector3d& e, const Vector3d& y)
 {
-    // a coordinate of 0 is moved by less than rounding shows: otherwise x₂ could be 0/0
-    const Vector3d z = (y / e[2]).cwiseMax(1e-150);
+    // A coordinate of 0 is replaced by a number too small to change the result, because x₂ could be
+    // 0/0 otherwise.
+    constexpr double tiny = 1e-150; // its square is still above 0
+    const Vector3d z = (y / e[2]).cwiseMax(tiny);
     const Vector3d ratio = e / e[2];
     const Vector3d r = ratio.cwiseAbs2();
-    double u = 0; // from the left, where Newton's steps do not overshoot
+    double u = 0; // start left of the root, where Newton's method does not overshoot
     for (int i = 0; i < 3; ++i)
         u = std::max(u, ratio[i] * z[i] - (r[i] - 1));
     for (int step = 0; step < 200; ++step) {

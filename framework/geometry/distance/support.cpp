@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// Support functions of the shapes (Gilbert, Johnson and Keerthi 1988, "A fast procedure for
+// computing the distance between complex objects") and the features beside the support point. Each
+// is a visitor with one function for a shape. First come points, then features, then the normals of
+// faces.
 #include "geometry/distance/support.hpp"
 
 #include "geometry/shapes/solid_mesh.hpp"
@@ -11,9 +15,11 @@ namespace rigor {
 
 namespace {
 
-constexpr double looks_there = 0.9; // cosine of 25 degrees
+// Cosine of 25 degrees. A face that is turned away from the direction by less is in contact as a
+// face.
+constexpr double looks_there = 0.9;
 
-// The direction away from the y axis, any if it is along it.
+// The unit vector away from the y axis; along x for a direction on the axis.
 Vector3d outward(const Vector3d& d)
 {
     const double r = std::hypot(d.x(), d.z());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Convex shapes as what can be felt of them from outside: how far they reach in a direction, and with
-// which face, edge or corner. Boxes, cylinders, cones, ellipsoids and meshes without a dent.
+// Support functions of convex shapes (boxes, cylinders, cones, ellipsoids and convex meshes): the
+// point farthest along a direction, and the face, edge or vertex that faces it.
 #pragma once
 
 #include "geometry/convex/feature.hpp"
@@ -10,18 +10,20 @@
 
 namespace rigor {
 
-/// Whether the functions below know the shape.
+/// Whether the shape is one of those, as the functions below require.
 bool is_convex_solid(const Shape& shape);
 
-/// The point of a convex shape that is farthest along a direction (Gilbert, Johnson and Keerthi 1988).
+/// The point of a convex shape that is farthest along a direction [m].
 Vector3d support(const Shape& shape, const Vector3d& direction);
 
-/// What a convex shape turns towards a direction: a face or the line of a round side that looks there
-/// to 25 degrees, else an edge that is nearly across it, else a point.
+/// The feature of a convex shape that faces a direction: a face, or a line on a round side, whose
+/// normal is within 25 degrees of it; else an edge that is nearly perpendicular to it; else a
+/// point.
 Feature feature_towards(const Shape& shape, const Vector3d& direction);
 
-/// Outward unit normals of a convex shape's faces, as directions to try; at most a few dozen.
-/// @param towards  what the round side is tried in
+/// Appends the outward unit normals of a convex shape's faces, candidates for a separating axis; at
+/// most a few dozen.
+/// @param towards  direction in which a round side's normal is taken
 void add_face_normals(const Shape& shape, const Vector3d& towards, std::vector<Vector3d>& normals);
 
 } // namespace rigor

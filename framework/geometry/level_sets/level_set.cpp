@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// Computes the signed distance to a mesh at every node of a grid. The sign comes from
+// angle-weighted pseudonormals (Baerentzen and Aanaes 2005, "Signed distance computation using the
+// angle weighted pseudonormal"). Nodes are visited row by row, because the triangle nearest to one
+// node is a good start for the search from the next.
 #include "geometry/level_sets/level_set.hpp"
 
 #include "geometry/meshes/mesh_edges.hpp"
@@ -11,7 +15,8 @@ namespace rigor {
 
 namespace {
 
-// The normals that decide on which side of the surface a point lies.
+// Pseudonormals: of a face its normal, of an edge the sum of two, of a vertex the sum weighted by
+// angles.
 struct PseudoNormals {
     std::vector<Vector3d> faces, vertices;
     std::vector<std::array<Vector3d, 3>> edges; // ab, bc, ca of each triangle
@@ -39,7 +44,7 @@ struct PseudoNormals {
     }
 };
 
-// Distances, one query after the other, each near the last.
+// Signed distances of points, each of which is expected to be near the one before.
 class SignedDistance {
 public:
     explicit SignedDistance(const TriangleMesh& mesh) : mesh_(mesh), tree_(mesh), normals_(mesh) {}
@@ -62,14 +67,18 @@ private:
     int last_ = 0; // the triangle nearest to the last point
 };
 
-// Where a line from a face's middle inwards comes out again [m]; infinite if it does not.
+// Distance of a ray's point from a triangle, divided by the length of the ray, that is rounding: a
+// ray through an edge must not slip between two triangles.
+constexpr double on_edge = 1e-9;
+
+// The distance from a face's middle inwards to the opposite side [m]; infinite if a ray finds none.
 double thickness_at(const TriangleMesh& mesh, const TriangleTree& tree, int face)
 {
     const Triangle triangle = triangle_of(mesh, face);
     const Vector3d start = (triangle.a + triangle.b + triangle.c) / 3;
     const Vector3d d = -triangle.area_normal().normalized();
     double nearest = std::numeric_limits<double>::infinity();
-    const auto enter = [&](const Bounds& box) { // slabs
+    const auto enter = [&](const Bounds& box) { // the slab test of a ray against a box
         double first = 0, last = nearest;
         for (int i = 0; i < 3; ++i) {
             double s = (box.low[i] - start[i]) / d[i], t = (box.high[i] - start[i]) / d[i];
@@ -83,12 +92,12 @@ double thickness_at(const TriangleMesh& mesh, const TriangleTree& tree, int face
         const Triangle other = triangle_of(mesh, t);
         const Vector3d n = other.area_normal();
         const double towards = n.dot(d);
-        if (t == face || towards <= 0) return; // seen from outside
+        if (t == face || towards <= 0) return; // the ray would enter here, not leave
         const double distance = n.dot(other.a - start) / towards;
         if (distance <= 0 || distance >= nearest) return;
         const Vector3d p = start + distance * d;
         if (nearest_on(other, p).feature == 6 ||
-            (nearest_on(other, p).point - p).norm() < 1e-9 * distance)
+            (nearest_on(other, p).point - p).norm() < on_edge * distance)
             nearest = distance;
     });
     return nearest;
@@ -98,14 +107,15 @@ double thickness_at(const TriangleMesh& mesh, const TriangleTree& tree, int face
 
 LevelSet make_level_set(const TriangleMesh& mesh, int cells)
 {
-    constexpr int margin = 2;
+    constexpr int margin = 2;         // cells around the bounds
+    constexpr double rounding = 1e-9; // cells: an extent of whole cells needs no other cell
     const Bounds bounds = bounds_of(mesh);
     const Vector3d extent = bounds.high - bounds.low;
     LevelSet grid;
     const double h = grid.cell_size = extent.maxCoeff() / cells;
     Vector3d half;
     for (int i = 0; i < 3; ++i) {
-        grid.size[i] = static_cast<int>(std::ceil(extent[i] / h - 1e-9)) + 1 + 2 * margin;
+        grid.size[i] = static_cast<int>(std::ceil(extent[i] / h - rounding)) + 1 + 2 * margin;
         half[i] = (grid.size[i] - 1) * h / 2;
     }
     grid.origin = (bounds.low + bounds.high) / 2 - half;
@@ -121,7 +131,9 @@ LevelSet make_level_set(const TriangleMesh& mesh, int cells)
 
 int suggested_cells(const TriangleMesh& mesh)
 {
-    constexpr double least = 32, most = 64, across = 3, quantile = 0.1;
+    constexpr double least = 32, most = 64; // cells along the longest side
+    constexpr double across = 3;            // cells across a wall
+    constexpr double quantile = 0.1;        // share of the surface that may have thinner walls
     const TriangleTree tree(mesh);
     std::vector<std::pair<double, double>> walls; // thickness, area
     double area = 0;

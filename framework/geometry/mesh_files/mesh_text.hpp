@@ -9,7 +9,8 @@
 
 namespace rigor {
 
-/// A token as an error message shows it: cut off after 24 characters, and without control characters.
+/// A token as an error message shows it: cut off after 24 characters, and without control
+/// characters.
 /// @param end  name of the end, where the token is empty
 std::string quoted(std::string_view token, const char* end);
 

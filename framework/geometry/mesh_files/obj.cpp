@@ -10,7 +10,7 @@ namespace rigor {
 
 namespace {
 
-// Words of a line, one after the other.
+// The tokens of a line, one after the other.
 class Words {
 public:
     explicit Words(std::string_view line) : rest_(line) {}
@@ -44,7 +44,7 @@ public:
     {
         if (read_.mesh.triangles.empty())
             throw MeshError(0, "expected vertices \"v x y z\" and faces \"f 1 2 3\", found none");
-        std::vector<int> number(read_.mesh.vertices.size(), -1); // of those that are used
+        std::vector<int> number(read_.mesh.vertices.size(), -1); // new numbers of used vertices
         std::vector<Vector3d> used;
         for (std::size_t t = 0; t < read_.mesh.triangles.size(); ++t)
             for (int& vertex : read_.mesh.triangles[t]) {
@@ -72,14 +72,14 @@ private:
         Vector3d v;
         for (double& x : v) {
             const std::string_view word = words.next();
-            if (!parse(word, x) || !std::isfinite(x) || std::abs(x) > 1e12)
+            if (!parse(word, x) || !std::isfinite(x) || std::abs(x) > largest_coordinate)
                 throw MeshError(line_, "expected a coordinate of at most 1e12 in size, found " +
                                            quoted(word, "the end of the line"));
         }
         read_.mesh.vertices.push_back(v);
     }
 
-    // "7", "7/1", "7//2" or "-1/-1/-1": the index of a vertex, from 0.
+    // The index of a vertex, counted from 0, for "7", "7/1", "7//2" or "-1/-1/-1".
     int vertex_index(std::string_view word) const
     {
         const int count = static_cast<int>(read_.mesh.vertices.size());
@@ -93,7 +93,7 @@ private:
 
     void read_face(Words& words)
     {
-        std::array<int, 3> fan{}; // the first, the last but one, the last
+        std::array<int, 3> fan{}; // the first vertex, the last but one and the last
         int corners = 0;
         for (std::string_view word = words.next(); !word.empty(); word = words.next()) {
             const int index = vertex_index(word);

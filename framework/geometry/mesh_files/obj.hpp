@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Triangle meshes as text, in the format of Wavefront's OBJ.
+// Triangle meshes as text, in the OBJ format of Wavefront.
 #pragma once
 
 #include "geometry/meshes/mesh_checks.hpp"
@@ -10,18 +10,19 @@
 
 namespace rigor {
 
-/// A mesh as it was read. It has passed no check but that of its syntax.
+/// A mesh as it was read: its syntax is right, but `check_mesh` has not seen it.
 struct ObjMesh {
-    TriangleMesh mesh;      // only the vertices that a face uses
-    std::vector<int> lines; // of each triangle's face in the text
+    TriangleMesh mesh;      // without the vertices that no face uses
+    std::vector<int> lines; // for each triangle, the line of its face
 };
 
-/// Vertices `v x y z` and faces `f 1 2 3`, `f 1/1/1 2//2 -1 …`; everything else is skipped. A face of
-/// more than three vertices becomes a fan about its first.
-/// @throws MeshError, at the first face too many without reading on
+/// Reads vertices `v x y z` and faces `f 1 2 3`, `f 1/1/1 2//2 -1 …`, and skips all other lines. A
+/// face of more than three vertices becomes a fan of triangles about its first vertex.
+///
+/// @throws MeshError  also as soon as there are too many vertices or triangles
 ObjMesh read_obj(std::string_view text);
 
-/// The text of a mesh; reading it again gives the same bits.
+/// The text of a mesh. Reading it again gives exactly the same numbers.
 std::string obj_text(const TriangleMesh& mesh);
 
 } // namespace rigor

@@ -13,10 +13,12 @@ namespace rigor {
 
 namespace {
 
-constexpr std::size_t most_entities = 10 * most_tetrahedra; // of any kind, in a Gmsh file
+// Elements of any kind in a Gmsh file: points, lines and triangles are there beside the tetrahedra.
+constexpr std::size_t most_entities = 10 * most_tetrahedra;
 constexpr long long any = std::numeric_limits<long long>::max();
 
-// Vertices by the number that the text gives them, and tetrahedra of such numbers.
+// The mesh in the numbers of the text: vertices by their number there, and tetrahedra of such
+// numbers.
 class NumberedMesh {
 public:
     void add_vertex(long long tag, Tokenizer& tokens)
@@ -48,7 +50,7 @@ public:
                 throw MeshError(0, "expected each vertex once, found number " +
                                        std::to_string(tags_[i].first) + " twice");
         TetrahedraText read;
-        std::vector<int> number(vertices_.size(), -1); // of those that are used
+        std::vector<int> number(vertices_.size(), -1); // new numbers of used vertices
         for (std::size_t t = 0; t < tetrahedra_.size(); ++t) {
             std::array<int, 4> corners{};
             for (int i = 0; i < 4; ++i) {
@@ -148,7 +150,7 @@ private:
         }
     }
 
-    // An element after its kind. A point, a line or a triangle is not ours.
+    // Reads the rest of an element, after its kind. Points, lines and triangles are skipped.
     void element(long long kind)
     {
         constexpr long long linear = 4, curved[] = {11, 29, 30, 31};
@@ -199,7 +201,7 @@ bool is_keyword(std::string_view word)
     return !word.empty() && std::isalpha(static_cast<unsigned char>(word.front()));
 }
 
-// Numbers and comments up to the next keyword.
+// Skips numbers and comments up to the next keyword.
 void skip_section(Tokenizer& tokens)
 {
     for (std::string_view word = tokens.peek(); !word.empty() && !is_keyword(word);

@@ -10,25 +10,26 @@
 
 namespace rigor {
 
-/// A mesh as it was read. It has passed no check but that of its syntax.
+/// A mesh as it was read: its syntax is right, but `check_mesh` has not seen it.
 struct TetrahedraText {
-    TetrahedralMesh mesh;   // only the vertices that a tetrahedron uses
-    std::vector<int> lines; // of each tetrahedron in the text
+    TetrahedralMesh mesh;   // without the vertices that no tetrahedron uses
+    std::vector<int> lines; // for each tetrahedron, its line in the text
 };
 
-/// The tetrahedra of a Gmsh file (its text form), whatever else is in it; curved ones are refused.
+/// Reads the tetrahedra of a Gmsh text file and skips other elements; curved tetrahedra are
+/// refused.
 /// @throws MeshError
 TetrahedraText read_msh(std::string_view text);
 
-/// The tetrahedra of a Medit file, whatever else is in it.
+/// Reads the tetrahedra of a Medit file and skips other elements.
 /// @throws MeshError
 TetrahedraText read_medit(std::string_view text);
 
-/// Either, by its first word.
+/// Reads either format, as the first token says.
 /// @throws MeshError
 TetrahedraText read_tetrahedra(std::string_view text);
 
-/// The text of a mesh for Medit; reading it again gives the same bits.
+/// The text of a mesh for Medit. Reading it again gives exactly the same numbers.
 std::string medit_text(const TetrahedralMesh& mesh);
 
 } // namespace rigor

@@ -2,6 +2,7 @@
 #include "geometry/mesh_files/tokenizer.hpp"
 
 #include "geometry/mesh_files/mesh_text.hpp"
+#include "geometry/meshes/mesh_checks.hpp"
 
 #include <cmath>
 
@@ -40,7 +41,7 @@ double Tokenizer::coordinate()
 {
     const std::string_view word = next();
     double x = 0;
-    if (!parse(word, x) || !std::isfinite(x) || std::abs(x) > 1e12)
+    if (!parse(word, x) || !std::isfinite(x) || std::abs(x) > largest_coordinate)
         refuse("a coordinate of at most 1e12 in size", word);
     return x;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The words of a mesh's text, with the line that each is in.
+// The text of a mesh as tokens between blanks, with the line of each.
 #pragma once
 
 #include "geometry/meshes/mesh_error.hpp"
@@ -9,17 +9,20 @@
 
 namespace rigor {
 
+/// Reads a text token by token. What it did not expect it refuses with a MeshError.
 class Tokenizer {
 public:
     explicit Tokenizer(std::string_view text) : rest_(text) {}
 
-    int line() const { return line_; } // of the word read last, from 1
+    /// Line of the token read last, counted from 1.
+    int line() const { return line_; }
 
-    std::string_view peek(); // the next word, on whatever line; empty at the end
+    /// The next token, on this line or a later one; empty at the end of the text.
+    std::string_view peek();
     std::string_view next();
-    void skip_line(); // to the start of the next line
+    void skip_line(); // goes to the start of the next line
 
-    /// @param what  expected, for the error
+    /// @param what  name of what is expected, for the error
     /// @throws MeshError
     double coordinate();
     long long integer(long long low, long long high, const char* what);

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Builds triangle meshes of simple solids, as surfaces of revolution, as extrusions, or vertex by
+// vertex. Outlines are divided into triangles by clipping ears (Meisters 1975, "Polygons have
+// ears"). Each generator adds its vertices first, and then the triangles that name them.
 #include "geometry/meshes/generators.hpp"
 
 #include <algorithm>
@@ -19,7 +22,7 @@ void add_quad(TriangleMesh& mesh, int a, int b, int c, int d)
     mesh.triangles.push_back({a, c, d});
 }
 
-// Twice the area of (a, b, c), positive if counter-clockwise.
+// Twice the signed area of (a, b, c), positive if counter-clockwise.
 double turn(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c)
 {
     return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
@@ -30,7 +33,8 @@ bool is_inside(const PlanePoint& p, const PlanePoint& a, const PlanePoint& b, co
     return turn(a, b, p) >= 0 && turn(b, c, p) >= 0 && turn(c, a, p) >= 0;
 }
 
-// A simple polygon as triangles, one ear after the other (Meisters 1975), the fattest first.
+// A simple polygon divided into triangles, one ear after the other. The ear that is largest for its
+// width comes first, which avoids slivers.
 std::vector<std::array<int, 3>> triangulated(const std::vector<PlanePoint>& polygon)
 {
     std::vector<int> rest(polygon.size());
@@ -40,7 +44,7 @@ std::vector<std::array<int, 3>> triangulated(const std::vector<PlanePoint>& poly
     while (rest.size() >= 3) {
         const std::size_t n = rest.size();
         std::size_t best = n;
-        double best_shape = 0; // area over the square of the new edge
+        double best_shape = 0; // twice the area, divided by the square of the new edge's length
         for (std::size_t i = 0; i < n; ++i) {
             const PlanePoint &a = polygon[rest[(i + n - 1) % n]], &b = polygon[rest[i]],
                              &c = polygon[rest[(i + 1) % n]];
@@ -55,7 +59,7 @@ std::vector<std::array<int, 3>> triangulated(const std::vector<PlanePoint>& poly
             best = i;
             best_shape = shape;
         }
-        if (best == n) break; // not a simple polygon: the mesh stays open, which its check sees
+        if (best == n) break; // not a simple polygon: check_mesh refuses the open mesh
         triangles.push_back({rest[(best + n - 1) % n], rest[best], rest[(best + 1) % n]});
         rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(best));
     }
@@ -67,7 +71,7 @@ std::vector<std::array<int, 3>> triangulated(const std::vector<PlanePoint>& poly
 TriangleMesh surface_of_revolution(const std::vector<PlanePoint>& profile, int sides)
 {
     TriangleMesh mesh;
-    std::vector<int> first; // vertex of each point; one alone on the axis
+    std::vector<int> first; // the first vertex of each point of the profile
     for (const auto& [distance, height] : profile) {
         first.push_back(static_cast<int>(mesh.vertices.size()));
         for (int side = 0; side < (distance > 0 ? sides : 1); ++side) {
@@ -170,7 +174,7 @@ TriangleMesh cross_mesh(double length, double width)
 {
     const double a = width / 2, b = length / 2;
     TriangleMesh mesh;
-    for (int corner = 0; corner < 8; ++corner) // of the cube in the middle: bits are signs
+    for (int corner = 0; corner < 8; ++corner) // the cube in the middle; bits are signs
         mesh.vertices.push_back({corner & 1 ? a : -a, corner & 2 ? a : -a, corner & 4 ? a : -a});
     for (int axis = 0; axis < 3; ++axis)
         for (const int side : {0, 1}) {
@@ -211,7 +215,8 @@ TriangleMesh gear_mesh(int teeth, double radius, double bore, double thickness)
 {
     const double pitch = 2 * pi / teeth, depth = radius * pitch / 2;
     const double root = radius - 0.6 * depth, tip = radius + 0.5 * depth;
-    // half angles of a tooth, in pitches; less than a quarter in the middle
+    // Half the angle of a tooth at its root and at its tip, in pitches. Their mean is below a
+    // quarter, so that a tooth is thinner than the gap that it runs in.
     constexpr double at_root = 0.33, at_tip = 0.15;
     std::vector<PlanePoint> outline; // angle, distance
     for (int tooth = 0; tooth < teeth; ++tooth)

@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// Checks that a triangle mesh is the surface of a solid. Edges are matched as half-edges,
+// intersections are found with a bounding tree, and pieces are told apart by winding numbers, from
+// solid angles (van Oosterom and Strackee 1983, "The solid angle of a plane triangle"). The cheap
+// checks come first, because the later ones rely on what they have established.
 #include "geometry/meshes/mesh_checks.hpp"
 
 #include "geometry/meshes/mesh_edges.hpp"
@@ -13,6 +17,21 @@
 namespace rigor {
 
 namespace {
+
+// Area of a face, divided by the square of its longest edge, that is rounding [1].
+constexpr double least_area = 1e-12;
+
+// Volume, divided by the cube of the size, that is rounding [1].
+constexpr double least_volume = 1e-12;
+
+// Length of the sum of two unit normals that count as opposite.
+constexpr double folded = 1e-9;
+
+// Error of a winding number, which is a whole number or, on a face, a half.
+constexpr double winding_tolerance = 0.01;
+
+// Each piece is compared with all faces: the limit guards the time.
+constexpr std::size_t most_pieces = 64;
 
 class Check {
 public:
@@ -46,7 +65,7 @@ private:
     {
         return "from " + place(e.low) + " to " + place(e.high);
     }
-    // A face in an error's words.
+    // The name of a face in an error message.
     std::string face(int triangle) const
     {
         return lines_.empty() ? "face " + std::to_string(triangle + 1)
@@ -86,7 +105,7 @@ private:
             const double longest = std::max({(triangle.b - triangle.a).squaredNorm(),
                                              (triangle.c - triangle.b).squaredNorm(),
                                              (triangle.a - triangle.c).squaredNorm()});
-            if (!(triangle.area_normal().norm() > 1e-12 * longest))
+            if (!(triangle.area_normal().norm() > least_area * longest))
                 throw MeshError(line(t), "expected a face with an area, found none at " +
                                              place(mesh_.triangles[t][0]));
         }
@@ -117,7 +136,7 @@ private:
     void outward() const
     {
         const double volume = signed_volume(mesh_);
-        const double rounding = 1e-12 * std::pow((bounds_.high - bounds_.low).maxCoeff(), 3);
+        const double rounding = least_volume * std::pow((bounds_.high - bounds_.low).maxCoeff(), 3);
         if (std::abs(volume) <= rounding)
             throw MeshError(0, "expected a mesh with a volume, found none");
         if (volume < 0)
@@ -127,14 +146,14 @@ private:
                                 number_text(volume) + " m³: turn the faces around");
     }
 
-    // Two faces at an edge that lie on each other.
+    // Refuses two faces at an edge that are folded onto each other: their normals are opposite.
     void folds(const std::vector<HalfEdge>& edges) const
     {
         for (std::size_t i = 0; i < edges.size(); i += 2) {
             const int t = edges[i].triangle, u = edges[i + 1].triangle;
             const Vector3d n = triangle_of(mesh_, t).area_normal().normalized();
             const Vector3d m = triangle_of(mesh_, u).area_normal().normalized();
-            if ((n + m).norm() < 1e-9) crossing(t, u);
+            if ((n + m).norm() < folded) crossing(t, u);
         }
     }
 
@@ -153,7 +172,8 @@ private:
         return shared >= vertices;
     }
 
-    // Whether an edge of t goes through u, but for edges that start at a vertex of u.
+    // Whether an edge of triangle t goes through triangle u. Edges that share a vertex with u are
+    // left out.
     bool edge_through(int t, int u) const
     {
         const Triangle triangle = triangle_of(mesh_, u);
@@ -167,7 +187,7 @@ private:
             if (is_corner(from) || is_corner(to)) continue;
             const Vector3d &p = mesh_.vertices[from], &q = mesh_.vertices[to];
             const double length = std::max(size, (q - p).norm());
-            if (pierces(p, q, triangle, 1e-12 * length * length * length)) return true;
+            if (pierces(p, q, triangle, least_volume * length * length * length)) return true;
         }
         return false;
     }
@@ -185,7 +205,8 @@ private:
         }
     }
 
-    // Solid angle of a face seen from p, over 4π (van Oosterom and Strackee 1983).
+    // The solid angle of a face seen from p, divided by 4π: its share of the winding number around
+    // p.
     double winding(const Triangle& triangle, const Vector3d& p) const
     {
         const Vector3d a = triangle.a - p, b = triangle.b - p, c = triangle.c - p;
@@ -195,8 +216,8 @@ private:
         return 2 * std::atan2(volume, rest) / (4 * std::numbers::pi);
     }
 
-    // Each piece must have matter on the inner side of its faces and none on the other: the surface
-    // winds around a point there once, and around one here not at all.
+    // Each piece must have matter on the inner side of its faces and none on the outer side: there
+    // the winding number of the whole surface is 1, here 0.
     void pieces(const std::vector<HalfEdge>& edges) const
     {
         const int count = static_cast<int>(mesh_.triangles.size());
@@ -215,7 +236,6 @@ private:
         for (int t = 0; t < count; ++t)
             if (!std::exchange(is_seen[root(t)], 1)) firsts.push_back(t);
         if (firsts.size() == 1) return;
-        constexpr std::size_t most_pieces = 64;
         if (firsts.size() > most_pieces)
             throw MeshError(line(firsts[most_pieces]), "expected at most " +
                                                            std::to_string(most_pieces) +
@@ -223,11 +243,12 @@ private:
         for (const int first : firsts) {
             const Triangle triangle = triangle_of(mesh_, first);
             const Vector3d middle = (triangle.a + triangle.b + triangle.c) / 3;
-            double sum =
-                0; // seen from the face itself, which adds nothing: halfway between the sides
+            // On the face itself, which adds nothing, the winding number is the mean of both sides:
+            // 1/2.
+            double sum = 0;
             for (int t = 0; t < count; ++t)
                 if (t != first) sum += winding(triangle_of(mesh_, t), middle);
-            if (std::abs(sum - 0.5) > 0.01)
+            if (std::abs(sum - 0.5) > winding_tolerance)
                 throw MeshError(line(first),
                                 "expected pieces that lie apart, or hollows whose faces look "
                                 "inwards, found " +

@@ -10,18 +10,24 @@
 
 namespace rigor {
 
+/// Larger coordinates are refused: the limit guards volumes and their products against overflow
+/// [m].
+inline constexpr double largest_coordinate = 1e12;
+
+/// Larger meshes are refused: the limits guard time and memory.
 inline constexpr std::size_t most_mesh_triangles = 200'000, most_mesh_vertices = 200'000;
 
 /// Signed volume that the triangles enclose, positive if they turn counter-clockwise seen from
 /// outside [m³].
 double signed_volume(const TriangleMesh& mesh);
 
-/// Refuses what is not the surface of a solid: no triangle at all, too many, a vertex that is not a
-/// number or does not exist, a face without area, an edge that does not have exactly two faces which
-/// run through it in opposite directions, faces that look inwards, a surface that goes through
-/// itself, a piece within another one that is no hollow.
+/// Refuses a mesh that is not the surface of a solid. It must have triangles, and not too many.
+/// Vertices must exist and be finite, and each face must have an area. Each edge must have two
+/// faces, which pass it in opposite directions. Faces must turn counter-clockwise seen from
+/// outside, and the surface must not intersect itself. A piece inside another piece must be a
+/// hollow.
 ///
-/// @param lines  of each triangle in its text, to name in the error; empty: none
+/// @param lines  line of the text for each triangle, for the error; empty if there is no text
 /// @throws MeshError
 void check_mesh(const TriangleMesh& mesh, const std::vector<int>& lines = {});
 

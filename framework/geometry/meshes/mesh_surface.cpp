@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Samples the surface of a mesh for contacts. Each sample has the cone of the normals along which
+// the surface can be touched there (normal cones: Rockafellar 1970, "Convex analysis"). Vertices
+// come first, then convex edges, then faces in rows.
 #include "geometry/meshes/mesh_surface.hpp"
 
 #include "geometry/meshes/mesh_edges.hpp"
@@ -11,8 +14,13 @@ namespace rigor {
 
 namespace {
 
-constexpr double sharp = 0.17; // sine of ten degrees
-constexpr double same = 1e-6;  // of two directions
+// Sine of ten degrees. Edges that bend less are not tested for contacts edge against edge: the
+// facets of a round surface meet in such edges.
+constexpr double sharp = 0.17;
+
+// Length of the difference of unit vectors that count as equal, and cosine of vectors that count as
+// orthogonal. It is far above the rounding of normals and far below any angle that matters.
+constexpr double same = 1e-6;
 
 } // namespace
 
@@ -72,10 +80,10 @@ void MeshSurface::add_edges(const TriangleMesh& mesh, const std::vector<Vector3d
         const bool is_convex = edge.bend > same;
         if (!is_convex) continue;
         const Vector3d along = (to - from).normalized();
-        // into the faces, away from the edge
+        // directions in the faces, away from the edge
         const Vector3d into1 = n1.cross(along), into2 = along.cross(n2);
         const int cone = add_cone({n1, n2}, {along, -along, into1, into2});
-        // a thin wedge bends by almost 180 degrees: its sine is small again
+        // A thin wedge bends by almost 180 degrees, where the sine is small again.
         if (edge.bend > sharp || n1.dot(n2) < 0) edges_.push_back({from, to, n1, n2, cone});
         const int pieces = static_cast<int>(std::ceil((to - from).norm() / spacing_));
         for (int i = 1; i < pieces; ++i)
@@ -83,7 +91,7 @@ void MeshSurface::add_edges(const TriangleMesh& mesh, const std::vector<Vector3d
     }
 }
 
-// Rows along the longest side, from side to side.
+// In rows parallel to the longest side.
 void MeshSurface::add_faces(const TriangleMesh& mesh, const std::vector<Vector3d>& normals)
 {
     const double spacing = 2 * spacing_;

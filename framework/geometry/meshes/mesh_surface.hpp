@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The surface of a mesh as points and edges that other bodies can meet.
+// The surface of a mesh as sample points and sharp edges, for contacts with other bodies.
 #pragma once
 
 #include "geometry/bounds/bounding_tree.hpp"
@@ -9,42 +9,43 @@
 
 namespace rigor {
 
-/// A point of a surface, on a vertex, an edge or a face.
+/// A sample point of a surface, on a vertex, an edge or a face [m].
 struct SurfacePoint {
     Vector3d point;
-    int cone = 0; // of its outward normals
+    int cone = 0; // number of the cone of its outward normals
 };
 
-/// An edge that sticks out.
+/// A sharp convex edge.
 struct SharpEdge {
-    Vector3d from, to;
-    Vector3d normal1, normal2; // unit, of its faces
+    Vector3d from, to;         // ends [m]
+    Vector3d normal1, normal2; // unit normals of the two faces
     int cone = 0;
 };
 
-/// Points about a spacing apart on faces and along edges that bend outwards, and the edges that do so
-/// by more than ten degrees, in trees. Edges and faces that the surface bends away from are left out:
-/// what sticks out elsewhere gets there first.
+/// Sample points about one spacing apart on faces and along convex edges, and the sharp edges,
+/// whose faces meet at more than ten degrees, each in a bounding tree. Concave edges have none:
+/// another part of the surface always touches first.
 class MeshSurface {
 public:
     /// @param spacing  > 0 [m]
     MeshSurface(const TriangleMesh& mesh, double spacing);
 
-    /// Those on vertices first, then those on edges.
+    /// The points on vertices first, then those on edges, then those on faces.
     const std::vector<SurfacePoint>& points() const { return points_; }
     const std::vector<SharpEdge>& edges() const { return edges_; }
     double spacing() const { return spacing_; }
     const BoundingTree& point_tree() const { return point_tree_; }
     const BoundingTree& edge_tree() const { return edge_tree_; }
 
-    /// The unit direction nearest to the unit vector d that the surface can be touched along from outside
-    /// at a point of this cone: one normal on a face, those between two on an edge, those between
-    /// several at a vertex. At a saddle, where no plane leaves the surface on one side, d itself.
+    /// The unit vector of a normal cone nearest to the unit vector d: the direction along which
+    /// another body can touch the surface there from outside. On a face that is its normal, on an
+    /// edge any direction between two normals, at a vertex any between several. A saddle has no
+    /// tangent plane that stays on one side of the surface; there the result is d itself.
     Vector3d nearest_normal(int cone, const Vector3d& d) const;
 
 private:
-    // Normals of the faces around a point, and directions along the surface away from it: a plane that
-    // all directions stay below touches the surface.
+    // A normal cone: the normals of the faces around a point, and the directions along the surface
+    // away from it. It contains the directions that make no acute angle with any of the latter.
     struct Cone {
         int first_normal = 0, last_normal = 0, first_direction = 0, last_direction = 0;
     };

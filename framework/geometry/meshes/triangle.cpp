@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Finds the point of a triangle nearest to a point, and whether a segment goes through a triangle.
+// Both follow Ericson 2005, "Real-time collision detection": 5.1.5 by Voronoi regions, 5.3.4 by the
+// signs of volumes. The vertices are tried first, then the edges, and the face is what is left.
 #include "geometry/meshes/triangle.hpp"
 
 namespace rigor {
@@ -42,7 +45,8 @@ NearestOnTriangle nearest_on(const Triangle& triangle, const Vector3d& p)
 
 namespace {
 
-// Six times the volume of a tetrahedron, positive if d lies where the normal of (a, b, c) points.
+// Six times the signed volume of a tetrahedron [m³]: positive if d is on the side of the triangle
+// (a, b, c) to which its normal points.
 double orientation(const Vector3d& a, const Vector3d& b, const Vector3d& c, const Vector3d& d)
 {
     return (b - a).cross(c - a).dot(d - a);

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Searches the triangles of a mesh by their bounding boxes. The nearest triangle is found by branch
+// and bound (Ericson 2005, "Real-time collision detection", chapter 6). Of two children the nearer
+// box is entered first, and a box farther away than the best triangle so far is not entered at all.
 #include "geometry/meshes/triangle_tree.hpp"
 
 #include <algorithm>
@@ -47,7 +50,7 @@ void TriangleTree::descend(int index, const Vector3d& p, Found& best) const
     if (to_far < best.squared_distance) descend(far, p, best);
 }
 
-// Whether the vertex or edge that a point lies on belongs to a triangle too.
+// Whether the vertex or edge that a found point lies on also belongs to another triangle.
 bool TriangleTree::is_on(const Found& found, int triangle) const
 {
     const auto& own = mesh_.triangles[found.triangle];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The triangles of a mesh in a tree: which is nearest, and which are near.
+// The triangles of a mesh in a bounding tree, to find the nearest.
 #pragma once
 
 #include "geometry/bounds/bounding_tree.hpp"
@@ -7,22 +7,26 @@
 
 namespace rigor {
 
+/// Answers which point of a mesh is nearest to a point, and where the distance has local minima.
 class TriangleTree {
 public:
-    /// @param mesh  outlives this
+    /// @param mesh  must live longer than the tree
     explicit TriangleTree(const TriangleMesh& mesh);
 
+    /// A nearest point with its triangle.
     struct Found : NearestOnTriangle {
         int triangle = 0;
         double squared_distance = 0; // [m²]
     };
 
     /// The point of the mesh nearest to p.
-    /// @param near  a triangle that may be near: a good guess saves time
+    /// @param near  a triangle from which the search starts; the nearer it is, the shorter the
+    /// search
     Found nearest(const Vector3d& p, int near = 0) const;
 
-    /// The nearest points of triangles within a distance of p that no neighbouring triangle comes
-    /// nearer at: one on each face, edge or corner that p looks at squarely. The nearest first.
+    /// Local minima of the distance to p, those nearer than `within` [m], the nearest first: for
+    /// each triangle its nearest point, unless that point also belongs to a triangle that comes
+    /// nearer.
     std::vector<Found> local_minima(const Vector3d& p, double within) const;
 
     const BoundingTree& tree() const { return tree_; }

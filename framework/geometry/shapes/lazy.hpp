@@ -6,7 +6,8 @@
 
 namespace rigor {
 
-/// A value that is made when it is first asked for, by whichever thread asks; the others wait.
+/// A lazily computed value: the first thread that asks for it computes it, and others that ask
+/// meanwhile wait.
 template <class T> class Lazy {
 public:
     /// @param make  returns a std::unique_ptr<T>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where something is: the framework's own rotation arithmetic, by Eigen, for its geometry. The
-// motion of bodies goes through the formulas instead.
+// Poses: position and rotation. Geometry computes rotations with Eigen; the motion of bodies calls
+// the formulas instead, because students write those.
 #pragma once
 
 #include "formulas/types.hpp"
@@ -8,7 +8,7 @@
 
 namespace rigor {
 
-/// A rotation and a translation, x = R p + X.
+/// A rotation and a translation, x = R p + X: p is in the local frame, x in the outer one.
 struct Pose {
     Matrix3d R = Matrix3d::Identity();
     Vector3d X = Vector3d::Zero(); // [m]
@@ -17,7 +17,7 @@ struct Pose {
     Pose operator*(const Pose& inner) const { return {R * inner.R, R * inner.X + X}; }
 };
 
-/// Rotation matrix of q / |q|; of the zero quaternion, the identity.
+/// Rotation matrix of q / |q|. For the zero quaternion it is the identity.
 Matrix3d rotation_matrix(const Quaternion& q);
 
 /// Pose of a body.
@@ -26,7 +26,7 @@ Pose pose_of(const RigidState& state);
 /// Unit quaternion of a matrix that is close to a rotation.
 Quaternion quaternion_of(const Matrix3d& R);
 
-/// Pose of a part whose body is at `body`.
+/// Pose of a part of a body that has the pose `body`.
 Pose part_pose(const Pose& body, const Part& part);
 
 } // namespace rigor

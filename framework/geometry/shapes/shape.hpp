@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The shapes a body is made of. What turns has its axis along y.
+// The shapes a body is made of. Shapes of revolution have their axis along y.
 #pragma once
 
 #include "formulas/types.hpp"
@@ -19,13 +19,13 @@ struct Sphere {
 /// A cylinder between two half balls, about the origin.
 struct Capsule {
     double radius = 0; // [m]
-    double height = 0; // of the cylinder, without the half balls [m]
+    double height = 0; // without the half balls [m]
 };
 
 /// A ring of circular section about the origin.
 struct Torus {
     double radius = 0; // from the axis to the middle of the tube [m]
-    double tube = 0;   // radius of the tube, less than `radius` [m]
+    double tube = 0;   // radius of the tube, smaller than `radius` [m]
 };
 
 /// A solid box about the origin, its edges along the axes.
@@ -41,16 +41,17 @@ struct Cylinder {
 
 /// A solid cone about its center of mass: the base at y = -height/4, the tip at y = 3/4 height.
 struct Cone {
-    double radius = 0; // of the base [m]
+    double radius = 0; // radius of the base [m]
     double height = 0; // [m]
 };
 
 /// A solid ellipsoid about the origin, its semi-axes along the axes.
 struct Ellipsoid {
-    Vector3d radii = Vector3d::Zero(); // [m]
+    Vector3d radii = Vector3d::Zero(); // semi-axes [m]
 };
 
-/// The solid inside a closed triangle mesh, in the frame of the mesh. Bodies of one mesh share it.
+/// The solid inside a closed triangle mesh, in the frame of the mesh. All bodies with the same mesh
+/// share one.
 struct Mesh {
     std::shared_ptr<const SolidMesh> solid; // never null
 };
@@ -60,15 +61,15 @@ struct Plane {};
 
 using Shape = std::variant<Sphere, Capsule, Torus, Box, Cylinder, Cone, Ellipsoid, Mesh, Plane>;
 
-/// A shape placed in a body's object space. A compound body has several.
+/// A shape at its place in a body's frame. A compound body has several.
 struct Part {
     Shape shape;
-    Vector3d position = Vector3d::Zero(); // of the shape's origin [m]
+    Vector3d position = Vector3d::Zero(); // where the shape's origin is [m]
     Quaternion orientation;
     double density = 1000; // [kg/m³]
 };
 
-/// Volume of a shape [m³]; of a plane 0: it has none to weigh.
+/// Volume of a shape [m³]. That of a plane is 0, because it has no mass.
 double volume(const Shape& shape);
 
 } // namespace rigor

@@ -16,7 +16,7 @@ Bounds about(const Vector3d& center, const Vector3d& extent)
     return {center - extent, center + extent};
 }
 
-// Half extents of a disc of radius 1 across the unit vector `axis`.
+// Half extents of a disc of radius 1 perpendicular to the unit vector `axis`: √(1 − axisᵢ²).
 Vector3d disc_extent(const Vector3d& axis)
 {
     return (Vector3d::Ones() - axis.cwiseAbs2()).cwiseMax(0).cwiseSqrt();

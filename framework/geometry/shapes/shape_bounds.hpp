@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Bounds of shapes.
+// Bounding boxes and bounding radii of shapes.
 #pragma once
 
 #include "geometry/bounds/bounds.hpp"
@@ -7,11 +7,12 @@
 
 namespace rigor {
 
-/// Bounds of a shape at a pose. A plane's are infinite.
+/// Bounds of a shape at a pose, the smallest possible but for a mesh. Those of a plane are
+/// infinite.
 Bounds bounds_of(const Shape& shape, const Pose& pose);
 
-/// Radius of the ball about the origin of object space that holds the part [m]. A plane's is
-/// infinite.
+/// Radius of a ball about the origin of the body's frame that contains the part, however it is
+/// turned [m]. That of a plane is infinite.
 double bounding_radius(const Part& part);
 
 /// Whether a part is a plane.

@@ -12,20 +12,22 @@
 
 namespace rigor {
 
-/// The solid that a closed mesh encloses, with what follows from it. It never changes; what not every
-/// scene needs is made when it is first asked for, by whichever thread asks.
+/// The solid that a closed mesh encloses, and its hull, surface, tree and level set. It never
+/// changes. What not every scene needs is computed lazily, when a thread first asks for it.
 class SolidMesh {
 public:
+    /// Limits of `cells`: a coarser level set has no room for detail, a finer one costs too much
+    /// time and memory.
     static constexpr int least_cells = 8, most_cells = 128;
 
     /// @param mesh   passed `check_mesh`
-    /// @param cells  of the level set along the longest side; 0: `suggested_cells(mesh)`
+    /// @param cells  along the longest side of the level set; 0: `suggested_cells(mesh)`
     explicit SolidMesh(TriangleMesh mesh, std::string name = "mesh", int cells = 0);
 
     SolidMesh(const SolidMesh&) = delete;
     SolidMesh& operator=(const SolidMesh&) = delete;
 
-    /// The same mesh, with nothing made of it yet.
+    /// The same mesh, with nothing computed yet.
     std::shared_ptr<const SolidMesh> copy() const
     {
         return std::make_shared<SolidMesh>(mesh_, name_, cells_);
@@ -34,23 +36,24 @@ public:
     const TriangleMesh& mesh() const { return mesh_; }
     const std::string& name() const { return name_; }
     const Bounds& bounds() const { return bounds_; }
-    /// The ball about the middle of the bounds that holds it [m].
+    /// The bounding ball: its center, the middle of the bounds, and its radius [m].
     Vector3d center() const { return (bounds_.low + bounds_.high) / 2; }
     double radius() const { return radius_; }
     double volume() const { return volume_; } // [m³]
 
-    /// Whether it has no dent: then contacts go by its hull, and its level set is rarely needed.
+    /// Whether it is convex. Contacts of convex meshes use the hull, and rarely need the level set.
     bool is_convex() const { return is_convex_; }
     /// @pre is_convex()
     const Hull& hull() const;
 
-    /// Points and edges of the surface, a cell of the level set apart.
+    /// Sample points and sharp edges of the surface, one cell of the level set apart.
     const MeshSurface& surface() const;
 
-    /// Its triangles, to find the nearest.
+    /// A tree of its triangles.
     const TriangleTree& triangles() const;
 
-    /// Signed distance on a grid. @param made  called if it was made for this call
+    /// Signed distances on a grid.
+    /// @param made  called before they are computed, which only the first call does
     template <class Made> const LevelSet& level_set(const Made& made) const
     {
         return level_set_.get([&] {

@@ -10,6 +10,7 @@
 
 namespace rigor {
 
+/// Larger meshes are refused: the limits guard time and memory.
 inline constexpr std::size_t most_tetrahedra = 1'000'000, most_tetrahedron_vertices = 1'000'000;
 
 /// The vertices of face f of a tetrahedron, the one opposite vertex f, counter-clockwise seen from
@@ -23,22 +24,25 @@ inline double tetrahedron_volume(const Vector3d& a, const Vector3d& b, const Vec
 {
     return (b - a).dot((c - a).cross(d - a)) / 6;
 }
+
+/// Signed volume of a tetrahedron of a mesh [m³].
 double tetrahedron_volume(const TetrahedralMesh& mesh, int tetrahedron);
 
-/// A face of a tetrahedron by its vertices in ascending order, and which way it turns.
+/// A face of a tetrahedron, its vertices in ascending order.
 struct SortedFace {
     std::array<int, 3> vertices;
-    bool is_even; // sorted by an even permutation of its counter-clockwise order
+    bool is_even; // an even permutation of the counter-clockwise order
     int tetrahedron, face;
 };
 
 /// All faces of all tetrahedra, those of the same vertices side by side.
 std::vector<SortedFace> sorted_faces(const TetrahedralMesh& mesh);
 
-/// Of each tetrahedron and each of its faces, the tetrahedron on the other side; -1: none.
+/// For each tetrahedron and each of its faces, the tetrahedron on the other side, or -1 for none.
 std::vector<std::array<int, 4>> face_neighbours(const TetrahedralMesh& mesh);
 
-/// The faces with one tetrahedron, counter-clockwise seen from outside, on the mesh's own vertices.
+/// The boundary surface: the faces that belong to one tetrahedron only, counter-clockwise seen from
+/// outside. Vertices keep their numbers.
 TriangleMesh boundary(const TetrahedralMesh& mesh);
 
 } // namespace rigor

@@ -1,5 +1,10 @@
 // SPDX-License-Identifier: MIT
+// Checks that a mesh of tetrahedra is one solid: first the numbers, then volumes, then faces, and
+// last that all of it is connected. Faces are compared as sorted triples of vertices. Connection is
+// found by a search from the first tetrahedron through faces.
 #include "geometry/tetrahedra/tetrahedra_checks.hpp"
+
+#include "geometry/meshes/mesh_checks.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,6 +14,10 @@
 namespace rigor {
 
 namespace {
+
+// Volume of a tetrahedron, divided by the cube of its longest edge, below which it is flat. A
+// regular one has 0.12; the formulas divide by the volume.
+constexpr double least_volume = 1e-9;
 
 class Check {
 public:
@@ -29,7 +38,7 @@ private:
     {
         throw MeshError(lines_.empty() ? 0 : lines_[tetrahedron], message);
     }
-    // A tetrahedron in an error's words.
+    // The name of a tetrahedron in an error message.
     std::string name(int tetrahedron) const
     {
         return lines_.empty() ? "tetrahedron " + std::to_string(tetrahedron + 1)
@@ -52,7 +61,7 @@ private:
                 is_used[v] = 1;
             }
         for (std::size_t v = 0; v < vertices.size(); ++v) {
-            if (!vertices[v].allFinite() || vertices[v].cwiseAbs().maxCoeff() > 1e12)
+            if (!vertices[v].allFinite() || vertices[v].cwiseAbs().maxCoeff() > largest_coordinate)
                 throw MeshError(0, "expected coordinates of at most 1e12 in size, found other "
                                    "ones at vertex " +
                                        std::to_string(v + 1));
@@ -70,7 +79,7 @@ private:
                 for (const int j : mesh_.tetrahedra[t])
                     longest = std::max(longest, (mesh_.vertices[i] - mesh_.vertices[j]).norm());
             const double V = tetrahedron_volume(mesh_, t);
-            const double least = 1e-9 * longest * longest * longest;
+            const double least = least_volume * longest * longest * longest;
             if (V < -least)
                 refuse(t,
                        "expected a tetrahedron with its fourth vertex where the first three turn "

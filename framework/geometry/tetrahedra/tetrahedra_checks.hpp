@@ -7,12 +7,13 @@
 
 namespace rigor {
 
-/// Refuses what is not one solid: no tetrahedron at all, too many, a vertex that is not a number, does
-/// not exist or belongs to none, a tetrahedron that is flat (its volume under 1e-9 of its longest
-/// edge's cube) or inverted, a face that three share or two from the same side, a solid in several
-/// pieces. Pieces that meet in an edge or a vertex only do not hang together: nothing would hold them.
+/// Refuses a mesh that is not one solid. It must have tetrahedra, and not too many. Vertices must
+/// exist, be finite and belong to a tetrahedron. No tetrahedron may be inverted or flat (its volume
+/// below 1e-9 of the cube of its longest edge). A face may belong to two tetrahedra at most, on
+/// different sides. All tetrahedra must be connected through faces: an edge or a vertex alone would
+/// hold nothing.
 ///
-/// @param lines  of each tetrahedron in its text, to name in the error; empty: none
+/// @param lines  line of the text for each tetrahedron, for the error; empty if there is no text
 /// @throws MeshError
 void check_mesh(const TetrahedralMesh& mesh, const std::vector<int>& lines = {});
 

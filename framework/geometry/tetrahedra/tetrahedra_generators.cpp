@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Builds meshes of tetrahedra. A block is made of cells of five tetrahedra each, a ball of an
+// octahedron whose eighths are divided along the diagonals of their cells (Kuhn 1960). Cells or
+// eighths come first, then vertices are numbered, and vertices that nothing uses are left out.
 #include "geometry/tetrahedra/tetrahedra_generators.hpp"
 
 #include "geometry/tetrahedra/tetrahedra.hpp"
@@ -15,9 +18,10 @@ namespace {
 constexpr int cell_tetrahedra[5][4] = {
     {0, 3, 6, 5}, {1, 5, 3, 0}, {2, 3, 6, 0}, {4, 6, 5, 0}, {7, 5, 6, 3}};
 
-using IsThere = std::function<bool(int, int)>; // a cell, by its place along x and y
+using IsThere = std::function<bool(int, int)>; // whether the block has cell x, y
 
-// Cells that are not mirror images of the first are mirrored in x, and so turn the other way round.
+// Neighbouring cells are mirror images in x. A mirrored tetrahedron would be inverted, so two of
+// its vertices are swapped.
 TetrahedralMesh cells_as_tetrahedra(const Vector3d& size, const std::array<int, 3>& cells,
                                     const IsThere& is_there)
 {
@@ -49,7 +53,7 @@ TetrahedralMesh cells_as_tetrahedra(const Vector3d& size, const std::array<int, 
                 int& n = number[node(x, y, z)];
                 if (n < 0) continue;
                 n = static_cast<int>(mesh.vertices.size());
-                const Vector3d p(2.0 * x - nx, 2.0 * y - ny, 2.0 * z - nz); // symmetric to the bit
+                const Vector3d p(2.0 * x - nx, 2.0 * y - ny, 2.0 * z - nz); // exactly symmetric
                 mesh.vertices.push_back(
                     p.cwiseQuotient(2 * Vector3d(nx, ny, nz)).cwiseProduct(size));
             }
@@ -59,7 +63,8 @@ TetrahedralMesh cells_as_tetrahedra(const Vector3d& size, const std::array<int, 
     return mesh;
 }
 
-// The tetrahedron 0 ≤ k ≤ j ≤ i ≤ n of unit cells, each cut into six along its diagonal (Kuhn 1960).
+// The tetrahedron 0 ≤ k ≤ j ≤ i ≤ n of unit cells, each cut into six along its diagonal (Kuhn
+// 1960).
 template <class Add> void for_each_kuhn_tetrahedron(int n, const Add& add)
 {
     constexpr int orders[6][3] = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
@@ -101,11 +106,12 @@ TetrahedralMesh ball_tetrahedra(double radius, int layers)
     const int n = layers, side = 2 * n + 1;
     std::vector<int> number(side * side * side, -1);
     TetrahedralMesh mesh;
-    const auto vertex = [&](const std::array<int, 3>& p) { // of the octahedron |x| + |y| + |z| ≤ n
+    // The vertex of a point of the octahedron |x| + |y| + |z| ≤ n.
+    const auto vertex = [&](const std::array<int, 3>& p) {
         int& v = number[p[0] + n + side * (p[1] + n + side * (p[2] + n))];
         if (v >= 0) return v;
         const Vector3d q(p[0], p[1], p[2]);
-        const double layer = q.lpNorm<1>(); // an octahedron, which becomes a sphere
+        const double layer = q.lpNorm<1>(); // its octahedron becomes a sphere
         mesh.vertices.push_back(layer > 0 ? Vector3d(radius * layer / n * q.normalized()) : q);
         return v = static_cast<int>(mesh.vertices.size()) - 1;
     };
@@ -114,7 +120,7 @@ TetrahedralMesh ball_tetrahedra(double radius, int layers)
                                          octant & 4 ? -1 : 1};
         for_each_kuhn_tetrahedron(n, [&](const std::array<std::array<int, 3>, 4>& kuhn) {
             std::array<int, 4> t{};
-            for (int i = 0; i < 4; ++i) { // (i, j, k) to the octant's corners by its weights
+            for (int i = 0; i < 4; ++i) { // from Kuhn's tetrahedron to the octant
                 const auto& [a, b, c] = kuhn[i];
                 t[i] = vertex({sign[0] * (a - b), sign[1] * (b - c), sign[2] * c});
             }

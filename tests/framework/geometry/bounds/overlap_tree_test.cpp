@@ -12,7 +12,8 @@ using namespace rigor::testing;
 
 TEST_CASE("overlap tree: it finds what comparing all pairs finds", "[geometry]")
 {
-    // as large and as small as doubles are, and apart or touching by one rounding far from the origin
+    // as large and as small as doubles are, and apart or touching by one rounding far from the
+    // origin
     const double scale = GENERATE(1.0, 1e-300, 1e-40, 1e30, 1e300);
     const double far = GENERATE(0.0, 1e6);
     CAPTURE(scale, far);

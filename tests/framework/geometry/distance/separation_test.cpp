@@ -84,8 +84,8 @@ TEST_CASE("separation: shapes that overlap a little are parted the shortest way"
                 ++overlapping;
                 REQUIRE_THAT(along(a, pose, b, found.normal),
                              IsClose(found.distance, Rounding(64, 4)));
-                // no shorter way, to the error of the polytope's last face; a shallow overlap of facets
-                // may settle on one beside the best
+                // no shorter way, to the error of the polytope's last face; a shallow overlap of
+                // facets may settle on one beside the best
                 const double shortest = std::max(-depth, brute_force(a, pose, b));
                 REQUIRE(found.distance >= shortest * 1.01 - 1e-7);
             }

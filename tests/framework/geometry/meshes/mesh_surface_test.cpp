@@ -45,7 +45,8 @@ TEST_CASE("surface: a point is touched along its own normals only", "[geometry]"
             Random random(seed);
             const Vector3d d = random.unit_vector();
             const Vector3d n = surface.nearest_normal(p.cone, d);
-            // of a box: what of d points out of the faces the point is on; a face alone has one normal
+            // of a box: what of d points out of the faces the point is on; a face alone has one
+            // normal
             Vector3d expected = Vector3d::Zero();
             int faces = 0, last = 0;
             for (int i = 0; i < 3; ++i) {
