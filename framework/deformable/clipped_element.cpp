@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "deformable/clipped_element.hpp"
 
-#include "geometry/tetrahedra.hpp"
+#include "geometry/tetrahedra/tetrahedra.hpp"
 
 #include <algorithm>
 #include <cmath>

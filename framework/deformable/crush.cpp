@@ -5,7 +5,7 @@
 #include "deformable/lumped_mass.hpp"
 #include "deformable/remesh.hpp"
 #include "formulas/fracture.hpp"
-#include "geometry/tetrahedra.hpp"
+#include "geometry/tetrahedra/tetrahedra.hpp"
 
 #include <algorithm>
 #include <cmath>

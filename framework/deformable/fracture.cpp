@@ -4,7 +4,7 @@
 #include "deformable/failure.hpp"
 #include "deformable/remesh.hpp"
 #include "formulas/plasticity.hpp"
-#include "geometry/tetrahedra.hpp"
+#include "geometry/tetrahedra/tetrahedra.hpp"
 
 #include <algorithm>
 #include <cmath>

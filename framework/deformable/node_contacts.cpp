@@ -2,7 +2,7 @@
 #include "deformable/node_contacts.hpp"
 
 #include "formulas/collision.hpp"
-#include "geometry/bounds.hpp"
+#include "geometry/shapes/shape_bounds.hpp"
 #include "rigid/bodies/orientation.hpp"
 #include "rigid/step/sleep.hpp"
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "deformable/deformable.hpp"
-#include "geometry/pose.hpp"
+#include "geometry/shapes/pose.hpp"
 #include "rigid/detection/shapes/distance_field.hpp"
 
 namespace rigor {

@@ -2,7 +2,7 @@
 #include "deformable/remesh.hpp"
 
 #include "deformable/lumped_mass.hpp"
-#include "geometry/tetrahedra.hpp"
+#include "geometry/tetrahedra/tetrahedra.hpp"
 
 #include <algorithm>
 #include <cassert>

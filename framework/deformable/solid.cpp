@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "deformable/element.hpp"
 #include "deformable/lumped_mass.hpp"
-#include "geometry/tetrahedra.hpp"
+#include "geometry/tetrahedra/tetrahedra.hpp"
 
 #include <numeric>
 #include <utility>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "deformable/workspace.hpp"
 
-#include "geometry/tetrahedra.hpp"
+#include "geometry/tetrahedra/tetrahedra.hpp"
 
 #include <tuple>
 #include <utility>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/stage.hpp"
 
-#include "geometry/bounds.hpp"
+#include "geometry/shapes/shape_bounds.hpp"
 #include "render/colors.hpp"
 #include "render/surfaces.hpp"
 

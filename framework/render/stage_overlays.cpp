@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What is drawn besides the bodies.
-#include "geometry/bounds.hpp"
+#include "geometry/shapes/shape_bounds.hpp"
 #include "render/colors.hpp"
 #include "render/stage.hpp"
 

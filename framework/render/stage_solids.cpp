@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // How deformable solids are drawn.
-#include "geometry/bounds.hpp"
+#include "geometry/bounds/bounds.hpp"
 #include "render/colors.hpp"
 #include "render/skins.hpp"
 #include "render/stage.hpp"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "render/surfaces.hpp"
 
-#include "geometry/generators.hpp"
-#include "geometry/mesh_edges.hpp"
-#include "geometry/solid_mesh.hpp"
+#include "geometry/meshes/generators.hpp"
+#include "geometry/meshes/mesh_edges.hpp"
+#include "geometry/shapes/solid_mesh.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -27,7 +27,7 @@ struct MeshOf {
                 profile.push_back({on_axis ? 0 : c.radius * std::sin(angle),
                                    (half - 0.5) * c.height - c.radius * std::cos(angle)});
             }
-        return turned_profile(profile, sides);
+        return surface_of_revolution(profile, sides);
     }
     TriangleMesh operator()(const Torus& t) const
     {
@@ -36,12 +36,12 @@ struct MeshOf {
     TriangleMesh operator()(const Cylinder& c) const
     {
         const double y = c.height / 2;
-        return turned_profile({{0, -y}, {c.radius, -y}, {c.radius, y}, {0, y}}, sides);
+        return surface_of_revolution({{0, -y}, {c.radius, -y}, {c.radius, y}, {0, y}}, sides);
     }
     TriangleMesh operator()(const Cone& c) const
     {
         const double y = -0.25 * c.height;
-        return turned_profile({{0, y}, {c.radius, y}, {0, 0.75 * c.height}}, sides);
+        return surface_of_revolution({{0, y}, {c.radius, y}, {0, 0.75 * c.height}}, sides);
     }
     TriangleMesh operator()(const Mesh& m) const { return m.solid->mesh(); }
     template <class Other> TriangleMesh operator()(const Other&) const { return {}; }

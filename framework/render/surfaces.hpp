@@ -2,7 +2,7 @@
 // Shapes as triangles to draw.
 #pragma once
 
-#include "geometry/shape.hpp"
+#include "geometry/shapes/shape.hpp"
 #include "render/picture.hpp"
 
 namespace rigor {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What holds and pulls the nodes of a solid.
-#include "geometry/bounds.hpp"
-#include "geometry/pose.hpp"
+#include "geometry/bounds/bounds.hpp"
+#include "geometry/shapes/pose.hpp"
 #include "scene/grammar.hpp"
 
 #include <fmt/format.h>

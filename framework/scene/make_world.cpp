@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "scene/make_world.hpp"
 
-#include "geometry/pose.hpp"
-#include "geometry/solid_mesh.hpp"
+#include "geometry/shapes/pose.hpp"
+#include "geometry/shapes/solid_mesh.hpp"
 #include "rigid/bodies/mass.hpp"
 
 #include <map>

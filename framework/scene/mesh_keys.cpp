@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "scene/shape_keys.hpp"
 
-#include "geometry/generators.hpp"
+#include "geometry/meshes/generators.hpp"
 
 #include <numbers>
 

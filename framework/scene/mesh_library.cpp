@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "scene/mesh_library.hpp"
 
-#include "geometry/mesh_checks.hpp"
-#include "geometry/tetrahedra_files.hpp"
+#include "geometry/mesh_files/tetrahedra_files.hpp"
+#include "geometry/meshes/mesh_checks.hpp"
 #include "scene/keys.hpp"
 #include "scene/scene.hpp"
 

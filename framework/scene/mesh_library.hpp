@@ -2,7 +2,7 @@
 // The meshes of a scene: each is made once, and shared by all bodies that name it.
 #pragma once
 
-#include "geometry/solid_mesh.hpp"
+#include "geometry/shapes/solid_mesh.hpp"
 #include "scene/json.hpp"
 
 #include <filesystem>

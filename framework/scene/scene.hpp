@@ -3,7 +3,7 @@
 #pragma once
 
 #include "deformable/deformable.hpp"
-#include "geometry/shape.hpp"
+#include "geometry/shapes/shape.hpp"
 
 #include <filesystem>
 #include <memory>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "scene/statistics.hpp"
 
-#include "geometry/pose.hpp"
+#include "geometry/shapes/pose.hpp"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The meshes of solids: one reader a kind.
-#include "geometry/tetrahedra.hpp"
+#include "geometry/tetrahedra/tetrahedra_generators.hpp"
 #include "scene/grammar.hpp"
 #include "scene/shape_keys.hpp"
 

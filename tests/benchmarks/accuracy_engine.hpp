@@ -3,7 +3,7 @@
 // and `bench contact` measure with.
 #pragma once
 
-#include "geometry/shape.hpp"
+#include "geometry/shapes/shape.hpp"
 
 #include <functional>
 #include <memory>

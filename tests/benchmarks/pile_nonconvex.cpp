@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "pile_nonconvex.hpp"
 
-#include "geometry/generators.hpp"
-#include "geometry/solid_mesh.hpp"
+#include "geometry/meshes/generators.hpp"
+#include "geometry/shapes/shape_bounds.hpp"
+#include "geometry/shapes/solid_mesh.hpp"
 #include "pile_run.hpp"
 #include "rigid/bodies/mass.hpp"
 #include "rigid/detection/broad_phase.hpp"

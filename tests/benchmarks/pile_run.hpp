@@ -3,8 +3,9 @@
 // lie at the end.
 #pragma once
 
-#include "geometry/pose.hpp"
+#include "geometry/shapes/pose.hpp"
 #include "rigid/bodies/world.hpp"
+#include "rigid/world.hpp"
 
 #include <functional>
 #include <string>

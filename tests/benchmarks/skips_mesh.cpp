@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "geometry/generators.hpp"
-#include "geometry/solid_mesh.hpp"
+#include "geometry/meshes/generators.hpp"
+#include "geometry/shapes/solid_mesh.hpp"
 #include "skips_run.hpp"
 #include "stress/scenes.hpp"
 

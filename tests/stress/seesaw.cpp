@@ -3,7 +3,7 @@
 #include "stress/scenes.hpp"
 #include "stress/watch.hpp"
 
-#include "geometry/pose.hpp"
+#include "geometry/shapes/pose.hpp"
 
 #include <cmath>
 #include <numbers>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "stress/watch.hpp"
 
-#include "geometry/bounds.hpp"
-#include "geometry/pose.hpp"
-#include "geometry/solid_mesh.hpp"
+#include "geometry/shapes/pose.hpp"
+#include "geometry/shapes/shape_bounds.hpp"
+#include "geometry/shapes/solid_mesh.hpp"
 #include "rigid/bodies/non_finite.hpp"
 #include "support/bench.hpp"
 #include "support/depth.hpp"

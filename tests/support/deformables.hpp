@@ -3,7 +3,8 @@
 #pragma once
 
 #include "deformable/deformable.hpp"
-#include "geometry/tetrahedra.hpp"
+#include "geometry/tetrahedra/tetrahedra.hpp"
+#include "geometry/tetrahedra/tetrahedra_generators.hpp"
 #include "support/random.hpp"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 // How deep two bodies are inside each other, measured apart from the engine's own narrow phase.
 #pragma once
 
-#include "geometry/pose.hpp"
+#include "geometry/shapes/pose.hpp"
 
 namespace rigor::testing {
 

@@ -2,8 +2,8 @@
 #include "rigid/bodies/mass.hpp"
 
 #include "formulas/inertia.hpp"
-#include "geometry/pose.hpp"
-#include "geometry/solid_mesh.hpp"
+#include "geometry/shapes/pose.hpp"
+#include "geometry/shapes/solid_mesh.hpp"
 #include "rigid/bodies/non_finite.hpp"
 
 #include <cmath>

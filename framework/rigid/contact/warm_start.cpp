@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "rigid/contact/warm_start.hpp"
 
-#include "geometry/pose.hpp"
+#include "geometry/shapes/pose.hpp"
 #include "rigid/bodies/optimised_forms.hpp"
 
 #include <algorithm>

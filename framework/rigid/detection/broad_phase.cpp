@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "rigid/detection/broad_phase.hpp"
 
-#include "geometry/box_tree.hpp"
+#include "geometry/bounds/overlap_tree.hpp"
+#include "geometry/shapes/shape_bounds.hpp"
 
 #include <algorithm>
 #include <array>
@@ -54,13 +55,13 @@ std::vector<BodyPair> in_order(std::vector<BodyPair> pairs, std::size_t bodies)
 }
 
 // The pairs in an order that depends on the number of threads; `in_order` sorts them later.
-std::vector<BodyPair> overlapping(const BoxTree& tree, std::size_t members, ThreadPool& pool)
+std::vector<BodyPair> overlapping(const OverlapTree& tree, std::size_t members, ThreadPool& pool)
 {
     constexpr std::size_t grain_size = 128; // members
     const int ranges = pool.range_count(members, grain_size);
     if (ranges == 0) return {};
     constexpr std::size_t parts_per_range = 4; // parts of the tree differ in size
-    const std::vector<BoxTree::NodePair> parts =
+    const std::vector<OverlapTree::NodePair> parts =
         tree.parts(ranges < 2 ? 1 : parts_per_range * static_cast<std::size_t>(ranges));
     std::vector<std::vector<BodyPair>> found(ranges);
     pool.for_each_task(ranges, [&](int k) {
@@ -79,7 +80,7 @@ std::vector<BodyPair> search_tree(const std::vector<Bounds>& bounds, const std::
 {
     constexpr std::size_t grain_size = 256; // members
     const auto parts = static_cast<std::size_t>(pool.range_count(moving.size(), grain_size));
-    const BoxTree tree(bounds, moving, parts,
+    const OverlapTree tree(bounds, moving, parts,
                        [&pool](int tasks, const auto& build) { pool.for_each_task(tasks, build); });
     std::vector<BodyPair> pairs = overlapping(tree, moving.size(), pool);
     for (int i : still)

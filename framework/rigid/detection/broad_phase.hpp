@@ -8,7 +8,7 @@
 namespace rigor {
 
 /// Pairs of bodies whose bounds overlap, in ascending order, by a search among all bodies: a tree of
-/// the moving bodies' boxes (box_tree.hpp) makes it n log n. Bodies with a plane have no bounds; the
+/// the moving bodies' boxes (overlap_tree.hpp) makes it n log n. Bodies with a plane have no bounds; the
 /// distance from the plane to each moving body decides.
 ///
 /// @param poses   of all bodies

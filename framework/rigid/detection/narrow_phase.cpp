@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "rigid/detection/narrow_phase.hpp"
 
-#include "geometry/bounds.hpp"
-#include "geometry/convex.hpp"
+#include "geometry/distance/support.hpp"
+#include "geometry/shapes/shape_bounds.hpp"
+#include "rigid/bodies/height_order.hpp"
+#include "rigid/bodies/non_finite.hpp"
 #include "rigid/detection/shapes/box_box.hpp"
 #include "rigid/detection/shapes/convex_contact.hpp"
 #include "rigid/detection/shapes/core_contact.hpp"
 #include "rigid/detection/shapes/distance_field.hpp"
-#include "rigid/bodies/height_order.hpp"
 #include "rigid/detection/shapes/mesh_contact.hpp"
-#include "rigid/bodies/non_finite.hpp"
 #include "rigid/detection/shapes/plane_contact.hpp"
 
 #include <algorithm>

@@ -2,9 +2,10 @@
 // Where two shapes touch, or are about to.
 #pragma once
 
-#include "geometry/pose.hpp"
+#include "geometry/shapes/pose.hpp"
 #include "rigid/bodies/world.hpp"
 #include "rigid/detection/contact.hpp"
+#include "rigid/world.hpp"
 
 namespace rigor {
 

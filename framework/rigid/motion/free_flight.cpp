@@ -5,7 +5,7 @@
 #include "rigid/motion/free_flight.hpp"
 
 #include "formulas/rotation.hpp"
-#include "geometry/pose.hpp"
+#include "geometry/shapes/pose.hpp"
 #include "rigid/bodies/orientation.hpp"
 #include "rigid/motion/constant_wrench_step.hpp"
 #include "rigid/motion/forces.hpp"

@@ -6,7 +6,7 @@
 #include "formulas/inertia.hpp"
 #include "formulas/kinematics.hpp"
 #include "formulas/rotation.hpp"
-#include "geometry/pose.hpp"
+#include "geometry/shapes/pose.hpp"
 #include "rigid/bodies/orientation.hpp"
 
 #include <array>

@@ -4,7 +4,7 @@
 // stage then runs on a world of these two bodies alone, at that moment.
 #include "rigid/step/impact.hpp"
 
-#include "geometry/pose.hpp"
+#include "geometry/shapes/pose.hpp"
 #include "rigid/bodies/orientation.hpp"
 #include "rigid/contact/collisions.hpp"
 #include "rigid/contact/make_problem.hpp"

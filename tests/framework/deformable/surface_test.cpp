@@ -2,7 +2,7 @@
 #include "deformable/crush.hpp"
 #include "deformable/remesh.hpp"
 #include "formulas/fracture.hpp"
-#include "geometry/mesh_checks.hpp"
+#include "geometry/meshes/mesh_checks.hpp"
 #include "support/close.hpp"
 #include "support/deformables.hpp"
 

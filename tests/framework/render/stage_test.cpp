@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "geometry/generators.hpp"
-#include "geometry/signed_distance.hpp"
-#include "geometry/solid_mesh.hpp"
+#include "geometry/distance/signed_distance.hpp"
+#include "geometry/meshes/generators.hpp"
+#include "geometry/shapes/solid_mesh.hpp"
 #include "pictures.hpp"
 #include "render/stage.hpp"
 #include "render/surfaces.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "contact_shapes.hpp"
 
-#include "geometry/triangle.hpp"
+#include "geometry/meshes/triangle.hpp"
 
 namespace rigor::testing {
 
@@ -57,19 +57,19 @@ struct FineMesh {
             const double y = c.radius * std::sin(angle) + (i < 32 ? -0.5 : 0.5) * c.height;
             profile.push_back({i == 0 || i == 64 ? 0 : c.radius * std::cos(angle), y});
         }
-        return turned_profile(profile, 96);
+        return surface_of_revolution(profile, 96);
     }
     TriangleMesh operator()(const Torus& t) const { return torus_mesh(t.radius, t.tube, 96, 48); }
     TriangleMesh operator()(const Box& b) const { return box_mesh(b.size); }
     TriangleMesh operator()(const Cylinder& c) const
     {
         const double y = c.height / 2;
-        return turned_profile({{0, -y}, {c.radius, -y}, {c.radius, y}, {0, y}}, 192);
+        return surface_of_revolution({{0, -y}, {c.radius, -y}, {c.radius, y}, {0, y}}, 192);
     }
     TriangleMesh operator()(const Cone& c) const
     {
         const double y = -c.height / 4;
-        return turned_profile({{0, y}, {c.radius, y}, {0, y + c.height}}, 192);
+        return surface_of_revolution({{0, y}, {c.radius, y}, {0, y + c.height}}, 192);
     }
     TriangleMesh operator()(const Ellipsoid& e) const
     {

@@ -2,11 +2,11 @@
 // Shapes of every kind, and what is known of them without the narrow phase.
 #pragma once
 
-#include "geometry/convex.hpp"
-#include "geometry/generators.hpp"
-#include "geometry/mesh_surface.hpp"
-#include "geometry/signed_distance.hpp"
-#include "geometry/solid_mesh.hpp"
+#include "geometry/distance/signed_distance.hpp"
+#include "geometry/distance/support.hpp"
+#include "geometry/meshes/generators.hpp"
+#include "geometry/meshes/mesh_surface.hpp"
+#include "geometry/shapes/solid_mesh.hpp"
 #include "rigid/detection/narrow_phase.hpp"
 #include "worlds.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "geometry/generators.hpp"
-#include "geometry/solid_mesh.hpp"
+#include "geometry/meshes/generators.hpp"
+#include "geometry/shapes/solid_mesh.hpp"
 #include "rigid/bodies/non_finite.hpp"
 #include "worlds.hpp"
 

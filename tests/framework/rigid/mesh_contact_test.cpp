@@ -2,7 +2,7 @@
 // Contacts through level sets, one case at a time.
 #include "contact_shapes.hpp"
 #include "formulas/collision.hpp"
-#include "geometry/level_set.hpp"
+#include "geometry/level_sets/level_set.hpp"
 #include "rigid/bodies/non_finite.hpp"
 #include "rigid/detection/shapes/reduce_contacts.hpp"
 

@@ -84,7 +84,7 @@ TEST_CASE("contact: the same shape as a mesh and exactly touches alike", "[rigid
         {Torus{0.4, 0.15}, mesh(torus_mesh(0.4, 0.15, 96, 48))},
         {Box{{0.7, 0.5, 0.9}}, mesh(box_mesh({0.7, 0.5, 0.9}))},
         {Cylinder{0.4, 0.8},
-         mesh(turned_profile({{0, -0.4}, {0.4, -0.4}, {0.4, 0.4}, {0, 0.4}}, 96))}};
+         mesh(surface_of_revolution({{0, -0.4}, {0.4, -0.4}, {0.4, 0.4}, {0, 0.4}}, 96))}};
     for (std::size_t k = 0; k < twins.size(); ++k)
         for (const NamedShape& other : all_shapes())
             for (unsigned seed = 0; seed < 4; ++seed) {

@@ -2,9 +2,10 @@
 // Bodies and worlds for the engine's tests.
 #pragma once
 
-#include "geometry/pose.hpp"
+#include "geometry/shapes/pose.hpp"
 #include "rigid/bodies/mass.hpp"
 #include "rigid/bodies/world.hpp"
+#include "rigid/world.hpp"
 #include "support/close.hpp"
 #include "support/random.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "geometry/generators.hpp"
-#include "geometry/solid_mesh.hpp"
+#include "geometry/meshes/generators.hpp"
+#include "geometry/shapes/solid_mesh.hpp"
 #include "scene/scene.hpp"
 #include "support/close.hpp"
 #include "support/temporary_folder.hpp"

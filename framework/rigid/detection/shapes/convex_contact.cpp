@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "rigid/detection/shapes/convex_contact.hpp"
 
-#include "geometry/convex.hpp"
+#include "geometry/distance/separation.hpp"
+#include "geometry/distance/support.hpp"
 #include "rigid/detection/shapes/reduce_contacts.hpp"
 
 #include <algorithm>

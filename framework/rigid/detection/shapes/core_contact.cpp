@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "rigid/detection/shapes/core_contact.hpp"
 
-#include "geometry/solid_mesh.hpp"
+#include "geometry/shapes/solid_mesh.hpp"
 #include "rigid/detection/shapes/distance_field.hpp"
 #include "rigid/detection/shapes/mesh_contact.hpp"
 #include "rigid/detection/shapes/reduce_contacts.hpp"

@@ -2,7 +2,7 @@
 #include "rigid/detection/shapes/distance_field.hpp"
 
 #include "formulas/collision.hpp"
-#include "geometry/solid_mesh.hpp"
+#include "geometry/shapes/solid_mesh.hpp"
 
 #include <cmath>
 

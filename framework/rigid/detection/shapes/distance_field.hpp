@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "geometry/signed_distance.hpp"
+#include "geometry/distance/signed_distance.hpp"
 #include "rigid/bodies/counters.hpp"
+#include "rigid/world.hpp"
 
 namespace rigor {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "rigid/detection/shapes/edge_contact.hpp"
 
-#include "geometry/solid_mesh.hpp"
+#include "geometry/shapes/solid_mesh.hpp"
 
 #include <cmath>
 

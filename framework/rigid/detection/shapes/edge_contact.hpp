@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "geometry/mesh_surface.hpp"
+#include "geometry/meshes/mesh_surface.hpp"
 #include "rigid/detection/contact.hpp"
 
 namespace rigor {

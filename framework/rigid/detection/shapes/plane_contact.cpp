@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "rigid/detection/shapes/plane_contact.hpp"
 
-#include "geometry/convex.hpp"
-#include "geometry/solid_mesh.hpp"
+#include "geometry/distance/support.hpp"
+#include "geometry/shapes/solid_mesh.hpp"
 #include "rigid/detection/shapes/reduce_contacts.hpp"
 
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "rigid/detection/shapes/reduce_contacts.hpp"
 
-#include "geometry/bounds.hpp"
+#include "geometry/bounds/bounds.hpp"
 
 #include <algorithm>
 #include <span>

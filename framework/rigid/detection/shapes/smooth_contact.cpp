@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "rigid/detection/shapes/smooth_contact.hpp"
 
-#include "geometry/convex.hpp"
+#include "geometry/distance/support.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+// A tree of bounding boxes: the one under every search, of a mesh's triangles, of the points of its
+// surface, and of the broad phase's bodies (`overlap_tree.hpp`).
+#pragma once
+
+#include "geometry/bounds/bounds.hpp"
+
+#include <array>
+#include <utility>
+#include <vector>
+
+namespace rigor {
+
+/// A binary tree of axis-aligned boxes. Items are halved again and again at the median of the axis
+/// on which their centers are spread most, until at most four are left. Building takes n log n
+/// steps, and the tree depends on the boxes alone.
+class BoundingTree {
+public:
+    static constexpr int leaf_size = 4; // items in a leaf, at most
+
+    /// A node comes before all nodes below it: the children of node i are i + 1 and `right`.
+    struct Node {
+        Bounds bounds;
+        int first = 0, last = 0; // its items are order[first] … order[last - 1]
+        int right = 0;           // 0: a leaf
+        int leaf = 0;            // number of a leaf, counted from the left
+        bool is_leaf() const { return right == 0; }
+    };
+
+    BoundingTree() = default;
+
+    /// A tree over items 0 … n - 1.
+    /// @param boxes  finite
+    explicit BoundingTree(const std::vector<Bounds>& boxes);
+
+    /// A tree over some of the items, in parts that can be built at the same time.
+    ///
+    /// @param boxes    of all items, finite
+    /// @param members  items that belong to the tree
+    /// @param parts    about how many parts
+    /// @param share    share(n, work) calls work(k) for each k in [0, n), in any order or at once
+    template <class Share>
+    BoundingTree(const std::vector<Bounds>& boxes, std::vector<int> members, std::size_t parts,
+                 const Share& share)
+        : order_(std::move(members))
+    {
+        if (order_.empty()) return;
+        const int n = static_cast<int>(order_.size());
+        nodes_.resize(2 * leaves_of(n) - 1);
+        std::vector<Center> centers(order_.size());
+        std::vector<Branch> branches = {{0, 0, 0, n}};
+        std::vector<int> above; // the nodes above these branches
+        while (branches.size() < parts && !branches[0].is_leaf()) {
+            std::vector<Branch> halves;
+            for (const Branch& branch : branches) {
+                if (branch.is_leaf()) {
+                    halves.push_back(branch);
+                    continue;
+                }
+                for (const Branch& half : halve(boxes, branch, centers))
+                    halves.push_back(half);
+                above.push_back(branch.node);
+            }
+            branches = std::move(halves);
+        }
+        share(static_cast<int>(branches.size()),
+              [&](int k) { build(boxes, branches[k], centers); });
+        for (; !above.empty(); above.pop_back())
+            unite_children(above.back());
+    }
+
+    bool empty() const { return nodes_.empty(); }
+    const std::vector<Node>& nodes() const { return nodes_; }
+
+    /// The items, leaf after leaf.
+    const std::vector<int>& order() const { return order_; }
+
+    /// Calls visit(item) for the items of each leaf whose box, and whose parents' boxes, enter(box)
+    /// accepts; always in the same order.
+    template <class Enter, class Visit> void walk(const Enter& enter, const Visit& visit) const
+    {
+        if (!nodes_.empty()) walk(0, enter, visit);
+    }
+
+    /// Calls visit(item) for each item whose leaf's box overlaps `bounds`.
+    template <class Visit> void near(const Bounds& bounds, const Visit& visit) const
+    {
+        walk([&](const Bounds& box) { return box.overlaps(bounds); }, visit);
+    }
+
+private:
+    // Items that become a node and all nodes below it, and where these are stored. A branch of n
+    // leaves has 2 n - 1 nodes, leaves included.
+    struct Branch {
+        int node = 0, leaf = 0;  // the first node, the first leaf
+        int first = 0, last = 0; // items
+        bool is_leaf() const { return last - first <= leaf_size; }
+    };
+
+    // An item, and twice its center along the axis that is halved.
+    struct Center {
+        double twice = 0;
+        int item = 0;
+    };
+
+    static int leaves_of(int items);
+    std::array<Branch, 2> halve(const std::vector<Bounds>& boxes, const Branch& branch,
+                                std::vector<Center>& centers);
+    void build(const std::vector<Bounds>& boxes, const Branch& branch,
+               std::vector<Center>& centers);
+    void unite_children(int node);
+
+    template <class Enter, class Visit>
+    void walk(int index, const Enter& enter, const Visit& visit) const
+    {
+        const Node& node = nodes_[index];
+        if (!enter(node.bounds)) return;
+        if (node.is_leaf()) {
+            for (int i = node.first; i < node.last; ++i)
+                visit(order_[i]);
+            return;
+        }
+        walk(index + 1, enter, visit);
+        walk(node.right, enter, visit);
+    }
+
+    std::vector<Node> nodes_;
+    std::vector<int> order_;
+};
+
+} // namespace rigor

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+// Which boxes overlap, without comparing all with all: the broad phase's tree.
+#pragma once
+
+#include "geometry/bounds/bounding_tree.hpp"
+
+#include <cstdint>
+#include <span>
+
+namespace rigor {
+
+/// A bounding tree whose leaves keep their boxes in single precision too, side by side, so that
+/// four of them are compared at once. Every pair is then compared exactly: rounding keeps numbers
+/// in their order, so that boxes that overlap still do when rounded.
+class OverlapTree {
+public:
+    /// @param boxes    finite
+    /// @param members  indices of those that belong to it
+    OverlapTree(const std::vector<Bounds>& boxes, std::vector<int> members);
+
+    /// The same tree, in parts that can be built at the same time (`BoundingTree`).
+    template <class Share>
+    OverlapTree(const std::vector<Bounds>& boxes, std::vector<int> members, std::size_t parts,
+                const Share& share)
+        : tree_(boxes, std::move(members), parts, share), boxes_(tree_.order().size()),
+          leaves_((tree_.nodes().size() + 1) / 2)
+    {
+        if (tree_.empty()) return;
+        const int stretches = static_cast<int>(parts < 1 ? 1 : parts);
+        share(stretches, [&](int k) { fill_leaves(boxes, stretches, k); });
+    }
+
+    /// Calls visit(i) for each member whose box overlaps `bounds`.
+    template <class Visit> void for_each_overlap(const Bounds& bounds, const Visit& visit) const
+    {
+        if (tree_.empty()) return;
+        std::array<int, 64> open; // nodes still to look at: one for each level, and one more
+        int size = 0;
+        open[size++] = 0;
+        while (size > 0) {
+            const int index = open[--size];
+            const Node& node = tree_.nodes()[index];
+            if (!node.bounds.overlaps(bounds)) continue;
+            for (int k = node.first; k < node.last && node.is_leaf(); ++k)
+                if (boxes_[k].overlaps(bounds)) visit(tree_.order()[k]);
+            if (node.is_leaf()) continue;
+            open[size++] = node.right;
+            open[size++] = index + 1;
+        }
+    }
+
+    /// Two nodes, whose members may overlap each other's; or one node twice.
+    using NodePair = std::pair<int, int>;
+
+    /// Calls visit(i, j) once for each two members whose boxes overlap.
+    template <class Visit> void for_each_pair(const Visit& visit) const
+    {
+        if (!tree_.empty()) for_each_pair({0, 0}, visit);
+    }
+
+    /// The same for the members of these nodes alone.
+    template <class Visit> void for_each_pair(const NodePair& nodes, const Visit& visit) const
+    {
+        std::vector<NodePair> open{nodes};
+        open.reserve(128);
+        while (!open.empty()) {
+            const NodePair next = open.back();
+            open.pop_back();
+            const Node &p = tree_.nodes()[next.first], &q = tree_.nodes()[next.second];
+            if (next.first == next.second && p.is_leaf())
+                pairs_within(p, visit);
+            else if (next.first != next.second && p.is_leaf() && q.is_leaf())
+                pairs_between(p, q, visit);
+            else
+                divide(next, open);
+        }
+    }
+
+    /// The search for all pairs, in parts: at least `least` pairs of nodes, if there are as many.
+    /// No pair of members belongs to two parts.
+    std::vector<NodePair> parts(std::size_t least) const;
+
+private:
+    using Node = BoundingTree::Node;
+
+    // Four numbers side by side in a register, and the outcome of comparing them.
+    using Numbers [[gnu::vector_size(16)]] = float;
+    using Mask [[gnu::vector_size(16)]] = std::int32_t;
+    static bool any(const Mask& mask) { return (mask[0] | mask[1] | mask[2] | mask[3]) != 0; }
+
+    // The boxes of a leaf; where it has fewer than four, boxes that overlap nothing.
+    struct Leaf {
+        std::array<Numbers, 3> low, high;
+
+        void fill(std::span<const Bounds> boxes);
+
+        // Which of these boxes may overlap box k of another leaf.
+        Mask candidates(const Leaf& other, int k) const
+        {
+            const auto overlap = [&](int axis) {
+                const float l = other.low[axis][k], h = other.high[axis][k];
+                return (Numbers{l, l, l, l} <= high[axis]) & (low[axis] <= Numbers{h, h, h, h});
+            };
+            return overlap(0) & overlap(1) & overlap(2);
+        }
+    };
+
+    void fill_leaves(const std::vector<Bounds>& boxes, int stretches, int stretch);
+
+    // Appends the pairs of nodes that a pair, not both leaves, consists of; without those that do
+    // not overlap. The node with more members is divided.
+    void divide(const NodePair& nodes, std::vector<NodePair>& parts) const
+    {
+        const auto add = [&](int a, int b) {
+            if (a == b || tree_.nodes()[a].bounds.overlaps(tree_.nodes()[b].bounds))
+                parts.emplace_back(a, b);
+        };
+        const auto [a, b] = nodes;
+        const Node &p = tree_.nodes()[a], &q = tree_.nodes()[b];
+        if (a == b) {
+            add(a + 1, a + 1);
+            add(a + 1, p.right);
+            add(p.right, p.right);
+        } else if (q.is_leaf() || (!p.is_leaf() && p.last - p.first >= q.last - q.first)) {
+            add(a + 1, b);
+            add(p.right, b);
+        } else {
+            add(a, b + 1);
+            add(a, q.right);
+        }
+    }
+
+    // Calls visit(k, l) for the boxes of two leaves that overlap, k of p and l of q.
+    template <class Visit> void compare(const Node& p, const Node& q, const Visit& visit) const
+    {
+        const Leaf &a = leaves_[p.leaf], &b = leaves_[q.leaf];
+        for (int k = p.first; k < p.last; ++k) {
+            const Mask candidates = b.candidates(a, k - p.first);
+            if (!any(candidates)) continue;
+            for (int l = q.first; l < q.last; ++l)
+                if (candidates[l - q.first] != 0 && boxes_[k].overlaps(boxes_[l])) visit(k, l);
+        }
+    }
+    template <class Visit> void pairs_within(const Node& p, const Visit& visit) const
+    {
+        compare(p, p, [&](int k, int l) {
+            if (k < l) visit(tree_.order()[k], tree_.order()[l]);
+        });
+    }
+    template <class Visit>
+    void pairs_between(const Node& p, const Node& q, const Visit& visit) const
+    {
+        compare(p, q, [&](int k, int l) { visit(tree_.order()[k], tree_.order()[l]); });
+    }
+
+    BoundingTree tree_;
+    std::vector<Bounds> boxes_; // in the tree's order
+    std::vector<Leaf> leaves_;
+};
+
+} // namespace rigor

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: MIT
+// Treats a convex mesh as a polyhedron. The support point is found by hill climbing from vertex to
+// vertex (Gilbert, Johnson and Keerthi 1988 define it; Ericson 2005, "Real-time collision
+// detection", 9.5.4 describes the climb). Triangles are first merged into flat faces, then
+// neighbours are linked, then the six extreme vertices are found.
+#include "geometry/convex/hull.hpp"
+
+#include "geometry/meshes/triangle.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rigor {
+
+namespace {
+
+// Distance from a plane, divided by the size, within which a point is in the plane: above the
+// rounding of coordinates from a file, far below any dent that is meant.
+constexpr double flat = 1e-9;
+
+// Difference of unit normals of triangles in one flat face. Normals are less exact than positions
+// by the shape of a triangle, hence more than above.
+constexpr double same_normal = 1e-7;
+
+// Face normals that a separation tries as directions, at most. It bounds the time of one attempt.
+constexpr std::size_t most_normals = 32;
+
+double size_of(const TriangleMesh& mesh)
+{
+    const Bounds bounds = bounds_of(mesh);
+    return (bounds.high - bounds.low).maxCoeff();
+}
+
+} // namespace
+
+bool is_hull(const TriangleMesh& mesh)
+{
+    if (mesh.vertices.size() > Hull::most_vertices) return false;
+    const double tolerance = flat * size_of(mesh);
+    for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
+        const Triangle triangle = triangle_of(mesh, t);
+        const Vector3d n = triangle.area_normal().normalized();
+        for (const Vector3d& v : mesh.vertices)
+            if (n.dot(v - triangle.a) > tolerance) return false;
+    }
+    return true;
+}
+
+Hull::Hull(const TriangleMesh& mesh) : vertices_(mesh.vertices)
+{
+    merge_faces(mesh);
+    link_neighbours(mesh);
+    for (int axis = 0; axis < 3; ++axis)
+        for (const int side : {0, 1}) {
+            int best = 0;
+            for (int v = 1; v < static_cast<int>(vertices_.size()); ++v) {
+                const double gain = vertices_[v][axis] - vertices_[best][axis];
+                if ((side ? gain : -gain) > 0) best = v;
+            }
+            extremes_[2 * axis + side] = best;
+        }
+}
+
+void Hull::merge_faces(const TriangleMesh& mesh)
+{
+    const double tolerance = flat * size_of(mesh);
+    for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
+        const Triangle triangle = triangle_of(mesh, t);
+        const double area = triangle.area_normal().norm();
+        const Vector3d n = triangle.area_normal() / area;
+        const auto same = std::find_if(faces_.begin(), faces_.end(), [&](const Face& face) {
+            return (face.normal - n).norm() < same_normal &&
+                   std::abs(n.dot(vertices_[face.corners[0]] - triangle.a)) <= tolerance;
+        });
+        if (same != faces_.end()) {
+            same->area += area;
+            continue;
+        }
+        Face face{n, area, {}};
+        for (int v = 0; v < static_cast<int>(vertices_.size()); ++v)
+            if (n.dot(vertices_[v] - triangle.a) >= -tolerance) face.corners.push_back(v);
+        const Vector3d middle = (triangle.a + triangle.b + triangle.c) / 3;
+        const Vector3d x = (triangle.a - middle).normalized(), y = n.cross(x);
+        const auto angle = [&](int v) {
+            const Vector3d p = vertices_[v] - middle;
+            return std::atan2(p.dot(y), p.dot(x));
+        };
+        std::sort(face.corners.begin(), face.corners.end(),
+                  [&](int v, int w) { return angle(v) < angle(w); });
+        faces_.push_back(std::move(face));
+    }
+    std::vector<const Face*> largest;
+    for (const Face& face : faces_)
+        largest.push_back(&face);
+    std::stable_sort(largest.begin(), largest.end(),
+                     [](const Face* a, const Face* b) { return a->area > b->area; });
+    largest.resize(std::min(largest.size(), most_normals));
+    for (const Face* face : largest)
+        face_normals_.push_back(face->normal);
+}
+
+void Hull::link_neighbours(const TriangleMesh& mesh)
+{
+    neighbours_.resize(vertices_.size());
+    for (const auto& triangle : mesh.triangles)
+        for (int i = 0; i < 3; ++i)
+            neighbours_[triangle[i]].push_back(triangle[(i + 1) % 3]);
+    for (std::vector<int>& around : neighbours_)
+        std::sort(around.begin(), around.end());
+}
+
+// Climbs from the extreme vertex of the nearest axis. On a convex polyhedron a vertex without a
+// higher neighbour is the highest.
+int Hull::farthest(const Vector3d& d) const
+{
+    int axis = 0;
+    d.cwiseAbs().maxCoeff(&axis);
+    int at = extremes_[2 * axis + (d[axis] > 0 ? 1 : 0)];
+    double height = d.dot(vertices_[at]);
+    for (bool climbs = true; climbs;) {
+        climbs = false;
+        for (const int neighbour : neighbours_[at]) {
+            const double h = d.dot(vertices_[neighbour]);
+            if (h <= height) continue;
+            at = neighbour;
+            height = h;
+            climbs = true;
+            break;
+        }
+    }
+    return at;
+}
+
+Vector3d Hull::support(const Vector3d& direction) const
+{
+    return vertices_[farthest(direction)];
+}
+
+Feature Hull::feature_towards(const Vector3d& d) const
+{
+    // Cosine and sine of about 25 degrees: a face may turn away from the direction by as much, and
+    // an edge may be as far from perpendicular to it.
+    constexpr double looks_there = 0.9, across = 0.436;
+    const auto facing =
+        std::max_element(faces_.begin(), faces_.end(), [&](const Face& a, const Face& b) {
+            return a.normal.dot(d) < b.normal.dot(d);
+        });
+    Feature feature;
+    if (facing->normal.dot(d) > looks_there) {
+        const std::size_t n = facing->corners.size();
+        const std::size_t kept = std::min<std::size_t>(n, Feature::most);
+        for (std::size_t i = 0; i < kept; ++i)
+            feature.add(vertices_[facing->corners[i * n / kept]]);
+        return feature;
+    }
+    const int corner = farthest(d);
+    int other = -1;
+    double flattest = across;
+    for (const int neighbour : neighbours_[corner]) {
+        const double slope =
+            std::abs(d.dot((vertices_[neighbour] - vertices_[corner]).normalized()));
+        if (slope >= flattest) continue;
+        flattest = slope;
+        other = neighbour;
+    }
+    feature.add(vertices_[corner]);
+    if (other >= 0) feature.add(vertices_[other]);
+    return feature;
+}
+
+} // namespace rigor

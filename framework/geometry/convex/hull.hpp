@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// A convex mesh as a polyhedron: vertices, neighbours and flat faces.
+#pragma once
+
+#include "formulas/types.hpp"
+#include "geometry/convex/feature.hpp"
+
+#include <array>
+#include <vector>
+
+namespace rigor {
+
+/// The convex solid that a mesh is: its triangles merged to flat faces.
+class Hull {
+public:
+    // Meshes with more vertices are treated by their level set: here every vertex is compared with
+    // every triangle once.
+    static constexpr std::size_t most_vertices = 1000;
+
+    /// @param mesh  convex (`is_hull`)
+    explicit Hull(const TriangleMesh& mesh);
+
+    /// The farthest vertex along a direction.
+    Vector3d support(const Vector3d& direction) const;
+
+    /// The face, edge or vertex that faces a direction (`feature_towards` in distance/support.hpp).
+    /// Of a face with more than 16 vertices, 16 are taken.
+    Feature feature_towards(const Vector3d& direction) const;
+
+    /// Unit outward normals of the largest faces, at most 32.
+    const std::vector<Vector3d>& face_normals() const { return face_normals_; }
+
+private:
+    struct Face {
+        Vector3d normal;
+        double area = 0;
+        std::vector<int> corners; // counter-clockwise around the normal
+    };
+    int farthest(const Vector3d& direction) const;
+    void merge_faces(const TriangleMesh& mesh);
+    void link_neighbours(const TriangleMesh& mesh);
+
+    std::vector<Vector3d> vertices_;
+    std::vector<Face> faces_;
+    std::vector<Vector3d> face_normals_;
+    std::vector<std::vector<int>> neighbours_; // for each vertex, those it has an edge to
+    std::array<int, 6> extremes_ = {}; // farthest along ±x, ±y, ±z: a search starts there
+};
+
+/// Whether a closed mesh is convex (no vertex is above the plane of any face by more than 1e-9 of
+/// the size) and has few enough vertices to be searched.
+bool is_hull(const TriangleMesh& mesh);
+
+} // namespace rigor

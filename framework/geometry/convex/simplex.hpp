@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// The simplex of the GJK algorithm (Gilbert, Johnson and Keerthi 1988).
+#pragma once
+
+#include "formulas/types.hpp"
+
+namespace rigor {
+
+/// A point of the Minkowski difference of two shapes, w = a - b [m].
+struct Vertex {
+    Vector3d w = Vector3d::Zero(), a = Vector3d::Zero(), b = Vector3d::Zero();
+};
+
+/// The vertices whose convex combination v = Σ weights w is the point of a simplex nearest to the
+/// origin; none of them can be left out.
+struct Simplex {
+    std::array<Vertex, 4> vertices;
+    std::array<double, 4> weights = {};
+    int count = 0;
+
+    /// The convex combination of w, a or b.
+    Vector3d blend(Vector3d Vertex::*point) const
+    {
+        Vector3d sum = Vector3d::Zero();
+        for (int i = 0; i < count; ++i)
+            sum += weights[i] * (vertices[i].*point);
+        return sum;
+    }
+    Vector3d nearest() const { return blend(&Vertex::w); }
+};
+
+/// A simplex of one vertex.
+Simplex simplex_of(const Vertex& vertex);
+
+/// The part of a simplex of two to four vertices that is nearest to the origin (Ericson 2005,
+/// "Real-time collision detection", 5.1). If it has all four vertices, the origin is inside.
+Simplex nearest_of(const Simplex& simplex);
+
+} // namespace rigor

@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: MIT
+// Computes distance or penetration depth of two convex shapes. Distances are found by the algorithm
+// of Gilbert, Johnson and Keerthi 1988, depths by pushing the shapes apart, with a start from the
+// expanding polytope of van den Bergen 2001. The shapes are taken as apart first; only where that
+// fails, the directions are tried, and only where these are not enough, the polytope.
+#include "geometry/distance/separation.hpp"
+
+#include "geometry/convex/expanding_polytope.hpp"
+#include "geometry/convex/simplex.hpp"
+#include "geometry/distance/support.hpp"
+#include "geometry/shapes/shape_bounds.hpp"
+#include "geometry/shapes/solid_mesh.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+namespace rigor {
+
+namespace {
+
+// Steps of GJK and of the polytope, at most. Both usually need far fewer: the limit guards against
+// cycles that rounding causes.
+constexpr int most_steps = 100;
+
+// Relative error at which GJK's distance has converged: a few thousand times the rounding of a
+// double.
+constexpr double gjk_tolerance = 1e-12;
+
+// All of the following are divided by the size, the smaller bounding radius of the two shapes.
+constexpr double least_distance = 1e-6;     // nearer, the direction would be mostly rounding
+constexpr double least_gjk_length = 1e-9;   // the same where a margin is known to be between them
+constexpr double inside_tolerance = 1e-12;  // origin on the simplex: the shapes touch there
+constexpr double first_push = 1e-6;         // together, if the origin is not inside; then ten times
+constexpr double most_push = 1e-3;          // more would be another position
+constexpr double polytope_tolerance = 1e-7; // growth of the polytope that ends it
+constexpr double first_margin = 0.02;       // apart by as much, the direction is free of rounding
+constexpr double least_margin = 1e-5;       // the same for the last steps
+constexpr double least_gain = 1e-13;        // less depth gained is rounding
+constexpr double least_difference = 1e-9;   // the polytope's depth must be smaller by more
+constexpr double shallow = 0.02;            // at less depth no other direction is much shorter
+
+// Difference of unit vectors that count as the same direction.
+constexpr double same_direction = 1e-6;
+
+// The reach of a distance that is wanted exactly [m].
+constexpr double unlimited = 1e300;
+
+// The Minkowski difference of shape 1, moved by `shift`, and shape 2.
+class MinkowskiDifference {
+public:
+    MinkowskiDifference(const Shape& shape1, const Pose& pose, const Shape& shape2)
+        : shape1_(shape1), pose_(pose), shape2_(shape2)
+    {
+    }
+
+    Vertex support_along(const Vector3d& d, const Vector3d& shift = Vector3d::Zero()) const
+    {
+        Vertex v;
+        v.a = pose_ * support(shape1_, pose_.R.transpose() * d);
+        v.b = support(shape2_, -d);
+        v.w = v.a - v.b + shift;
+        return v;
+    }
+
+    // Signed distance of shape 1 above shape 2 along the unit vector n; negative: they overlap.
+    double along(const Vector3d& n) const { return n.dot(support_along(-n).w); }
+
+    // GJK: the shortest vector from shape 2 to shape 1. Nothing if it is at most `least` long or
+    // the shapes overlap; then `simplex` is the last simplex of the search.
+    std::optional<Separation> apart(const Vector3d& shift, double least, double reach,
+                                    Simplex& simplex) const
+    {
+        simplex = simplex_of(support_along(Vector3d(-shift - pose_.X), shift));
+        Vector3d v = simplex.nearest();
+        for (int step = 0; step < most_steps; ++step) {
+            const double length = v.norm();
+            if (length <= least) return {};
+            const Vertex next = support_along(-v, shift);
+            const double bound = v.dot(next.w) / length; // a lower bound of the distance
+            if (bound >= reach) return of_normal(v / length, bound, simplex);
+            if (length - bound <= gjk_tolerance * length) break;
+            Simplex wider = simplex;
+            wider.vertices[wider.count++] = next;
+            const Simplex reduced = nearest_of(wider);
+            if (reduced.count == 4) {
+                simplex = reduced;
+                return {};
+            }
+            const Vector3d nearest = reduced.nearest();
+            if (!(nearest.squaredNorm() < v.squaredNorm())) break; // rounding: no progress
+            simplex = reduced;
+            v = nearest;
+        }
+        const Vector3d n = v.normalized();
+        return of_normal(n, n.dot(support_along(-n, shift).w), simplex);
+    }
+    std::optional<Separation> apart(const Vector3d& shift, double least, double reach) const
+    {
+        Simplex simplex;
+        return apart(shift, least, reach, simplex);
+    }
+
+    // The vector from a point inside shape 2 to a point inside shape 1.
+    Vector3d between_insides() const { return pose_ * inside(shape1_) - inside(shape2_); }
+
+private:
+    static Vector3d inside(const Shape& shape)
+    {
+        const Mesh* mesh = std::get_if<Mesh>(&shape);
+        return mesh ? mesh->solid->center() : Vector3d::Zero();
+    }
+    static Separation of_normal(const Vector3d& n, double distance, const Simplex& simplex)
+    {
+        return {distance, n, simplex.blend(&Vertex::a), simplex.blend(&Vertex::b)};
+    }
+
+    const Shape& shape1_;
+    Pose pose_;
+    const Shape& shape2_;
+};
+
+// Candidates for the direction of least depth: normals of faces, the line between the origins, and
+// 26 directions along axes and diagonals.
+std::vector<Vector3d> directions(const Shape& shape1, const Pose& pose, const Shape& shape2)
+{
+    std::vector<Vector3d> all, own;
+    add_face_normals(shape2, pose.X, all);
+    add_face_normals(shape1, -(pose.R.transpose() * pose.X), own);
+    for (const Vector3d& n : own)
+        all.push_back(-(pose.R * n));
+    if (pose.X.norm() > 0) all.push_back(pose.X.normalized());
+    for (int i = 0; i < 27; ++i)
+        if (i != 13) all.push_back(Vector3d(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1).normalized());
+    return all;
+}
+
+struct PushOut : Separation {
+    // Whether the normal found outside is the direction of the push: then the depth has a local
+    // minimum.
+    bool is_settled = false;
+};
+
+// Pushes the shapes apart along n, a margin farther than needed, and then along the normal found
+// there, as long as the depth becomes smaller. The margin shrinks: the nearer, the more a step
+// improves.
+PushOut push_out(const MinkowskiDifference& difference, Vector3d n, double size)
+{
+    double margin = first_margin * size;
+    double best = difference.along(n);
+    PushOut result;
+    for (int step = 0; step < 20; ++step, margin = std::max(0.2 * margin, least_margin * size)) {
+        const auto found =
+            difference.apart((margin - best) * n, least_gjk_length * size, unlimited);
+        if (!found) break;
+        if (step == 0) static_cast<Separation&>(result) = *found;
+        const double s = difference.along(found->normal);
+        result.is_settled = (found->normal - n).norm() < same_direction;
+        if (!(s > best + least_gain * size)) break;
+        static_cast<Separation&>(result) = *found;
+        best = s;
+        n = found->normal;
+        if (result.is_settled) break;
+    }
+    result.distance = best;
+    result.normal = n;
+    return result;
+}
+
+// EPA: the normal of the face of an expanding polytope that is nearest to the origin. Empty if the
+// origin is not inside, even with the shapes pushed together a little.
+std::optional<Vector3d> expanding_polytope_normal(const MinkowskiDifference& difference,
+                                                  double size)
+{
+    const Vector3d inwards = difference.between_insides();
+    const double length = inwards.norm();
+    Vector3d shift = Vector3d::Zero();
+    Simplex simplex;
+    for (double push = first_push * size; simplex.count < 4; push *= 10) {
+        difference.apart(shift, inside_tolerance * size, unlimited, simplex);
+        if (simplex.count == 4) break;
+        if (push > most_push * size || !(length > push)) return {};
+        shift = -push / length * inwards;
+    }
+    ExpandingPolytope polytope({simplex.vertices[0].w, simplex.vertices[1].w, simplex.vertices[2].w,
+                                simplex.vertices[3].w});
+    if (!polytope.is_solid()) return {};
+    for (int step = 0; step < most_steps; ++step) {
+        const Vector3d m = polytope.nearest_normal();
+        const Vector3d w = difference.support_along(m, shift).w;
+        if (m.dot(w) - polytope.nearest_distance() < polytope_tolerance * size || !polytope.add(w))
+            break;
+    }
+    return -polytope.nearest_normal();
+}
+
+Separation overlap(const MinkowskiDifference& difference, const std::vector<Vector3d>& tries,
+                   double size)
+{
+    double least = std::numeric_limits<double>::infinity();
+    Vector3d n = Vector3d::UnitY();
+    for (const Vector3d& direction : tries)
+        if (const double depth = -difference.along(direction); depth < least) {
+            least = depth;
+            n = direction;
+        }
+    const PushOut best = push_out(difference, n, size);
+    if (-best.distance < shallow * size && best.is_settled) return best;
+    if (const auto normal = expanding_polytope_normal(difference, size)) {
+        const Separation other = push_out(difference, *normal, size);
+        if (other.distance > best.distance + least_difference * size) return other;
+    }
+    return best;
+}
+
+double radius(const Shape& shape)
+{
+    Part part;
+    part.shape = shape;
+    return bounding_radius(part);
+}
+
+} // namespace
+
+Separation separation(const Shape& shape1, const Pose& pose, const Shape& shape2, double reach)
+{
+    const MinkowskiDifference difference(shape1, pose, shape2);
+    const double size = std::min(radius(shape1), radius(shape2));
+    const double least = least_distance * size;
+    if (const auto found = difference.apart(Vector3d::Zero(), least, reach)) return *found;
+    return overlap(difference, directions(shape1, pose, shape2), size);
+}
+
+} // namespace rigor

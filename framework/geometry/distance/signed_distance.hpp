@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// Exact signed distances to all shapes but meshes.
+#pragma once
+
+#include "geometry/shapes/shape.hpp"
+
+namespace rigor {
+
+/// The signed distance of a point from a surface, negative inside, and its gradient, the outward
+/// unit normal.
+struct SurfaceDistance {
+    double distance = 0; // [m]
+    Vector3d normal = Vector3d::UnitY();
+};
+
+// Where several surface points are equally near (on an axis, in a center), always the same one is
+// taken.
+SurfaceDistance signed_distance(const Sphere& sphere, const Vector3d& p);
+SurfaceDistance signed_distance(const Capsule& capsule, const Vector3d& p);
+SurfaceDistance signed_distance(const Torus& torus, const Vector3d& p);
+SurfaceDistance signed_distance(const Box& box, const Vector3d& p);
+SurfaceDistance signed_distance(const Cylinder& cylinder, const Vector3d& p);
+SurfaceDistance signed_distance(const Cone& cone, const Vector3d& p);
+/// Solved as the root of an equation (Eberly 2013, "Distance from a point to an ellipse, an
+/// ellipsoid, or a hyperellipsoid").
+SurfaceDistance signed_distance(const Ellipsoid& ellipsoid, const Vector3d& p);
+SurfaceDistance signed_distance(const Plane& plane, const Vector3d& p);
+
+/// The signed distance of any shape but a mesh, for which there is the level set.
+SurfaceDistance signed_distance(const Shape& shape, const Vector3d& p);
+
+} // namespace rigor

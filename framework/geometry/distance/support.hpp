@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// Support functions of convex shapes (boxes, cylinders, cones, ellipsoids and convex meshes): the
+// point farthest along a direction, and the face, edge or vertex that faces it.
+#pragma once
+
+#include "geometry/convex/feature.hpp"
+#include "geometry/shapes/shape.hpp"
+
+#include <vector>
+
+namespace rigor {
+
+/// Whether the shape is one of those, as the functions below require.
+bool is_convex_solid(const Shape& shape);
+
+/// The point of a convex shape that is farthest along a direction [m].
+Vector3d support(const Shape& shape, const Vector3d& direction);
+
+/// The feature of a convex shape that faces a direction: a face, or a line on a round side, whose
+/// normal is within 25 degrees of it; else an edge that is nearly perpendicular to it; else a
+/// point.
+Feature feature_towards(const Shape& shape, const Vector3d& direction);
+
+/// Appends the outward unit normals of a convex shape's faces, candidates for a separating axis; at
+/// most a few dozen.
+/// @param towards  direction in which a round side's normal is taken
+void add_face_normals(const Shape& shape, const Vector3d& towards, std::vector<Vector3d>& normals);
+
+} // namespace rigor

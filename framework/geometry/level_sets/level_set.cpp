@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+// Computes the signed distance to a mesh at every node of a grid. The sign comes from
+// angle-weighted pseudonormals (Baerentzen and Aanaes 2005, "Signed distance computation using the
+// angle weighted pseudonormal"). Nodes are visited row by row, because the triangle nearest to one
+// node is a good start for the search from the next.
+#include "geometry/level_sets/level_set.hpp"
+
+#include "geometry/meshes/mesh_edges.hpp"
+#include "geometry/meshes/triangle_tree.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rigor {
+
+namespace {
+
+// Pseudonormals: of a face its normal, of an edge the sum of two, of a vertex the sum weighted by
+// angles.
+struct PseudoNormals {
+    std::vector<Vector3d> faces, vertices;
+    std::vector<std::array<Vector3d, 3>> edges; // ab, bc, ca of each triangle
+
+    explicit PseudoNormals(const TriangleMesh& mesh)
+        : faces(triangle_normals(mesh)), vertices(mesh.vertices.size(), Vector3d::Zero()),
+          edges(mesh.triangles.size())
+    {
+        for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+            for (int i = 0; i < 3; ++i) {
+                const auto& corners = mesh.triangles[t];
+                const Vector3d& p = mesh.vertices[corners[i]];
+                const Vector3d a = mesh.vertices[corners[(i + 1) % 3]] - p;
+                const Vector3d b = mesh.vertices[corners[(i + 2) % 3]] - p;
+                const double angle = std::atan2(a.cross(b).norm(), a.dot(b));
+                vertices[corners[i]] += angle * faces[t];
+            }
+        for (const MeshEdge& edge : mesh_edges(mesh, faces))
+            for (const int t : {edge.left, edge.right})
+                for (int i = 0; i < 3; ++i) {
+                    const int from = mesh.triangles[t][i], to = mesh.triangles[t][(i + 1) % 3];
+                    if (std::min(from, to) == edge.from && std::max(from, to) == edge.to)
+                        edges[t][i] = faces[edge.left] + faces[edge.right];
+                }
+    }
+};
+
+// Signed distances of points, each of which is expected to be near the one before.
+class SignedDistance {
+public:
+    explicit SignedDistance(const TriangleMesh& mesh) : mesh_(mesh), tree_(mesh), normals_(mesh) {}
+
+    double at(const Vector3d& p)
+    {
+        const TriangleTree::Found nearest = tree_.nearest(p, last_);
+        const int t = last_ = nearest.triangle, f = nearest.feature;
+        const Vector3d& n = f == 6  ? normals_.faces[t]
+                            : f < 3 ? normals_.vertices[mesh_.triangles[t][f]]
+                                    : normals_.edges[t][f - 3];
+        const double distance = std::sqrt(nearest.squared_distance);
+        return n.dot(p - nearest.point) < 0 ? -distance : distance;
+    }
+
+private:
+    const TriangleMesh& mesh_;
+    TriangleTree tree_;
+    PseudoNormals normals_;
+    int last_ = 0; // the triangle nearest to the last point
+};
+
+// Distance of a ray's point from a triangle, divided by the length of the ray, that is rounding: a
+// ray through an edge must not slip between two triangles.
+constexpr double on_edge = 1e-9;
+
+// The distance from a face's middle inwards to the opposite side [m]; infinite if a ray finds none.
+double thickness_at(const TriangleMesh& mesh, const TriangleTree& tree, int face)
+{
+    const Triangle triangle = triangle_of(mesh, face);
+    const Vector3d start = (triangle.a + triangle.b + triangle.c) / 3;
+    const Vector3d d = -triangle.area_normal().normalized();
+    double nearest = std::numeric_limits<double>::infinity();
+    const auto enter = [&](const Bounds& box) { // the slab test of a ray against a box
+        double first = 0, last = nearest;
+        for (int i = 0; i < 3; ++i) {
+            double s = (box.low[i] - start[i]) / d[i], t = (box.high[i] - start[i]) / d[i];
+            if (s > t) std::swap(s, t);
+            if (s > first) first = s;
+            if (t < last) last = t;
+        }
+        return first <= last;
+    };
+    tree.tree().walk(enter, [&](int t) {
+        const Triangle other = triangle_of(mesh, t);
+        const Vector3d n = other.area_normal();
+        const double towards = n.dot(d);
+        if (t == face || towards <= 0) return; // the ray would enter here, not leave
+        const double distance = n.dot(other.a - start) / towards;
+        if (distance <= 0 || distance >= nearest) return;
+        const Vector3d p = start + distance * d;
+        if (nearest_on(other, p).feature == 6 ||
+            (nearest_on(other, p).point - p).norm() < on_edge * distance)
+            nearest = distance;
+    });
+    return nearest;
+}
+
+} // namespace
+
+LevelSet make_level_set(const TriangleMesh& mesh, int cells)
+{
+    constexpr int margin = 2;         // cells around the bounds
+    constexpr double rounding = 1e-9; // cells: an extent of whole cells needs no other cell
+    const Bounds bounds = bounds_of(mesh);
+    const Vector3d extent = bounds.high - bounds.low;
+    LevelSet grid;
+    const double h = grid.cell_size = extent.maxCoeff() / cells;
+    Vector3d half;
+    for (int i = 0; i < 3; ++i) {
+        grid.size[i] = static_cast<int>(std::ceil(extent[i] / h - rounding)) + 1 + 2 * margin;
+        half[i] = (grid.size[i] - 1) * h / 2;
+    }
+    grid.origin = (bounds.low + bounds.high) / 2 - half;
+    const auto& [nx, ny, nz] = grid.size;
+    grid.distances.reserve(static_cast<std::size_t>(nx) * ny * nz);
+    SignedDistance distance(mesh);
+    for (int k = 0; k < nz; ++k)
+        for (int j = 0; j < ny; ++j)
+            for (int i = 0; i < nx; ++i)
+                grid.distances.push_back(distance.at(grid.origin + h * Vector3d(i, j, k)));
+    return grid;
+}
+
+int suggested_cells(const TriangleMesh& mesh)
+{
+    constexpr double least = 32, most = 64; // cells along the longest side
+    constexpr double across = 3;            // cells across a wall
+    constexpr double quantile = 0.1;        // share of the surface that may have thinner walls
+    const TriangleTree tree(mesh);
+    std::vector<std::pair<double, double>> walls; // thickness, area
+    double area = 0;
+    for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
+        walls.push_back({thickness_at(mesh, tree, t), triangle_of(mesh, t).area_normal().norm()});
+        area += walls.back().second;
+    }
+    std::sort(walls.begin(), walls.end());
+    const Bounds bounds = bounds_of(mesh);
+    const double longest = (bounds.high - bounds.low).maxCoeff();
+    double seen = 0;
+    for (const auto& [thickness, size] : walls) {
+        seen += size;
+        if (seen >= quantile * area)
+            return static_cast<int>(
+                std::clamp(std::ceil(across * longest / thickness), least, most));
+    }
+    return static_cast<int>(least);
+}
+
+} // namespace rigor

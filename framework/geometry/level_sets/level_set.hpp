@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// The level set of a mesh: signed distances on a grid.
+#pragma once
+
+#include "formulas/types.hpp"
+
+namespace rigor {
+
+/// The level set of a closed mesh (`check_mesh`): at every node the exact distance to the nearest
+/// triangle [m], negative inside. The sign follows from the angle-weighted pseudonormal of the
+/// nearest face, edge or vertex (Baerentzen and Aanaes 2005, "Signed distance computation using the
+/// angle weighted pseudonormal"). The grid is symmetric about the middle of the mesh's bounds and
+/// extends two cells beyond them.
+///
+/// @param cells  along the longest side of the bounds
+LevelSet make_level_set(const TriangleMesh& mesh, int cells);
+
+/// The resolution at which a wall is three cells thick, within 32 … 64 cells along the longest
+/// side. The thickness is that of the thinnest tenth of the surface.
+int suggested_cells(const TriangleMesh& mesh);
+
+} // namespace rigor

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// Tokens and numbers in the text of a mesh.
+#pragma once
+
+#include <charconv>
+#include <string>
+#include <string_view>
+#include <system_error>
+
+namespace rigor {
+
+/// A token as an error message shows it: cut off after 24 characters, and without control
+/// characters.
+/// @param end  name of the end, where the token is empty
+std::string quoted(std::string_view token, const char* end);
+
+/// Reads the whole token as a number, with or without a plus sign. Whether it is one.
+template <class Number> bool parse(std::string_view token, Number& number)
+{
+    if (!token.empty() && token[0] == '+') token.remove_prefix(1);
+    const auto [end, error] = std::from_chars(token.data(), token.data() + token.size(), number);
+    return error == std::errc() && end == token.data() + token.size();
+}
+
+/// Appends a number in the fewest digits that read back as the same bits.
+void append(std::string& text, double number);
+
+} // namespace rigor

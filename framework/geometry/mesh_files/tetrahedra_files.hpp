@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// Meshes of tetrahedra as text: `.msh` of Gmsh, in its formats 2.2 and 4.1, and `.mesh` of Medit.
+#pragma once
+
+#include "geometry/meshes/mesh_error.hpp"
+#include "geometry/tetrahedra/tetrahedra.hpp"
+
+#include <string>
+#include <string_view>
+
+namespace rigor {
+
+/// A mesh as it was read: its syntax is right, but `check_mesh` has not seen it.
+struct TetrahedraText {
+    TetrahedralMesh mesh;   // without the vertices that no tetrahedron uses
+    std::vector<int> lines; // for each tetrahedron, its line in the text
+};
+
+/// Reads the tetrahedra of a Gmsh text file and skips other elements; curved tetrahedra are
+/// refused.
+/// @throws MeshError
+TetrahedraText read_msh(std::string_view text);
+
+/// Reads the tetrahedra of a Medit file and skips other elements.
+/// @throws MeshError
+TetrahedraText read_medit(std::string_view text);
+
+/// Reads either format, as the first token says.
+/// @throws MeshError
+TetrahedraText read_tetrahedra(std::string_view text);
+
+/// The text of a mesh for Medit. Reading it again gives exactly the same numbers.
+std::string medit_text(const TetrahedralMesh& mesh);
+
+} // namespace rigor

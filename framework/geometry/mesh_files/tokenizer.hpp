@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// The text of a mesh as tokens between blanks, with the line of each.
+#pragma once
+
+#include "geometry/meshes/mesh_error.hpp"
+
+#include <string>
+#include <string_view>
+
+namespace rigor {
+
+/// Reads a text token by token. What it did not expect it refuses with a MeshError.
+class Tokenizer {
+public:
+    explicit Tokenizer(std::string_view text) : rest_(text) {}
+
+    /// Line of the token read last, counted from 1.
+    int line() const { return line_; }
+
+    /// The next token, on this line or a later one; empty at the end of the text.
+    std::string_view peek();
+    std::string_view next();
+    void skip_line(); // goes to the start of the next line
+
+    /// @param what  name of what is expected, for the error
+    /// @throws MeshError
+    double coordinate();
+    long long integer(long long low, long long high, const char* what);
+    std::size_t count(std::size_t most, const char* what);
+    void expect(std::string_view word);
+    [[noreturn]] void refuse(const std::string& expected, std::string_view found) const;
+
+private:
+    std::string_view rest_;
+    int line_ = 1;
+};
+
+} // namespace rigor

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+// Triangle meshes of simple solids: closed, with triangles counter-clockwise seen from outside.
+// Solids of revolution have their axis along y. All lengths are in metres.
+#pragma once
+
+#include "formulas/types.hpp"
+
+#include <array>
+#include <vector>
+
+namespace rigor {
+
+/// A point in a plane [m].
+using PlanePoint = std::array<double, 2>;
+
+/// A surface of revolution: a polygon turned about y in `sides` steps. A point on the axis becomes
+/// one vertex.
+///
+/// @param profile  (distance from the axis ≥ 0, height), counter-clockwise with the height up
+TriangleMesh surface_of_revolution(const std::vector<PlanePoint>& profile, int sides);
+
+/// An extrusion: a polygon in the plane of x and y, from z = -thickness/2 to z = thickness/2.
+///
+/// @param outline  (x, y), counter-clockwise seen from +z, crossing itself nowhere
+TriangleMesh extruded(const std::vector<PlanePoint>& outline, double thickness);
+
+/// A box of twelve triangles about the origin.
+TriangleMesh box_mesh(const Vector3d& size);
+
+/// A ball: an icosahedron whose triangles are each divided into four, `levels` times. All vertices
+/// are on the sphere.
+TriangleMesh icosphere(double radius, int levels);
+
+/// A ring whose section is a circle of radius `tube`. Vertices are on the round torus.
+TriangleMesh torus_mesh(double radius, double tube, int sides, int tube_sides);
+
+/// A ring whose section is a rectangle.
+TriangleMesh ring_mesh(double inner_radius, double outer_radius, double height, int sides);
+
+/// Three square bars along x, y and z, joined in the middle.
+///
+/// @param length, width  of a bar, width < length
+TriangleMesh cross_mesh(double length, double width);
+
+/// The lower half of a hollow ball, its rim at y = 0. @param thickness  < radius
+TriangleMesh bowl_mesh(double radius, double thickness, int sides);
+
+/// A spur gear with trapezoidal teeth, from 0.6 d below the pitch circle to 0.5 d above it, where d
+/// = π radius / teeth is half the circular pitch. Two gears of the same d run together with a
+/// little backlash, if their axes are as far apart as the sum of their radii.
+///
+/// @param radius  of the pitch circle [m]
+/// @param bore    radius of the hole, less than radius - 0.6 d; 0: none [m]
+TriangleMesh gear_mesh(int teeth, double radius, double bore, double thickness);
+
+/// An angle bracket, the shape of an L: a foot along x and a post along y. The middle of its bounds
+/// is the origin.
+///
+/// @param size   full extent along x, y, z
+/// @param width  of foot and post, less than size x and y
+TriangleMesh angle_mesh(const Vector3d& size, double width);
+
+/// The keystone of a round arch about z: the part of a wedge of so many degrees between two radii,
+/// with flat faces. Copies turned about z by multiples of `degrees` make an arch.
+TriangleMesh voussoir_mesh(double inner_radius, double outer_radius, double degrees,
+                           double thickness);
+
+} // namespace rigor

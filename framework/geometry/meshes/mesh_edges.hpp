@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// The edges of a triangle mesh.
+#pragma once
+
+#include "formulas/types.hpp"
+
+#include <vector>
+
+namespace rigor {
+
+/// A half-edge: an edge as a side of one triangle.
+struct HalfEdge {
+    int low = 0, high = 0; // its vertices
+    bool is_upward = true; // from low to high
+    int triangle = 0;
+
+    bool same_edge(const HalfEdge& other) const { return low == other.low && high == other.high; }
+};
+
+/// The three half-edges of every triangle, sorted so that those of one edge are neighbours. In a
+/// closed mesh they are pairs.
+std::vector<HalfEdge> sorted_half_edges(const TriangleMesh& mesh);
+
+/// An edge of a closed mesh, with the triangles on both sides.
+struct MeshEdge {
+    int from = 0, to = 0;    // vertices
+    int left = 0, right = 0; // triangles; the left one has the edge in the direction from-to
+    double bend = 0;         // sine of the angle between the normals, > 0 at a convex edge
+};
+
+/// All edges of a closed mesh.
+/// @param normals  unit, one for each triangle
+std::vector<MeshEdge> mesh_edges(const TriangleMesh& mesh, const std::vector<Vector3d>& normals);
+
+/// Unit normal of each triangle.
+std::vector<Vector3d> triangle_normals(const TriangleMesh& mesh);
+
+} // namespace rigor

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace rigor {
+
+/// A mesh that is refused: the message says what was expected and what was found, `line` where.
+struct MeshError : std::runtime_error {
+    MeshError(int in_line, const std::string& message) : std::runtime_error(message), line(in_line)
+    {
+    }
+    int line = 0; // line of the mesh's text, counted from 1; 0: no single line
+};
+
+/// A number as an error message shows it, in six digits.
+std::string number_text(double number);
+
+} // namespace rigor

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+// The surface of a mesh as sample points and sharp edges, for contacts with other bodies.
+#pragma once
+
+#include "geometry/bounds/bounding_tree.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace rigor {
+
+/// A sample point of a surface, on a vertex, an edge or a face [m].
+struct SurfacePoint {
+    Vector3d point;
+    int cone = 0; // number of the cone of its outward normals
+};
+
+/// A sharp convex edge.
+struct SharpEdge {
+    Vector3d from, to;         // ends [m]
+    Vector3d normal1, normal2; // unit normals of the two faces
+    int cone = 0;
+};
+
+/// Sample points about one spacing apart on faces and along convex edges, and the sharp edges,
+/// whose faces meet at more than ten degrees, each in a bounding tree. Concave edges have none:
+/// another part of the surface always touches first.
+class MeshSurface {
+public:
+    /// @param spacing  > 0 [m]
+    MeshSurface(const TriangleMesh& mesh, double spacing);
+
+    /// The points on vertices first, then those on edges, then those on faces.
+    const std::vector<SurfacePoint>& points() const { return points_; }
+    const std::vector<SharpEdge>& edges() const { return edges_; }
+    double spacing() const { return spacing_; }
+    const BoundingTree& point_tree() const { return point_tree_; }
+    const BoundingTree& edge_tree() const { return edge_tree_; }
+
+    /// The unit vector of a normal cone nearest to the unit vector d: the direction along which
+    /// another body can touch the surface there from outside. On a face that is its normal, on an
+    /// edge any direction between two normals, at a vertex any between several. A saddle has no
+    /// tangent plane that stays on one side of the surface; there the result is d itself.
+    Vector3d nearest_normal(int cone, const Vector3d& d) const;
+
+private:
+    // A normal cone: the normals of the faces around a point, and the directions along the surface
+    // away from it. It contains the directions that make no acute angle with any of the latter.
+    struct Cone {
+        int first_normal = 0, last_normal = 0, first_direction = 0, last_direction = 0;
+    };
+    int add_cone(const std::vector<Vector3d>& normals, const std::vector<Vector3d>& directions);
+    bool touches(const Cone& cone, const Vector3d& d) const;
+    void add_vertices(const TriangleMesh& mesh, const std::vector<Vector3d>& normals);
+    void add_edges(const TriangleMesh& mesh, const std::vector<Vector3d>& normals);
+    void add_faces(const TriangleMesh& mesh, const std::vector<Vector3d>& normals);
+
+    double spacing_;
+    std::vector<SurfacePoint> points_;
+    std::vector<SharpEdge> edges_;
+    std::vector<Cone> cones_;
+    std::vector<Vector3d> cone_normals_, cone_directions_;
+    BoundingTree point_tree_, edge_tree_;
+};
+
+} // namespace rigor
