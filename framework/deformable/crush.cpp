@@ -3,6 +3,7 @@
 
 #include "deformable/element.hpp"
 #include "deformable/lumped_mass.hpp"
+#include "deformable/polar_decomposition.hpp"
 #include "deformable/remesh.hpp"
 #include "formulas/fracture.hpp"
 #include "geometry/tetrahedra.hpp"
@@ -32,13 +33,14 @@ bool is_held(const std::vector<HeldNode>& held, const std::array<int, 4>& nodes)
 }
 
 // @return whether any element has been inside out for too long
-bool count_time(Deformable& solid, const Workspace& work, double time_step)
+bool count_time(Deformable& solid, const ElementWorkspace& work, const std::vector<HeldNode>& held,
+                double time_step)
 {
     auto& times = solid.inside_out_times;
     bool is_over = false;
     for (int e = 0; e < work.elements.size(); ++e) {
         if (!is_inside_out(solid.plastic_strains[e], work.strains[e].elastic) ||
-            is_held(work.held, work.elements.nodes(e))) {
+            is_held(held, work.elements.nodes(e))) {
             if (!times.empty()) times[e] = 0;
             continue;
         }
@@ -92,7 +94,7 @@ void tear_off_copies(Deformable& solid, const std::vector<char>& comes_off)
     remesh(solid, virtual_nodes(solid.uncracked, solid.cracks));
 }
 
-void tear_off(Deformable& solid, const Workspace& work, const std::vector<char>& comes_off)
+void tear_off(Deformable& solid, const ElementWorkspace& work, const std::vector<char>& comes_off)
 {
     if (solid.fracture_method == FractureMethod::virtual_nodes)
         return tear_off_copies(solid, comes_off);
@@ -101,13 +103,6 @@ void tear_off(Deformable& solid, const Workspace& work, const std::vector<char>&
 }
 
 } // namespace
-
-bool is_inside_out(const Matrix3d& plastic, const Matrix3d& elastic)
-{
-    const Matrix3d strain = plastic + elastic;
-    if (strain.squaredNorm() < 1) return false; // no eigenvalue is at -1
-    return (Matrix3d::Identity() + strain).determinant() <= 0;
-}
 
 bool unload(Deformable& solid, int element)
 {
@@ -144,9 +139,10 @@ bool unload(Deformable& solid, int element)
     return true;
 }
 
-bool crush(Deformable& solid, const Workspace& work, World& world, double time_step)
+bool crush(Deformable& solid, const ElementWorkspace& work, const std::vector<HeldNode>& held,
+           World& world, double time_step)
 {
-    if (!count_time(solid, work, time_step)) return false;
+    if (!count_time(solid, work, held, time_step)) return false;
     const std::vector<char> was_loose = loose_elements(solid.rest);
     std::vector<char> comes_off(was_loose.size(), 0);
     int count = 0;

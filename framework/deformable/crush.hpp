@@ -2,12 +2,10 @@
 // What is crushed inside out and stays so has failed, and comes off.
 #pragma once
 
-#include "deformable/workspace.hpp"
+#include "deformable/element_workspace.hpp"
+#include "deformable/handles.hpp"
 
 namespace rigor {
-
-/// Whether an element of these strains is inside out: S = δ + ε_p + the elastic strain has det S ≤ 0.
-bool is_inside_out(const Matrix3d& plastic, const Matrix3d& elastic);
 
 /// Gives an element whose nodes are no other's the shape that it has without stress, R (δ + ε_p) X, and the
 /// motion of a rigid body about its center of mass. Mass, center of mass, momentum and angular momentum
@@ -20,6 +18,7 @@ bool unload(Deformable& solid, int element);
 /// Linear elasticity pulls at an inverted element with a bounded force only, and neighbours that have
 /// flowed as far as they may can hold it so for ever. Elements with a node that a handle holds wait.
 /// @return whether there were any: then strains of before no longer count
-bool crush(Deformable& solid, const Workspace& work, World& world, double time_step);
+bool crush(Deformable& solid, const ElementWorkspace& work, const std::vector<HeldNode>& held,
+           World& world, double time_step);
 
 } // namespace rigor

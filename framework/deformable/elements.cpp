@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "deformable/elements.hpp"
 
-#include "deformable/element.hpp"
 #include "deformable/lumped_mass.hpp"
+#include "deformable/polar_decomposition.hpp"
 
 #include <algorithm>
 #include <cmath>

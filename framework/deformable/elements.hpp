@@ -2,8 +2,8 @@
 // All elements of a solid, laid out for the inner loop: two in a register side by side.
 #pragma once
 
+#include "deformable/closed_polar.hpp"
 #include "deformable/deformable.hpp"
-#include "deformable/polar.hpp"
 
 #include <span>
 

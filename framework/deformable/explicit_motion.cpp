@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "deformable/handles.hpp"
-#include "deformable/node_motion.hpp"
+#include "deformable/explicit_motion.hpp"
+
+#include "deformable/node_collisions.hpp"
 #include "deformable/stable_step.hpp"
 
 #include <algorithm>
@@ -25,13 +26,6 @@ void accelerate(const NodeMotion& motion, double time, double h)
 }
 
 } // namespace
-
-void move_held(const std::vector<HeldNode>& held, std::vector<Vector3d>& velocities)
-{
-    for (const HeldNode& h : held)
-        for (int axis = 0; axis < 3; ++axis)
-            if (h.axes[axis]) velocities[h.node][axis] = h.velocity[axis];
-}
 
 void move_explicitly(const NodeMotion& motion)
 {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "deformable/crush.hpp"
-#include "deformable/failure.hpp"
+#include "deformable/flow.hpp"
+
+#include "deformable/element.hpp"
 #include "formulas/plasticity.hpp"
 
 #include <cmath>
@@ -29,7 +30,7 @@ Matrix3d limited(const Matrix3d& plastic_strain)
 
 } // namespace
 
-void flow(Deformable& solid, Workspace& work, World& world)
+void flow(Deformable& solid, ElementWorkspace& work, World& world)
 {
     const double G = solid.material.shear_modulus(), lambda = solid.material.lame_lambda();
     const double sigma_Y = solid.material.yield_stress;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "formulas/fracture.hpp"
+#include "deformable/fracture.hpp"
+
 #include "deformable/crack_edges.hpp"
-#include "deformable/failure.hpp"
 #include "deformable/remesh.hpp"
+#include "formulas/fracture.hpp"
 #include "formulas/plasticity.hpp"
 #include "geometry/tetrahedra.hpp"
 
@@ -36,7 +37,7 @@ double bound_of(const Matrix3d& strain, double lambda, double G)
     return (lambda + 2 * G / 3) * trace + 2.0 / 3 * 2 * G * std::sqrt(1.5) * dev.norm();
 }
 
-bool may_crack(const Workspace& work, const SolidMaterial& m)
+bool may_crack(const ElementWorkspace& work, const SolidMaterial& m)
 {
     const double lambda = m.lame_lambda(), G = m.shear_modulus();
     return std::any_of(work.strains.begin(), work.strains.end(), [&](const ElementStrain& s) {
@@ -45,7 +46,8 @@ bool may_crack(const Workspace& work, const SolidMaterial& m)
 }
 
 // Elements that are too much under tension, the most stressed first.
-std::vector<Candidate> candidates(const Deformable& solid, const Workspace& work, World& world)
+std::vector<Candidate> candidates(const Deformable& solid, const ElementWorkspace& work,
+                                  World& world)
 {
     const SolidMaterial& m = solid.material;
     const double lambda = m.lame_lambda(), G = m.shear_modulus();
@@ -98,7 +100,8 @@ private:
 };
 
 // @return cracks
-int crack_faces(Deformable& solid, const Workspace& work, const std::vector<Candidate>& found)
+int crack_faces(Deformable& solid, const ElementWorkspace& work,
+                const std::vector<Candidate>& found)
 {
     Taken taken(solid);
     int cracks = 0;
@@ -231,7 +234,7 @@ int crack_with_virtual_nodes(Deformable& solid, const std::vector<Candidate>& fo
 
 } // namespace
 
-void fracture(Deformable& solid, Workspace& work, World& world)
+void fracture(Deformable& solid, const ElementWorkspace& work, World& world)
 {
     if (world.skips.stress_bound && !may_crack(work, solid.material)) {
         world.counters.eigenvalues_skipped += work.elements.size();

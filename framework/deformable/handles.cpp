@@ -58,6 +58,13 @@ void hold_nodes(const Deformable& solid, double time, double time_step, std::vec
     }
 }
 
+void move_held(const std::vector<HeldNode>& held, std::vector<Vector3d>& velocities)
+{
+    for (const HeldNode& h : held)
+        for (int axis = 0; axis < 3; ++axis)
+            if (h.axes[axis]) velocities[h.node][axis] = h.velocity[axis];
+}
+
 void add_loads(const Deformable& solid, const Vector3d& gravity, double time,
                std::vector<Vector3d>& forces)
 {

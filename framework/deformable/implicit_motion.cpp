@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "deformable/handles.hpp"
-#include "deformable/node_motion.hpp"
+#include "deformable/implicit_motion.hpp"
+
+#include "deformable/node_collisions.hpp"
 #include "formulas/collision.hpp"
 
 #include <algorithm>

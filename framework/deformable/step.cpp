@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MIT
+#include "deformable/step.hpp"
+
 #include "deformable/crush.hpp"
-#include "deformable/failure.hpp"
+#include "deformable/explicit_motion.hpp"
+#include "deformable/flow.hpp"
+#include "deformable/fracture.hpp"
 #include "deformable/handles.hpp"
-#include "deformable/node_motion.hpp"
+#include "deformable/implicit_motion.hpp"
 #include "rigid/non_finite.hpp"
 
 namespace rigor {
@@ -44,7 +48,7 @@ void move(Deformable& solid, RigidSide& rigid, World& world, double time_step)
     if (m.yield_stress == never && m.strength == never) return;
     work.elements.strains(solid.positions, work.strains);
     if (m.yield_stress != never) flow(solid, work, world);
-    if (m.strength == never || crush(solid, work, world, time_step)) return;
+    if (m.strength == never || crush(solid, work, work.held, world, time_step)) return;
     fracture(solid, work, world);
 }
 

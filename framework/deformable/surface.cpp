@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "deformable/surface.hpp"
+
 #include "deformable/clipped_element.hpp"
 #include "geometry/tetrahedra.hpp"
 

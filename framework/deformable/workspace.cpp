@@ -34,36 +34,12 @@ std::vector<char> surface_nodes(const Deformable& solid,
     return is_surface;
 }
 
-std::vector<std::vector<int>>
-uncracked_neighbours(const Deformable& solid, const std::vector<std::array<int, 4>>& neighbours)
-{
-    std::vector<std::vector<int>> lists(neighbours.size());
-    const bool has_cracks = !solid.crack_faces.empty() && solid.embedded.parents.empty();
-    for (std::size_t t = 0; t < neighbours.size(); ++t)
-        for (int f = 0; f < 4; ++f)
-            if (neighbours[t][f] >= 0 && !(has_cracks && solid.crack_faces[t][f]))
-                lists[t].push_back(neighbours[t][f]);
-    return lists;
-}
-
 } // namespace
 
-WorkspaceOf::WorkspaceOf() = default;
-WorkspaceOf::WorkspaceOf(const WorkspaceOf&) {}
-WorkspaceOf::WorkspaceOf(WorkspaceOf&&) noexcept = default;
-WorkspaceOf& WorkspaceOf::operator=(WorkspaceOf other) noexcept
-{
-    content = std::move(other.content);
-    return *this;
-}
-WorkspaceOf::~WorkspaceOf() = default;
-
 Workspace::Workspace(const Deformable& solid)
-    : topology(solid.topology), material(solid.material),
-      face_neighbours(rigor::face_neighbours(solid.rest)),
-      stress_neighbours(uncracked_neighbours(solid, face_neighbours)),
-      is_surface(surface_nodes(solid, face_neighbours)), elements(solid),
-      forces(solid.rest.vertices.size()), is_held(solid.rest.vertices.size(), 0)
+    : ElementWorkspace(solid), topology(solid.topology), material(solid.material),
+      is_surface(surface_nodes(solid, face_neighbours)), forces(solid.rest.vertices.size()),
+      is_held(solid.rest.vertices.size(), 0)
 {
 }
 
@@ -75,7 +51,7 @@ Workspace& workspace_of(Deformable& solid)
         is_same(content->material, solid.material) &&
         content->elements.size() == static_cast<int>(solid.rest.tetrahedra.size());
     if (!is_current)
-        content = std::make_unique<Workspace>(solid);
+        content = std::make_shared<Workspace>(solid);
     else
         for (int e = 0; e < content->elements.size(); ++e)
             content->elements.set_plastic_strain(e, solid.plastic_strains[e]);

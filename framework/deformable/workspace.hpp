@@ -4,17 +4,11 @@
 #pragma once
 
 #include "deformable/block_matrix.hpp"
-#include "deformable/elements.hpp"
+#include "deformable/element_workspace.hpp"
+#include "deformable/handles.hpp"
 #include "deformable/node_contacts.hpp"
 
 namespace rigor {
-
-/// A node with some coordinates that a handle holds.
-struct HeldNode {
-    int node = 0;
-    std::array<bool, 3> axes = {true, true, true};
-    Vector3d velocity = Vector3d::Zero(); // of those coordinates, to be where the handle wants it
-};
 
 /// Momentum that a part of a solid should have and has not, and its mass.
 struct LeftOver {
@@ -22,23 +16,18 @@ struct LeftOver {
     double mass = 0;
 };
 
-struct Workspace {
+struct Workspace : ElementWorkspace {
     explicit Workspace(const Deformable& solid);
 
     int topology;
     SolidMaterial material;
-    std::vector<std::array<int, 4>> face_neighbours;
-    std::vector<std::vector<int>>
-        stress_neighbours;        // of each element, across faces that no crack runs along
     std::vector<char> is_surface; // of each node: on the boundary of the mesh, and with matter
-    Elements elements;
-    double stable_step = 0; // of explicit substeps, the longest; 0: not asked for yet [s]
+    double stable_step = 0;       // of explicit substeps, the longest; 0: not asked for yet [s]
 
     // of a step
     std::vector<Vector3d> forces;
     std::vector<HeldNode> held;
     std::vector<char> is_held; // of each node
-    std::vector<ElementStrain> strains;
     NodeContacts contacts;
 
     // of an implicit step

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "scene/record_solid.hpp"
 
+#include "deformable/element.hpp"
+#include "deformable/pieces.hpp"
 #include "rigid/non_finite.hpp"
 
 #include <algorithm>

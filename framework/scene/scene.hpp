@@ -2,7 +2,7 @@
 // A scene as its file describes it: nothing computed yet, no formula called.
 #pragma once
 
-#include "deformable/deformable.hpp"
+#include "deformable/deformable_world.hpp"
 #include "geometry/shape.hpp"
 
 #include <filesystem>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "deformable/pieces.hpp"
 #include "deformable/remesh.hpp"
 #include "deformable_parts.hpp"
 #include "formulas/fracture.hpp"

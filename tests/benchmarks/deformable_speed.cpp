@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "deformable/failure.hpp"
+#include "deformable/fracture.hpp"
 #include "deformable/workspace.hpp"
 #include "deformable_parts.hpp"
 

@@ -2,7 +2,9 @@
 // Deformable solids that tests and benchmarks share.
 #pragma once
 
-#include "deformable/deformable.hpp"
+#include "deformable/make_deformable.hpp"
+#include "deformable/step.hpp"
+#include "deformable/totals.hpp"
 #include "geometry/tetrahedra.hpp"
 #include "support/random.hpp"
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "deformable/crack_edges.hpp"
+#include "deformable/pieces.hpp"
 #include "support/close.hpp"
 #include "support/deformables.hpp"
 

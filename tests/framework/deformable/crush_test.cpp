@@ -73,9 +73,9 @@ Deformable crushed_block(unsigned seed, FractureMethod method)
 
 bool crush(Deformable& solid, World& world)
 {
-    Workspace& work = workspace_of(solid);
+    ElementWorkspace work(solid);
     work.elements.strains(solid.positions, work.strains);
-    return crush(solid, work, world, 0.01);
+    return crush(solid, work, {}, world, 0.01);
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 #include "deformable/element.hpp"
 
 #include "deformable/elements.hpp"
+#include "deformable/polar_decomposition.hpp"
 #include "support/close.hpp"
 
 #include "support/deformables.hpp"

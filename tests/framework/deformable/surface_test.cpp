@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include "deformable/surface.hpp"
+
 #include "deformable/crush.hpp"
+#include "deformable/pieces.hpp"
 #include "deformable/remesh.hpp"
 #include "formulas/fracture.hpp"
 #include "geometry/mesh_checks.hpp"
@@ -194,10 +197,10 @@ TEST_CASE("surface: what was crushed and came off is a crack all around", "[defo
             x = -x;
         solid.inside_out_times.assign(solid.rest.tetrahedra.size(), 0.0);
         solid.inside_out_times[crushed] = 1e9;
-        Workspace& work = workspace_of(solid);
+        ElementWorkspace work(solid);
         work.elements.strains(solid.positions, work.strains);
         World world;
-        REQUIRE(crush(solid, work, world, 0.01));
+        REQUIRE(crush(solid, work, {}, world, 0.01));
         const EmbeddedSurface surface = drawn_surface(solid);
         const TriangleMesh mesh = drawn(solid, surface, -1);
         const Areas after = areas(mesh, surface);

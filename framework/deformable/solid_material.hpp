@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "rigid/world.hpp"
+
+#include <limits>
+
+namespace rigor {
+
+inline constexpr double never = std::numeric_limits<double>::infinity();
+
+/// What a solid is made of.
+struct SolidMaterial {
+    double density = 1000;       // ρ [kg/m³]
+    double youngs_modulus = 1e6; // E > 0 [Pa]
+    double poisson_ratio = 0.3;  // ν, -1 … 0.5, both excluded
+    double damping = 0;          // of strain: the force β K v [s]
+    double drag = 0;             // of motion: the force -α m v [1/s]
+    double yield_stress = never; // σ_Y [Pa]
+    double strength = never;     // largest principal stress that it bears [Pa]
+    Material surface;            // restitution and friction, as of a rigid body
+
+    double lame_lambda() const // λ [Pa]
+    {
+        return youngs_modulus * poisson_ratio / ((1 + poisson_ratio) * (1 - 2 * poisson_ratio));
+    }
+    double shear_modulus() const { return youngs_modulus / (2 * (1 + poisson_ratio)); } // G [Pa]
+};
+
+} // namespace rigor
