@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "scene/make_world.hpp"
 
-#include "deformable/make_deformable.hpp"
-#include "deformable/totals.hpp"
+#include "deformable/elasticity/totals.hpp"
+#include "deformable/solid/make_deformable.hpp"
 #include "geometry/pose.hpp"
 #include "geometry/solid_mesh.hpp"
 #include "rigid/mass.hpp"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "scene/record_solid.hpp"
 
-#include "deformable/element.hpp"
-#include "deformable/pieces.hpp"
+#include "deformable/elasticity/element.hpp"
+#include "deformable/solid/pieces.hpp"
 #include "rigid/non_finite.hpp"
 
 #include <algorithm>

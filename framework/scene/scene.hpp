@@ -2,7 +2,7 @@
 // A scene as its file describes it: nothing computed yet, no formula called.
 #pragma once
 
-#include "deformable/deformable_world.hpp"
+#include "deformable/step/deformable_world.hpp"
 #include "geometry/shape.hpp"
 
 #include <filesystem>

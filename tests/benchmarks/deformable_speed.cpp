@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "deformable/fracture.hpp"
-#include "deformable/workspace.hpp"
+#include "deformable/fracture/fracture.hpp"
+#include "deformable/motion/workspace.hpp"
 #include "deformable_parts.hpp"
 
 #include <Eigen/SparseCholesky>

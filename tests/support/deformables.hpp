@@ -2,9 +2,9 @@
 // Deformable solids that tests and benchmarks share.
 #pragma once
 
-#include "deformable/make_deformable.hpp"
-#include "deformable/step.hpp"
-#include "deformable/totals.hpp"
+#include "deformable/elasticity/totals.hpp"
+#include "deformable/solid/make_deformable.hpp"
+#include "deformable/step/step.hpp"
 #include "geometry/tetrahedra.hpp"
 #include "support/random.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What a step must not make: energy out of contact, angular momentum out of nothing, elements inside out.
-#include "deformable/remesh.hpp"
+#include "deformable/fracture/remesh.hpp"
 #include "formulas/fracture.hpp"
 #include "support/close.hpp"
 #include "support/deformables.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "deformable/crack_edges.hpp"
-#include "deformable/pieces.hpp"
+#include "deformable/fracture/crack_edges.hpp"
+#include "deformable/solid/pieces.hpp"
 #include "support/close.hpp"
 #include "support/deformables.hpp"
 

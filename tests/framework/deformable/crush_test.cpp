@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What is crushed inside out and stays so comes off, and no sum changes by it.
-#include "deformable/crush.hpp"
-#include "deformable/element.hpp"
-#include "deformable/remesh.hpp"
+#include "deformable/elasticity/element.hpp"
+#include "deformable/fracture/crush.hpp"
+#include "deformable/fracture/remesh.hpp"
 #include "formulas/fracture.hpp"
 #include "support/close.hpp"
 #include "support/deformables.hpp"

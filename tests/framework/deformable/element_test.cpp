@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "deformable/element.hpp"
+#include "deformable/elasticity/element.hpp"
 
-#include "deformable/elements.hpp"
-#include "deformable/polar_decomposition.hpp"
+#include "deformable/elasticity/elements.hpp"
+#include "deformable/elasticity/polar_decomposition.hpp"
 #include "support/close.hpp"
 
 #include "support/deformables.hpp"

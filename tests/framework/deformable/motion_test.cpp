@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "deformable/element.hpp"
-#include "deformable/stable_step.hpp"
+#include "deformable/elasticity/element.hpp"
+#include "deformable/motion/stable_step.hpp"
 #include "support/close.hpp"
 #include "support/deformables.hpp"
 

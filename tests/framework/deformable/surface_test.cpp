@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "deformable/surface.hpp"
+#include "deformable/surface/surface.hpp"
 
-#include "deformable/crush.hpp"
-#include "deformable/pieces.hpp"
-#include "deformable/remesh.hpp"
+#include "deformable/fracture/crush.hpp"
+#include "deformable/fracture/remesh.hpp"
+#include "deformable/solid/pieces.hpp"
 #include "formulas/fracture.hpp"
 #include "geometry/mesh_checks.hpp"
 #include "support/close.hpp"

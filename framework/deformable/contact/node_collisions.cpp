@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#include "deformable/contact/node_collisions.hpp"
+
+#include "formulas/collision.hpp"
+
+#include <algorithm>
+
+namespace rigor {
+
+namespace {
+
+// A node as a body: its point is its center.
+Body node_body(const Deformable& solid, int node, double inverse_mass)
+{
+    Body body;
+    body.inverse_mass = inverse_mass;
+    body.position = solid.positions[node];
+    body.velocity = solid.velocities[node];
+    return body;
+}
+
+} // namespace
+
+void collide_nodes(Deformable& solid, const std::vector<char>& is_held,
+                   const NodeContacts& contacts, RigidSide& rigid, double time_step,
+                   bool with_restitution, Counters& counters)
+{
+    const double weak =
+        2 * time_step * rigid.world.gravity.norm(); // speeds that gravity undoes at once
+    for (const NodeContact& c : contacts.all()) {
+        const Vector3d x = solid.positions[c.node], n = c.normal;
+        const double inverse_mass = is_held[c.node] ? 0 : 1 / solid.masses[c.node];
+        const Body& body = rigid.bodies[c.body];
+        if (inverse_mass == 0 && body.is_static()) continue;
+        const Vector3d v = relative_velocity(node_body(solid, c.node, inverse_mass), body, x);
+        const double v_n = v.dot(n);
+        if (v_n >= 0 || c.gap + time_step * v_n >= 0) continue;
+        if (with_restitution && (c.restitution == 0 || -c.restitution * v_n < weak)) continue;
+        const Matrix3d K =
+            inverse_mass * Matrix3d::Identity() +
+            impulse_matrix(body.inverse_mass, body.inverse_inertia, body.position, x);
+        // without restitution: as if a gap that closes within the step were an approach less
+        const Vector3d closing = with_restitution ? v : v + std::max(c.gap, 0.0) / time_step * n;
+        const Vector3d j =
+            collision_impulse(K, closing, n, with_restitution ? c.restitution : 0.0, c.friction);
+        solid.velocities[c.node] += inverse_mass * j;
+        rigid.push(c.body, x, -j);
+        ++counters.node_impulses;
+    }
+}
+
+void heal_nodes(Deformable& solid, const std::vector<char>& is_held, const NodeContacts& contacts,
+                double step_share, double farthest)
+{
+    for (const NodeContact& c : contacts.all()) {
+        if (c.gap >= 0 || is_held[c.node]) continue;
+        solid.positions[c.node] += std::min(0.2 * step_share * -c.gap, farthest) * c.normal;
+    }
+}
+
+} // namespace rigor

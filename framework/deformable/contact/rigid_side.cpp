@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#include "deformable/contact/rigid_side.hpp"
+
+#include "formulas/collision.hpp"
+#include "rigid/flight.hpp"
+#include "rigid/sleep.hpp"
+
+#include <algorithm>
+
+namespace rigor {
+
+namespace {
+
+Body rigid_in_world(const World& world, const RigidBody& rigid)
+{
+    Body body;
+    body.position = rigid.state.position;
+    if (rigid.is_static) return body;
+    body.inverse_mass = rigid.inverse.inverse_mass;
+    body.inverse_inertia = inverse_inertia(world.integrator, rigid, rigid.state);
+    body.velocity = rigid.state.velocity;
+    body.angular_momentum = rigid.state.angular_momentum;
+    body.angular_velocity = body.inverse_inertia * rigid.state.angular_momentum;
+    return body;
+}
+
+} // namespace
+
+RigidSide::RigidSide(const World& of) : world(of), is_pushed(of.bodies.size(), 0)
+{
+    bodies.reserve(of.bodies.size());
+    surfaces.reserve(of.bodies.size());
+    for (const RigidBody& rigid : of.bodies) {
+        bodies.push_back(rigid_in_world(of, rigid));
+        surfaces.push_back({body_rotation(of.integrator, rigid.state), rigid.state.position});
+    }
+}
+
+void RigidSide::advance(double time_step)
+{
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        if (bodies[i].is_static()) continue;
+        const Vector3d turn = time_step * bodies[i].angular_velocity;
+        const double angle = turn.norm();
+        surfaces[i].X += time_step * bodies[i].velocity;
+        if (angle > 0) surfaces[i].R = Eigen::AngleAxisd(angle, turn / angle) * surfaces[i].R;
+    }
+}
+
+void RigidSide::push(int body, const Vector3d& point, const Vector3d& impulse)
+{
+    if (bodies[body].is_static()) return;
+    bodies[body] = apply_impulse(bodies[body], point, impulse);
+    is_pushed[body] = 1;
+}
+
+bool RigidSide::rests(int body) const
+{
+    return world.bodies[body].rest.is_asleep() ||
+           std::any_of(world.warm_contacts.begin(), world.warm_contacts.end(),
+                       [&](const WarmContact& c) { return c.body1 == body || c.body2 == body; });
+}
+
+void RigidSide::give_back(World& to, double time_step) const
+{
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        if (!is_pushed[i]) continue;
+        if (to.bodies[i].rest.is_asleep()) wake(to, {static_cast<int>(i)});
+        // Its flight will add h V + ½ g h². Held by nodes it does not fly, but drifts with the velocity
+        // that it has in the end, V + g h.
+        if (!rests(static_cast<int>(i)))
+            to.bodies[i].state.position += 0.5 * time_step * time_step * to.gravity;
+        to.bodies[i].state.velocity = bodies[i].velocity;
+        to.bodies[i].state.angular_momentum = bodies[i].angular_momentum;
+    }
+}
+
+} // namespace rigor
