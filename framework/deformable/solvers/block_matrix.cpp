@@ -6,13 +6,9 @@
 
 namespace rigor {
 
-namespace {
-
 using Vectors = std::vector<Vector3d>;
 
-} // namespace
-
-void ImplicitSystem::analyse(const Elements& elements, int nodes)
+void BlockMatrix::analyse(const Elements& elements, int nodes)
 {
     nodes_ = nodes;
     std::vector<std::vector<int>> neighbours(nodes);
@@ -47,18 +43,10 @@ void ImplicitSystem::analyse(const Elements& elements, int nodes)
             for (int j = i; j < 4; ++j)
                 places_[e][k++] = place(std::min(t[i], t[j]), std::max(t[i], t[j]));
     }
-    inverse_diagonal_.resize(nodes);
     find_parts();
-    constexpr double most_work = 40; // of the factorisation, for each block of A
-    is_factor_cheap_ =
-        factor_.analyse(row_starts_, columns_, most_work * static_cast<double>(blocks_.size()));
-    if (!is_factor_cheap_) return;
-    tied_blocks_.resize(blocks_.size());
-    free_.resize(nodes);
-    is_tied_.resize(nodes);
 }
 
-void ImplicitSystem::find_parts()
+void BlockMatrix::find_parts()
 {
     part_of_.assign(nodes_, -1);
     parts_ = 0;
@@ -86,9 +74,9 @@ void ImplicitSystem::find_parts()
     }
 }
 
-void ImplicitSystem::assemble(const Elements& elements, const std::vector<ElementStrain>& strains,
-                              const std::vector<double>& masses, const SolidMaterial& material,
-                              double time_step)
+void BlockMatrix::assemble(const Elements& elements, const std::vector<ElementStrain>& strains,
+                           const std::vector<double>& masses, const SolidMaterial& material,
+                           double time_step)
 {
     const double h = time_step, factor = h * (h + material.damping);
     const double lambda = material.lame_lambda(), G = material.shear_modulus();
@@ -118,11 +106,11 @@ void ImplicitSystem::assemble(const Elements& elements, const std::vector<Elemen
     }
 }
 
-void ImplicitSystem::multiply(const Vectors& x, Vectors& y) const
+void BlockMatrix::multiply(const std::vector<int>& nodes, const Vectors& x, Vectors& y) const
 {
-    for (const int i : *active_)
+    for (const int i : nodes)
         y[i].setZero();
-    for (const int i : *active_) {
+    for (const int i : nodes) {
         const double x0 = x[i][0], x1 = x[i][1], x2 = x[i][2];
         const double* D = blocks_[diagonal_[i]].data();
         double s0 = D[0] * x0 + D[3] * x1 + D[6] * x2, s1 = D[1] * x0 + D[4] * x1 + D[7] * x2,
@@ -138,10 +126,6 @@ void ImplicitSystem::multiply(const Vectors& x, Vectors& y) const
             w[2] += A[6] * x0 + A[7] * x1 + A[8] * x2;
         }
         y[i] += Vector3d(s0, s1, s2);
-    }
-    for (std::size_t b = 0; b < bodies_->size(); ++b) {
-        y[nodes_ + 2 * b] = (*bodies_)[b].mass * x[nodes_ + 2 * b];
-        y[nodes_ + 2 * b + 1] = (*bodies_)[b].inertia * x[nodes_ + 2 * b + 1];
     }
 }
 

@@ -1,11 +1,34 @@
 // SPDX-License-Identifier: MIT
-#include "deformable/solvers/block_matrix.hpp"
+#include "deformable/solvers/implicit_system.hpp"
 
 #include <algorithm>
 
 namespace rigor {
 
 using Vectors = std::vector<Vector3d>;
+
+void ImplicitSystem::analyse(const Elements& elements, int nodes)
+{
+    matrix_.analyse(elements, nodes);
+    nodes_ = nodes;
+    inverse_diagonal_.resize(nodes);
+    constexpr double most_work = 40; // of the factorisation, for each block of A
+    is_factor_cheap_ = factor_.analyse(matrix_.row_starts(), matrix_.columns(),
+                                       most_work * static_cast<double>(matrix_.blocks().size()));
+    if (!is_factor_cheap_) return;
+    tied_blocks_.resize(matrix_.blocks().size());
+    free_.resize(nodes);
+    is_tied_.resize(nodes);
+}
+
+void ImplicitSystem::multiply(const Vectors& x, Vectors& y) const
+{
+    matrix_.multiply(*active_, x, y);
+    for (std::size_t b = 0; b < bodies_->size(); ++b) {
+        y[nodes_ + 2 * b] = (*bodies_)[b].mass * x[nodes_ + 2 * b];
+        y[nodes_ + 2 * b + 1] = (*bodies_)[b].inertia * x[nodes_ + 2 * b + 1];
+    }
+}
 
 double ImplicitSystem::dot(const Vectors& a, const Vectors& b) const
 {
@@ -72,16 +95,18 @@ void ImplicitSystem::factorise()
         free_[t.node] = free_[t.node] * (Matrix3d::Identity() - t.N);
         is_tied_[t.node] = 1;
     }
+    const auto& row_starts = matrix_.row_starts();
+    const auto& blocks = matrix_.blocks();
     for (const int i : *active_)
-        for (int k = row_starts_[i]; k < row_starts_[i + 1]; ++k) {
-            const int j = columns_[k];
-            tied_blocks_[k] = blocks_[k];
+        for (int k = row_starts[i]; k < row_starts[i + 1]; ++k) {
+            const int j = matrix_.columns()[k];
+            tied_blocks_[k] = blocks[k];
             if (!is_tied_[i] && !is_tied_[j]) continue;
-            tied_blocks_[k] = free_[i].transpose() * blocks_[k] * free_[j];
-            if (i == j) tied_blocks_[k] += blocks_[k].trace() * (Matrix3d::Identity() - free_[i]);
+            tied_blocks_[k] = free_[i].transpose() * blocks[k] * free_[j];
+            if (i == j) tied_blocks_[k] += blocks[k].trace() * (Matrix3d::Identity() - free_[i]);
         }
     for (const TiedNode& t : *tied_)
-        tied_blocks_[diagonal_[t.node]] += t.damping * free_[t.node];
+        tied_blocks_[matrix_.diagonal_place(t.node)] += t.damping * free_[t.node];
     factor_.steps_of(*active_, steps_);
     factor_.factorise(steps_, tied_blocks_);
 }
@@ -92,14 +117,14 @@ void ImplicitSystem::prepare_preconditioner(const std::vector<SystemBody>& bodie
         factorise();
     else
         for (const int i : *active_)
-            inverse_diagonal_[i] = blocks_[diagonal_[i]].inverse();
+            inverse_diagonal_[i] = matrix_.diagonal(i).inverse();
     inverse_bodies_.assign(bodies.size(), Matrix6d::Zero());
     for (std::size_t b = 0; b < bodies.size(); ++b) {
         inverse_bodies_[b].topLeftCorner<3, 3>() = bodies[b].mass * Matrix3d::Identity();
         inverse_bodies_[b].bottomRightCorner<3, 3>() = bodies[b].inertia;
     }
     for (const TiedNode& t : *tied_) {
-        const Matrix3d& A = blocks_[diagonal_[t.node]];
+        const Matrix3d& A = matrix_.diagonal(t.node);
         if (!is_factor_cheap_) {
             const Matrix3d P = Matrix3d::Identity() - t.N;
             const Matrix3d free = P * A * P + t.damping * P + A.trace() * t.N;
@@ -219,10 +244,9 @@ int ImplicitSystem::iterate(double enough)
 const Vectors& ImplicitSystem::missing(const Vectors& b, const std::vector<int>& nodes,
                                        const Vectors& velocities)
 {
-    active_ = &nodes;
     for (const int i : nodes)
         x_[i] = velocities[i];
-    multiply(x_, q_);
+    matrix_.multiply(nodes, x_, q_);
     for (const int i : nodes)
         q_[i] -= b[i];
     return q_;
