@@ -22,7 +22,7 @@ Body node_body(const Deformable& solid, int node, double inverse_mass)
 } // namespace
 
 void collide_nodes(Deformable& solid, const std::vector<char>& is_held,
-                   const NodeContacts& contacts, RigidSide& rigid, double time_step,
+                   const NodeContacts& contacts, RigidColliders& rigid, double time_step,
                    bool with_restitution, Counters& counters)
 {
     const double weak =
@@ -49,8 +49,8 @@ void collide_nodes(Deformable& solid, const std::vector<char>& is_held,
     }
 }
 
-void heal_nodes(Deformable& solid, const std::vector<char>& is_held, const NodeContacts& contacts,
-                double step_share, double farthest)
+void correct_positions(Deformable& solid, const std::vector<char>& is_held,
+                       const NodeContacts& contacts, double step_share, double farthest)
 {
     for (const NodeContact& c : contacts.all()) {
         if (c.gap >= 0 || is_held[c.node]) continue;

@@ -9,12 +9,12 @@ namespace rigor {
 /// its opposite: `collision_impulse` with K = δ/m + K of the body. With restitution, before the forces of
 /// a substep; without, after them: then a gap that is left may close within the substep.
 void collide_nodes(Deformable& solid, const std::vector<char>& is_held,
-                   const NodeContacts& contacts, RigidSide& rigid, double time_step,
+                   const NodeContacts& contacts, RigidColliders& rigid, double time_step,
                    bool with_restitution, Counters& counters);
 
 /// Moves nodes out of bodies, without a velocity: by a fifth of their depth a step, and no faster than
 /// the solid's radius a second.
-void heal_nodes(Deformable& solid, const std::vector<char>& is_held, const NodeContacts& contacts,
-                double step_share, double farthest);
+void correct_positions(Deformable& solid, const std::vector<char>& is_held,
+                       const NodeContacts& contacts, double step_share, double farthest);
 
 } // namespace rigor

@@ -32,7 +32,7 @@ double reach_of(const Deformable& solid, const Body& body, double radius, const 
 } // namespace
 
 void NodeContacts::find(const Deformable& solid, const std::vector<char>& is_surface,
-                        const RigidSide& rigid, double time_step, Counters& counters)
+                        const RigidColliders& rigid, double time_step, Counters& counters)
 {
     parts_.clear();
     contacts_.clear();
@@ -64,7 +64,7 @@ void NodeContacts::find(const Deformable& solid, const std::vector<char>& is_sur
     }
 }
 
-void NodeContacts::measure(const Deformable& solid, const RigidSide& rigid)
+void NodeContacts::measure(const Deformable& solid, const RigidColliders& rigid)
 {
     for (NodeContact& c : contacts_) {
         const NearPart& part = parts_[c.part];

@@ -2,7 +2,7 @@
 // Where nodes of a solid meet rigid bodies.
 #pragma once
 
-#include "deformable/contact/rigid_side.hpp"
+#include "deformable/contact/rigid_colliders.hpp"
 #include "deformable/solid/deformable.hpp"
 #include "rigid/distance_field.hpp"
 
@@ -20,11 +20,11 @@ struct NodeContact {
 class NodeContacts {
 public:
     /// The nodes that may meet a body within a step.
-    void find(const Deformable& solid, const std::vector<char>& is_surface, const RigidSide& rigid,
-              double time_step, Counters& counters);
+    void find(const Deformable& solid, const std::vector<char>& is_surface,
+              const RigidColliders& rigid, double time_step, Counters& counters);
     /// Gaps and normals where the nodes and the surfaces are now. Of a node in several parts' reach
     /// each counts.
-    void measure(const Deformable& solid, const RigidSide& rigid);
+    void measure(const Deformable& solid, const RigidColliders& rigid);
 
     std::vector<NodeContact>& all() { return contacts_; }
     const std::vector<NodeContact>& all() const { return contacts_; }

@@ -46,7 +46,7 @@ double energy_density(const Deformable& solid, int element)
     return 0.5 * m.lame_lambda() * e.trace() * e.trace() + m.shear_modulus() * e.squaredNorm();
 }
 
-bool is_inside_out(const Matrix3d& plastic, const Matrix3d& elastic)
+bool is_inverted(const Matrix3d& plastic, const Matrix3d& elastic)
 {
     const Matrix3d strain = plastic + elastic;
     if (strain.squaredNorm() < 1) return false; // no eigenvalue is at -1

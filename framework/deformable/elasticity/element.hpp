@@ -22,6 +22,6 @@ std::vector<Matrix3d> element_stresses(const Deformable& solid);
 double energy_density(const Deformable& solid, int element);
 
 /// Whether an element of these strains is inside out: S = δ + ε_p + the elastic strain has det S ≤ 0.
-bool is_inside_out(const Matrix3d& plastic, const Matrix3d& elastic);
+bool is_inverted(const Matrix3d& plastic, const Matrix3d& elastic);
 
 } // namespace rigor

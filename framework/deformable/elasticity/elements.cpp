@@ -46,7 +46,7 @@ struct PolarPair {
     Two s, conditioning;
 };
 
-[[gnu::noinline]] void polar_the_long_way(const Square3<Two>& F, int lane, PolarPair& polar)
+[[gnu::noinline]] void polar_by_eigenvector(const Square3<Two>& F, int lane, PolarPair& polar)
 {
     Matrix3d G;
     for (int i = 0; i < 9; ++i)
@@ -67,7 +67,7 @@ struct PolarPair {
     PolarPair polar{closed.R, {}, closed.s, closed.conditioning};
     for (int lane = 0; lane < 2; ++lane)
         if (!is_exact(closed.conditioning[lane], closed.last_step[lane]))
-            polar_the_long_way(F, lane, polar);
+            polar_by_eigenvector(F, lane, polar);
     const Square3<Two> S = transposed_times(polar.R, F);
     polar.S = {S.a[0][0],
                S.a[1][1],

@@ -40,7 +40,7 @@ void flow(Deformable& solid, ElementWorkspace& work, World& world)
         Matrix3d& strain = work.strains[e].elastic;
         const bool yields = is_optimised ? shear_strain2(strain) > bound * bound
                                          : von_mises_from_strain(strain, G) > sigma_Y;
-        if (!yields || is_inside_out(solid.plastic_strains[e], strain)) {
+        if (!yields || is_inverted(solid.plastic_strains[e], strain)) {
             ++world.counters.flow_skipped;
             continue;
         }

@@ -13,7 +13,7 @@ constexpr std::array<std::array<int, 2>, 6> tetrahedron_edges = {
     {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
 constexpr double least_cosine =
     0.5; // of the angle between the normal that continues and the wanted one
-constexpr double like = 0.7;
+constexpr double similar_cosine = 0.7;
 
 std::pair<int, int> edge_of(const std::array<int, 4>& t, const std::array<int, 2>& edge)
 {
@@ -88,11 +88,12 @@ CrackEdges::CrackEdges(const Deformable& solid)
     }
 }
 
-bool CrackEdges::has_like(int parent, const Vector3d& normal) const
+bool CrackEdges::has_similar(int parent, const Vector3d& normal) const
 {
     const auto& list = cracks_of_[parent];
-    return std::any_of(list.begin(), list.end(),
-                       [&](int k) { return std::abs(solid_.cracks[k].normal.dot(normal)) > like; });
+    return std::any_of(list.begin(), list.end(), [&](int k) {
+        return std::abs(solid_.cracks[k].normal.dot(normal)) > similar_cosine;
+    });
 }
 
 std::vector<Vector3d> CrackEdges::cuts(int parent, const std::array<int, 4>& real) const

@@ -26,7 +26,7 @@ public:
     bool meets(int parent, const std::array<int, 4>& real) const;
 
     /// Whether the element has such a crack already: one that is less than 45° from it.
-    bool has_like(int parent, const Vector3d& normal) const;
+    bool has_similar(int parent, const Vector3d& normal) const;
 
 private:
     std::vector<Vector3d> cuts(int parent, const std::array<int, 4>& real) const;

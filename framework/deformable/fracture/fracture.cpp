@@ -82,9 +82,9 @@ std::array<Vector3d, 4> corners(const TetrahedralMesh& mesh, int element)
 }
 
 // Elements at whose nodes a crack of this step is already.
-class Taken {
+class CrackedNodes {
 public:
-    explicit Taken(const Deformable& solid) : is_taken_(solid.rest.vertices.size(), 0) {}
+    explicit CrackedNodes(const Deformable& solid) : is_taken_(solid.rest.vertices.size(), 0) {}
     bool any(const std::array<int, 4>& nodes) const
     {
         return std::any_of(nodes.begin(), nodes.end(), [&](int v) { return is_taken_[v] != 0; });
@@ -103,7 +103,7 @@ private:
 int crack_faces(Deformable& solid, const ElementWorkspace& work,
                 const std::vector<Candidate>& found)
 {
-    Taken taken(solid);
+    CrackedNodes taken(solid);
     int cracks = 0;
     if (solid.crack_faces.empty())
         solid.crack_faces.assign(solid.rest.tetrahedra.size(), {false, false, false, false});
@@ -176,7 +176,7 @@ int crack_elements(Deformable& solid, const std::vector<Candidate>& found)
         Vector3d place, normal;
     };
     std::vector<Tip> tips;
-    Taken taken(solid);
+    CrackedNodes taken(solid);
     for (const Candidate& c : found) {
         if (static_cast<int>(tips.size()) == most_cracks) break;
         const auto& t = solid.rest.tetrahedra[c.element];
@@ -209,7 +209,7 @@ int crack_with_virtual_nodes(Deformable& solid, const std::vector<Candidate>& fo
         ++count[crack.tetrahedron];
     const CrackEdges edges(solid);
     const bool is_embedded = !solid.embedded.parents.empty();
-    Taken taken(solid);
+    CrackedNodes taken(solid);
     int cracks = 0;
     bool one_goes_on = false; // then none that is pulled less begins
     for (const Candidate& c : found) {
@@ -219,7 +219,7 @@ int crack_with_virtual_nodes(Deformable& solid, const std::vector<Candidate>& fo
         const bool is_divisible = std::accumulate(real.begin(), real.end(), 0) > 1;
         const auto& t = solid.rest.tetrahedra[c.element];
         if (!is_divisible || count[parent] >= most_in_element || taken.any(t)) continue;
-        if (edges.has_like(parent, c.normal)) continue; // it is to open first
+        if (edges.has_similar(parent, c.normal)) continue; // it is to open first
         const bool goes_on = edges.meets(parent, real);
         if (one_goes_on && !goes_on) continue;
         one_goes_on |= goes_on;

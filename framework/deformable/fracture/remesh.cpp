@@ -75,8 +75,8 @@ std::vector<T> of_parents(const std::vector<T>& old, const std::vector<int>& par
 void carry_elements(Deformable& solid, const std::vector<int>& parents)
 {
     solid.plastic_strains = of_parents(solid.plastic_strains, parents);
-    if (!solid.inside_out_times.empty())
-        solid.inside_out_times = of_parents(solid.inside_out_times, parents);
+    if (!solid.inverted_times.empty())
+        solid.inverted_times = of_parents(solid.inverted_times, parents);
 }
 
 // The face of the parent that a child's face lies in; -1: it is within.

@@ -12,7 +12,7 @@ namespace rigor {
 /// What the contacts of a step depend on. It stays as it is while the step solves.
 struct ContactStep {
     const Deformable& solid;
-    const RigidSide& rigid;
+    const RigidColliders& rigid;
     const JoinedBodies& bodies;
     const std::vector<NodeContact>& contacts;
     const std::vector<char>& is_held; // for each node, whether a handle holds it

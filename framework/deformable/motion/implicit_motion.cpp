@@ -68,7 +68,7 @@ void note_impulses(Workspace& work)
     const auto& contacts = work.contacts.all();
     if (contacts.empty()) return;
     VelocitySystem& s = work.velocity_system;
-    const auto& impulses = s.system.missing(s.momenta, work.parts.nodes(), s.velocities);
+    const auto& impulses = s.system.residual(s.momenta, work.parts.nodes(), s.velocities);
     for (int k = 0; k < static_cast<int>(contacts.size()); ++k)
         if (work.contact_set.is_tied(k) && work.parts.is_open(contacts[k].node))
             work.contact_set.set_impulse(k, impulses[contacts[k].node]);
@@ -144,7 +144,7 @@ void move_implicitly(const NodeMotion& motion)
     solid.velocities = work.velocity_system.velocities;
     for (std::size_t i = 0; i < solid.positions.size(); ++i)
         solid.positions[i] += h * solid.velocities[i];
-    heal_nodes(solid, work.is_held, work.contacts, 1, h * motion.radius);
+    correct_positions(solid, work.is_held, work.contacts, 1, h * motion.radius);
     for (const HeldNode& held : work.held)
         work.is_held[held.node] = 0;
 }

@@ -3,14 +3,14 @@
 
 namespace rigor {
 
-void JoinedBodies::join(const RigidSide& rigid, const std::vector<NodeContact>& contacts,
+void JoinedBodies::join(const RigidColliders& rigid, const std::vector<NodeContact>& contacts,
                         double time_step)
 {
     numbers_.assign(rigid.bodies.size(), -1);
     before_.clear();
     for (const NodeContact& c : contacts) {
         const Body& body = rigid.bodies[c.body];
-        if (body.is_static() || numbers_[c.body] >= 0 || rigid.rests(c.body)) continue;
+        if (body.is_static() || numbers_[c.body] >= 0 || rigid.has_supports(c.body)) continue;
         numbers_[c.body] = static_cast<int>(before_.size());
         before_.push_back({1 / body.inverse_mass, body.inverse_inertia.inverse(),
                            body.velocity + time_step * rigid.world.gravity, body.angular_velocity});
@@ -23,17 +23,19 @@ std::vector<SystemBody>& JoinedBodies::restart()
     return after_;
 }
 
-Vector3d JoinedBodies::velocity_before(const RigidSide& rigid, int body, const Vector3d& r) const
+Vector3d JoinedBodies::velocity_before(const RigidColliders& rigid, int body,
+                                       const Vector3d& r) const
 {
     return velocity(rigid, body, r, before_);
 }
 
-Vector3d JoinedBodies::velocity_after(const RigidSide& rigid, int body, const Vector3d& r) const
+Vector3d JoinedBodies::velocity_after(const RigidColliders& rigid, int body,
+                                      const Vector3d& r) const
 {
     return velocity(rigid, body, r, after_);
 }
 
-Vector3d JoinedBodies::velocity(const RigidSide& rigid, int body, const Vector3d& r,
+Vector3d JoinedBodies::velocity(const RigidColliders& rigid, int body, const Vector3d& r,
                                 const std::vector<SystemBody>& bodies) const
 {
     const int number = numbers_[body];

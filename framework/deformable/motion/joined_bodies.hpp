@@ -12,7 +12,8 @@ public:
     /// A dynamic body in contact joins the system, with the velocity that gravity will give it in this
     /// step, unless it rests on other bodies. Such a body counts as static here, because it hands the
     /// impulses on to its supports.
-    void join(const RigidSide& rigid, const std::vector<NodeContact>& contacts, double time_step);
+    void join(const RigidColliders& rigid, const std::vector<NodeContact>& contacts,
+              double time_step);
 
     bool is_empty() const { return before_.empty(); }
     /// The number of a rigid body in the system; -1: it has not joined.
@@ -22,12 +23,12 @@ public:
     std::vector<SystemBody>& restart();
 
     /// Velocity of the point r away from the center of a body [m/s], before contacts act.
-    Vector3d velocity_before(const RigidSide& rigid, int body, const Vector3d& r) const;
+    Vector3d velocity_before(const RigidColliders& rigid, int body, const Vector3d& r) const;
     /// The same after the latest solve that had the bodies in it.
-    Vector3d velocity_after(const RigidSide& rigid, int body, const Vector3d& r) const;
+    Vector3d velocity_after(const RigidColliders& rigid, int body, const Vector3d& r) const;
 
 private:
-    Vector3d velocity(const RigidSide& rigid, int body, const Vector3d& r,
+    Vector3d velocity(const RigidColliders& rigid, int body, const Vector3d& r,
                       const std::vector<SystemBody>& bodies) const;
 
     std::vector<int> numbers_;               // for each rigid body

@@ -2,7 +2,7 @@
 // How the nodes of a solid move through a step.
 #pragma once
 
-#include "deformable/contact/rigid_side.hpp"
+#include "deformable/contact/rigid_colliders.hpp"
 #include "deformable/motion/workspace.hpp"
 
 namespace rigor {
@@ -11,7 +11,7 @@ namespace rigor {
 struct NodeMotion {
     Deformable& solid;
     Workspace& work;
-    RigidSide& rigid;
+    RigidColliders& rigid;
     Vector3d gravity;     // [m/s²]
     double start = 0;     // [s]
     double time_step = 0; // [s]

@@ -87,7 +87,7 @@ struct Deformable {
     std::vector<Handle> handles;
     std::vector<NodeLoad> loads;
     std::vector<double>
-        inside_out_times; // of each element, for how long it is; empty: none ever was [s]
+        inverted_times; // of each element, for how long it is; empty: none ever was [s]
 
     // Of each element and face, whether a crack runs there, open or still closed. Empty without cracks.
     // With virtual nodes: of `uncracked`, along whose faces what is crushed comes off.

@@ -65,7 +65,7 @@ void ImplicitSystem::reduce(Vectors& x) const
 }
 
 // d (δ - N) (v - V - ω × r)
-Vector3d ImplicitSystem::against_tie(const TiedNode& t, const Vectors& x) const
+Vector3d ImplicitSystem::damping_impulse(const TiedNode& t, const Vectors& x) const
 {
     Vector3d v = x[t.node];
     if (t.body >= 0) v -= x[nodes_ + 2 * t.body] + x[nodes_ + 2 * t.body + 1].cross(t.r);
@@ -76,7 +76,7 @@ void ImplicitSystem::add_damping(const Vectors& x, Vectors& y) const
 {
     for (const TiedNode& t : *tied_) {
         if (t.damping == 0) continue;
-        const Vector3d f = against_tie(t, x);
+        const Vector3d f = damping_impulse(t, x);
         y[t.node] += f;
         if (t.body < 0) continue;
         y[nodes_ + 2 * t.body] -= f;
@@ -241,8 +241,8 @@ int ImplicitSystem::iterate(double enough)
     return iterations;
 }
 
-const Vectors& ImplicitSystem::missing(const Vectors& b, const std::vector<int>& nodes,
-                                       const Vectors& velocities)
+const Vectors& ImplicitSystem::residual(const Vectors& b, const std::vector<int>& nodes,
+                                        const Vectors& velocities)
 {
     for (const int i : nodes)
         x_[i] = velocities[i];

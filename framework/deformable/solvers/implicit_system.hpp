@@ -43,12 +43,12 @@ public:
 
     /// A v - b of each of these nodes, of whole parts, after `solve`: where ties are, the impulses that
     /// they and their damping give [N s].
-    const std::vector<Vector3d>& missing(const std::vector<Vector3d>& b,
-                                         const std::vector<int>& nodes,
-                                         const std::vector<Vector3d>& velocities);
+    const std::vector<Vector3d>& residual(const std::vector<Vector3d>& b,
+                                          const std::vector<int>& nodes,
+                                          const std::vector<Vector3d>& velocities);
 
 private:
-    Vector3d against_tie(const TiedNode& tie, const std::vector<Vector3d>& x) const;
+    Vector3d damping_impulse(const TiedNode& tie, const std::vector<Vector3d>& x) const;
     void add_damping(const std::vector<Vector3d>& x, std::vector<Vector3d>& y) const;
     void expand(std::vector<Vector3d>& x) const;
     void reduce(std::vector<Vector3d>& x) const;

@@ -2,8 +2,8 @@
 #include "deformable/step/step.hpp"
 
 #include "deformable/elasticity/flow.hpp"
-#include "deformable/fracture/crush.hpp"
 #include "deformable/fracture/fracture.hpp"
+#include "deformable/fracture/inverted_elements.hpp"
 #include "deformable/motion/explicit_motion.hpp"
 #include "deformable/motion/implicit_motion.hpp"
 #include "deformable/solid/handles.hpp"
@@ -33,7 +33,7 @@ void require_finite(const Deformable& solid, double time)
         if (!strain.allFinite()) throw NonFiniteState(solid.name, "ε_p", time);
 }
 
-void move(Deformable& solid, RigidSide& rigid, World& world, double time_step)
+void move(Deformable& solid, RigidColliders& rigid, World& world, double time_step)
 {
     Workspace& work = workspace_of(solid);
     work.contacts.find(solid, work.is_surface, rigid, time_step, world.counters);
@@ -48,7 +48,8 @@ void move(Deformable& solid, RigidSide& rigid, World& world, double time_step)
     if (m.yield_stress == never && m.strength == never) return;
     work.elements.strains(solid.positions, work.strains);
     if (m.yield_stress != never) flow(solid, work, world);
-    if (m.strength == never || crush(solid, work, work.held, world, time_step)) return;
+    if (m.strength == never || separate_inverted_elements(solid, work, work.held, world, time_step))
+        return;
     fracture(solid, work, world);
 }
 
@@ -57,7 +58,7 @@ void move(Deformable& solid, RigidSide& rigid, World& world, double time_step)
 std::vector<ContactRecord> step(DeformableWorld& world, double time_step)
 {
     if (!world.solids.empty()) {
-        RigidSide rigid(world.rigid);
+        RigidColliders rigid(world.rigid);
         const std::vector<Pose> surfaces = rigid.surfaces;
         for (Deformable& solid : world.solids) {
             remember_first_places(solid);
@@ -65,7 +66,7 @@ std::vector<ContactRecord> step(DeformableWorld& world, double time_step)
             require_finite(solid, world.rigid.time + time_step);
             rigid.surfaces = surfaces;
         }
-        rigid.give_back(world.rigid, time_step);
+        rigid.apply_to(world.rigid, time_step);
     }
     return step(world.rigid, time_step);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What is crushed inside out and stays so comes off, and no sum changes by it.
 #include "deformable/elasticity/element.hpp"
-#include "deformable/fracture/crush.hpp"
+#include "deformable/fracture/inverted_elements.hpp"
 #include "deformable/fracture/remesh.hpp"
 #include "formulas/fracture.hpp"
 #include "support/close.hpp"
@@ -47,7 +47,7 @@ Deformable crumpled_block(unsigned seed, double strength)
 }
 
 // The same on its way and cracked here and there, with elements inside out that have had their time.
-Deformable crushed_block(unsigned seed, FractureMethod method)
+Deformable inverted_block(unsigned seed, FractureMethod method)
 {
     Deformable solid = crumpled_block(seed, no_pull_breaks_it);
     solid.fracture_method = method;
@@ -67,20 +67,20 @@ Deformable crushed_block(unsigned seed, FractureMethod method)
     } else {
         remesh(solid, split_along_faces(solid.rest, {{0, 0}, {1, 0}, {1, 1}, {1, 2}, {1, 3}}));
     }
-    solid.inside_out_times.assign(solid.rest.tetrahedra.size(), 1e9);
+    solid.inverted_times.assign(solid.rest.tetrahedra.size(), 1e9);
     return solid;
 }
 
-bool crush(Deformable& solid, World& world)
+bool separate(Deformable& solid, World& world)
 {
     ElementWorkspace work(solid);
     work.elements.strains(solid.positions, work.strains);
-    return crush(solid, work, {}, world, 0.01);
+    return separate_inverted_elements(solid, work, {}, world, 0.01);
 }
 
 } // namespace
 
-TEST_CASE("crush: nothing that can break stays inside out", "[deformable]")
+TEST_CASE("inverted elements: nothing that can break stays inside out", "[deformable]")
 {
     for (const NodeIntegrator integrator : integrators) {
         int held_for_good = 0;
@@ -105,16 +105,17 @@ TEST_CASE("crush: nothing that can break stays inside out", "[deformable]")
     }
 }
 
-TEST_CASE("crush: what comes off keeps mass and momenta and makes no energy", "[deformable]")
+TEST_CASE("inverted elements: what comes off keeps mass and momenta and makes no energy",
+          "[deformable]")
 {
     for (const FractureMethod method : methods)
         for (unsigned seed = 0; seed < 20; ++seed) {
             CAPTURE(static_cast<int>(method), seed);
-            Deformable solid = crushed_block(seed, method);
+            Deformable solid = inverted_block(seed, method);
             const DeformableTotals a = totals(solid);
             const int before = inverted(solid);
             World world;
-            REQUIRE(crush(solid, world));
+            REQUIRE(separate(solid, world));
             const DeformableTotals b = totals(solid);
             CHECK(inverted(solid) < before);
             REQUIRE_THAT(b.mass, IsClose(a.mass, Rounding(200)));
@@ -127,14 +128,14 @@ TEST_CASE("crush: what comes off keeps mass and momenta and makes no energy", "[
         }
 }
 
-TEST_CASE("crush: of what is not inside out nothing moves", "[deformable]")
+TEST_CASE("inverted elements: of what is not inside out nothing moves", "[deformable]")
 {
     for (const FractureMethod method : methods) {
         CAPTURE(static_cast<int>(method));
-        const Deformable before = crushed_block(1, method);
+        const Deformable before = inverted_block(1, method);
         Deformable after = before;
         World world;
-        crush(after, world);
+        separate(after, world);
         REQUIRE(after.rest.tetrahedra.size() == before.rest.tetrahedra.size());
         for (int e = 0; e < static_cast<int>(before.rest.tetrahedra.size()); ++e) {
             if (is_inverted(before, e)) continue;
@@ -143,7 +144,7 @@ TEST_CASE("crush: of what is not inside out nothing moves", "[deformable]")
     }
 }
 
-TEST_CASE("crush: what a handle holds inside out waits", "[deformable]")
+TEST_CASE("inverted elements: what a handle holds inside out waits", "[deformable]")
 {
     for (const FractureMethod method : methods) {
         CAPTURE(static_cast<int>(method));
@@ -159,12 +160,12 @@ TEST_CASE("crush: what a handle holds inside out waits", "[deformable]")
         run(world, 0.02, 100);
         CHECK(world.solids[0].topology == 0);
         CHECK(world.solids[0].positions == places);
-        CHECK(world.solids[0].inside_out_times.empty());
+        CHECK(world.solids[0].inverted_times.empty());
     }
 }
 
 // A tetrahedron with a corner pushed through its base turns back well before its time is over.
-TEST_CASE("crush: an element that can turn back does", "[deformable]")
+TEST_CASE("inverted elements: an element that can turn back does", "[deformable]")
 {
     SolidMaterial material = soft_material();
     material.damping = 1e-2;
@@ -180,7 +181,7 @@ TEST_CASE("crush: an element that can turn back does", "[deformable]")
         double most = 0;
         for (int i = 0; i < 400; ++i) {
             step(world, 0.005);
-            const auto& times = world.solids[0].inside_out_times;
+            const auto& times = world.solids[0].inverted_times;
             most = std::max(most, times.empty() ? 0.0 : times[0]);
         }
         CHECK(inverted(world.solids[0]) == 0);
@@ -189,7 +190,8 @@ TEST_CASE("crush: an element that can turn back does", "[deformable]")
     }
 }
 
-TEST_CASE("crush: an element that would gain energy by its shape is left as it is", "[deformable]")
+TEST_CASE("inverted elements: an element that would gain energy by its shape is left as it is",
+          "[deformable]")
 {
     const TetrahedralMesh mesh = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 1, 2, 3}}};
     Deformable slow = solid_of(mesh, soft_material());
@@ -201,9 +203,9 @@ TEST_CASE("crush: an element that would gain energy by its shape is left as it i
             solid->velocities[i] =
                 Vector3d(0, solid == &slow ? 1 : 1000, 0).cross(solid->positions[i]);
     const std::vector<Vector3d> places = fast.positions;
-    CHECK(unload(slow, 0));
+    CHECK(relax_element(slow, 0));
     CHECK(inverted(slow) == 0);
     CHECK_THAT(totals(slow).elastic_energy, IsClose(0.0, Rounding(100, 1e5)));
-    CHECK_FALSE(unload(fast, 0));
+    CHECK_FALSE(relax_element(fast, 0));
     CHECK(fast.positions == places);
 }

@@ -89,9 +89,9 @@ TEST_CASE("crack edges: a crack that would turn by more than 60 degrees does not
     // along the cut: no plane through both points is near to this normal, but some through one is
     const ElementCrack crack = edges.continued(1, all_real, Vector3d::UnitX());
     CHECK_THAT(crack.normal, IsClose(Vector3d::UnitX().eval(), Rounding(8)));
-    CHECK(edges.has_like(0, Vector3d(0, -1, 0)));
-    CHECK(!edges.has_like(0, Vector3d::UnitX()));
-    CHECK(!edges.has_like(1, n));
+    CHECK(edges.has_similar(0, Vector3d(0, -1, 0)));
+    CHECK(!edges.has_similar(0, Vector3d::UnitX()));
+    CHECK(!edges.has_similar(1, n));
 }
 
 TEST_CASE("crack edges: a plate tears in two with hardly a splinter", "[deformable]")

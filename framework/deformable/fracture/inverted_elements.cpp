@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "deformable/fracture/crush.hpp"
+#include "deformable/fracture/inverted_elements.hpp"
 
 #include "deformable/elasticity/element.hpp"
 #include "deformable/elasticity/polar_decomposition.hpp"
@@ -18,7 +18,7 @@ namespace {
 
 // How long an element may be inside out: twenty times as long as a wave of shear takes through it, and
 // ten steps. One that can turn back does so in one or two of either.
-double patience(const Deformable& solid, int element, double time_step)
+double longest_inversion(const Deformable& solid, int element, double time_step)
 {
     const SolidMaterial& m = solid.material;
     const double length = std::cbrt(tetrahedron_volume(solid.rest, element));
@@ -36,17 +36,17 @@ bool is_held(const std::vector<HeldNode>& held, const std::array<int, 4>& nodes)
 bool count_time(Deformable& solid, const ElementWorkspace& work, const std::vector<HeldNode>& held,
                 double time_step)
 {
-    auto& times = solid.inside_out_times;
+    auto& times = solid.inverted_times;
     bool is_over = false;
     for (int e = 0; e < work.elements.size(); ++e) {
-        if (!is_inside_out(solid.plastic_strains[e], work.strains[e].elastic) ||
+        if (!is_inverted(solid.plastic_strains[e], work.strains[e].elastic) ||
             is_held(held, work.elements.nodes(e))) {
             if (!times.empty()) times[e] = 0;
             continue;
         }
         if (times.empty()) times.assign(work.elements.size(), 0.0);
         times[e] += time_step;
-        is_over |= times[e] > patience(solid, e, time_step);
+        is_over |= times[e] > longest_inversion(solid, e, time_step);
     }
     return is_over;
 }
@@ -68,25 +68,25 @@ std::vector<char> loose_elements(const TetrahedralMesh& mesh)
 // A crack along all faces of elements.
 void mark_faces(std::vector<std::array<bool, 4>>& crack_faces,
                 const std::vector<std::array<int, 4>>& neighbours,
-                const std::vector<char>& comes_off)
+                const std::vector<char>& is_separated)
 {
     crack_faces.resize(neighbours.size(), {false, false, false, false});
     for (std::size_t t = 0; t < neighbours.size(); ++t)
         for (int f = 0; f < 4; ++f) {
             const int other = neighbours[t][f];
-            if (other >= 0 && (comes_off[t] || comes_off[other])) crack_faces[t][f] = true;
+            if (other >= 0 && (is_separated[t] || is_separated[other])) crack_faces[t][f] = true;
         }
 }
 
 // With virtual nodes an element of the uncracked mesh comes off, with all its copies.
-void tear_off_copies(Deformable& solid, const std::vector<char>& comes_off)
+void separate_copies(Deformable& solid, const std::vector<char>& is_separated)
 {
     if (solid.uncracked.tetrahedra.empty()) solid.uncracked = solid.rest;
     const auto& parents = solid.embedded.parents;
-    std::vector<char> parent_comes_off(solid.uncracked.tetrahedra.size(), 0);
-    for (std::size_t e = 0; e < comes_off.size(); ++e)
-        if (comes_off[e]) parent_comes_off[parents.empty() ? e : parents[e]] = 1;
-    mark_faces(solid.crack_faces, face_neighbours(solid.uncracked), parent_comes_off);
+    std::vector<char> is_parent_separated(solid.uncracked.tetrahedra.size(), 0);
+    for (std::size_t e = 0; e < is_separated.size(); ++e)
+        if (is_separated[e]) is_parent_separated[parents.empty() ? e : parents[e]] = 1;
+    mark_faces(solid.crack_faces, face_neighbours(solid.uncracked), is_parent_separated);
     SplitMesh split = split_along_faces(solid.uncracked, marked_faces(solid.crack_faces));
     if (split.mesh.tetrahedra.size() != solid.uncracked.tetrahedra.size())
         return; // a wrong formula
@@ -94,17 +94,18 @@ void tear_off_copies(Deformable& solid, const std::vector<char>& comes_off)
     remesh(solid, virtual_nodes(solid.uncracked, solid.cracks));
 }
 
-void tear_off(Deformable& solid, const ElementWorkspace& work, const std::vector<char>& comes_off)
+void separate_elements(Deformable& solid, const ElementWorkspace& work,
+                       const std::vector<char>& is_separated)
 {
     if (solid.fracture_method == FractureMethod::virtual_nodes)
-        return tear_off_copies(solid, comes_off);
-    mark_faces(solid.crack_faces, work.face_neighbours, comes_off);
+        return separate_copies(solid, is_separated);
+    mark_faces(solid.crack_faces, work.face_neighbours, is_separated);
     remesh(solid, split_along_faces(solid.rest, marked_faces(solid.crack_faces)));
 }
 
 } // namespace
 
-bool unload(Deformable& solid, int element)
+bool relax_element(Deformable& solid, int element)
 {
     const auto& nodes = solid.rest.tetrahedra[element];
     double m = 0;
@@ -139,28 +140,28 @@ bool unload(Deformable& solid, int element)
     return true;
 }
 
-bool crush(Deformable& solid, const ElementWorkspace& work, const std::vector<HeldNode>& held,
-           World& world, double time_step)
+bool separate_inverted_elements(Deformable& solid, const ElementWorkspace& work,
+                                const std::vector<HeldNode>& held, World& world, double time_step)
 {
     if (!count_time(solid, work, held, time_step)) return false;
     const std::vector<char> was_loose = loose_elements(solid.rest);
-    std::vector<char> comes_off(was_loose.size(), 0);
+    std::vector<char> is_separated(was_loose.size(), 0);
     int count = 0;
-    for (int e = 0; e < static_cast<int>(comes_off.size()); ++e)
-        if (solid.inside_out_times[e] > patience(solid, e, time_step) && !was_loose[e]) {
-            comes_off[e] = 1;
+    for (int e = 0; e < static_cast<int>(is_separated.size()); ++e)
+        if (solid.inverted_times[e] > longest_inversion(solid, e, time_step) && !was_loose[e]) {
+            is_separated[e] = 1;
             ++count;
         }
     if (count > 0) {
-        tear_off(solid, work, comes_off);
+        separate_elements(solid, work, is_separated);
         world.counters.cracks += count;
         ++world.counters.mesh_changes;
     }
     const std::vector<char> is_loose = loose_elements(solid.rest);
     for (int e = 0; e < static_cast<int>(is_loose.size()); ++e) {
-        if (!(solid.inside_out_times[e] > patience(solid, e, time_step))) continue;
-        if (is_loose[e]) unload(solid, e);
-        solid.inside_out_times[e] = 0;
+        if (!(solid.inverted_times[e] > longest_inversion(solid, e, time_step))) continue;
+        if (is_loose[e]) relax_element(solid, e);
+        solid.inverted_times[e] = 0;
     }
     return true;
 }

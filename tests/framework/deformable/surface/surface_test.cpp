@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "deformable/surface/surface.hpp"
 
-#include "deformable/fracture/crush.hpp"
+#include "deformable/fracture/inverted_elements.hpp"
 #include "deformable/fracture/remesh.hpp"
 #include "deformable/solid/pieces.hpp"
 #include "formulas/fracture.hpp"
@@ -175,9 +175,9 @@ TEST_CASE("surface: cracks that do not meet leave open what no other element cov
     }
 }
 
-TEST_CASE("surface: what was crushed and came off is a crack all around", "[deformable]")
+TEST_CASE("surface: an inverted element that was separated is a crack all around", "[deformable]")
 {
-    constexpr int crushed = 40;
+    constexpr int inverted = 40;
     for (const FractureMethod method :
          {FractureMethod::faces, FractureMethod::elements, FractureMethod::virtual_nodes}) {
         CAPTURE(static_cast<int>(method));
@@ -188,19 +188,19 @@ TEST_CASE("surface: what was crushed and came off is a crack all around", "[defo
         const auto neighbours = face_neighbours(solid.rest);
         for (int f = 0; f < 4; ++f) {
             const auto& [i, j, k] = tetrahedron_faces[f];
-            const auto& t = solid.rest.tetrahedra[crushed];
+            const auto& t = solid.rest.tetrahedra[inverted];
             const Vector3d &a = solid.rest.vertices[t[i]], &b = solid.rest.vertices[t[j]],
                            &c = solid.rest.vertices[t[k]];
-            if (neighbours[crushed][f] >= 0) inside += 0.5 * (b - a).cross(c - a).norm();
+            if (neighbours[inverted][f] >= 0) inside += 0.5 * (b - a).cross(c - a).norm();
         }
         for (Vector3d& x : solid.positions)
             x = -x;
-        solid.inside_out_times.assign(solid.rest.tetrahedra.size(), 0.0);
-        solid.inside_out_times[crushed] = 1e9;
+        solid.inverted_times.assign(solid.rest.tetrahedra.size(), 0.0);
+        solid.inverted_times[inverted] = 1e9;
         ElementWorkspace work(solid);
         work.elements.strains(solid.positions, work.strains);
         World world;
-        REQUIRE(crush(solid, work, {}, world, 0.01));
+        REQUIRE(separate_inverted_elements(solid, work, {}, world, 0.01));
         const EmbeddedSurface surface = drawn_surface(solid);
         const TriangleMesh mesh = drawn(solid, surface, -1);
         const Areas after = areas(mesh, surface);

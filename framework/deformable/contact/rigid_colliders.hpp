@@ -8,15 +8,15 @@ namespace rigor {
 
 /// The rigid bodies as the solids meet them in a step. Impulses belong to the poses at its start, as in
 /// the rigid step, so that angular momentum is kept to rounding; surfaces move on in substeps.
-struct RigidSide {
-    explicit RigidSide(const World& world);
+struct RigidColliders {
+    explicit RigidColliders(const World& world);
 
     /// Moves the surfaces on.
     void advance(double time_step);
     /// Gives bodies the velocities that impulses gave them, and wakes those that got any.
-    void give_back(World& to, double time_step) const;
+    void apply_to(World& to, double time_step) const;
     /// Whether other bodies hold it, or hold on to it.
-    bool rests(int body) const;
+    bool has_supports(int body) const;
     void push(int body, const Vector3d& point, const Vector3d& impulse);
 
     const World& world;

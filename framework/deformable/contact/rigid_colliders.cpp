@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "deformable/contact/rigid_side.hpp"
+#include "deformable/contact/rigid_colliders.hpp"
 
 #include "formulas/collision.hpp"
 #include "rigid/flight.hpp"
@@ -26,7 +26,7 @@ Body rigid_in_world(const World& world, const RigidBody& rigid)
 
 } // namespace
 
-RigidSide::RigidSide(const World& of) : world(of), is_pushed(of.bodies.size(), 0)
+RigidColliders::RigidColliders(const World& of) : world(of), is_pushed(of.bodies.size(), 0)
 {
     bodies.reserve(of.bodies.size());
     surfaces.reserve(of.bodies.size());
@@ -36,7 +36,7 @@ RigidSide::RigidSide(const World& of) : world(of), is_pushed(of.bodies.size(), 0
     }
 }
 
-void RigidSide::advance(double time_step)
+void RigidColliders::advance(double time_step)
 {
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         if (bodies[i].is_static()) continue;
@@ -47,28 +47,28 @@ void RigidSide::advance(double time_step)
     }
 }
 
-void RigidSide::push(int body, const Vector3d& point, const Vector3d& impulse)
+void RigidColliders::push(int body, const Vector3d& point, const Vector3d& impulse)
 {
     if (bodies[body].is_static()) return;
     bodies[body] = apply_impulse(bodies[body], point, impulse);
     is_pushed[body] = 1;
 }
 
-bool RigidSide::rests(int body) const
+bool RigidColliders::has_supports(int body) const
 {
     return world.bodies[body].rest.is_asleep() ||
            std::any_of(world.warm_contacts.begin(), world.warm_contacts.end(),
                        [&](const WarmContact& c) { return c.body1 == body || c.body2 == body; });
 }
 
-void RigidSide::give_back(World& to, double time_step) const
+void RigidColliders::apply_to(World& to, double time_step) const
 {
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         if (!is_pushed[i]) continue;
         if (to.bodies[i].rest.is_asleep()) wake(to, {static_cast<int>(i)});
         // Its flight will add h V + ½ g h². Held by nodes it does not fly, but drifts with the velocity
         // that it has in the end, V + g h.
-        if (!rests(static_cast<int>(i)))
+        if (!has_supports(static_cast<int>(i)))
             to.bodies[i].state.position += 0.5 * time_step * time_step * to.gravity;
         to.bodies[i].state.velocity = bodies[i].velocity;
         to.bodies[i].state.angular_momentum = bodies[i].angular_momentum;
