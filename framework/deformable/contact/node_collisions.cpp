@@ -9,7 +9,7 @@ namespace rigor {
 
 namespace {
 
-// A node as a body: its point is its center.
+// A node as a rigid body whose center of mass is the node.
 Body node_body(const Deformable& solid, int node, double inverse_mass)
 {
     Body body;
@@ -25,8 +25,8 @@ void collide_nodes(Deformable& solid, const std::vector<char>& is_held,
                    const NodeContacts& contacts, RigidColliders& rigid, double time_step,
                    bool with_restitution, Counters& counters)
 {
-    const double weak =
-        2 * time_step * rigid.world.gravity.norm(); // speeds that gravity undoes at once
+    // Gravity stops slower rebounds within two steps: such contacts count as resting [m/s].
+    const double resting_speed = 2 * time_step * rigid.world.gravity.norm();
     for (const NodeContact& c : contacts.all()) {
         const Vector3d x = solid.positions[c.node], n = c.normal;
         const double inverse_mass = is_held[c.node] ? 0 : 1 / solid.masses[c.node];
@@ -35,11 +35,12 @@ void collide_nodes(Deformable& solid, const std::vector<char>& is_held,
         const Vector3d v = relative_velocity(node_body(solid, c.node, inverse_mass), body, x);
         const double v_n = v.dot(n);
         if (v_n >= 0 || c.gap + time_step * v_n >= 0) continue;
-        if (with_restitution && (c.restitution == 0 || -c.restitution * v_n < weak)) continue;
+        if (with_restitution && (c.restitution == 0 || -c.restitution * v_n < resting_speed))
+            continue;
         const Matrix3d K =
             inverse_mass * Matrix3d::Identity() +
             impulse_matrix(body.inverse_mass, body.inverse_inertia, body.position, x);
-        // without restitution: as if a gap that closes within the step were an approach less
+        // Without restitution the node may approach by as much as closes the gap within the step.
         const Vector3d closing = with_restitution ? v : v + std::max(c.gap, 0.0) / time_step * n;
         const Vector3d j =
             collision_impulse(K, closing, n, with_restitution ? c.restitution : 0.0, c.friction);
@@ -52,9 +53,12 @@ void collide_nodes(Deformable& solid, const std::vector<char>& is_held,
 void correct_positions(Deformable& solid, const std::vector<char>& is_held,
                        const NodeContacts& contacts, double step_share, double farthest)
 {
+    // Share of the penetration that a step removes: slow enough that stacked nodes do not jitter.
+    constexpr double corrected_share = 0.2;
     for (const NodeContact& c : contacts.all()) {
         if (c.gap >= 0 || is_held[c.node]) continue;
-        solid.positions[c.node] += std::min(0.2 * step_share * -c.gap, farthest) * c.normal;
+        solid.positions[c.node] +=
+            std::min(corrected_share * step_share * -c.gap, farthest) * c.normal;
     }
 }
 

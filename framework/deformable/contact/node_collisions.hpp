@@ -1,19 +1,23 @@
 // SPDX-License-Identifier: MIT
+// Impulses and position correction at the contacts of nodes.
 #pragma once
 
 #include "deformable/contact/node_contacts.hpp"
 
 namespace rigor {
 
-/// Nodes that would be inside a body after `time_step` get the impulse of a collision, and the bodies
-/// its opposite: `collision_impulse` with K = δ/m + K of the body. With restitution, before the forces of
-/// a substep; without, after them: then a gap that is left may close within the substep.
+/// Applies a collision impulse to each node that would be inside a body after `time_step`, and its
+/// opposite to the body: `collision_impulse` with K = δ/m + K of the body. A substep calls it
+/// twice. Before the forces it acts with restitution; after them without, and a remaining gap may
+/// close within the substep.
 void collide_nodes(Deformable& solid, const std::vector<char>& is_held,
                    const NodeContacts& contacts, RigidColliders& rigid, double time_step,
                    bool with_restitution, Counters& counters);
 
-/// Moves nodes out of bodies, without a velocity: by a fifth of their depth a step, and no faster than
-/// the solid's radius a second.
+/// Position correction: moves nodes out of bodies without changing velocities.
+///
+/// @param step_share  the substep over the step; a step removes a fifth of the penetration
+/// @param farthest    the largest correction [m]
 void correct_positions(Deformable& solid, const std::vector<char>& is_held,
                        const NodeContacts& contacts, double step_share, double farthest);
 

@@ -18,7 +18,8 @@ Bounds bounds_of_nodes(const Deformable& solid)
     return bounds;
 }
 
-// How far a node may get towards a body within a step, and some more.
+// An upper bound of how far a node may approach a body within a step [m]. The margin of a half
+// allows for nodes that accelerate.
 double reach_of(const Deformable& solid, const Body& body, double radius, const Vector3d& gravity,
                 double time_step)
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where nodes of a solid meet rigid bodies.
+// Detection of contacts between the nodes of a solid and rigid bodies.
 #pragma once
 
 #include "deformable/contact/rigid_colliders.hpp"
@@ -8,22 +8,22 @@
 
 namespace rigor {
 
-/// A node that is, or soon may be, at the surface of a part of a rigid body.
+/// A node that touches a part of a rigid body, or may do so within the step.
 struct NodeContact {
     int node = 0, body = 0;
-    int part = 0;                        // among those that are near
+    int part = 0;                        // its number among the parts near the solid
     double gap = 0;                      // negative inside [m]
-    Vector3d normal = Vector3d::UnitY(); // of the body, outwards
+    Vector3d normal = Vector3d::UnitY(); // outer normal of the body
     double restitution = 0, friction = 0;
 };
 
 class NodeContacts {
 public:
-    /// The nodes that may meet a body within a step.
+    /// Finds the nodes that may reach a body within a step.
     void find(const Deformable& solid, const std::vector<char>& is_surface,
               const RigidColliders& rigid, double time_step, Counters& counters);
-    /// Gaps and normals where the nodes and the surfaces are now. Of a node in several parts' reach
-    /// each counts.
+    /// Updates gaps and normals to the positions of the nodes and the surfaces. A node near several
+    /// parts has a contact with each.
     void measure(const Deformable& solid, const RigidColliders& rigid);
 
     std::vector<NodeContact>& all() { return contacts_; }

@@ -66,8 +66,8 @@ void RigidColliders::apply_to(World& to, double time_step) const
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         if (!is_pushed[i]) continue;
         if (to.bodies[i].rest.is_asleep()) wake(to, {static_cast<int>(i)});
-        // Its flight will add h V + ½ g h². Held by nodes it does not fly, but drifts with the velocity
-        // that it has in the end, V + g h.
+        // The rigid step will move it by h V + ½ g h². As the nodes carry it, it has to move with
+        // its velocity at the end of the step, V + g h, which is ½ g h² more.
         if (!has_supports(static_cast<int>(i)))
             to.bodies[i].state.position += 0.5 * time_step * time_step * to.gravity;
         to.bodies[i].state.velocity = bodies[i].velocity;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// The rigid bodies that deformable solids collide with.
 #pragma once
 
 #include "geometry/pose.hpp"
@@ -6,16 +7,17 @@
 
 namespace rigor {
 
-/// The rigid bodies as the solids meet them in a step. Impulses belong to the poses at its start, as in
-/// the rigid step, so that angular momentum is kept to rounding; surfaces move on in substeps.
+/// The rigid bodies during a step of the deformable solids. Impulses act at the poses of its start,
+/// as in the rigid step, so that angular momentum is kept to rounding. The surfaces move on in
+/// substeps.
 struct RigidColliders {
     explicit RigidColliders(const World& world);
 
-    /// Moves the surfaces on.
+    /// Moves the surfaces by a substep [s].
     void advance(double time_step);
-    /// Gives bodies the velocities that impulses gave them, and wakes those that got any.
+    /// Writes the velocities after impulses to the world, and wakes the bodies that got any.
     void apply_to(World& to, double time_step) const;
-    /// Whether other bodies hold it, or hold on to it.
+    /// Whether a body is in contact with other rigid bodies, or asleep.
     bool has_supports(int body) const;
     void push(int body, const Vector3d& point, const Vector3d& impulse);
 

@@ -6,9 +6,9 @@
 //
 //     p(s) = s⁴ - 2 ‖F‖² s² - 8 det F s + ‖F‖⁴ - 4 ‖cof F‖²
 //
-// (Horn 1987, "Closed-form solution of absolute orientation using unit quaternions"; the other roots
-// have two signs turned). Newton's method falls to it from √3 ‖F‖. As s is the support function of the
-// rotations, R = ∂s/∂F = -∂p/∂F / ∂p/∂s:
+// (Horn 1987, "Closed-form solution of absolute orientation using unit quaternions"; the other
+// roots have two signs turned). Newton's method falls to it from √3 ‖F‖. As s is the support
+// function of the rotations, R = ∂s/∂F = -∂p/∂F / ∂p/∂s:
 //
 //     R = ((s² + ‖F‖²) F + 2 s cof F - 2 F Fᵀ F) / (s³ - ‖F‖² s - 2 det F)
 //
@@ -21,7 +21,7 @@
 
 namespace rigor {
 
-/// Nine numbers, or nine packs of numbers, in rows.
+/// A 3 × 3 matrix of numbers or of vector registers, row by row.
 template <class Number> struct Square3 {
     Number a[3][3];
 };
@@ -71,24 +71,27 @@ template <class Number>
     return P;
 }
 
-/// R and s of F, and how well they are known.
+/// R and s of F, with an estimate of their accuracy.
 template <class Number> struct ClosedPolar {
     Square3<Number> R;
     Number s;            // Tr S
     Number conditioning; // denominator / s³: 16/27 at rest, 0 where R is not unique
-    Number last_step;    // of Newton's method, over s
+    Number last_step;    // last step of Newton's method, over s
 };
 
-inline constexpr double small_step = 1e-12; // of Newton's method, over s: what is left is rounding
+inline constexpr double small_step = 1e-12; // step of Newton's method over s from where on only
+                                            // rounding is left; it converges quadratically
 
-/// Whether the closed form has kept its digits.
+/// Whether the closed form is accurate. Below a conditioning of 0.01 cancellation costs two digits
+/// or more, and the caller takes the eigenvector instead.
 inline bool is_exact(double conditioning, double last_step)
 {
     return conditioning > 0.01 && std::abs(last_step) < small_step;
 }
 
 /// @param start   √3 ‖F‖, not below s
-/// @param is_end  whether a last step, over s, was one too many: near rest it is the fourth
+/// @param is_end  whether a step, over s, is small enough to stop after it; near rest the fourth
+/// one is
 template <class Number, class IsEnd>
 [[gnu::always_inline]] inline ClosedPolar<Number>
 closed_polar(const Square3<Number>& F, Number norm2, Number start, const IsEnd& is_end)

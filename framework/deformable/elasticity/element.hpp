@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One linear tetrahedron: how it is deformed, and what that costs.
+// Deformation, strain, stress and energy of one linear tetrahedron.
 #pragma once
 
 #include "deformable/solid/deformable.hpp"
@@ -21,7 +21,7 @@ std::vector<Matrix3d> element_stresses(const Deformable& solid);
 /// ½ σ : (ε - ε_p) [J/m³]
 double energy_density(const Deformable& solid, int element);
 
-/// Whether an element of these strains is inside out: S = δ + ε_p + the elastic strain has det S ≤ 0.
+/// Whether an element with these plastic and elastic strains is inverted: det (δ + ε_p + ε_e) ≤ 0.
 bool is_inverted(const Matrix3d& plastic, const Matrix3d& elastic);
 
 } // namespace rigor

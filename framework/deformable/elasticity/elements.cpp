@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// Computes the nodal forces of corotated linear elasticity with plastic strain and
+// stiffness-proportional damping (Müller and Gross 2004, "Interactive virtual materials"). For each
+// pair of elements it takes the deformation gradient, its polar decomposition, the elastic strain
+// and its rate, and the stress, in this order, and then adds the forces to the nodes.
 #include "deformable/elasticity/elements.hpp"
 
 #include "deformable/elasticity/polar_decomposition.hpp"
@@ -39,7 +43,7 @@ struct Symmetric {
     return D;
 }
 
-// R, S and s of both elements; where the closed form has lost digits, the long way.
+// R, S and s of both elements. Where the closed form is inaccurate an eigenvector gives R.
 struct PolarPair {
     Square3<Two> R;
     Symmetric S;
@@ -78,8 +82,8 @@ struct PolarPair {
     return polar;
 }
 
-// z = (s δ - S)⁻¹ a, by cofactors. Where R is hardly unique z grows beyond all bounds, and with it the
-// stiffness: from there on it fades out.
+// z = (s δ - S)⁻¹ a, by cofactors. Where R is nearly not unique, z and the stiffness would grow
+// without bound: there z fades to 0.
 [[gnu::always_inline]] inline void solve_spin(const PolarPair& polar, const Two (&a)[3],
                                               Two (&z)[3])
 {
@@ -91,7 +95,9 @@ struct PolarPair {
     const Two det = xx * cxx - S.xy * cxy - S.xz * cxz;
     Two inverse{0, 0};
     for (int lane = 0; lane < 2; ++lane) {
-        constexpr double none = 0.02, all = 0.1; // of the conditioning, 0.59 at rest
+        // Conditioning below which z is 0 and above which it is whole. It is 0.59 at rest, and
+        // below 0.01 R itself is inaccurate (see is_exact).
+        constexpr double none = 0.02, all = 0.1;
         const double part = std::clamp((polar.conditioning[lane] - none) / (all - none), 0.0, 1.0);
         inverse[lane] = part > 0 ? part / det[lane] : 0;
     }
@@ -107,7 +113,8 @@ struct PolarPair {
             S.xy - plastic[3],       S.xz - plastic[4],       S.yz - plastic[5]};
 }
 
-// Ṡ = A - W S with A = Rᵀ Ḟ, where W = Rᵀ Ṙ is what makes it symmetric: (s δ - S) w = axial(A - Aᵀ).
+// Ṡ = A - W S with A = Rᵀ Ḟ, where W = Rᵀ Ṙ is what makes it symmetric: (s δ - S) w = axial(A -
+// Aᵀ).
 [[gnu::always_inline]] inline Symmetric strain_rate(const Square3<Two>& A, const PolarPair& polar)
 {
     const auto& a = A.a;

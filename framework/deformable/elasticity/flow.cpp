@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// Lets the elements flow whose von Mises stress is above the yield stress (O'Brien, Bargteil and
+// Hodgins 2002, "Graphical modeling and animation of ductile fracture", for the additive split of
+// the strain). For each it asks the formula `plastic_flow` for the new plastic strain, limits it,
+// and updates the elastic strain.
 #include "deformable/elasticity/flow.hpp"
 
 #include "deformable/elasticity/element.hpp"
@@ -19,11 +23,11 @@ double shear_strain2(const Matrix3d& strain)
     return 1.5 * dev.squaredNorm();
 }
 
-// A plastic strain at most so large that the shape it makes the rest, δ + ε_p, keeps a third of its height: its
-// lowest eigenvalue is at least -√⅔ ‖ε_p‖ as it has no trace.
+// A plastic strain limited so that the new shape at rest, δ + ε_p, keeps a third of its height: as
+// ε_p has no trace, its lowest eigenvalue is at least -√⅔ ‖ε_p‖, which has to stay above -⅔.
 Matrix3d limited(const Matrix3d& plastic_strain)
 {
-    constexpr double most = 0.8; // √(3/2) ⅔, nearly
+    constexpr double most = 0.8; // √(3/2) ⅔ = 0.816, rounded down
     const double size = plastic_strain.norm();
     return size > most ? Matrix3d(most / size * plastic_strain) : plastic_strain;
 }

@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// Computes the rotation R and the symmetric S of F = R S for any F, also flat or inverted ones. It
+// takes the closed form of `closed_polar.hpp`, followed by one step of Newton's method for
+// orthogonality. Where the closed form is inaccurate, R comes from an eigenvector instead (Horn
+// 1987).
 #include "deformable/elasticity/polar_decomposition.hpp"
 
 #include "deformable/elasticity/closed_polar.hpp"
@@ -11,8 +15,8 @@ namespace rigor {
 
 namespace {
 
-// The rotation of the quaternion q that makes Tr(Rᵀ F) = qᵀ N q largest: an eigenvector to the largest
-// eigenvalue of N (Horn 1987). Slower than the closed form, and there for every F.
+// The rotation of the quaternion q that makes Tr(Rᵀ F) = qᵀ N q largest: an eigenvector to the
+// largest eigenvalue of N (Horn 1987). It is slower than the closed form but works for every F.
 Matrix3d closest_rotation(const Matrix3d& F)
 {
     Eigen::Matrix4d N;
@@ -35,7 +39,8 @@ Matrix3d closest_rotation(const Matrix3d& F)
 
 Polar polar_decomposition(const Matrix3d& F)
 {
-    const double norm = F.cwiseAbs().maxCoeff(); // whatever its size
+    const double norm =
+        F.cwiseAbs().maxCoeff(); // makes the tolerances independent of the size of F
     if (norm == 0) return {Matrix3d::Identity(), Matrix3d::Zero()};
     Square3<double> scaled;
     for (int i = 0; i < 9; ++i)

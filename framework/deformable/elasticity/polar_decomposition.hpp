@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// The polar decomposition of a deformation gradient.
 #pragma once
 
 #include "formulas/types.hpp"

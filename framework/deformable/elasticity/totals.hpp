@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
+// Mass, volume, energies and momenta of a solid.
 #pragma once
 
 #include "deformable/solid/deformable.hpp"
 
 namespace rigor {
 
-/// Sums over a deformable.
+/// Sums over a deformable solid.
 struct DeformableTotals {
-    double mass = 0, volume = 0;                   // [kg], of the matter at rest [m³]
+    double mass = 0, volume = 0;                   // [kg], of matter at rest [m³]
     double kinetic_energy = 0, elastic_energy = 0; // [J]
     Vector3d momentum = Vector3d::Zero();          // [kg m/s]
     Vector3d angular_momentum = Vector3d::Zero();  // about the origin [kg m²/s]

@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// Chooses the planes of new cracks so that they continue the cracks of neighbouring elements. It
+// collects the points where earlier cracks cut edges. It then tries the planes through one, two and
+// three of the points on an element's edges, and takes the one nearest to the wanted normal that
+// passes most points.
 #include "deformable/fracture/crack_edges.hpp"
 
 #include <algorithm>
@@ -11,9 +15,8 @@ namespace {
 
 constexpr std::array<std::array<int, 2>, 6> tetrahedron_edges = {
     {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
-constexpr double least_cosine =
-    0.5; // of the angle between the normal that continues and the wanted one
-constexpr double similar_cosine = 0.7;
+constexpr double least_cosine = 0.5;   // cos 60°, the largest turn of a crack as it continues
+constexpr double similar_cosine = 0.7; // about that of 45°: nearer planes count as the same crack
 
 std::pair<int, int> edge_of(const std::array<int, 4>& t, const std::array<int, 2>& edge)
 {
@@ -30,7 +33,7 @@ Corners corners_of(const TetrahedralMesh& mesh, int t)
     return x;
 }
 
-// The best so far of the planes that pass through as many cuts.
+// The best plane so far among those that pass through the same number of cuts.
 struct Best {
     const Corners& corners;
     const std::array<int, 4>& real;
@@ -48,7 +51,8 @@ struct Best {
         cosine = c;
         crack = ElementCrack{0, point, normal};
     }
-    // A corner that the plane touches would get a copy without matter, and nodes without mass.
+    // Whether corners lie on both sides, none of them nearly on the plane: its copy would have no
+    // matter and its node no mass. Heights are compared relative to the largest one.
     bool separates(const Vector3d& point, const Vector3d& normal) const
     {
         int above = 0, below = 0;
@@ -69,7 +73,7 @@ struct Best {
 CrackEdges::CrackEdges(const Deformable& solid)
     : solid_(solid), cracks_of_(solid.uncracked.tetrahedra.size())
 {
-    // a crack cuts the edges whose ends were together before it
+    // A crack cuts the edges that no earlier crack of its element has cut.
     std::vector<std::array<bool, 6>> is_cut(solid.uncracked.tetrahedra.size());
     for (int k = 0; k < static_cast<int>(solid.cracks.size()); ++k) {
         const ElementCrack& crack = solid.cracks[k];
@@ -128,7 +132,7 @@ ElementCrack CrackEdges::continued(int parent, const std::array<int, 4>& real,
                 three.offer(p[i], (p[j] - p[i]).cross(p[k] - p[i]));
         }
     }
-    Vector3d middle = Vector3d::Zero(); // of the corners with matter
+    Vector3d middle = Vector3d::Zero(); // mean of the corners with matter [m]
     int count = 0;
     for (int i = 0; i < 4; ++i)
         if (real[i]) {

@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// Opens cracks normal to the largest principal tension where it exceeds the strength (Rankine's
+// criterion). The mesh follows by one of three methods: along faces, by splitting elements, or with
+// virtual nodes (Molino, Bao and Fedkiw 2004). First a bound on the stresses is tried, then
+// stresses are smoothed and candidates sorted, then the chosen ones crack.
 #include "deformable/fracture/fracture.hpp"
 
 #include "deformable/fracture/crack_edges.hpp"
@@ -15,20 +19,20 @@ namespace rigor {
 
 namespace {
 
-// An element whose stress pulls too much, and the normal of the crack that this opens.
+// An element whose largest principal stress exceeds the strength, and the normal of its crack.
 struct Candidate {
     int element = 0;
     double stress = 0;
     Vector3d normal = Vector3d::UnitX();
 };
 
-// No eigenvalue is above this: mean + ⅔ von Mises.
+// An upper bound of the eigenvalues: mean + ⅔ von Mises stress [Pa].
 double bound_of(const Matrix3d& stress)
 {
     return stress.trace() / 3 + 2.0 / 3 * von_mises(stress);
 }
 
-// The same of the stress by this elastic strain, without the stress.
+// The same bound from the elastic strain [Pa].
 double bound_of(const Matrix3d& strain, double lambda, double G)
 {
     const double trace = strain.trace();
@@ -45,7 +49,7 @@ bool may_crack(const ElementWorkspace& work, const SolidMaterial& m)
     });
 }
 
-// Elements that are too much under tension, the most stressed first.
+// The elements whose tension exceeds the strength, the most stressed first.
 std::vector<Candidate> candidates(const Deformable& solid, const ElementWorkspace& work,
                                   World& world)
 {
@@ -81,7 +85,7 @@ std::array<Vector3d, 4> corners(const TetrahedralMesh& mesh, int element)
     return x;
 }
 
-// Elements at whose nodes a crack of this step is already.
+// The nodes of elements that cracked in this step.
 class CrackedNodes {
 public:
     explicit CrackedNodes(const Deformable& solid) : is_taken_(solid.rest.vertices.size(), 0) {}
@@ -99,7 +103,7 @@ private:
     std::vector<char> is_taken_;
 };
 
-// @return cracks
+// @return the number of cracks
 int crack_faces(Deformable& solid, const ElementWorkspace& work,
                 const std::vector<Candidate>& found)
 {
@@ -120,7 +124,7 @@ int crack_faces(Deformable& solid, const ElementWorkspace& work,
         ++cracks;
     }
     if (cracks == 0) return 0;
-    // of this step and of those before, which may be closed still
+    // Cracks of earlier steps are split again, because they may still be closed.
     remesh(solid, split_along_faces(solid.rest, marked_faces(solid.crack_faces)));
     return cracks;
 }
@@ -143,7 +147,8 @@ double least_height(const TetrahedralMesh& mesh)
     return least;
 }
 
-// A cut is refused that would leave a sliver, which would need shorter substeps than all the rest.
+// A cut that would leave a sliver is refused, because a sliver needs shorter substeps than all
+// other elements.
 bool is_fine_enough(const Deformable& solid, const SplitMesh& split)
 {
     if (split.mesh.tetrahedra.size() > most_tetrahedra) return false;
@@ -156,18 +161,21 @@ bool is_fine_enough(const Deformable& solid, const SplitMesh& split)
     return true;
 }
 
-// The vertex of an element through which the crack goes: the one that the most stressed elements share.
+// The vertex of an element through which the crack runs: the one with the largest sum of stresses
+// around.
 int crack_tip(const Deformable& solid, const std::vector<double>& pull, int element)
 {
     const auto& t = solid.rest.tetrahedra[element];
     return *std::max_element(t.begin(), t.end(), [&](int a, int b) { return pull[a] < pull[b]; });
 }
 
-// @return cracks. Each changes the mesh and may change the numbers of its elements, so only vertices are
-// kept from one to the next: the first ones of the new mesh need not be the old ones, but a place is.
+// @return the number of cracks. Each crack changes the mesh and may renumber its vertices and
+// elements, so the next one finds its vertex by its position at rest.
 int crack_elements(Deformable& solid, const std::vector<Candidate>& found)
 {
-    if (solid.least_height == 0) solid.least_height = 0.2 * least_height(solid.rest);
+    // A fifth keeps the stable substep within about a fifth of that of the mesh as given.
+    constexpr double least_share = 0.2;
+    if (solid.least_height == 0) solid.least_height = least_share * least_height(solid.rest);
     std::vector<double> pull(solid.rest.vertices.size(), 0.0);
     for (const Candidate& c : found)
         for (const int v : solid.rest.tetrahedra[c.element])
@@ -199,7 +207,7 @@ int crack_elements(Deformable& solid, const std::vector<Candidate>& found)
     return cracks;
 }
 
-// @return cracks
+// @return the number of cracks
 int crack_with_virtual_nodes(Deformable& solid, const std::vector<Candidate>& found)
 {
     constexpr int most_in_element = 3;
@@ -211,7 +219,7 @@ int crack_with_virtual_nodes(Deformable& solid, const std::vector<Candidate>& fo
     const bool is_embedded = !solid.embedded.parents.empty();
     CrackedNodes taken(solid);
     int cracks = 0;
-    bool one_goes_on = false; // then none that is pulled less begins
+    bool one_goes_on = false; // then no less stressed element begins a new crack
     for (const Candidate& c : found) {
         if (cracks == most_cracks) break;
         const int parent = is_embedded ? solid.embedded.parents[c.element] : c.element;
@@ -219,7 +227,7 @@ int crack_with_virtual_nodes(Deformable& solid, const std::vector<Candidate>& fo
         const bool is_divisible = std::accumulate(real.begin(), real.end(), 0) > 1;
         const auto& t = solid.rest.tetrahedra[c.element];
         if (!is_divisible || count[parent] >= most_in_element || taken.any(t)) continue;
-        if (edges.has_similar(parent, c.normal)) continue; // it is to open first
+        if (edges.has_similar(parent, c.normal)) continue; // its first crack has to open before
         const bool goes_on = edges.meets(parent, real);
         if (one_goes_on && !goes_on) continue;
         one_goes_on |= goes_on;

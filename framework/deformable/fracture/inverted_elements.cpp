@@ -16,8 +16,8 @@ namespace rigor {
 
 namespace {
 
-// How long an element may be inside out: twenty times as long as a wave of shear takes through it, and
-// ten steps. One that can turn back does so in one or two of either.
+// The time that an element may stay inverted [s]: twenty times that of a shear wave through it, and
+// ten steps. An element that can turn back does so within one or two of these.
 double longest_inversion(const Deformable& solid, int element, double time_step)
 {
     const SolidMaterial& m = solid.material;
@@ -32,7 +32,7 @@ bool is_held(const std::vector<HeldNode>& held, const std::array<int, 4>& nodes)
     });
 }
 
-// @return whether any element has been inside out for too long
+// @return whether any element has been inverted for too long
 bool count_time(Deformable& solid, const ElementWorkspace& work, const std::vector<HeldNode>& held,
                 double time_step)
 {
@@ -51,7 +51,7 @@ bool count_time(Deformable& solid, const ElementWorkspace& work, const std::vect
     return is_over;
 }
 
-// Whether no other element has any of its nodes.
+// For each element, whether it shares no node with others.
 std::vector<char> loose_elements(const TetrahedralMesh& mesh)
 {
     std::vector<int> count(mesh.vertices.size(), 0);
@@ -65,7 +65,7 @@ std::vector<char> loose_elements(const TetrahedralMesh& mesh)
     return is_loose;
 }
 
-// A crack along all faces of elements.
+// Marks a crack along all faces of the separated elements.
 void mark_faces(std::vector<std::array<bool, 4>>& crack_faces,
                 const std::vector<std::array<int, 4>>& neighbours,
                 const std::vector<char>& is_separated)
@@ -78,7 +78,7 @@ void mark_faces(std::vector<std::array<bool, 4>>& crack_faces,
         }
 }
 
-// With virtual nodes an element of the uncracked mesh comes off, with all its copies.
+// With virtual nodes an element of the uncracked mesh is separated, with all its copies.
 void separate_copies(Deformable& solid, const std::vector<char>& is_separated)
 {
     if (solid.uncracked.tetrahedra.empty()) solid.uncracked = solid.rest;
@@ -89,7 +89,7 @@ void separate_copies(Deformable& solid, const std::vector<char>& is_separated)
     mark_faces(solid.crack_faces, face_neighbours(solid.uncracked), is_parent_separated);
     SplitMesh split = split_along_faces(solid.uncracked, marked_faces(solid.crack_faces));
     if (split.mesh.tetrahedra.size() != solid.uncracked.tetrahedra.size())
-        return; // a wrong formula
+        return; // a wrong `split_along_faces` changed the elements
     solid.uncracked = std::move(split.mesh);
     remesh(solid, virtual_nodes(solid.uncracked, solid.cracks));
 }

@@ -12,15 +12,15 @@ namespace rigor {
 
 namespace {
 
-// (1 - t) a + t b; a copy is the same bits.
+// (1 - t) a + t b; for a copy exactly a.
 template <class T> T between(const std::vector<T>& old, const VertexOrigin& origin)
 {
     if (origin.first == origin.second) return old[origin.first];
     return (1 - origin.fraction) * old[origin.first] + origin.fraction * old[origin.second];
 }
 
-// The new nodes of a list of old ones: those that come from listed nodes alone.
-// @param places  of the old ones, carried along; may be empty
+// The new nodes that come from listed old nodes only.
+// @param places  of the listed nodes, replaced by those of the new ones; may be empty
 std::vector<int> carried_nodes(const std::vector<int>& nodes, std::size_t old_count,
                                const std::vector<VertexOrigin>& origins,
                                const std::vector<char>& has_matter, std::vector<Vector3d>& places)
@@ -79,7 +79,7 @@ void carry_elements(Deformable& solid, const std::vector<int>& parents)
         solid.inverted_times = of_parents(solid.inverted_times, parents);
 }
 
-// The face of the parent that a child's face lies in; -1: it is within.
+// The face of the parent that contains a child's face; -1: the child's face is inside the parent.
 int face_of_parent(const Deformable& solid, const SplitMesh& split, int child, int face)
 {
     const auto& parent = solid.rest.tetrahedra[split.parents[child]];
@@ -97,7 +97,7 @@ int face_of_parent(const Deformable& solid, const SplitMesh& split, int child, i
     return -1;
 }
 
-// A crack stays one on the children's faces; a face that has come apart in this split becomes one.
+// The faces of the new mesh with cracks: parts of cracked faces, and faces that this split opened.
 std::vector<std::array<bool, 4>> carried_cracks(const Deformable& solid, const SplitMesh& split)
 {
     const auto old_neighbours = face_neighbours(solid.rest),
@@ -132,7 +132,8 @@ void add_angular_momentum(Deformable& solid, const std::vector<char>& is_near, c
             I += solid.masses[i] * (r.squaredNorm() * Matrix3d::Identity() - r * r.transpose());
         }
     const Vector3d w = I.ldlt().solve(L);
-    if (!w.allFinite()) return; // all in one line: nothing was lost across it
+    if (!w.allFinite())
+        return; // All nodes on one line have no inertia about it, and lost nothing about it.
     for (std::size_t i = 0; i < is_near.size(); ++i)
         if (is_near[i]) solid.velocities[i] += w.cross(solid.positions[i] - center);
 }
@@ -182,13 +183,14 @@ void remesh(Deformable& solid, const SplitMesh& split)
 
 void remesh(Deformable& solid, EmbeddedMesh embedded)
 {
-    // by the parent of the uncracked mesh, its old copies
+    // the old copies of each element of the uncracked mesh
     const int old_count = static_cast<int>(solid.rest.tetrahedra.size());
     std::vector<std::vector<int>> copies(solid.uncracked.tetrahedra.size());
     for (int t = 0; t < old_count; ++t)
         copies[solid.embedded.parents.empty() ? t : solid.embedded.parents[t]].push_back(t);
 
-    // of each copy, the old one that holds its first real corner: cracks only divide what there is
+    // The parent of a copy is the old copy that held its first real corner, as cracks only divide
+    // matter.
     std::vector<int> parents;
     std::vector<VertexOrigin> origins(embedded.mesh.vertices.size());
     std::vector<char> has_matter(embedded.mesh.vertices.size(), 0);

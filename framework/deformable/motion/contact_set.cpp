@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Finds by trial which contacts hold, stick or slide in a step of backward Euler: an active-set method.
-// Each round ties the nodes of the contacts that hold, solves the linear system and corrects every contact
-// that pulls, penetrates, or whose friction does not fit Coulomb's law. Sliding friction enters the system
-// as a damping, the friction force over the sliding speed, which the rounds iterate to its fixed point.
+// Finds by trial which contacts hold, stick or slide in a step of backward Euler: an active-set
+// method. Each round ties the nodes of the contacts that hold, solves the linear system and
+// corrects every contact that pulls, penetrates, or whose friction does not fit Coulomb's law.
+// Sliding friction enters the system as a damping, the friction force over the sliding speed, which
+// the rounds iterate to its fixed point.
 #include "deformable/motion/contact_set.hpp"
 
 #include "formulas/collision.hpp"
@@ -19,8 +20,9 @@ namespace {
 constexpr double penetration_tolerance = 1e-6;
 // Relative error of the friction force of a sliding contact that needs no further round.
 constexpr double friction_tolerance = 1e-3;
-// Damping of a sliding contact over the trace of its node's block of the matrix. From here on the node
-// hardly slides, and a larger value would spoil the condition of the system: the contact sticks.
+// Damping of a sliding contact over the trace of its node's block of the matrix. From here on the
+// node hardly slides, and a larger value would spoil the condition of the system: the contact
+// sticks.
 constexpr double largest_damping = 1e3;
 
 } // namespace

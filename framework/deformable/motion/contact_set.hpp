@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The active set of the contacts in an implicit step: which of them hold their nodes, and whether these
-// stick or slide.
+// The active set of the contacts in an implicit step: which of them hold their nodes, and whether
+// these stick or slide.
 #pragma once
 
 #include "deformable/motion/joined_bodies.hpp"
@@ -26,7 +26,8 @@ enum class Hold : char { off, sticking, sliding };
 
 class ContactSet {
 public:
-    /// A first guess for each contact: it sticks if the node would be inside the body after the step.
+    /// A first guess for each contact: it sticks if the node would be inside the body after the
+    /// step.
     void guess(const ContactStep& step);
 
     /// Chooses for each node the contact that ties it: the deepest of those that hold.

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Moves the nodes of a solid by substeps of symplectic Euler. Each substep measures the contacts,
+// applies restitution, integrates the forces, applies contact impulses and moves the nodes. At its
+// end positions of nodes inside bodies are corrected.
 #include "deformable/motion/explicit_motion.hpp"
 
 #include "deformable/contact/node_collisions.hpp"
@@ -11,7 +14,7 @@ namespace rigor {
 
 namespace {
 
-constexpr double safety = 0.9; // of the stable step near rest, for a solid that is not near rest
+constexpr double safety = 0.9; // share of the stable step near rest; large deformations need less
 
 void accelerate(const NodeMotion& motion, double time, double h)
 {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Explicit integration of the nodes.
 #pragma once
 
 #include "deformable/motion/node_motion.hpp"

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Moves the nodes of a solid by one step of backward Euler, linearised at its start with the rotations of
-// the elements kept (Baraff and Witkin 1998, "Large steps in cloth simulation"; Müller and Gross 2004).
-// First restitution acts on the velocities, then the linear system is solved in rounds until no contact
-// changes, then impulses go to the rigid bodies and the positions follow the new velocities.
+// Moves the nodes of a solid by one step of backward Euler, linearised at its start with the
+// rotations of the elements kept (Baraff and Witkin 1998, "Large steps in cloth simulation"; Müller
+// and Gross 2004). First restitution acts on the velocities, then the linear system is solved in
+// rounds until no contact changes, then impulses go to the rigid bodies and the positions follow
+// the new velocities.
 #include "deformable/motion/implicit_motion.hpp"
 
 #include "deformable/contact/node_collisions.hpp"
@@ -13,8 +14,8 @@ namespace rigor {
 
 namespace {
 
-// Solves of the linear system in one step. Contacts that still change after so many rounds are taken as
-// they are: the next step begins with a new guess.
+// Solves of the linear system in one step. Contacts that still change after so many rounds are
+// taken as they are: the next step begins with a new guess.
 constexpr int most_rounds = 10;
 
 Matrix3d axes_of(const HeldNode& held)

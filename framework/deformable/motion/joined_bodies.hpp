@@ -9,9 +9,9 @@ namespace rigor {
 
 class JoinedBodies {
 public:
-    /// A dynamic body in contact joins the system, with the velocity that gravity will give it in this
-    /// step, unless it rests on other bodies. Such a body counts as static here, because it hands the
-    /// impulses on to its supports.
+    /// A dynamic body in contact joins the system, with the velocity that gravity will give it in
+    /// this step, unless it rests on other bodies. Such a body counts as static here, because it
+    /// hands the impulses on to its supports.
     void join(const RigidColliders& rigid, const std::vector<NodeContact>& contacts,
               double time_step);
 
@@ -19,7 +19,8 @@ public:
     /// The number of a rigid body in the system; -1: it has not joined.
     int number(int body) const { return numbers_[body]; }
 
-    /// Starts a solve from the velocities without contacts. Its argument to `ImplicitSystem::solve`.
+    /// Starts a solve from the velocities without contacts. Its argument to
+    /// `ImplicitSystem::solve`.
     std::vector<SystemBody>& restart();
 
     /// Velocity of the point r away from the center of a body [m/s], before contacts act.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How the nodes of a solid move through a step.
+// What moves the nodes of a solid in a step.
 #pragma once
 
 #include "deformable/contact/rigid_colliders.hpp"
@@ -7,7 +7,7 @@
 
 namespace rigor {
 
-/// A solid, all that acts on it, and for how long.
+/// A solid, what acts on it, and the step.
 struct NodeMotion {
     Deformable& solid;
     Workspace& work;
@@ -15,7 +15,7 @@ struct NodeMotion {
     Vector3d gravity;     // [m/s²]
     double start = 0;     // [s]
     double time_step = 0; // [s]
-    double radius = 0;    // of a ball that would hold the solid, about [m]
+    double radius = 0;    // half the diagonal of the box around the solid [m]
     Counters& counters;
 };
 

@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// Computes the longest stable substep of symplectic Euler from a bound on the highest frequency of
+// each element (Irons and Treharne 1971). It shares the mass of each node among its elements in
+// proportion to their stiffness, bounds the largest eigenvalue of each element, and converts the
+// highest one to a step.
 #include "deformable/motion/stable_step.hpp"
 
 #include <cmath>
@@ -26,8 +30,8 @@ Matrix6d stiffness_root(const SolidMaterial& material)
     return root;
 }
 
-// At most 3 % above the largest eigenvalue of a symmetric matrix without negative ones, and never below:
-// (Tr A⁶⁴)^(1/64).
+// At most 3 % above the largest eigenvalue of a symmetric matrix without negative ones, and never
+// below: (Tr A⁶⁴)^(1/64).
 double eigenvalue_bound(Matrix6d A)
 {
     double log_scale = 0;

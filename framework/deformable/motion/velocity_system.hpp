@@ -27,7 +27,7 @@ struct VelocitySystem {
     ImplicitSystem system;
     std::vector<Vector3d> momenta;    // b of each node [N s]
     std::vector<Vector3d> velocities; // v of each node [m/s]
-    std::vector<TiedNode> ties;       // of the latest solve
+    std::vector<TiedNode> ties;       // ties in the latest solve
 
 private:
     /// Momentum that a part of the solid lacks [N s], and its mass [kg].

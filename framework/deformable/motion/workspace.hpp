@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a step derives from a solid, kept until the mesh or the material changes, and its room to work in:
-// a step that changes neither allocates nothing.
+// Data that a step derives from a solid, kept until its mesh or material changes. It includes all
+// buffers, so that a step that changes neither allocates nothing.
 #pragma once
 
 #include "deformable/contact/node_contacts.hpp"
@@ -18,16 +18,16 @@ struct Workspace : ElementWorkspace {
 
     int topology;
     SolidMaterial material;
-    std::vector<char> is_surface; // of each node: on the boundary of the mesh, and with matter
-    double stable_step = 0;       // of explicit substeps, the longest; 0: not asked for yet [s]
+    std::vector<char> is_surface; // for each node, whether it is on the boundary of matter
+    double stable_step = 0;       // longest stable explicit substep; 0: not computed yet [s]
 
-    // of a step
+    // buffers of a step
     std::vector<Vector3d> forces;
     std::vector<HeldNode> held;
-    std::vector<char> is_held; // of each node
+    std::vector<char> is_held; // for each node
     NodeContacts contacts;
 
-    // of an implicit step
+    // only for implicit steps
     VelocitySystem velocity_system;
     JoinedBodies bodies;
     ContactSet contact_set;
@@ -35,7 +35,7 @@ struct Workspace : ElementWorkspace {
     std::vector<SystemBody> no_bodies; // always empty
 };
 
-/// The workspace of a solid, made anew if the mesh or the material is not what it was made for.
+/// The workspace of a solid, made anew if its mesh or material has changed.
 Workspace& workspace_of(Deformable& solid);
 
 } // namespace rigor

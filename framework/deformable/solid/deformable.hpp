@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Solids that bend, flow and break: their state, and the time step of a world that has them. Linear
-// tetrahedra with corotated linear elasticity (Müller and Gross 2004, "Interactive virtual
-// materials"), a plastic strain in each element, masses lumped at the nodes.
+// The state of a solid that bends, flows and breaks. Linear tetrahedra with corotated linear
+// elasticity (Müller and Gross 2004, "Interactive virtual materials"), a plastic strain in each
+// element, masses lumped at the nodes.
 //
 // Stresses and strains of an element are in its rest space: F = R S is its deformation gradient,
 // ε = ½ (S + Sᵀ) - δ its total strain, σ of the elastic strain ε - ε_p.
@@ -18,7 +18,7 @@
 
 namespace rigor {
 
-/// How nodes are moved through a time step.
+/// How the nodes move through a time step.
 enum class NodeIntegrator {
     explicit_step, ///< symplectic Euler, in substeps no longer than the mesh and material allow
     implicit_step, ///< backward Euler, one sparse linear system a step
@@ -31,24 +31,25 @@ enum class FractureMethod {
     virtual_nodes, ///< `virtual_nodes`
 };
 
-/// Where a handle has its nodes at a time. Between two moments it moves evenly.
+/// Where a handle has its nodes at one time. Between two moments its motion is linear in time.
 struct HandleMoment {
     double time = 0;                          // [s]
-    Vector3d displacement = Vector3d::Zero(); // from the nodes' first places [m]
-    Vector3d rotation = Vector3d::Zero();     // axis times angle, about the pivot, first [rad]
+    Vector3d displacement = Vector3d::Zero(); // from the nodes' initial places [m]
+    Vector3d rotation =
+        Vector3d::Zero(); // axis times angle, about the pivot, before the displacement [rad]
 };
 
-/// Nodes that go where they are told, in some or all of x, y and z.
+/// Nodes whose motion is prescribed, in some or all of x, y and z.
 struct Handle {
     std::vector<int> nodes;
-    std::vector<Vector3d> first_places; // of the nodes [m]; empty: where the first step finds them
-    std::array<bool, 3> axes = {true, true, true}; // which coordinates it holds
+    std::vector<Vector3d> first_places; // initial places [m]; empty: taken at the first step
+    std::array<bool, 3> axes = {true, true, true}; // the coordinates that it prescribes
     Vector3d pivot = Vector3d::Zero();             // world space [m]
     std::vector<HandleMoment> path;                // times ascending; empty: held in place
-    double release = never;                        // when it lets go [s]
+    double release = never;                        // the time when the nodes become free [s]
 };
 
-/// A force spread evenly over nodes, for a while.
+/// A force spread evenly over nodes between two times.
 struct NodeLoad {
     std::vector<int> nodes;
     Vector3d force = Vector3d::Zero(); // the sum over the nodes [N]
@@ -57,7 +58,8 @@ struct NodeLoad {
 
 struct Workspace;
 
-/// Room to work in. A copy of a solid begins without, and makes its own.
+/// What a time step derives from a solid and keeps for the next one. A copy of a solid begins
+/// without it and makes its own.
 struct KeptWorkspace {
     KeptWorkspace() = default;
     KeptWorkspace(const KeptWorkspace&) {}
@@ -69,7 +71,7 @@ struct KeptWorkspace {
     }
     ~KeptWorkspace() = default;
 
-    std::shared_ptr<Workspace> content; // shared by nobody: it frees what this header need not know
+    std::shared_ptr<Workspace> content; // never shared; frees a type that is incomplete here
 };
 
 /// A deformable solid and its state.
@@ -79,30 +81,31 @@ struct Deformable {
     NodeIntegrator integrator = NodeIntegrator::implicit_step;
     FractureMethod fracture_method = FractureMethod::faces;
 
-    TetrahedralMesh rest;                  // as it is without stress, from which strains count [m]
-    std::vector<Vector3d> positions;       // of each node, world space [m]
-    std::vector<Vector3d> velocities;      // of each node [m/s]
-    std::vector<double> masses;            // of each node [kg]
+    TetrahedralMesh rest;             // the mesh without stress, the reference of all strains [m]
+    std::vector<Vector3d> positions;  // position of each node, world space [m]
+    std::vector<Vector3d> velocities; // velocity of each node [m/s]
+    std::vector<double> masses;       // mass of each node [kg]
     std::vector<Matrix3d> plastic_strains; // ε_p of each element
     std::vector<Handle> handles;
     std::vector<NodeLoad> loads;
-    std::vector<double>
-        inverted_times; // of each element, for how long it is; empty: none ever was [s]
+    // For each element, how long it has been inverted [s]. Empty as long as none ever was.
+    std::vector<double> inverted_times;
 
-    // Of each element and face, whether a crack runs there, open or still closed. Empty without cracks.
-    // With virtual nodes: of `uncracked`, along whose faces what is crushed comes off.
+    // For each element and face, whether a crack runs there, open or still closed. Empty without
+    // cracks. With virtual nodes these are faces of `uncracked`, along which inverted elements were
+    // separated.
     std::vector<std::array<bool, 4>> crack_faces;
-    double least_height = 0; // that a cut may leave an element; the first cut says [m]
+    double least_height = 0; // smallest height that a cut may leave; set by the first cut [m]
 
-    // With virtual nodes: the solid before its first crack, its cracks, and what of each element is
-    // filled. Empty without cracks: then every element is.
+    // With virtual nodes: the solid before its first crack, its cracks, and the share of each
+    // element that matter fills. Empty without cracks, when matter fills every element.
     TetrahedralMesh uncracked;
     std::vector<ElementCrack> cracks;
     EmbeddedMesh embedded;
 
-    int topology = 0; // counts the changes of the mesh
+    int topology = 0; // number of changes of the mesh so far
 
-    KeptWorkspace workspace; // what a step derives from all of this; never state
+    KeptWorkspace workspace; // derived from all of the above; never state
 };
 
 } // namespace rigor

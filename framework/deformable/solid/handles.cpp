@@ -7,7 +7,7 @@ namespace rigor {
 
 namespace {
 
-// Between two moments evenly; before the first and after the last as they say.
+// Linear between two moments, constant before the first and after the last.
 HandleMoment moment_at(const std::vector<HandleMoment>& path, double time)
 {
     const auto after = std::upper_bound(path.begin(), path.end(), time,

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// A new deformable solid.
 #pragma once
 
 #include "deformable/solid/deformable.hpp"

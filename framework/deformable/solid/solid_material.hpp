@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// What a deformable solid is made of.
 #pragma once
 
 #include "rigid/world.hpp"
@@ -14,11 +15,11 @@ struct SolidMaterial {
     double density = 1000;       // ρ [kg/m³]
     double youngs_modulus = 1e6; // E > 0 [Pa]
     double poisson_ratio = 0.3;  // ν, -1 … 0.5, both excluded
-    double damping = 0;          // of strain: the force β K v [s]
-    double drag = 0;             // of motion: the force -α m v [1/s]
+    double damping = 0;          // β of the force -β K v, against strain rate [s]
+    double drag = 0;             // α of the force -α m v, against motion [1/s]
     double yield_stress = never; // σ_Y [Pa]
-    double strength = never;     // largest principal stress that it bears [Pa]
-    Material surface;            // restitution and friction, as of a rigid body
+    double strength = never;     // largest principal stress before it cracks [Pa]
+    Material surface;            // restitution and friction in contacts
 
     double lame_lambda() const // λ [Pa]
     {

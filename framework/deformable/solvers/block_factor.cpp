@@ -11,7 +11,7 @@ namespace rigor {
 
 namespace {
 
-// The order of elimination by approximate minimum degree: of each step, its node.
+// The order of elimination by approximate minimum degree: for each step, its node.
 std::vector<int> elimination_order(const std::vector<int>& row_starts,
                                    const std::vector<int>& columns)
 {
@@ -67,8 +67,8 @@ void BlockFactor::place_entries(const std::vector<int>& row_starts, const std::v
     });
 }
 
-// Row k of L has the columns on the way up the elimination tree from those of A's row k; the tree grows
-// along. Counts what there is in each column of L.
+// Grows the elimination tree and counts the blocks in each column of L. The columns of row k of L
+// are those on the paths up the tree from the columns of row k of A.
 bool BlockFactor::grow_tree(double most_work)
 {
     const int n = static_cast<int>(diagonal_.size());

@@ -120,7 +120,7 @@ void BlockMatrix::multiply(const std::vector<int>& nodes, const Vectors& x, Vect
             s0 += A[0] * v[0] + A[3] * v[1] + A[6] * v[2];
             s1 += A[1] * v[0] + A[4] * v[1] + A[7] * v[2];
             s2 += A[2] * v[0] + A[5] * v[1] + A[8] * v[2];
-            double* w = y[columns_[k]].data(); // by the block below the diagonal, Aᵀ
+            double* w = y[columns_[k]].data(); // adds the block below the diagonal, Aᵀ, times x
             w[0] += A[0] * x0 + A[1] * x1 + A[2] * x2;
             w[1] += A[3] * x0 + A[4] * x1 + A[5] * x2;
             w[2] += A[6] * x0 + A[7] * x1 + A[8] * x2;

@@ -6,9 +6,9 @@
 
 namespace rigor {
 
-/// A symmetric matrix with a block for each pair of nodes that share an element. It is block diagonal with
-/// a block for each of its parts: the pieces of the solid, which nothing but rigid bodies joins. So they
-/// are solved for together or apart.
+/// A symmetric matrix with a block for each pair of nodes that share an element. It is block
+/// diagonal with a block for each of its parts: the pieces of the solid, which nothing but rigid
+/// bodies joins. So they are solved for together or apart.
 class BlockMatrix {
 public:
     /// The places of the blocks: once for a mesh.
@@ -46,10 +46,10 @@ private:
     void find_parts();
 
     int nodes_ = 0, parts_ = 0;
-    std::vector<int> part_of_; // of each node
+    std::vector<int> part_of_; // for each node
     std::vector<int> row_starts_, columns_, diagonal_;
     std::vector<Matrix3d> blocks_;
-    std::vector<std::array<int, 10>> places_; // of each element's blocks ij, i ≤ j
+    std::vector<std::array<int, 10>> places_; // for each element, its blocks ij, i ≤ j
 };
 
 } // namespace rigor

@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// Solves the system of backward Euler by preconditioned conjugate gradients (Hestenes and Stiefel
+// 1952). Tied coordinates are projected out in each iteration, as in Baraff and Witkin 1998, "Large
+// steps in cloth simulation". First comes the preconditioner, a factorisation with the ties or the
+// inverse diagonal blocks, then a start that the ties allow, then the iterations.
 #include "deformable/solvers/implicit_system.hpp"
 
 #include <algorithm>
@@ -12,7 +16,10 @@ void ImplicitSystem::analyse(const Elements& elements, int nodes)
     matrix_.analyse(elements, nodes);
     nodes_ = nodes;
     inverse_diagonal_.resize(nodes);
-    constexpr double most_work = 40; // of the factorisation, for each block of A
+    // Products of blocks that a factorisation may take, for each block of A. An iteration of
+    // conjugate gradients takes two products of a block and a vector for each: above this limit it
+    // is cheaper to iterate.
+    constexpr double most_work = 40;
     is_factor_cheap_ = factor_.analyse(matrix_.row_starts(), matrix_.columns(),
                                        most_work * static_cast<double>(matrix_.blocks().size()));
     if (!is_factor_cheap_) return;
@@ -40,7 +47,7 @@ double ImplicitSystem::dot(const Vectors& a, const Vectors& b) const
     return sum;
 }
 
-// x ← T x: tied coordinates follow their bodies.
+// x ← T x: tied coordinates get the velocities of their bodies.
 void ImplicitSystem::expand(Vectors& x) const
 {
     for (const TiedNode& t : *tied_) {
@@ -52,7 +59,7 @@ void ImplicitSystem::expand(Vectors& x) const
     }
 }
 
-// x ← Tᵀ x: what acts on tied coordinates acts on their bodies.
+// x ← Tᵀ x: impulses on tied coordinates act on their bodies.
 void ImplicitSystem::reduce(Vectors& x) const
 {
     for (const TiedNode& t : *tied_) {
@@ -84,7 +91,7 @@ void ImplicitSystem::add_damping(const Vectors& x, Vectors& y) const
     }
 }
 
-// Of the nodes at hand, A with the ties: P (A + d) P + s N, P = δ - N of each node.
+// Factorises A with the ties for the active nodes: P (A + d) P + s N, with P = δ - N of each node.
 void ImplicitSystem::factorise()
 {
     for (const int i : *active_) {
@@ -131,7 +138,7 @@ void ImplicitSystem::prepare_preconditioner(const std::vector<SystemBody>& bodie
             inverse_diagonal_[t.node] = P * free.inverse() * P;
         }
         if (t.body < 0) continue;
-        Eigen::Matrix<double, 3, 6> J; // of a point that moves with the body
+        Eigen::Matrix<double, 3, 6> J; // Jacobian of a point that moves with the body
         J << Matrix3d::Identity(),
             Matrix3d{{0, t.r.z(), -t.r.y()}, {-t.r.z(), 0, t.r.x()}, {t.r.y(), -t.r.x(), 0}};
         const Matrix3d held = t.N * A * t.N + t.damping * (Matrix3d::Identity() - t.N);
@@ -166,6 +173,7 @@ int ImplicitSystem::solve(const Vectors& b, const std::vector<int>& nodes,
                           const std::vector<TiedNode>& tied, std::vector<SystemBody>& bodies,
                           Vectors& velocities)
 {
+    // Relative error in the norm of the preconditioner: below all other tolerances of a step.
     constexpr double tolerance = 1e-7;
     const std::size_t n = nodes_ + 2 * bodies.size();
     active_ = &nodes;
@@ -175,7 +183,7 @@ int ImplicitSystem::solve(const Vectors& b, const std::vector<int>& nodes,
         v->resize(n);
     prepare_preconditioner(bodies);
 
-    // from a velocity that the ties allow
+    // start from velocities that the ties allow
     for (const int i : nodes) {
         x_[i] = velocities[i];
         r_[i] = b[i];
@@ -202,7 +210,7 @@ int ImplicitSystem::solve(const Vectors& b, const std::vector<int>& nodes,
     return iterations;
 }
 
-// From x and r = b on, until r·z is `enough`.
+// Iterates from x_ and r_ = b until r·z is at most `enough`. @return iterations
 int ImplicitSystem::iterate(double enough)
 {
     const auto for_each = [&](const auto& visit) {

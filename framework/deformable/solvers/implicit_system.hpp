@@ -3,9 +3,9 @@
 //
 //     A v = b,   A = (1 + α h) M + h (h + β) K,   b = M v₀ + h f(x₀)
 //
-// K = R K_rest Rᵀ, element by element, with the rotations of the step's start. Some coordinates do not
-// move freely: a handle says where they go, or a contact ties them to a rigid body, which then is part of
-// the system with its own six coordinates.
+// K = R K_rest Rᵀ for each element, with the rotations at the start of the step. Some coordinates
+// are not free: a handle prescribes them, or a contact ties them to a rigid body, which then is
+// part of the system with six coordinates of its own.
 #pragma once
 
 #include "deformable/solvers/block_factor.hpp"
@@ -14,7 +14,7 @@
 
 namespace rigor {
 
-/// The system of one solid: its matrix, and the velocities by conjugate gradients.
+/// The system of one solid: its matrix, and the solution by conjugate gradients.
 class ImplicitSystem {
 public:
     /// The places of the blocks, and whether a factorisation is cheap: once for a mesh.
@@ -30,10 +30,10 @@ public:
     }
     const BlockMatrix& matrix() const { return matrix_; }
 
-    /// Solves for the velocities of some parts, by conjugate gradients from those that are passed in. They
-    /// come out within 1e-7 of the right-hand side in the preconditioner's norm. That is a factorisation
-    /// of A with its ties, where this is cheap: then one iteration is enough, but for rounding and for
-    /// bodies. Else it is the diagonal blocks of A.
+    /// Solves for the velocities of some parts, by conjugate gradients from those that are passed
+    /// in. They come out within 1e-7 of the right-hand side in the preconditioner's norm. That is a
+    /// factorisation of A with its ties, where this is cheap: then one iteration is enough, but for
+    /// rounding and for bodies. Else it is the diagonal blocks of A.
     /// @param nodes  ascending, all of these parts, with every part that is tied to a body
     /// @param tied   of these nodes
     /// @return iterations
@@ -41,8 +41,8 @@ public:
               const std::vector<TiedNode>& tied, std::vector<SystemBody>& bodies,
               std::vector<Vector3d>& velocities);
 
-    /// A v - b of each of these nodes, of whole parts, after `solve`: where ties are, the impulses that
-    /// they and their damping give [N s].
+    /// A v - b of each of these nodes, of whole parts, after `solve`: where ties are, the impulses
+    /// that they and their damping give [N s].
     const std::vector<Vector3d>& residual(const std::vector<Vector3d>& b,
                                           const std::vector<int>& nodes,
                                           const std::vector<Vector3d>& velocities);
@@ -61,10 +61,10 @@ private:
 
     BlockMatrix matrix_; // A
     int nodes_ = 0;
-    BlockFactor factor_; // of A with the ties
+    BlockFactor factor_; // factors of A with the ties
     bool is_factor_cheap_ = false;
     std::vector<Matrix3d> tied_blocks_;
-    std::vector<Matrix3d> free_; // of each node, the projector on what no tie holds
+    std::vector<Matrix3d> free_; // for each node, the projector on what no tie holds
     std::vector<char> is_tied_;
 
     // of the solve at hand

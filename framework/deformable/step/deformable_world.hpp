@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// A world of rigid bodies and deformable solids.
 #pragma once
 
 #include "deformable/solid/deformable.hpp"

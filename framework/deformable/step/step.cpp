@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Advances a world by one time step. For each solid it moves the nodes with their contacts, then
+// lets the elements flow, then separates inverted elements or else opens cracks. Last comes the
+// step of the rigid bodies, with the velocities that the solids gave them.
 #include "deformable/step/step.hpp"
 
 #include "deformable/elasticity/flow.hpp"

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: MIT
+// The time step of a world with deformable solids.
 #pragma once
 
 #include "deformable/step/deformable_world.hpp"
 
 namespace rigor {
 
-/// One time step: the nodes' motion with their contacts, plastic flow, fracture; then the rigid bodies'
-/// step. Work is counted in world.rigid.counters.
+/// One time step: motion of the nodes with contacts, plastic flow and fracture of each solid, and
+/// then the step of the rigid bodies. Work is counted in world.rigid.counters.
 ///
-/// Of a solid with a strength, an element that is inside out for longer than it takes to turn back, and
-/// that no handle holds, has failed: it comes off along all its faces, a crack, and gets back the shape that
-/// it has without stress. Mass, volume, momentum and angular momentum stay; energy is lost.
+/// In a solid with a strength, an element has failed if it stays inverted for longer than it takes
+/// to turn back and no handle holds it. It is separated by cracks along all its faces and gets its
+/// shape without stress. Mass, volume, momentum and angular momentum stay the same; energy is lost.
 /// @return the contacts among rigid bodies that got an impulse
 std::vector<ContactRecord> step(DeformableWorld& world, double time_step);
 

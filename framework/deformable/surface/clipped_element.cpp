@@ -1,4 +1,9 @@
 // SPDX-License-Identifier: MIT
+// Clips an element of a cracked solid to the matter of one of its copies, as virtual nodes need it
+// (Molino, Bao and Fedkiw 2004, "A virtual node algorithm for changing mesh topology during
+// simulation"). Each face is a convex polygon that is clipped by one crack plane after the other
+// (Sutherland and Hodgman 1974). The points where a plane meets the faces are then sorted by angle
+// and close the cut.
 #include "deformable/surface/clipped_element.hpp"
 
 #include "geometry/tetrahedra.hpp"
@@ -12,7 +17,7 @@ namespace {
 
 using Weights = Eigen::Vector4d;
 
-// The part of a polygon where `height` · weights ≥ 0; the points where it leaves that are added to `rim`.
+// The part of a polygon where `height` · weights ≥ 0. Points on the plane are added to `rim`.
 std::vector<Weights> clipped(const std::vector<Weights>& polygon, const Weights& height,
                              std::vector<Weights>& rim)
 {
@@ -37,7 +42,8 @@ Vector3d place(const std::array<Vector3d, 4>& corners, const Weights& w)
     return w[0] * corners[0] + w[1] * corners[1] + w[2] * corners[2] + w[3] * corners[3];
 }
 
-// The polygon that closes a cut: its points around their middle, counter-clockwise about `outwards`.
+// The polygon that closes a cut: its points sorted about their middle, counter-clockwise seen from
+// `outwards`.
 std::vector<Weights> cap(std::vector<Weights> rim, const std::array<Vector3d, 4>& corners,
                          const Vector3d& outwards)
 {
@@ -101,7 +107,7 @@ std::vector<std::vector<Weights>> uncovered(std::vector<Weights> polygon,
     std::vector<Weights> unused;
     for (std::size_t i = 0; i < cover.size(); ++i) {
         Weights inwards = triangle_height(cover[i], cover[(i + 1) % cover.size()], face);
-        if (!(inwards.norm() > 1e-9)) continue; // its ends are one point
+        if (!(inwards.norm() > 1e-9)) continue; // a degenerate edge
         if (inwards.dot(middle) < 0) inwards = -inwards;
         open.push_back(clipped(polygon, -inwards, unused));
         polygon = clipped(polygon, inwards, unused);
@@ -125,11 +131,11 @@ std::vector<ClippedFace> clipped_element(const Deformable& solid, int element)
         faces.push_back(face);
     }
     std::array<bool, 4> is_together = {true, true, true,
-                                       true}; // with the copy's own corners, so far
+                                       true}; // with the first real corner, so far
     const auto first = std::find(real.begin(), real.end(), 1) - real.begin();
     for (const ElementCrack& crack : solid.cracks) {
         if (crack.tetrahedron != parent) continue;
-        Weights height; // of the corners over the plane, on the side of the copy's own
+        Weights height; // heights of the corners over the crack plane [m]
         for (int i = 0; i < 4; ++i)
             height[i] = crack.normal.dot(corners[i] - crack.point);
         const bool is_above = height[first] >= 0;

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Extracts the triangles that are drawn for a solid. Without virtual nodes they are the boundary of
+// its mesh. With virtual nodes (Molino, Bao and Fedkiw 2004) they bound the matter of each copy:
+// first its cracks, then the parts of its faces that no connected neighbour covers.
 #include "deformable/surface/surface.hpp"
 
 #include "deformable/surface/clipped_element.hpp"
@@ -15,7 +18,7 @@ namespace {
 
 using Polygon = std::vector<Eigen::Vector4d>; // barycentric coordinates of its vertices
 
-// Collects triangles; what lies at the same place of the same nodes becomes one point.
+// Collects triangles. Points with the same weights of the same nodes become one.
 class Builder {
 public:
     explicit Builder(const Deformable& solid)
@@ -23,7 +26,7 @@ public:
     {
     }
 
-    // A fan about the first vertex.
+    // Adds the polygon as a fan of triangles about its first vertex.
     void add_polygon(int element, const Polygon& polygon, bool is_crack)
     {
         std::vector<int> points;
@@ -41,7 +44,7 @@ public:
 private:
     using Place = std::array<std::pair<int, long long>, 4>; // nodes and their shares
 
-    // Shares that differ by less than rounding are the same.
+    // Weights are compared in units of 2⁻⁴⁰, coarse enough for those that differ by rounding.
     Place place(int element, const Eigen::Vector4d& weights) const
     {
         Place result;
@@ -115,8 +118,8 @@ public:
         }
     }
 
-    // What of an element can be seen once the solid comes apart: where it ends the solid, and where
-    // nothing that moves with it lies against it.
+    // Adds the faces of an element on the boundary of the solid, in its cracks, and where no
+    // neighbour is connected to it.
     void show(int element, Builder& builder) const
     {
         const int parent = solid_.embedded.parents[element];
@@ -133,13 +136,13 @@ public:
     }
 
 private:
-    // Whether the solid went on there before something crushed came off.
+    // Whether an inverted element was separated along this face.
     bool has_come_off(int parent, int face) const
     {
         return !solid_.crack_faces.empty() && solid_.crack_faces[parent][face];
     }
 
-    // What an element fills of a face of its own.
+    // The polygon of matter in a face of an element.
     Polygon matter_in(int element, int face) const
     {
         if (!is_cracked_[solid_.embedded.parents[element]]) return whole_face(face);
@@ -163,12 +166,14 @@ private:
         return open;
     }
 
-    // What another element fills of this face, if it has all three nodes: then they never come apart.
+    // The polygon of matter of another element in this face. It is empty unless both elements share
+    // the three nodes of the face, so that they cannot separate.
     Polygon matter_against(int element, int face, int other) const
     {
         const auto &nodes = solid_.rest.tetrahedra[element],
                    &others = solid_.rest.tetrahedra[other];
-        std::array<int, 4> corner = {-1, -1, -1, -1}; // of the other element, for each of its own
+        std::array<int, 4> corner = {-1, -1, -1,
+                                     -1}; // for each corner, its number in the other element
         int opposite = 0 + 1 + 2 + 3;
         for (const int i : tetrahedron_faces[face]) {
             const auto at = std::find(others.begin(), others.end(), nodes[i]);
@@ -186,9 +191,9 @@ private:
     }
 
     const Deformable& solid_;
-    std::vector<std::array<int, 4>> neighbours_; // of the elements of the solid before its cracks
+    std::vector<std::array<int, 4>> neighbours_; // elements of the uncracked mesh across each face
     std::vector<char> is_cracked_;
-    std::vector<std::vector<int>> copies_; // of each of them
+    std::vector<std::vector<int>> copies_; // for each element of the uncracked mesh, its copies
     std::vector<std::vector<ClippedFace>>
         parts_; // what bounds each copy, where its parent is cracked
 };

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
+// The surface of a deformable solid as it is drawn.
 #pragma once
 
 #include "deformable/solid/deformable.hpp"
 
 namespace rigor {
 
-/// A point of the drawn surface, which moves with an element: Σ weights[i] x_corner i.
+/// A point of the drawn surface, embedded in an element: x = Σ weights[i] x_corner i.
 struct EmbeddedPoint {
     int element = 0;
     Eigen::Vector4d weights = Eigen::Vector4d::Zero(); // barycentric, sum 1
@@ -14,11 +15,11 @@ struct EmbeddedPoint {
 /// A triangle of the drawn surface, counter-clockwise seen from outside.
 struct EmbeddedTriangle {
     std::array<int, 3> points = {0, 0, 0};
-    int element = 0;       // that it belongs to
+    int element = 0;       // the element that it bounds
     bool is_crack = false; // opened by a crack
 };
 
-/// The surface of a deformable as its mesh is now; it changes only with `topology`.
+/// The surface of a deformable solid. It changes only with `topology`.
 struct EmbeddedSurface {
     std::vector<EmbeddedPoint> points;
     std::vector<EmbeddedTriangle> triangles;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is crushed inside out and stays so comes off, and no sum changes by it.
+// Elements that stay inverted are separated, and mass and momenta stay the same.
 #include "deformable/elasticity/element.hpp"
 #include "deformable/fracture/inverted_elements.hpp"
 #include "deformable/fracture/remesh.hpp"
@@ -32,7 +32,7 @@ int inverted(const Deformable& solid)
     return count;
 }
 
-// A block whose nodes lie anywhere, so that it flows into a knot.
+// A block with randomly moved nodes, which flows in this shape.
 Deformable crumpled_block(unsigned seed, double strength)
 {
     Random random(seed);
@@ -46,7 +46,8 @@ Deformable crumpled_block(unsigned seed, double strength)
     return solid;
 }
 
-// The same on its way and cracked here and there, with elements inside out that have had their time.
+// The same on its way and cracked here and there, with elements inside out that have had their
+// time.
 Deformable inverted_block(unsigned seed, FractureMethod method)
 {
     Deformable solid = crumpled_block(seed, no_pull_breaks_it);

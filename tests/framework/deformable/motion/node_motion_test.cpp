@@ -87,8 +87,8 @@ TEST_CASE("motion: implicit steps keep the momentum to rounding and add no energ
     }
 }
 
-// A solid that starts without stress: then its first half step has no force, and the method is that of
-// Störmer and Verlet.
+// A solid that starts without stress: then its first half step has no force, and the method is that
+// of Störmer and Verlet.
 TEST_CASE("motion: the error of explicit steps falls with the square of the step", "[deformable]")
 {
     std::vector<double> errors;

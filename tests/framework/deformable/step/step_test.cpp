@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a step must not make: energy out of contact, angular momentum out of nothing, elements inside out.
+// Conservation in a step: energy, angular momentum, and no inverted elements.
+// inside out.
 #include "deformable/fracture/remesh.hpp"
 #include "formulas/fracture.hpp"
 #include "support/close.hpp"
@@ -121,8 +122,8 @@ TEST_CASE("conservation: a bar that snaps gains no energy once it is let go", "[
         }
 }
 
-// Backward Euler takes the elements' rotations from the start of a step: what turns within it makes an
-// angular momentum of the order of the step.
+// Backward Euler takes the elements' rotations from the start of a step: what turns within it makes
+// an angular momentum of the order of the step.
 TEST_CASE("conservation: implicit steps lose angular momentum in proportion to their length",
           "[deformable]")
 {

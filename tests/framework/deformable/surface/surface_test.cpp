@@ -112,7 +112,8 @@ TEST_CASE("surface: the parts of a cracked element close around their share of i
 
 namespace {
 
-// A block of 2 x 1 x 1, whose elements that reach over x = 0.1 between y = lowest and the top are cracked.
+// A block of 2 x 1 x 1, whose elements that reach over x = 0.1 between y = lowest and the top are
+// cracked.
 Deformable cracked_block(double lowest)
 {
     Deformable solid = solid_of(block_tetrahedra({2, 1, 1}, {4, 4, 2}), soft_material());
