@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "scene/make_world.hpp"
 
+#include "deformable/elasticity/totals.hpp"
+#include "deformable/solid/make_deformable.hpp"
 #include "geometry/shapes/pose.hpp"
 #include "geometry/shapes/solid_mesh.hpp"
 #include "rigid/bodies/mass.hpp"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "scene/record_solid.hpp"
 
+#include "deformable/elasticity/element.hpp"
+#include "deformable/solid/pieces.hpp"
 #include "rigid/bodies/non_finite.hpp"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "deformable/step/step.hpp"
 #include "scene/make_world.hpp"
 #include "scene/record_solid.hpp"
 

@@ -2,7 +2,8 @@
 // A scene as its file describes it: nothing computed yet, no formula called.
 #pragma once
 
-#include "deformable/deformable.hpp"
+#include "deformable/solid/deformable.hpp"
+#include "deformable/step/deformable_world.hpp"
 #include "geometry/shapes/shape.hpp"
 
 #include <filesystem>

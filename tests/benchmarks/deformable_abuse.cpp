@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "deformable/remesh.hpp"
+#include "deformable/fracture/remesh.hpp"
+#include "deformable/solid/pieces.hpp"
 #include "deformable_parts.hpp"
 #include "formulas/fracture.hpp"
 #include "rigid/bodies/mass.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "deformable/element.hpp"
-#include "deformable/elements.hpp"
+#include "deformable/elasticity/element.hpp"
+#include "deformable/elasticity/elements.hpp"
 #include "deformable_parts.hpp"
 #include "support/plot.hpp"
 

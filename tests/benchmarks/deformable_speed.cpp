@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "deformable/failure.hpp"
-#include "deformable/workspace.hpp"
+#include "deformable/fracture/fracture.hpp"
+#include "deformable/motion/workspace.hpp"
 #include "deformable_parts.hpp"
 
 #include <Eigen/SparseCholesky>
@@ -98,7 +98,8 @@ void measure_implicit(Bench& bench, const std::array<int, 3>& cells)
     const double strains =
         milliseconds(5, [&] { work.elements.strains(solid.positions, work.strains); });
     const double assembly = milliseconds(5, [&] {
-        work.system.assemble(work.elements, work.strains, solid.masses, solid.material, h);
+        work.velocity_system.system.assemble(work.elements, work.strains, solid.masses,
+                                             solid.material, h);
     });
     bench.row({{"implicit, tetrahedra", static_cast<double>(solid.rest.tetrahedra.size())},
                {"ms a step", ms},
@@ -123,7 +124,7 @@ void measure_factorisation(Bench& bench, const std::array<int, 3>& cells)
     Deformable& solid = world.solids[0];
     Workspace& work = workspace_of(solid);
     std::vector<Eigen::Triplet<double>> entries;
-    work.system.for_each_block([&](int i, int j, const Matrix3d& A) {
+    work.velocity_system.system.matrix().for_each_block([&](int i, int j, const Matrix3d& A) {
         for (int k = 0; k < 9; ++k) // the lower half, which Cholesky's method reads
             entries.emplace_back(3 * j + k % 3, 3 * i + k / 3, A(k / 3, k % 3));
     });
@@ -137,10 +138,11 @@ void measure_factorisation(Bench& bench, const std::array<int, 3>& cells)
     std::vector<int> all(v.size());
     std::iota(all.begin(), all.end(), 0);
     std::vector<SystemBody> none;
+    VelocitySystem& system = work.velocity_system;
     int iterations = 0;
     const double gradients = milliseconds(3, [&] {
         v.assign(v.size(), Vector3d::Zero());
-        iterations = work.system.solve(work.momenta, all, work.ties, none, v);
+        iterations = system.system.solve(system.momenta, all, system.ties, none, v);
     });
     bench.row({{"solver, tetrahedra", static_cast<double>(solid.rest.tetrahedra.size())},
                {"conjugate gradients [ms]", gradients},

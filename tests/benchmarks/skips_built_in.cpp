@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "geometry/shapes/shape_bounds.hpp"
 #include "rigid/bodies/mass.hpp"
-#include "rigid/broad_phase.hpp"
+#include "rigid/detection/broad_phase.hpp"
 #include "rigid/detection/broad_phase.hpp"
 #include "skips_run.hpp"
 #include "stress/scenes.hpp"

@@ -2,7 +2,10 @@
 // Deformable solids that tests and benchmarks share.
 #pragma once
 
-#include "deformable/deformable.hpp"
+#include "deformable/solid/deformable.hpp"
+#include "deformable/elasticity/totals.hpp"
+#include "deformable/solid/make_deformable.hpp"
+#include "deformable/step/step.hpp"
 #include "geometry/tetrahedra/tetrahedra.hpp"
 #include "geometry/tetrahedra/tetrahedra_generators.hpp"
 #include "support/random.hpp"

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "formulas/types.hpp"
-#include "geometry/shape.hpp"
+#include "geometry/shapes/shape.hpp"
 
 #include <string>
 #include <vector>

@@ -3,7 +3,7 @@
 
 #include "formulas/inertia.hpp"
 #include "formulas/rotation.hpp"
-#include "geometry/pose.hpp"
+#include "geometry/shapes/pose.hpp"
 
 #include <algorithm>
 #include <cmath>

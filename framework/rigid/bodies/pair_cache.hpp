@@ -2,7 +2,7 @@
 // The pairs of bodies that may meet, remembered from step to step.
 #pragma once
 
-#include "geometry/bounds.hpp"
+#include "geometry/bounds/bounds.hpp"
 
 #include <vector>
 

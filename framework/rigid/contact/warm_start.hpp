@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "geometry/pose.hpp"
+#include "geometry/shapes/pose.hpp"
 #include "rigid/bodies/step_memory.hpp"
 #include "rigid/contact/contact_problem.hpp"
 

@@ -2,7 +2,7 @@
 // The broad phase: which pairs of bodies are near enough for the narrow phase.
 #pragma once
 
-#include "geometry/bounds.hpp"
+#include "geometry/bounds/bounds.hpp"
 #include "rigid/bodies/world.hpp"
 
 namespace rigor {

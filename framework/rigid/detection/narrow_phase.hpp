@@ -5,7 +5,7 @@
 #include "geometry/shapes/pose.hpp"
 #include "rigid/bodies/world.hpp"
 #include "rigid/detection/contact.hpp"
-#include "rigid/world.hpp"
+#include "rigid/bodies/world.hpp"
 
 namespace rigor {
 

@@ -5,7 +5,7 @@
 // the length.
 #include "rigid/step/adaptive_substeps.hpp"
 
-#include "geometry/bounds.hpp"
+#include "geometry/bounds/bounds.hpp"
 
 #include <algorithm>
 #include <cmath>

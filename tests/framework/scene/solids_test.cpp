@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Deformable solids in the scene language.
+#include "deformable/elasticity/totals.hpp"
 #include "scene/scene.hpp"
 #include "support/close.hpp"
 

@@ -3,7 +3,7 @@
 
 #include "geometry/distance/signed_distance.hpp"
 #include "rigid/bodies/counters.hpp"
-#include "rigid/world.hpp"
+#include "rigid/bodies/world.hpp"
 
 namespace rigor {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "geometry/pose.hpp"
-#include "geometry/shape.hpp"
-#include "geometry/solid_mesh.hpp"
+#include "geometry/shapes/pose.hpp"
+#include "geometry/shapes/shape.hpp"
+#include "geometry/shapes/solid_mesh.hpp"
 #include "rigid/bodies/counters.hpp"
 #include "rigid/detection/contact.hpp"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "geometry/pose.hpp"
-#include "geometry/shape.hpp"
+#include "geometry/shapes/pose.hpp"
+#include "geometry/shapes/shape.hpp"
 #include "rigid/detection/contact.hpp"
 
 namespace rigor {

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// Impulses and position correction at the contacts of nodes.
+#pragma once
+
+#include "deformable/contact/node_contacts.hpp"
+
+namespace rigor {
+
+/// Applies a collision impulse to each node that would be inside a body after `time_step`, and its
+/// opposite to the body: `collision_impulse` with K = δ/m + K of the body. A substep calls it
+/// twice. Before the forces it acts with restitution; after them without, and a remaining gap may
+/// close within the substep.
+void collide_nodes(Deformable& solid, const std::vector<char>& is_held,
+                   const NodeContacts& contacts, RigidColliders& rigid, double time_step,
+                   bool with_restitution, Counters& counters);
+
+/// Position correction: moves nodes out of bodies without changing velocities.
+///
+/// @param step_share  the substep over the step; a step removes a fifth of the penetration
+/// @param farthest    the largest correction [m]
+void correct_positions(Deformable& solid, const std::vector<char>& is_held,
+                       const NodeContacts& contacts, double step_share, double farthest);
+
+} // namespace rigor

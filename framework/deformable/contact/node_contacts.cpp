@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#include "deformable/contact/node_contacts.hpp"
+
+#include "geometry/bounds/bounds.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rigor {
+
+namespace {
+
+Bounds bounds_of_nodes(const Deformable& solid)
+{
+    Bounds bounds;
+    for (const Vector3d& x : solid.positions)
+        bounds.include({x, x});
+    return bounds;
+}
+
+// An upper bound of how far a node may approach a body within a step [m]. The margin of a half
+// allows for nodes that accelerate.
+double reach_of(const Deformable& solid, const Body& body, double radius, const Vector3d& gravity,
+                double time_step)
+{
+    double speed = 0;
+    for (const Vector3d& v : solid.velocities)
+        speed = std::max(speed, (v - body.velocity).norm());
+    if (radius < 1e9) speed += body.angular_velocity.norm() * radius;
+    return 1.5 * time_step * (speed + 2 * time_step * gravity.norm());
+}
+
+} // namespace
+
+void NodeContacts::find(const Deformable& solid, const std::vector<char>& is_surface,
+                        const RigidColliders& rigid, double time_step, Counters& counters)
+{
+    parts_.clear();
+    contacts_.clear();
+    if (rigid.bodies.empty()) return;
+    const Bounds bounds = bounds_of_nodes(solid);
+    for (int b = 0; b < static_cast<int>(rigid.bodies.size()); ++b) {
+        const RigidBody& body = rigid.world.bodies[b];
+        const Material &m1 = solid.material.surface, &m2 = body.material;
+        for (const Part& part : body.parts) {
+            const Pose pose = part_pose(rigid.surfaces[b], part);
+            const double reach = reach_of(solid, rigid.bodies[b], bounding_radius(part),
+                                          rigid.world.settings.gravity, time_step);
+            Bounds near = bounds_of(part.shape, pose);
+            near.grow(reach);
+            if (!near.overlaps(bounds)) continue;
+            const int number = static_cast<int>(parts_.size());
+            parts_.push_back({b, part_pose({}, part), DistanceField(part.shape, counters)});
+            const DistanceField& field = parts_.back().field;
+            for (int i = 0; i < static_cast<int>(is_surface.size()); ++i) {
+                const Vector3d& x = solid.positions[i];
+                if (!is_surface[i] || !near.overlaps({x, x})) continue;
+                const Vector3d p = pose.R.transpose() * (x - pose.X);
+                if (field.at_least(p) > reach || field.distance(p) > reach) continue;
+                contacts_.push_back({i, b, number, 0, Vector3d::UnitY(),
+                                     std::min(m1.restitution, m2.restitution),
+                                     std::sqrt(m1.friction * m2.friction)});
+            }
+        }
+    }
+}
+
+void NodeContacts::measure(const Deformable& solid, const RigidColliders& rigid)
+{
+    for (NodeContact& c : contacts_) {
+        const NearPart& part = parts_[c.part];
+        const Pose pose = rigid.surfaces[c.body] * part.in_body;
+        const Vector3d p = pose.R.transpose() * (solid.positions[c.node] - pose.X);
+        c.gap = part.field.distance(p);
+        c.normal = pose.R * part.field.normal(p);
+    }
+}
+
+} // namespace rigor

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// Detection of contacts between the nodes of a solid and rigid bodies.
+#pragma once
+
+#include "deformable/contact/rigid_colliders.hpp"
+#include "deformable/solid/deformable.hpp"
+#include "rigid/detection/shapes/distance_field.hpp"
+
+namespace rigor {
+
+/// A node that touches a part of a rigid body, or may do so within the step.
+struct NodeContact {
+    int node = 0, body = 0;
+    int part = 0;                        // its number among the parts near the solid
+    double gap = 0;                      // negative inside [m]
+    Vector3d normal = Vector3d::UnitY(); // outer normal of the body
+    double restitution = 0, friction = 0;
+};
+
+class NodeContacts {
+public:
+    /// Finds the nodes that may reach a body within a step.
+    void find(const Deformable& solid, const std::vector<char>& is_surface,
+              const RigidColliders& rigid, double time_step, Counters& counters);
+    /// Updates gaps and normals to the positions of the nodes and the surfaces. A node near several
+    /// parts has a contact with each.
+    void measure(const Deformable& solid, const RigidColliders& rigid);
+
+    std::vector<NodeContact>& all() { return contacts_; }
+    const std::vector<NodeContact>& all() const { return contacts_; }
+
+private:
+    struct NearPart {
+        int body;
+        Pose in_body;
+        DistanceField field;
+    };
+    std::vector<NearPart> parts_;
+    std::vector<NodeContact> contacts_;
+};
+
+} // namespace rigor

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#include "deformable/contact/rigid_colliders.hpp"
+
+#include "formulas/collision.hpp"
+#include "rigid/motion/free_flight.hpp"
+#include "rigid/step/sleep.hpp"
+
+#include <algorithm>
+
+namespace rigor {
+
+namespace {
+
+Body rigid_in_world(const World& world, const RigidBody& rigid)
+{
+    Body body;
+    body.position = rigid.state.position;
+    if (rigid.is_static) return body;
+    body.inverse_mass = rigid.inverse.inverse_mass;
+    body.inverse_inertia = inverse_inertia(world.settings.integrator, rigid, rigid.state);
+    body.velocity = rigid.state.velocity;
+    body.angular_momentum = rigid.state.angular_momentum;
+    body.angular_velocity = body.inverse_inertia * rigid.state.angular_momentum;
+    return body;
+}
+
+} // namespace
+
+RigidColliders::RigidColliders(const World& of) : world(of), is_pushed(of.bodies.size(), 0)
+{
+    bodies.reserve(of.bodies.size());
+    surfaces.reserve(of.bodies.size());
+    for (const RigidBody& rigid : of.bodies) {
+        bodies.push_back(rigid_in_world(of, rigid));
+        surfaces.push_back({body_rotation(of.settings.integrator, rigid.state), rigid.state.position});
+    }
+}
+
+void RigidColliders::advance(double time_step)
+{
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        if (bodies[i].is_static()) continue;
+        const Vector3d turn = time_step * bodies[i].angular_velocity;
+        const double angle = turn.norm();
+        surfaces[i].X += time_step * bodies[i].velocity;
+        if (angle > 0) surfaces[i].R = Eigen::AngleAxisd(angle, turn / angle) * surfaces[i].R;
+    }
+}
+
+void RigidColliders::push(int body, const Vector3d& point, const Vector3d& impulse)
+{
+    if (bodies[body].is_static()) return;
+    bodies[body] = apply_impulse(bodies[body], point, impulse);
+    is_pushed[body] = 1;
+}
+
+bool RigidColliders::has_supports(int body) const
+{
+    return world.bodies[body].rest.is_asleep() ||
+           std::any_of(world.memory.warm_contacts.begin(), world.memory.warm_contacts.end(),
+                       [&](const WarmContact& c) { return c.body1 == body || c.body2 == body; });
+}
+
+void RigidColliders::apply_to(World& to, double time_step) const
+{
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        if (!is_pushed[i]) continue;
+        if (to.bodies[i].rest.is_asleep()) wake(to, {static_cast<int>(i)});
+        // The rigid step will move it by h V + ½ g h². As the nodes carry it, it has to move with
+        // its velocity at the end of the step, V + g h, which is ½ g h² more.
+        if (!has_supports(static_cast<int>(i)))
+            to.bodies[i].state.position += 0.5 * time_step * time_step * to.settings.gravity;
+        to.bodies[i].state.velocity = bodies[i].velocity;
+        to.bodies[i].state.angular_momentum = bodies[i].angular_momentum;
+    }
+}
+
+} // namespace rigor

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// The rigid bodies that deformable solids collide with.
+#pragma once
+
+#include "geometry/shapes/pose.hpp"
+#include "rigid/bodies/world.hpp"
+
+namespace rigor {
+
+/// The rigid bodies during a step of the deformable solids. Impulses act at the poses of its start,
+/// as in the rigid step, so that angular momentum is kept to rounding. The surfaces move on in
+/// substeps.
+struct RigidColliders {
+    explicit RigidColliders(const World& world);
+
+    /// Moves the surfaces by a substep [s].
+    void advance(double time_step);
+    /// Writes the velocities after impulses to the world, and wakes the bodies that got any.
+    void apply_to(World& to, double time_step) const;
+    /// Whether a body is in contact with other rigid bodies, or asleep.
+    bool has_supports(int body) const;
+    void push(int body, const Vector3d& point, const Vector3d& impulse);
+
+    const World& world;
+    std::vector<Body> bodies;
+    std::vector<Pose> surfaces;
+    std::vector<char> is_pushed;
+};
+
+} // namespace rigor

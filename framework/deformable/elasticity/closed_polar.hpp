@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+// The polar decomposition in closed form, for one matrix or several at once.
+//
+// Of all rotations, that of F = R S has the largest Tr(Rᵀ F) = Tr S =: s. With the singular values
+// s₁ ≥ s₂ ≥ |s₃| of F (s₃ < 0 where F is inverted) s = s₁ + s₂ + s₃ is the largest root of
+//
+//     p(s) = s⁴ - 2 ‖F‖² s² - 8 det F s + ‖F‖⁴ - 4 ‖cof F‖²
+//
+// (Horn 1987, "Closed-form solution of absolute orientation using unit quaternions"; the other
+// roots have two signs turned). Newton's method falls to it from √3 ‖F‖. As s is the support
+// function of the rotations, R = ∂s/∂F = -∂p/∂F / ∂p/∂s:
+//
+//     R = ((s² + ‖F‖²) F + 2 s cof F - 2 F Fᵀ F) / (s³ - ‖F‖² s - 2 det F)
+//
+// The denominator is 2 (s₁ + s₂)(s₂ + s₃)(s₃ + s₁): 0 where R is not unique.
+#pragma once
+
+#include "formulas/types.hpp"
+
+#include <cmath>
+
+namespace rigor {
+
+/// A 3 × 3 matrix of numbers or of vector registers, row by row.
+template <class Number> struct Square3 {
+    Number a[3][3];
+};
+
+template <class Number>
+[[gnu::always_inline]] inline Square3<Number> cofactors(const Square3<Number>& F)
+{
+    Square3<Number> C;
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) {
+            const int k = (i + 1) % 3, l = (i + 2) % 3, m = (j + 1) % 3, n = (j + 2) % 3;
+            C.a[i][j] = F.a[k][m] * F.a[l][n] - F.a[k][n] * F.a[l][m];
+        }
+    return C;
+}
+
+template <class Number>
+[[gnu::always_inline]] inline Number dot(const Square3<Number>& A, const Square3<Number>& B)
+{
+    Number sum = A.a[0][0] * B.a[0][0];
+    for (int i = 1; i < 9; ++i)
+        sum += A.a[i / 3][i % 3] * B.a[i / 3][i % 3];
+    return sum;
+}
+
+/// Aᵀ B
+template <class Number>
+[[gnu::always_inline]] inline Square3<Number> transposed_times(const Square3<Number>& A,
+                                                               const Square3<Number>& B)
+{
+    Square3<Number> P;
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j)
+            P.a[i][j] = A.a[0][i] * B.a[0][j] + A.a[1][i] * B.a[1][j] + A.a[2][i] * B.a[2][j];
+    return P;
+}
+
+/// A B
+template <class Number>
+[[gnu::always_inline]] inline Square3<Number> times(const Square3<Number>& A,
+                                                    const Square3<Number>& B)
+{
+    Square3<Number> P;
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j)
+            P.a[i][j] = A.a[i][0] * B.a[0][j] + A.a[i][1] * B.a[1][j] + A.a[i][2] * B.a[2][j];
+    return P;
+}
+
+/// R and s of F, with an estimate of their accuracy.
+template <class Number> struct ClosedPolar {
+    Square3<Number> R;
+    Number s;            // Tr S
+    Number conditioning; // denominator / s³: 16/27 at rest, 0 where R is not unique
+    Number last_step;    // last step of Newton's method, over s
+};
+
+inline constexpr double small_step = 1e-12; // step of Newton's method over s from where on only
+                                            // rounding is left; it converges quadratically
+
+/// Whether the closed form is accurate. Below a conditioning of 0.01 cancellation costs two digits
+/// or more, and the caller takes the eigenvector instead.
+inline bool is_exact(double conditioning, double last_step)
+{
+    return conditioning > 0.01 && std::abs(last_step) < small_step;
+}
+
+/// @param start   √3 ‖F‖, not below s
+/// @param is_end  whether a step, over s, is small enough to stop after it; near rest the fourth
+/// one is
+template <class Number, class IsEnd>
+[[gnu::always_inline]] inline ClosedPolar<Number>
+closed_polar(const Square3<Number>& F, Number norm2, Number start, const IsEnd& is_end)
+{
+    const Square3<Number> C = cofactors(F);
+    const Number det = F.a[0][0] * C.a[0][0] + F.a[0][1] * C.a[0][1] + F.a[0][2] * C.a[0][2];
+    const Number p0 = norm2 * norm2 - 4.0 * dot(C, C), p1 = 8.0 * det, p2 = 2.0 * norm2;
+    Number s = start, step = start;
+    constexpr int most = 20;
+    for (int i = 0; i < most; ++i) {
+        const Number p = ((s * s - p2) * s - p1) * s + p0;
+        const Number dp = (4.0 * (s * s) - 2.0 * p2) * s - p1;
+        step = p / dp;
+        s -= step;
+        if (is_end(step / s)) break;
+    }
+    const Square3<Number> FFF = times(F, transposed_times(F, F));
+    ClosedPolar<Number> polar;
+    const Number denominator = (s * s - norm2) * s - 2.0 * det;
+    const Number f = (s * s + norm2) / denominator, c = 2.0 * s / denominator,
+                 q = 2.0 / denominator;
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j)
+            polar.R.a[i][j] = f * F.a[i][j] + c * C.a[i][j] - q * FFF.a[i][j];
+    polar.s = s;
+    polar.conditioning = denominator / (s * s * s);
+    polar.last_step = step / s;
+    return polar;
+}
+
+} // namespace rigor

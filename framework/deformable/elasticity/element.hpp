@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// Deformation, strain, stress and energy of one linear tetrahedron.
+#pragma once
+
+#include "deformable/solid/deformable.hpp"
+
+namespace rigor {
+
+/// F = ∂x/∂X of an element: [x₁ - x₀, x₂ - x₀, x₃ - x₀] [X₁ - X₀, X₂ - X₀, X₃ - X₀]⁻¹.
+Matrix3d deformation_gradient(const Deformable& solid, int element);
+
+/// ε - ε_p, ε = S - δ, in the element's rest space.
+Matrix3d elastic_strain(const Deformable& solid, int element);
+
+/// σ = λ Tr(ε - ε_p) δ + 2 G (ε - ε_p), by `isotropic_stress` [Pa].
+Matrix3d stress_of(const Deformable& solid, int element);
+
+/// Stress of each element by its elastic strain, in its rest space [Pa].
+std::vector<Matrix3d> element_stresses(const Deformable& solid);
+
+/// ½ σ : (ε - ε_p) [J/m³]
+double energy_density(const Deformable& solid, int element);
+
+/// Whether an element with these plastic and elastic strains is inverted: det (δ + ε_p + ε_e) ≤ 0.
+bool is_inverted(const Matrix3d& plastic, const Matrix3d& elastic);
+
+} // namespace rigor

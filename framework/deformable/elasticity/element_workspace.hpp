@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// The elements of a solid with their strains and neighbours.
+#pragma once
+
+#include "deformable/elasticity/elements.hpp"
+
+namespace rigor {
+
+/// Derived from a solid, for as long as its mesh and material stay the same.
+struct ElementWorkspace {
+    explicit ElementWorkspace(const Deformable& solid);
+
+    Elements elements;
+    std::vector<ElementStrain> strains;
+    std::vector<std::array<int, 4>> face_neighbours;
+    std::vector<std::vector<int>> stress_neighbours; // for each element, across uncracked faces
+};
+
+} // namespace rigor

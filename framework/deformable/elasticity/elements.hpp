@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+// Forces and strains of all elements of a solid. Data is laid out for the inner loop, which
+// computes two elements at once in vector registers.
+#pragma once
+
+#include "deformable/elasticity/closed_polar.hpp"
+#include "deformable/solid/deformable.hpp"
+
+#include <span>
+
+namespace rigor {
+
+/// One number for each of two elements.
+using Two [[gnu::vector_size(16)]] = double;
+
+/// What the inner loop reads for two elements. If the number of elements is odd, the last one is
+/// paired with a copy of itself of volume 0.
+struct ElementPair {
+    int nodes[2][4];
+    Square3<Two> B; // [X₁ - X₀, X₂ - X₀, X₃ - X₀]⁻¹ [1/m]; its row i is ∇N of corner i + 1
+    Two volume;     // volume of matter [m³]
+    Two plastic[6]; // ε_p: xx, yy, zz, xy, xz, yz
+    bool is_plastic;
+};
+
+/// The elastic part of an element's strain, and its rotation.
+struct ElementStrain {
+    Matrix3d R, elastic;
+};
+
+class Elements {
+public:
+    explicit Elements(const Deformable& solid);
+
+    int size() const { return size_; }
+
+    /// Adds to each node the elastic and the damping forces of its elements, -V P ∇N [N].
+    ///
+    /// P = R (σ - [z]×), with σ of the elastic strain and of β times the strain's rate. Where σ and
+    /// S do not commute, for plastic strain or damping, z = (s δ - S)⁻¹ axial(σ S - S σ) makes P
+    /// the derivative of an energy that depends on S alone; so no element turns itself.
+    void add_forces(std::span<const Vector3d> positions, std::span<const Vector3d> velocities,
+                    std::vector<Vector3d>& forces) const;
+
+    void add_elastic_forces(std::span<const Vector3d> positions,
+                            std::vector<Vector3d>& forces) const;
+
+    /// R and ε - ε_p of each element at these positions.
+    void strains(std::span<const Vector3d> positions, std::vector<ElementStrain>& strains) const;
+
+    void set_plastic_strain(int element, const Matrix3d& strain);
+
+    /// ∇N of each corner, in its rest space [1/m].
+    std::array<Vector3d, 4> gradients(int element) const;
+    double volume(int element) const { return pairs_[element / 2].volume[element % 2]; }
+    std::array<int, 4> nodes(int element) const;
+
+private:
+    template <bool is_damped>
+    void add(std::span<const Vector3d> positions, std::span<const Vector3d> velocities,
+             std::vector<Vector3d>& forces) const;
+
+    std::vector<ElementPair> pairs_;
+    int size_ = 0;
+    double lambda_ = 0, G_ = 0, beta_ = 0;
+};
+
+} // namespace rigor

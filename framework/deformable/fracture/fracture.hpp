@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// Cracks where the stress of a solid exceeds its strength.
+#pragma once
+
+#include "deformable/elasticity/element_workspace.hpp"
+
+namespace rigor {
+
+/// Opens cracks where the largest principal value of the smoothed stress exceeds the strength. The
+/// most stressed elements come first, with at most one crack at a node and `most_cracks` in a step.
+/// The mesh is then split along them.
+///
+/// Eigenvalues are skipped where a bound shows that there is no crack: none exceeds the mean stress
+/// plus ⅔ of the von Mises stress, and none of a smoothed stress exceeds the largest one that was
+/// averaged.
+void fracture(Deformable& solid, const ElementWorkspace& work, World& world);
+
+/// A crack changes the stress around it, which only the next step can see: more at once would
+/// splinter the solid.
+inline constexpr int most_cracks = 64;
+
+} // namespace rigor

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// Elements that stay inverted have failed and are separated from the solid.
+#pragma once
+
+#include "deformable/elasticity/element_workspace.hpp"
+#include "deformable/solid/handles.hpp"
+
+namespace rigor {
+
+/// Gives an element that shares no node with others its shape without stress, R (δ + ε_p) X, and
+/// the motion of a rigid body. Mass, center of mass, momentum and angular momentum stay the same;
+/// energy is lost. If it spins so fast that it would gain energy, it is left as it is.
+/// @return whether it was changed
+bool relax_element(Deformable& solid, int element);
+
+/// Separates elements that have been inverted for too long along all their faces, and relaxes them.
+///
+/// The elastic force on an inverted element is bounded, so neighbours at the limit of their plastic
+/// strain can hold it inverted for ever. The time does not count for elements with a node that a
+/// handle holds.
+/// @return whether there were any; strains from before are then out of date
+bool separate_inverted_elements(Deformable& solid, const ElementWorkspace& work,
+                                const std::vector<HeldNode>& held, World& world, double time_step);
+
+} // namespace rigor

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+// Finds by trial which contacts hold, stick or slide in a step of backward Euler: an active-set
+// method. Each round ties the nodes of the contacts that hold, solves the linear system and
+// corrects every contact that pulls, penetrates, or whose friction does not fit Coulomb's law.
+// Sliding friction enters the system as a damping, the friction force over the sliding speed, which
+// the rounds iterate to its fixed point.
+#include "deformable/motion/contact_set.hpp"
+
+#include "formulas/collision.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rigor {
+
+namespace {
+
+// Penetration at which a free contact starts to hold, over the solid's radius: well above what
+// rounding and the tolerance of the linear solve leave of a tied node.
+constexpr double penetration_tolerance = 1e-6;
+// Relative error of the friction force of a sliding contact that needs no further round.
+constexpr double friction_tolerance = 1e-3;
+// Damping of a sliding contact over the trace of its node's block of the matrix. From here on the
+// node hardly slides, and a larger value would spoil the condition of the system: the contact
+// sticks.
+constexpr double largest_damping = 1e3;
+
+} // namespace
+
+Vector3d ContactSet::arm(const NodeContact& c) const
+{
+    return step_->solid.positions[c.node] - step_->rigid.bodies[c.body].position;
+}
+
+void ContactSet::guess(const ContactStep& step)
+{
+    step_.emplace(step);
+    holds_.assign(step.contacts.size(), Hold::off);
+    dampings_.assign(step.contacts.size(), 0.0);
+    impulses_.assign(step.contacts.size(), Vector3d::Zero());
+    const double h = step.time_step;
+    for (std::size_t k = 0; k < step.contacts.size(); ++k) {
+        const NodeContact& c = step.contacts[k];
+        if (step.is_held[c.node]) continue;
+        const Vector3d v = step.solid.velocities[c.node] + h * step.gravity;
+        const Vector3d surface = step.bodies.velocity_before(step.rigid, c.body, arm(c));
+        if (c.gap + h * c.normal.dot(v - surface) < 0)
+            holds_[k] = c.friction > 0 ? Hold::sticking : Hold::sliding;
+    }
+}
+
+void ContactSet::choose_ties()
+{
+    const auto& contacts = step_->contacts;
+    tied_by_.assign(step_->solid.positions.size(), -1);
+    for (int k = 0; k < static_cast<int>(contacts.size()); ++k) {
+        int& by = tied_by_[contacts[k].node];
+        if (holds_[k] != Hold::off && (by < 0 || contacts[k].gap < contacts[by].gap)) by = k;
+    }
+}
+
+TiedNode ContactSet::tie(int k) const
+{
+    const NodeContact& c = step_->contacts[k];
+    const int number = step_->bodies.number(c.body);
+    // closes a gap within the step
+    Vector3d surface = -std::max(c.gap, 0.0) / step_->time_step * c.normal;
+    if (number < 0) surface += step_->bodies.velocity_before(step_->rigid, c.body, arm(c));
+    const bool slides = holds_[k] == Hold::sliding;
+    const Matrix3d N = slides ? Matrix3d(c.normal * c.normal.transpose()) : Matrix3d::Identity();
+    return {c.node, N, surface, number, arm(c), slides ? dampings_[k] : 0};
+}
+
+bool ContactSet::revise(int k, const Vector3d& velocity, const Matrix3d& diagonal)
+{
+    return is_tied(k) ? revise_tied(k, velocity, diagonal) : revise_free(k, velocity);
+}
+
+bool ContactSet::revise_free(int k, const Vector3d& velocity)
+{
+    const NodeContact& c = step_->contacts[k];
+    if (holds_[k] != Hold::off || step_->is_held[c.node]) return false;
+    const Vector3d surface = step_->bodies.velocity_after(step_->rigid, c.body, arm(c));
+    const double depth = -(c.gap + step_->time_step * c.normal.dot(velocity - surface));
+    if (depth <= penetration_tolerance * step_->radius) return false;
+    // A contact that was let go in this step would be let go again if it stuck: it slides.
+    const bool is_new = impulses_[k].isZero();
+    holds_[k] = is_new && c.friction > 0 ? Hold::sticking : Hold::sliding;
+    return true;
+}
+
+bool ContactSet::revise_tied(int k, const Vector3d& velocity, const Matrix3d& diagonal)
+{
+    const NodeContact& c = step_->contacts[k];
+    const Vector3d n = c.normal, j = impulses_[k];
+    const double j_n = n.dot(j);
+    if (j_n < 0) { // it would pull
+        holds_[k] = Hold::off;
+        return true;
+    }
+    if (c.friction == 0) return false;
+    const double most = c.friction * j_n; // friction impulse of a node that slides [N s]
+    double& d = dampings_[k];
+    const double largest = largest_damping * diagonal.trace();
+    if (holds_[k] == Hold::sticking) {
+        if (inside_friction_cone(j, n, c.friction)) return false;
+        holds_[k] = Hold::sliding;
+        const Vector3d v = step_->solid.velocities[c.node] + step_->time_step * step_->gravity;
+        d = std::min(most / slip_speed(c, v), largest);
+        return true;
+    }
+    const double speed = slip_speed(c, velocity);
+    if (std::abs(d * speed - most) <= friction_tolerance * most) return false;
+    d = most / speed;
+    if (!(d < largest)) holds_[k] = Hold::sticking;
+    return true;
+}
+
+double ContactSet::slip_speed(const NodeContact& c, const Vector3d& velocity) const
+{
+    const Vector3d v = velocity - step_->bodies.velocity_after(step_->rigid, c.body, arm(c));
+    return (v - c.normal.dot(v) * c.normal).norm();
+}
+
+} // namespace rigor

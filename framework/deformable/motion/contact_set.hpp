@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+// The active set of the contacts in an implicit step: which of them hold their nodes, and whether
+// these stick or slide.
+#pragma once
+
+#include "deformable/motion/joined_bodies.hpp"
+
+#include <optional>
+
+namespace rigor {
+
+/// What the contacts of a step depend on. It stays as it is while the step solves.
+struct ContactStep {
+    const Deformable& solid;
+    const RigidColliders& rigid;
+    const JoinedBodies& bodies;
+    const std::vector<NodeContact>& contacts;
+    const std::vector<char>& is_held; // for each node, whether a handle holds it
+    Vector3d gravity;                 // [m/s²]
+    double time_step = 0;             // h [s]
+    double radius = 0;                // half the extent of the solid [m]
+};
+
+/// How a contact holds its node.
+enum class Hold : char { off, sticking, sliding };
+
+class ContactSet {
+public:
+    /// A first guess for each contact: it sticks if the node would be inside the body after the
+    /// step.
+    void guess(const ContactStep& step);
+
+    /// Chooses for each node the contact that ties it: the deepest of those that hold.
+    void choose_ties();
+    /// Whether the node of a contact is tied by it.
+    bool is_tied(int k) const { return tied_by_[step_->contacts[k].node] == k; }
+    /// For each node, the contact that ties it; -1: none.
+    const std::vector<int>& tied_by() const { return tied_by_; }
+    /// The tie that a contact is in the linear system.
+    TiedNode tie(int k) const;
+
+    /// What a tie gave its node in the latest solve [N s].
+    void set_impulse(int k, const Vector3d& impulse) { impulses_[k] = impulse; }
+    const Vector3d& impulse(int k) const { return impulses_[k]; }
+
+    /// Corrects a contact after a solve.
+    ///
+    /// @param velocity  of its node, as solved for [m/s]
+    /// @param diagonal  block of the node in the system's matrix [kg]
+    /// @return whether it changed, so that its part has to be solved for again
+    bool revise(int k, const Vector3d& velocity, const Matrix3d& diagonal);
+
+private:
+    Vector3d arm(const NodeContact& contact) const;
+    bool revise_free(int k, const Vector3d& velocity);
+    bool revise_tied(int k, const Vector3d& velocity, const Matrix3d& diagonal);
+    double slip_speed(const NodeContact& contact, const Vector3d& velocity) const;
+
+    std::optional<ContactStep> step_;
+    std::vector<Hold> holds_;        // for each contact
+    std::vector<double> dampings_;   // for each contact that slides: friction over speed [kg]
+    std::vector<Vector3d> impulses_; // for each contact, on its node [N s]
+    std::vector<int> tied_by_;       // for each node
+};
+
+} // namespace rigor

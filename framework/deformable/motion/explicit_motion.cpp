@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+// Moves the nodes of a solid by substeps of symplectic Euler. Each substep measures the contacts,
+// applies restitution, integrates the forces, applies contact impulses and moves the nodes. At its
+// end positions of nodes inside bodies are corrected.
+#include "deformable/motion/explicit_motion.hpp"
+
+#include "deformable/contact/node_collisions.hpp"
+#include "deformable/motion/stable_step.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rigor {
+
+namespace {
+
+constexpr double safety = 0.9; // share of the stable step near rest; large deformations need less
+
+void accelerate(const NodeMotion& motion, double time, double h)
+{
+    Deformable& solid = motion.solid;
+    auto& f = motion.work.forces;
+    std::fill(f.begin(), f.end(), Vector3d::Zero());
+    motion.work.elements.add_forces(solid.positions, solid.velocities, f);
+    add_loads(solid, motion.gravity, time, f);
+    const double slowed = 1 / (1 + h * solid.material.drag);
+    for (std::size_t i = 0; i < f.size(); ++i)
+        solid.velocities[i] = slowed * (solid.velocities[i] + h / solid.masses[i] * f[i]);
+}
+
+} // namespace
+
+void move_explicitly(const NodeMotion& motion)
+{
+    Deformable& solid = motion.solid;
+    Workspace& work = motion.work;
+    const double step = motion.time_step;
+    if (work.stable_step == 0) work.stable_step = stable_step(solid, work.elements);
+    const int substeps =
+        std::max(1, static_cast<int>(std::ceil(step / (safety * work.stable_step))));
+    const double h = step / substeps;
+    motion.counters.deformable_substeps += substeps;
+    for (int k = 0; k < substeps; ++k) {
+        const double time = motion.start + k * h;
+        hold_nodes(solid, time + h, h, work.held);
+        for (const HeldNode& held : work.held)
+            work.is_held[held.node] = 1;
+        const auto collide = [&](bool with_restitution) {
+            collide_nodes(solid, work.is_held, work.contacts, motion.rigid, h, with_restitution,
+                          motion.counters);
+        };
+        work.contacts.measure(solid, motion.rigid);
+        collide(true);
+        accelerate(motion, time, h);
+        move_held(work.held, solid.velocities);
+        collide(false);
+        for (std::size_t i = 0; i < solid.positions.size(); ++i)
+            solid.positions[i] += h * solid.velocities[i];
+        correct_positions(solid, work.is_held, work.contacts, h / step, h * motion.radius);
+        motion.rigid.advance(h);
+        for (const HeldNode& held : work.held)
+            work.is_held[held.node] = 0;
+    }
+}
+
+} // namespace rigor

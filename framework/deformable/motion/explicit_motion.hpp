@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+// Explicit integration of the nodes.
+#pragma once
+
+#include "deformable/motion/node_motion.hpp"
+
+namespace rigor {
+
+/// Symplectic Euler in substeps that are stable: v += h f(x, v)/m, then x += h v. Drag as
+/// v/(1 + α h).
+void move_explicitly(const NodeMotion& motion);
+
+} // namespace rigor

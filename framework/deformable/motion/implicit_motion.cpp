@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+// Moves the nodes of a solid by one step of backward Euler, linearised at its start with the
+// rotations of the elements kept (Baraff and Witkin 1998, "Large steps in cloth simulation"; Müller
+// and Gross 2004). First restitution acts on the velocities, then the linear system is solved in
+// rounds until no contact changes, then impulses go to the rigid bodies and the positions follow
+// the new velocities.
+#include "deformable/motion/implicit_motion.hpp"
+
+#include "deformable/contact/node_collisions.hpp"
+
+#include <algorithm>
+
+namespace rigor {
+
+namespace {
+
+// Solves of the linear system in one step. Contacts that still change after so many rounds are
+// taken as they are: the next step begins with a new guess.
+constexpr int most_rounds = 10;
+
+Matrix3d axes_of(const HeldNode& held)
+{
+    return Vector3d(held.axes[0], held.axes[1], held.axes[2]).asDiagonal();
+}
+
+void assemble_system(const NodeMotion& motion)
+{
+    const Deformable& solid = motion.solid;
+    Workspace& work = motion.work;
+    work.elements.strains(solid.positions, work.strains);
+    std::fill(work.forces.begin(), work.forces.end(), Vector3d::Zero());
+    work.elements.add_elastic_forces(solid.positions, work.forces);
+    add_loads(solid, motion.gravity, motion.start, work.forces);
+    work.velocity_system.assemble(solid, work, work.forces, motion.time_step);
+}
+
+// Parts that may touch the same joined bodies are solved for together.
+// @return whether a part is open whose contacts reach a joined body
+bool open_coupled_parts(Workspace& work)
+{
+    if (work.bodies.is_empty()) return false;
+    const auto is_joined = [&](const NodeContact& c) { return work.bodies.number(c.body) >= 0; };
+    const auto& contacts = work.contacts.all();
+    const bool any = std::any_of(contacts.begin(), contacts.end(), [&](const NodeContact& c) {
+        return is_joined(c) && work.parts.is_open(c.node);
+    });
+    if (any)
+        for (const NodeContact& c : contacts)
+            if (is_joined(c)) work.parts.open(c.node);
+    return any;
+}
+
+void tie_nodes(Workspace& work)
+{
+    std::vector<TiedNode>& ties = work.velocity_system.ties;
+    ties.clear();
+    for (const HeldNode& held : work.held)
+        if (work.parts.is_open(held.node))
+            ties.push_back({held.node, axes_of(held), held.velocity, -1, Vector3d::Zero(), 0});
+    work.contact_set.choose_ties();
+    const auto& contacts = work.contacts.all();
+    for (int k = 0; k < static_cast<int>(contacts.size()); ++k)
+        if (work.contact_set.is_tied(k) && work.parts.is_open(contacts[k].node))
+            ties.push_back(work.contact_set.tie(k));
+}
+
+void note_impulses(Workspace& work)
+{
+    const auto& contacts = work.contacts.all();
+    if (contacts.empty()) return;
+    VelocitySystem& s = work.velocity_system;
+    const auto& impulses = s.system.residual(s.momenta, work.parts.nodes(), s.velocities);
+    for (int k = 0; k < static_cast<int>(contacts.size()); ++k)
+        if (work.contact_set.is_tied(k) && work.parts.is_open(contacts[k].node))
+            work.contact_set.set_impulse(k, impulses[contacts[k].node]);
+}
+
+// A part stays open if one of its contacts changed.
+void revise_contacts(Workspace& work)
+{
+    const VelocitySystem& s = work.velocity_system;
+    const auto& contacts = work.contacts.all();
+    work.parts.close_all();
+    for (int k = 0; k < static_cast<int>(contacts.size()); ++k) {
+        const int node = contacts[k].node;
+        if (work.parts.was_open(node) &&
+            work.contact_set.revise(k, s.velocities[node], s.system.matrix().diagonal(node)))
+            work.parts.open(node);
+    }
+}
+
+void solve_with_contacts(const NodeMotion& motion)
+{
+    Workspace& work = motion.work;
+    VelocitySystem& s = work.velocity_system;
+    work.parts.open_all(s.system.matrix());
+    for (int round = 0; round < most_rounds; ++round) {
+        const bool with_bodies = open_coupled_parts(work);
+        if (!work.parts.collect_nodes()) break;
+        tie_nodes(work);
+        auto& bodies = with_bodies ? work.bodies.restart() : work.no_bodies;
+        motion.counters.solver_iterations +=
+            s.system.solve(s.momenta, work.parts.nodes(), s.ties, bodies, s.velocities);
+        ++motion.counters.system_solves;
+        note_impulses(work);
+        revise_contacts(work);
+    }
+}
+
+void push_bodies(const NodeMotion& motion)
+{
+    const auto& contacts = motion.work.contacts.all();
+    const ContactSet& set = motion.work.contact_set;
+    for (int k = 0; k < static_cast<int>(contacts.size()); ++k) {
+        if (!set.is_tied(k)) continue;
+        const NodeContact& c = contacts[k];
+        motion.rigid.push(c.body, motion.solid.positions[c.node], -set.impulse(k));
+        ++motion.counters.node_impulses;
+    }
+}
+
+} // namespace
+
+void move_implicitly(const NodeMotion& motion)
+{
+    Deformable& solid = motion.solid;
+    Workspace& work = motion.work;
+    const double h = motion.time_step;
+    ++motion.counters.deformable_substeps;
+    hold_nodes(solid, motion.start + h, h, work.held);
+    for (const HeldNode& held : work.held)
+        work.is_held[held.node] = 1;
+    work.contacts.measure(solid, motion.rigid);
+    collide_nodes(solid, work.is_held, work.contacts, motion.rigid, h, true, motion.counters);
+
+    assemble_system(motion);
+    const auto& contacts = work.contacts.all();
+    work.bodies.join(motion.rigid, contacts, h);
+    work.contact_set.guess({solid, motion.rigid, work.bodies, contacts, work.is_held,
+                            motion.gravity, h, motion.radius});
+    solve_with_contacts(motion);
+    work.velocity_system.restore_momentum(solid, work.held, work.contact_set.tied_by(), h);
+
+    push_bodies(motion);
+    solid.velocities = work.velocity_system.velocities;
+    for (std::size_t i = 0; i < solid.positions.size(); ++i)
+        solid.positions[i] += h * solid.velocities[i];
+    correct_positions(solid, work.is_held, work.contacts, 1, h * motion.radius);
+    for (const HeldNode& held : work.held)
+        work.is_held[held.node] = 0;
+}
+
+} // namespace rigor

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// Which parts of a solid an implicit step still solves for.
+#pragma once
+
+#include "deformable/solvers/block_matrix.hpp"
+
+namespace rigor {
+
+/// A part stays open for another solve as long as its contacts change.
+class OpenParts {
+public:
+    /// Opens all parts of a system.
+    void open_all(const BlockMatrix& matrix);
+    /// Closes all parts, to be opened again one by one. `was_open` tells which were open until now.
+    void close_all();
+
+    bool is_open(int node) const { return is_open_[matrix_->part_of(node)] != 0; }
+    bool was_open(int node) const { return was_open_[matrix_->part_of(node)] != 0; }
+    void open(int node) { is_open_[matrix_->part_of(node)] = 1; }
+
+    /// Lists the nodes of the open parts. @return whether there are any
+    bool collect_nodes();
+    /// As listed by `collect_nodes`, ascending.
+    const std::vector<int>& nodes() const { return nodes_; }
+
+private:
+    const BlockMatrix* matrix_ = nullptr;
+    std::vector<char> is_open_, was_open_; // for each part
+    std::vector<int> nodes_;
+};
+
+} // namespace rigor

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// The stable time step of explicit integration.
+#pragma once
+
+#include "deformable/elasticity/elements.hpp"
+
+namespace rigor {
+
+/// The longest substep for which symplectic Euler is stable near rest [s]:
+///
+///     h = √(β² + 4/ω²) - β,    ω² ≤ max over the elements of the largest eigenvalue of M_e⁻¹ K_e
+///
+/// As vᵀ K v = Σ vₑᵀ Kₑ vₑ ≤ max λₑ Σ vₑᵀ Mₑ vₑ, this holds for any way to share a node's mass
+/// among its elements (Irons and Treharne 1971). A stiff element gets more of it: each node's mass
+/// is shared as V |∇N|², so that a sliver beside large elements does not rule.
+double stable_step(const Deformable& solid, const Elements& elements);
+
+} // namespace rigor

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#include "deformable/solid/handles.hpp"
+
+#include <algorithm>
+
+namespace rigor {
+
+namespace {
+
+// Linear between two moments, constant before the first and after the last.
+HandleMoment moment_at(const std::vector<HandleMoment>& path, double time)
+{
+    const auto after = std::upper_bound(path.begin(), path.end(), time,
+                                        [](double t, const HandleMoment& m) { return t < m.time; });
+    if (after == path.begin()) return path.front();
+    if (after == path.end()) return path.back();
+    const HandleMoment &a = after[-1], &b = *after;
+    const double s = (time - a.time) / (b.time - a.time);
+    return {time, a.displacement + s * (b.displacement - a.displacement),
+            a.rotation + s * (b.rotation - a.rotation)};
+}
+
+Matrix3d rotation_by(const Vector3d& axis_times_angle)
+{
+    const double angle = axis_times_angle.norm();
+    if (angle == 0) return Matrix3d::Identity();
+    return Eigen::AngleAxisd(angle, axis_times_angle / angle).toRotationMatrix();
+}
+
+} // namespace
+
+void remember_first_places(Deformable& solid)
+{
+    for (Handle& handle : solid.handles) {
+        if (handle.first_places.size() == handle.nodes.size()) continue;
+        handle.first_places.clear();
+        for (const int node : handle.nodes)
+            handle.first_places.push_back(solid.positions[node]);
+    }
+}
+
+void hold_nodes(const Deformable& solid, double time, double time_step, std::vector<HeldNode>& held)
+{
+    held.clear();
+    for (const Handle& handle : solid.handles) {
+        if (time > handle.release) continue;
+        HandleMoment moment;
+        if (!handle.path.empty()) moment = moment_at(handle.path, time);
+        const Matrix3d R = rotation_by(moment.rotation);
+        for (std::size_t k = 0; k < handle.nodes.size(); ++k) {
+            const int node = handle.nodes[k];
+            const Vector3d place =
+                handle.path.empty() ? handle.first_places[k]
+                                    : handle.pivot + R * (handle.first_places[k] - handle.pivot) +
+                                          moment.displacement;
+            held.push_back({node, handle.axes, (place - solid.positions[node]) / time_step});
+        }
+    }
+}
+
+void move_held(const std::vector<HeldNode>& held, std::vector<Vector3d>& velocities)
+{
+    for (const HeldNode& h : held)
+        for (int axis = 0; axis < 3; ++axis)
+            if (h.axes[axis]) velocities[h.node][axis] = h.velocity[axis];
+}
+
+void add_loads(const Deformable& solid, const Vector3d& gravity, double time,
+               std::vector<Vector3d>& forces)
+{
+    for (std::size_t i = 0; i < forces.size(); ++i)
+        forces[i] += solid.masses[i] * gravity;
+    for (const NodeLoad& load : solid.loads)
+        if (time >= load.start && time < load.end)
+            for (const int node : load.nodes)
+                forces[node] += load.force / static_cast<double>(load.nodes.size());
+}
+
+} // namespace rigor

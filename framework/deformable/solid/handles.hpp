@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// Prescribed motion of nodes, and the forces on them from outside.
+#pragma once
+
+#include "deformable/solid/deformable.hpp"
+
+namespace rigor {
+
+/// A node of which a handle prescribes some coordinates.
+struct HeldNode {
+    int node = 0;
+    std::array<bool, 3> axes = {true, true, true};
+    Vector3d velocity = Vector3d::Zero(); // takes those coordinates to their place [m/s]
+};
+
+/// Records the initial places of the nodes of handles that have none yet.
+void remember_first_places(Deformable& solid);
+
+/// The nodes that handles hold in a substep that ends at `time`, with the velocities that take them
+/// to their places. Where several handles hold a coordinate, the last one counts.
+void hold_nodes(const Deformable& solid, double time, double time_step,
+                std::vector<HeldNode>& held);
+
+/// Sets the prescribed coordinates of the velocities of held nodes.
+void move_held(const std::vector<HeldNode>& held, std::vector<Vector3d>& velocities);
+
+/// Adds gravity and the loads that act at `time` to the forces on nodes [N].
+void add_loads(const Deformable& solid, const Vector3d& gravity, double time,
+               std::vector<Vector3d>& forces);
+
+} // namespace rigor

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// Mass of a solid, lumped at its nodes.
+#pragma once
+
+#include "deformable/solid/deformable.hpp"
+
+namespace rigor {
+
+/// Volume of the matter in an element at rest [m³]. In a virtual-node copy matter fills only a part
+/// of the element.
+double matter_volume(const Deformable& solid, int element);
+
+/// Mass of each node: a quarter of the mass of each of its elements [kg].
+std::vector<double> lumped_masses(const Deformable& solid);
+
+} // namespace rigor

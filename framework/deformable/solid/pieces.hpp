@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+// The connected pieces of a solid.
+#pragma once
+
+#include "deformable/solid/deformable.hpp"
+
+namespace rigor {
+
+/// For each element, the number of the piece that it belongs to, from 0. Elements that share a
+/// vertex are in the same piece.
+std::vector<int> pieces(const Deformable& solid);
+
+} // namespace rigor

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// The matrix of the implicit system of a solid, in 3 × 3 blocks.
+#pragma once
+
+#include "deformable/elasticity/elements.hpp"
+
+namespace rigor {
+
+/// A symmetric matrix with a block for each pair of nodes that share an element. It is block
+/// diagonal with a block for each of its parts: the pieces of the solid, which nothing but rigid
+/// bodies joins. So they are solved for together or apart.
+class BlockMatrix {
+public:
+    /// The places of the blocks: once for a mesh.
+    void analyse(const Elements& elements, int nodes);
+
+    /// The blocks: once a step.
+    void assemble(const Elements& elements, const std::vector<ElementStrain>& strains,
+                  const std::vector<double>& masses, const SolidMaterial& material,
+                  double time_step);
+
+    /// y ← A x for these nodes, all of some parts.
+    void multiply(const std::vector<int>& nodes, const std::vector<Vector3d>& x,
+                  std::vector<Vector3d>& y) const;
+
+    int nodes() const { return nodes_; }
+    int parts() const { return parts_; }
+    int part_of(int node) const { return part_of_[node]; }
+
+    // The blocks on and above the diagonal are kept, row by row.
+    const std::vector<int>& row_starts() const { return row_starts_; }
+    const std::vector<int>& columns() const { return columns_; }
+    const std::vector<Matrix3d>& blocks() const { return blocks_; }
+    int diagonal_place(int node) const { return diagonal_[node]; }
+    const Matrix3d& diagonal(int node) const { return blocks_[diagonal_[node]]; }
+
+    /// Calls `visit(i, j, A_ij)` for each block that is kept: those with i ≤ j.
+    template <class Visit> void for_each_block(const Visit& visit) const
+    {
+        for (int i = 0; i < nodes_; ++i)
+            for (int k = row_starts_[i]; k < row_starts_[i + 1]; ++k)
+                visit(i, columns_[k], blocks_[k]);
+    }
+
+private:
+    void find_parts();
+
+    int nodes_ = 0, parts_ = 0;
+    std::vector<int> part_of_; // for each node
+    std::vector<int> row_starts_, columns_, diagonal_;
+    std::vector<Matrix3d> blocks_;
+    std::vector<std::array<int, 10>> places_; // for each element, its blocks ij, i ≤ j
+};
+
+} // namespace rigor

@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: MIT
+// Solves the system of backward Euler by preconditioned conjugate gradients (Hestenes and Stiefel
+// 1952). Tied coordinates are projected out in each iteration, as in Baraff and Witkin 1998, "Large
+// steps in cloth simulation". First comes the preconditioner, a factorisation with the ties or the
+// inverse diagonal blocks, then a start that the ties allow, then the iterations.
+#include "deformable/solvers/implicit_system.hpp"
+
+#include <algorithm>
+
+namespace rigor {
+
+using Vectors = std::vector<Vector3d>;
+
+void ImplicitSystem::analyse(const Elements& elements, int nodes)
+{
+    matrix_.analyse(elements, nodes);
+    nodes_ = nodes;
+    inverse_diagonal_.resize(nodes);
+    // Products of blocks that a factorisation may take, for each block of A. An iteration of
+    // conjugate gradients takes two products of a block and a vector for each: above this limit it
+    // is cheaper to iterate.
+    constexpr double most_work = 40;
+    is_factor_cheap_ = factor_.analyse(matrix_.row_starts(), matrix_.columns(),
+                                       most_work * static_cast<double>(matrix_.blocks().size()));
+    if (!is_factor_cheap_) return;
+    tied_blocks_.resize(matrix_.blocks().size());
+    free_.resize(nodes);
+    is_tied_.resize(nodes);
+}
+
+void ImplicitSystem::multiply(const Vectors& x, Vectors& y) const
+{
+    matrix_.multiply(*active_, x, y);
+    for (std::size_t b = 0; b < bodies_->size(); ++b) {
+        y[nodes_ + 2 * b] = (*bodies_)[b].mass * x[nodes_ + 2 * b];
+        y[nodes_ + 2 * b + 1] = (*bodies_)[b].inertia * x[nodes_ + 2 * b + 1];
+    }
+}
+
+double ImplicitSystem::dot(const Vectors& a, const Vectors& b) const
+{
+    double sum = 0;
+    for (const int i : *active_)
+        sum += a[i].dot(b[i]);
+    for (std::size_t i = nodes_; i < nodes_ + 2 * bodies_->size(); ++i)
+        sum += a[i].dot(b[i]);
+    return sum;
+}
+
+// x ← T x: tied coordinates get the velocities of their bodies.
+void ImplicitSystem::expand(Vectors& x) const
+{
+    for (const TiedNode& t : *tied_) {
+        Vector3d& v = x[t.node];
+        v -= t.N * v;
+        if (t.body < 0) continue;
+        const Vector3d &V = x[nodes_ + 2 * t.body], &w = x[nodes_ + 2 * t.body + 1];
+        v += t.N * (V + w.cross(t.r));
+    }
+}
+
+// x ← Tᵀ x: impulses on tied coordinates act on their bodies.
+void ImplicitSystem::reduce(Vectors& x) const
+{
+    for (const TiedNode& t : *tied_) {
+        const Vector3d f = t.N * x[t.node];
+        x[t.node] -= f;
+        if (t.body < 0) continue;
+        x[nodes_ + 2 * t.body] += f;
+        x[nodes_ + 2 * t.body + 1] += t.r.cross(f);
+    }
+}
+
+// d (δ - N) (v - V - ω × r)
+Vector3d ImplicitSystem::damping_impulse(const TiedNode& t, const Vectors& x) const
+{
+    Vector3d v = x[t.node];
+    if (t.body >= 0) v -= x[nodes_ + 2 * t.body] + x[nodes_ + 2 * t.body + 1].cross(t.r);
+    return t.damping * (v - t.N * v);
+}
+
+void ImplicitSystem::add_damping(const Vectors& x, Vectors& y) const
+{
+    for (const TiedNode& t : *tied_) {
+        if (t.damping == 0) continue;
+        const Vector3d f = damping_impulse(t, x);
+        y[t.node] += f;
+        if (t.body < 0) continue;
+        y[nodes_ + 2 * t.body] -= f;
+        y[nodes_ + 2 * t.body + 1] -= t.r.cross(f);
+    }
+}
+
+// Factorises A with the ties for the active nodes: P (A + d) P + s N, with P = δ - N of each node.
+void ImplicitSystem::factorise()
+{
+    for (const int i : *active_) {
+        free_[i].setIdentity();
+        is_tied_[i] = 0;
+    }
+    for (const TiedNode& t : *tied_) {
+        free_[t.node] = free_[t.node] * (Matrix3d::Identity() - t.N);
+        is_tied_[t.node] = 1;
+    }
+    const auto& row_starts = matrix_.row_starts();
+    const auto& blocks = matrix_.blocks();
+    for (const int i : *active_)
+        for (int k = row_starts[i]; k < row_starts[i + 1]; ++k) {
+            const int j = matrix_.columns()[k];
+            tied_blocks_[k] = blocks[k];
+            if (!is_tied_[i] && !is_tied_[j]) continue;
+            tied_blocks_[k] = free_[i].transpose() * blocks[k] * free_[j];
+            if (i == j) tied_blocks_[k] += blocks[k].trace() * (Matrix3d::Identity() - free_[i]);
+        }
+    for (const TiedNode& t : *tied_)
+        tied_blocks_[matrix_.diagonal_place(t.node)] += t.damping * free_[t.node];
+    factor_.steps_of(*active_, steps_);
+    factor_.factorise(steps_, tied_blocks_);
+}
+
+void ImplicitSystem::prepare_preconditioner(const std::vector<SystemBody>& bodies)
+{
+    if (is_factor_cheap_)
+        factorise();
+    else
+        for (const int i : *active_)
+            inverse_diagonal_[i] = matrix_.diagonal(i).inverse();
+    inverse_bodies_.assign(bodies.size(), Matrix6d::Zero());
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+        inverse_bodies_[b].topLeftCorner<3, 3>() = bodies[b].mass * Matrix3d::Identity();
+        inverse_bodies_[b].bottomRightCorner<3, 3>() = bodies[b].inertia;
+    }
+    for (const TiedNode& t : *tied_) {
+        const Matrix3d& A = matrix_.diagonal(t.node);
+        if (!is_factor_cheap_) {
+            const Matrix3d P = Matrix3d::Identity() - t.N;
+            const Matrix3d free = P * A * P + t.damping * P + A.trace() * t.N;
+            inverse_diagonal_[t.node] = P * free.inverse() * P;
+        }
+        if (t.body < 0) continue;
+        Eigen::Matrix<double, 3, 6> J; // Jacobian of a point that moves with the body
+        J << Matrix3d::Identity(),
+            Matrix3d{{0, t.r.z(), -t.r.y()}, {-t.r.z(), 0, t.r.x()}, {t.r.y(), -t.r.x(), 0}};
+        const Matrix3d held = t.N * A * t.N + t.damping * (Matrix3d::Identity() - t.N);
+        inverse_bodies_[t.body] += J.transpose() * held * J;
+    }
+    for (Matrix6d& body : inverse_bodies_)
+        body = body.inverse().eval();
+}
+
+void ImplicitSystem::precondition(const Vectors& r, Vectors& z) const
+{
+    if (is_factor_cheap_) {
+        for (const int i : *active_)
+            z[i] = r[i];
+        factor_.solve(steps_, z);
+        for (const TiedNode& t : *tied_)
+            z[t.node] -= t.N * z[t.node];
+    } else {
+        for (const int i : *active_)
+            z[i] = inverse_diagonal_[i] * r[i];
+    }
+    for (std::size_t b = 0; b < inverse_bodies_.size(); ++b) {
+        Eigen::Matrix<double, 6, 1> f;
+        f << r[nodes_ + 2 * b], r[nodes_ + 2 * b + 1];
+        f = (inverse_bodies_[b] * f).eval();
+        z[nodes_ + 2 * b] = f.head<3>();
+        z[nodes_ + 2 * b + 1] = f.tail<3>();
+    }
+}
+
+int ImplicitSystem::solve(const Vectors& b, const std::vector<int>& nodes,
+                          const std::vector<TiedNode>& tied, std::vector<SystemBody>& bodies,
+                          Vectors& velocities)
+{
+    // Relative error in the norm of the preconditioner: below all other tolerances of a step.
+    constexpr double tolerance = 1e-7;
+    const std::size_t n = nodes_ + 2 * bodies.size();
+    active_ = &nodes;
+    tied_ = &tied;
+    bodies_ = &bodies;
+    for (Vectors* v : {&x_, &r_, &z_, &p_, &q_})
+        v->resize(n);
+    prepare_preconditioner(bodies);
+
+    // start from velocities that the ties allow
+    for (const int i : nodes) {
+        x_[i] = velocities[i];
+        r_[i] = b[i];
+    }
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        x_[nodes_ + 2 * i] = bodies[i].V;
+        x_[nodes_ + 2 * i + 1] = bodies[i].w;
+        r_[nodes_ + 2 * i] = bodies[i].mass * bodies[i].V;
+        r_[nodes_ + 2 * i + 1] = bodies[i].inertia * bodies[i].w;
+    }
+    expand(x_);
+    for (const TiedNode& t : tied) {
+        x_[t.node] += t.N * t.c;
+        r_[t.node] += t.damping * (t.c - t.N * t.c);
+    }
+    precondition(r_, z_);
+    const int iterations = iterate(tolerance * tolerance * dot(r_, z_));
+    for (const int i : nodes)
+        velocities[i] = x_[i];
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        bodies[i].V = x_[nodes_ + 2 * i];
+        bodies[i].w = x_[nodes_ + 2 * i + 1];
+    }
+    return iterations;
+}
+
+// Iterates from x_ and r_ = b until r·z is at most `enough`. @return iterations
+int ImplicitSystem::iterate(double enough)
+{
+    const auto for_each = [&](const auto& visit) {
+        for (const int i : *active_)
+            visit(i);
+        for (int i = nodes_; i < nodes_ + 2 * static_cast<int>(bodies_->size()); ++i)
+            visit(i);
+    };
+    multiply(x_, q_);
+    add_damping(x_, q_);
+    for_each([&](int i) { r_[i] -= q_[i]; });
+    reduce(r_);
+    precondition(r_, z_);
+    for_each([&](int i) { p_[i] = z_[i]; });
+    double rz = dot(r_, z_);
+    const int most = 10 * static_cast<int>(active_->size() + 2 * bodies_->size()) + 100;
+    int iterations = 0;
+    for (; rz > enough && iterations < most; ++iterations) {
+        expand(p_);
+        multiply(p_, q_);
+        add_damping(p_, q_);
+        reduce(q_);
+        const double pq = dot(p_, q_); // tied coordinates of q are 0
+        if (!(pq > 0)) break;
+        const double a = rz / pq;
+        for_each([&](int i) {
+            x_[i] += a * p_[i];
+            r_[i] -= a * q_[i];
+        });
+        precondition(r_, z_);
+        const double rz_new = dot(r_, z_);
+        const double beta = rz_new / rz;
+        rz = rz_new;
+        for_each([&](int i) { p_[i] = z_[i] + beta * p_[i]; });
+    }
+    return iterations;
+}
+
+const Vectors& ImplicitSystem::residual(const Vectors& b, const std::vector<int>& nodes,
+                                        const Vectors& velocities)
+{
+    for (const int i : nodes)
+        x_[i] = velocities[i];
+    matrix_.multiply(nodes, x_, q_);
+    for (const int i : nodes)
+        q_[i] -= b[i];
+    return q_;
+}
+
+} // namespace rigor

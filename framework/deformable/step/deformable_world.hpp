@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// A world of rigid bodies and deformable solids.
+#pragma once
+
+#include "deformable/solid/deformable.hpp"
+#include "rigid/bodies/world.hpp"
+
+namespace rigor {
+
+/// Rigid bodies and deformable solids.
+struct DeformableWorld {
+    World rigid; // its gravity and time are those of all
+    std::vector<Deformable> solids;
+};
+
+} // namespace rigor

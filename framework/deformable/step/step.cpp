@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+// Advances a world by one time step. For each solid it moves the nodes with their contacts, then
+// lets the elements flow, then separates inverted elements or else opens cracks. Last comes the
+// step of the rigid bodies, with the velocities that the solids gave them.
+#include "deformable/step/step.hpp"
+
+#include "deformable/elasticity/flow.hpp"
+#include "deformable/fracture/fracture.hpp"
+#include "deformable/fracture/inverted_elements.hpp"
+#include "deformable/motion/explicit_motion.hpp"
+#include "deformable/motion/implicit_motion.hpp"
+#include "deformable/solid/handles.hpp"
+#include "rigid/bodies/non_finite.hpp"
+
+namespace rigor {
+
+namespace {
+
+double radius_of(const Deformable& solid)
+{
+    Vector3d low = solid.positions[0], high = low;
+    for (const Vector3d& x : solid.positions) {
+        low = low.cwiseMin(x);
+        high = high.cwiseMax(x);
+    }
+    return 0.5 * (high - low).norm();
+}
+
+void require_finite(const Deformable& solid, double time)
+{
+    for (std::size_t i = 0; i < solid.positions.size(); ++i) {
+        if (!solid.positions[i].allFinite()) throw NonFiniteState(solid.name, "x", time);
+        if (!solid.velocities[i].allFinite()) throw NonFiniteState(solid.name, "v", time);
+    }
+    for (const Matrix3d& strain : solid.plastic_strains)
+        if (!strain.allFinite()) throw NonFiniteState(solid.name, "ε_p", time);
+}
+
+void move(Deformable& solid, RigidColliders& rigid, World& world, double time_step)
+{
+    Workspace& work = workspace_of(solid);
+    work.contacts.find(solid, work.is_surface, rigid, time_step, world.counters);
+    const NodeMotion motion{
+        solid,         work, rigid, world.settings.gravity, world.time, time_step, radius_of(solid),
+        world.counters};
+    if (solid.integrator == NodeIntegrator::explicit_step)
+        move_explicitly(motion);
+    else
+        move_implicitly(motion);
+
+    const SolidMaterial& m = solid.material;
+    if (m.yield_stress == never && m.strength == never) return;
+    work.elements.strains(solid.positions, work.strains);
+    if (m.yield_stress != never) flow(solid, work, world);
+    if (m.strength == never || separate_inverted_elements(solid, work, work.held, world, time_step))
+        return;
+    fracture(solid, work, world);
+}
+
+} // namespace
+
+std::vector<ContactRecord> step(DeformableWorld& world, double time_step)
+{
+    if (!world.solids.empty()) {
+        RigidColliders rigid(world.rigid);
+        const std::vector<Pose> surfaces = rigid.surfaces;
+        for (Deformable& solid : world.solids) {
+            remember_first_places(solid);
+            move(solid, rigid, world.rigid, time_step);
+            require_finite(solid, world.rigid.time + time_step);
+            rigid.surfaces = surfaces;
+        }
+        rigid.apply_to(world.rigid, time_step);
+    }
+    return step(world.rigid, time_step);
+}
+
+} // namespace rigor

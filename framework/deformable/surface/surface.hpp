@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// The surface of a deformable solid as it is drawn.
+#pragma once
+
+#include "deformable/solid/deformable.hpp"
+
+namespace rigor {
+
+/// A point of the drawn surface, embedded in an element: x = Σ weights[i] x_corner i.
+struct EmbeddedPoint {
+    int element = 0;
+    Eigen::Vector4d weights = Eigen::Vector4d::Zero(); // barycentric, sum 1
+};
+
+/// A triangle of the drawn surface, counter-clockwise seen from outside.
+struct EmbeddedTriangle {
+    std::array<int, 3> points = {0, 0, 0};
+    int element = 0;       // the element that it bounds
+    bool is_crack = false; // opened by a crack
+};
+
+/// The surface of a deformable solid. It changes only with `topology`.
+struct EmbeddedSurface {
+    std::vector<EmbeddedPoint> points;
+    std::vector<EmbeddedTriangle> triangles;
+};
+
+/// The surface to draw, cracks included.
+EmbeddedSurface drawn_surface(const Deformable& solid);
+
+} // namespace rigor
