@@ -2,11 +2,11 @@
 #include "cli/commands.hpp"
 #include "cli/options.hpp"
 #include "cli/prepare.hpp"
+#include "errors/input_error.hpp"
+#include "errors/nearest.hpp"
 #include "grading/ninja.hpp"
 #include "grading/places.hpp"
 #include "grading/process.hpp"
-#include "scene/keys.hpp"
-#include "scene/scene.hpp"
 
 #include <algorithm>
 #include <array>

@@ -3,12 +3,12 @@
 #include "cli/options.hpp"
 #include "cli/prepare.hpp"
 #include "cli/progress.hpp"
+#include "errors/input_error.hpp"
 #include "grading/places.hpp"
 #include "grading/run_tests.hpp"
 #include "report/result_json.hpp"
 #include "report/table.hpp"
 #include "report/terminal.hpp"
-#include "scene/scene.hpp"
 
 #include <algorithm>
 #include <cstdio>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "cli/commands.hpp"
 #include "cli/options.hpp"
+#include "errors/input_error.hpp"
+#include "errors/nearest.hpp"
 #include "report/terminal.hpp"
-#include "scene/keys.hpp"
-#include "scene/scene.hpp"
 
 #include <CLI/CLI.hpp>
 

@@ -4,6 +4,7 @@
 #include "cli/options.hpp"
 #include "cli/prepare.hpp"
 #include "cli/progress.hpp"
+#include "errors/input_error.hpp"
 #include "grading/places.hpp"
 #include "grading/process.hpp"
 #include "grading/run_tests.hpp"

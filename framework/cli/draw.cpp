@@ -3,6 +3,7 @@
 
 #include "cli/options.hpp"
 #include "cli/progress.hpp"
+#include "errors/input_error.hpp"
 
 #include <algorithm>
 #include <chrono>

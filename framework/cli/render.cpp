@@ -4,6 +4,7 @@
 #include "cli/options.hpp"
 #include "cli/prepare.hpp"
 #include "cli/scene_run.hpp"
+#include "errors/input_error.hpp"
 
 #include <array>
 #include <fstream>

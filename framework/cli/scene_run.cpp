@@ -2,6 +2,7 @@
 #include "cli/scene_run.hpp"
 
 #include "cli/commands.hpp"
+#include "errors/input_error.hpp"
 #include "formulas/not_implemented.hpp"
 #include "worker/client.hpp"
 

@@ -4,6 +4,7 @@
 #include "cli/prepare.hpp"
 #include "cli/progress.hpp"
 #include "cli/scene_run.hpp"
+#include "errors/input_error.hpp"
 #include "scene/motion_hash.hpp"
 #include "scene/statistics.hpp"
 

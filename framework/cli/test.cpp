@@ -3,10 +3,10 @@
 #include "cli/options.hpp"
 #include "cli/prepare.hpp"
 #include "cli/test_run.hpp"
+#include "errors/input_error.hpp"
 #include "grading/places.hpp"
 #include "grading/process.hpp"
 #include "report/terminal.hpp"
-#include "scene/scene.hpp"
 
 #include <algorithm>
 #include <cstdio>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "grading/implementation.hpp"
 
+#include "errors/input_error.hpp"
 #include "formulas/table.hpp"
 #include "grading/includes.hpp"
 #include "grading/ninja.hpp"
 #include "grading/places.hpp"
 #include "grading/submission_build.hpp"
-#include "scene/scene.hpp"
 
 #include <algorithm>
 #include <stdexcept>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "grading/submission_build.hpp"
 
+#include "errors/input_error.hpp"
 #include "grading/implementation.hpp"
 #include "grading/ninja.hpp"
 #include "grading/places.hpp"
-#include "scene/scene.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

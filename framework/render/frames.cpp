@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "render/frames.hpp"
 
+#include "errors/input_error.hpp"
 #include "render/png.hpp"
 #include "render/queue.hpp"
 #include "render/video.hpp"
-#include "scene/scene.hpp"
 
 #include <fmt/format.h>
 

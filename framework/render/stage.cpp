@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/stage.hpp"
 
+#include "errors/input_error.hpp"
 #include "geometry/bounds.hpp"
 #include "render/colors.hpp"
 #include "render/surfaces.hpp"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "errors/quotes.hpp"
 #include "scene/grammar.hpp"
 
 #include <fmt/format.h>

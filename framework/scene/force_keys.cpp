@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "errors/nearest.hpp"
+#include "errors/quotes.hpp"
 #include "scene/grammar.hpp"
 
 #include <fmt/format.h>

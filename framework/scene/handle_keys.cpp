@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What holds and pulls the nodes of a solid.
+#include "errors/quotes.hpp"
 #include "geometry/bounds.hpp"
 #include "geometry/pose.hpp"
 #include "scene/grammar.hpp"

@@ -33,9 +33,6 @@ Value parse_json(std::string_view text);
 /// A value in an error's words: `-3`, `"bal"`, `an array of 2`.
 std::string describe(const Value& value);
 
-/// A text in quotes, in one short line: control characters are escaped, the rest is cut off.
-std::string in_quotes(std::string_view text);
-
 /// @throws Mistake `expected …, found …` in the line of the value
 [[noreturn]] void expected(std::string_view what, const Value& found);
 

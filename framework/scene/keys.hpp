@@ -26,9 +26,6 @@ struct KeyMeaning {
     std::string_view object, key, meaning;
 };
 
-/// The name that is spelt most like `word`; empty if none is near.
-std::string_view nearest(std::string_view word, std::span<const std::string_view> names);
-
 /// @throws Mistake `unknown key "restituton"; did you mean "restitution"?`
 [[noreturn]] void unknown_key(const Value& value, std::span<const std::string_view> names);
 

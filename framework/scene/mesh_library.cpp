@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "scene/mesh_library.hpp"
 
+#include "errors/input_error.hpp"
+#include "errors/quotes.hpp"
 #include "geometry/mesh_checks.hpp"
 #include "geometry/tetrahedra_files.hpp"
 #include "scene/keys.hpp"

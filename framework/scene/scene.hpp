@@ -8,17 +8,10 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace rigor {
-
-/// Something is wrong with a file or an argument that the user gave. Its text is one line that says
-/// where, what was expected and what was found. Commands print it and exit with status 2.
-struct InputError : std::runtime_error {
-    using std::runtime_error::runtime_error;
-};
 
 struct BodyDescription {
     std::string name;

@@ -2,6 +2,7 @@
 // What the stages of a trajectory's reader share.
 #pragma once
 
+#include "errors/input_error.hpp"
 #include "scene/trajectory.hpp"
 
 #include <fmt/format.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The deformable solids of a frame: the stages of a trajectory's reader that take them.
+#include "errors/quotes.hpp"
 #include "scene/json.hpp"
 #include "scene/trajectory_cursor.hpp"
 

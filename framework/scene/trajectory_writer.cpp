@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "errors/input_error.hpp"
 #include "scene/trajectory.hpp"
 
 #include <fmt/format.h>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "grading/assignment.hpp"
 
+#include "errors/input_error.hpp"
 #include "formulas/table.hpp"
 #include "scene/scene.hpp"
 #include "support/catch.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "errors/input_error.hpp"
 #include "grading/assignment.hpp"
-#include "scene/scene.hpp"
 #include "support/catch.hpp"
 
 namespace rigor::testing {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "errors/input_error.hpp"
 #include "pictures.hpp"
 #include "render/frames.hpp"
 #include "render/png.hpp"

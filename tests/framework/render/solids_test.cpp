@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Deformable solids in pictures.
+#include "errors/input_error.hpp"
 #include "pictures.hpp"
 #include "render/colors.hpp"
 #include "render/frames.hpp"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "errors/input_error.hpp"
 #include "scene/scene.hpp"
 #include "support/catch.hpp"
 

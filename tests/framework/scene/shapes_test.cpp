@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "errors/input_error.hpp"
 #include "geometry/generators.hpp"
 #include "geometry/solid_mesh.hpp"
 #include "scene/scene.hpp"

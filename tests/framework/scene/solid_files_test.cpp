@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Files of tetrahedra that a scene names.
+#include "errors/input_error.hpp"
 #include "scene/scene.hpp"
 #include "support/close.hpp"
 #include "support/temporary_folder.hpp"

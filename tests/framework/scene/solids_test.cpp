@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Deformable solids in the scene language.
+#include "errors/input_error.hpp"
 #include "scene/scene.hpp"
 #include "support/close.hpp"
 

@@ -2,6 +2,7 @@
 // Bytes of a trajectory: joined, damaged, read back.
 #pragma once
 
+#include "errors/input_error.hpp"
 #include "scene/trajectory.hpp"
 #include "support/close.hpp"
 

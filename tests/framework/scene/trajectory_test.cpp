@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "errors/input_error.hpp"
 #include "support/random.hpp"
 #include "trajectory_bytes.hpp"
 
