@@ -6,6 +6,8 @@
 #include "cli/prepare.hpp"
 #include "cli/progress.hpp"
 #include "cli/scene_run.hpp"
+#include "scene/keys/scene_keys.hpp"
+#include "scene/run/run_scene.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

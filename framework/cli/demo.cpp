@@ -11,6 +11,7 @@
 #include "report/result_json.hpp"
 #include "report/table.hpp"
 #include "report/terminal.hpp"
+#include "scene/keys/scene_keys.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

@@ -2,7 +2,7 @@
 // Where two runs of a scene part.
 #pragma once
 
-#include "scene/trajectory.hpp"
+#include "scene/trajectory/trajectory.hpp"
 
 #include <optional>
 #include <string>

@@ -5,6 +5,7 @@
 #include "grading/implementation.hpp"
 #include "render/frames.hpp"
 #include "render/stage.hpp"
+#include "scene/trajectory/trajectory.hpp"
 
 #include <memory>
 #include <string>

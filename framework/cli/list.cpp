@@ -5,7 +5,7 @@
 #include "grading/assignment.hpp"
 #include "grading/places.hpp"
 #include "report/terminal.hpp"
-#include "scene/scene.hpp"
+#include "scene/keys/scene_keys.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -5,6 +5,8 @@
 #include "cli/prepare.hpp"
 #include "cli/scene_run.hpp"
 #include "errors/input_error.hpp"
+#include "scene/keys/scene_keys.hpp"
+#include "scene/trajectory/reader.hpp"
 
 #include <array>
 #include <fstream>

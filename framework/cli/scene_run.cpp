@@ -4,6 +4,7 @@
 #include "cli/commands.hpp"
 #include "errors/input_error.hpp"
 #include "formulas/not_implemented.hpp"
+#include "scene/trajectory/reader.hpp"
 #include "worker/client.hpp"
 
 #include <chrono>

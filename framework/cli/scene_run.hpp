@@ -3,7 +3,7 @@
 #pragma once
 
 #include "grading/implementation.hpp"
-#include "scene/trajectory.hpp"
+#include "scene/run/run_scene.hpp"
 
 #include <functional>
 #include <span>

@@ -5,8 +5,10 @@
 #include "cli/progress.hpp"
 #include "cli/scene_run.hpp"
 #include "errors/input_error.hpp"
-#include "scene/motion_hash.hpp"
-#include "scene/statistics.hpp"
+#include "scene/keys/scene_keys.hpp"
+#include "scene/run/run_scene.hpp"
+#include "scene/trajectory/motion_hash.hpp"
+#include "scene/trajectory/statistics.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

@@ -4,7 +4,7 @@
 #include "errors/input_error.hpp"
 #include "errors/quotes.hpp"
 #include "formulas/table.hpp"
-#include "scene/keys.hpp"
+#include "scene/language/keys.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

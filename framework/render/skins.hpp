@@ -3,7 +3,7 @@
 #pragma once
 
 #include "render/picture.hpp"
-#include "scene/trajectory.hpp"
+#include "scene/trajectory/trajectory.hpp"
 
 #include <functional>
 

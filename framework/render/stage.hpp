@@ -3,8 +3,7 @@
 #pragma once
 
 #include "render/picture.hpp"
-#include "scene/scene.hpp"
-#include "scene/trajectory.hpp"
+#include "scene/trajectory/trajectory.hpp"
 
 #include <array>
 #include <map>

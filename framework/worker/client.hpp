@@ -3,6 +3,7 @@
 #pragma once
 
 #include "formulas/table.hpp"
+#include "scene/run/run_scene.hpp"
 #include "worker/failure.hpp"
 #include "worker/session.hpp"
 

@@ -3,7 +3,7 @@
 // time, or the conversation is broken.
 #pragma once
 
-#include "scene/trajectory.hpp"
+#include "scene/trajectory/writer.hpp"
 #include "worker/process.hpp"
 
 namespace rigor {

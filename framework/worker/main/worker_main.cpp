@@ -4,7 +4,8 @@
 #include "formulas/not_implemented.hpp"
 #include "rigid/keep_memory.hpp"
 #include "rigid/non_finite.hpp"
-#include "scene/trajectory.hpp"
+#include "scene/keys/scene_keys.hpp"
+#include "scene/run/run_scene.hpp"
 #include "worker/channel.hpp"
 #include "worker/main/dispatch.hpp"
 

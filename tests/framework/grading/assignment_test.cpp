@@ -3,7 +3,7 @@
 
 #include "errors/input_error.hpp"
 #include "formulas/table.hpp"
-#include "scene/scene.hpp"
+#include "scene/keys/scene_keys.hpp"
 #include "support/catch.hpp"
 #include "support/temporary_folder.hpp"
 

@@ -6,7 +6,10 @@
 #include "render/frames.hpp"
 #include "render/skins.hpp"
 #include "render/stage.hpp"
-#include "scene/record_solid.hpp"
+#include "scene/keys/scene_keys.hpp"
+#include "scene/run/record_solid.hpp"
+#include "scene/run/run_scene.hpp"
+#include "scene/trajectory/reader.hpp"
 #include "support/catch.hpp"
 #include "support/temporary_folder.hpp"
 

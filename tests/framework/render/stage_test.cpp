@@ -6,6 +6,7 @@
 #include "pictures.hpp"
 #include "render/stage.hpp"
 #include "render/surfaces.hpp"
+#include "scene/trajectory/trajectory.hpp"
 #include "support/catch.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "errors/input_error.hpp"
-#include "scene/scene.hpp"
+#include "scene/keys/scene_keys.hpp"
 #include "support/catch.hpp"
 
 #include <filesystem>

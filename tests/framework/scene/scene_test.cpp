@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "scene/grammar.hpp"
+#include "scene/keys/scene_keys.hpp"
 #include "support/close.hpp"
 
 #include <filesystem>

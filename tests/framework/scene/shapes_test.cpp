@@ -2,7 +2,7 @@
 #include "errors/input_error.hpp"
 #include "geometry/generators.hpp"
 #include "geometry/solid_mesh.hpp"
-#include "scene/scene.hpp"
+#include "scene/keys/scene_keys.hpp"
 #include "support/close.hpp"
 #include "support/temporary_folder.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Files of tetrahedra that a scene names.
 #include "errors/input_error.hpp"
-#include "scene/scene.hpp"
+#include "scene/keys/scene_keys.hpp"
 #include "support/close.hpp"
 #include "support/temporary_folder.hpp"
 

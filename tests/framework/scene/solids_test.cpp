@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Deformable solids in the scene language.
 #include "errors/input_error.hpp"
-#include "scene/scene.hpp"
+#include "scene/keys/scene_keys.hpp"
+#include "scene/run/make_world.hpp"
 #include "support/close.hpp"
 
 #include <numbers>

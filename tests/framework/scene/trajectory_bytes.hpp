@@ -3,7 +3,8 @@
 #pragma once
 
 #include "errors/input_error.hpp"
-#include "scene/trajectory.hpp"
+#include "scene/trajectory/reader.hpp"
+#include "scene/trajectory/writer.hpp"
 #include "support/close.hpp"
 
 #include <cstring>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Deformable solids in a trajectory.
-#include "scene/motion_hash.hpp"
+#include "scene/keys/scene_keys.hpp"
+#include "scene/trajectory/motion_hash.hpp"
+#include "scene/trajectory/writer.hpp"
 #include "support/random.hpp"
 #include "trajectory_bytes.hpp"
 

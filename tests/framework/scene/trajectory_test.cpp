@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "errors/input_error.hpp"
+#include "scene/keys/scene_keys.hpp"
+#include "scene/trajectory/reader.hpp"
+#include "scene/trajectory/writer.hpp"
 #include "support/random.hpp"
 #include "trajectory_bytes.hpp"
 
