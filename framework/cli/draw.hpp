@@ -4,7 +4,7 @@
 
 #include "grading/implementation.hpp"
 #include "render/frames.hpp"
-#include "render/stage.hpp"
+#include "render/visualizer.hpp"
 #include "scene/trajectory/trajectory.hpp"
 
 #include <memory>
@@ -49,7 +49,7 @@ private:
     std::unique_ptr<Progress> progress_;
     FrameOptions options_;
     std::unique_ptr<FrameSequence> sequence_;
-    std::unique_ptr<Stage> stage_;
+    std::unique_ptr<Visualizer> visualizer_;
     double seconds_at_start_ = 0;
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cli/scene_run.hpp"
 
-#include "cli/commands.hpp"
+#include "cli/command.hpp"
 #include "errors/input_error.hpp"
 #include "formulas/not_implemented.hpp"
 #include "scene/trajectory/reader.hpp"

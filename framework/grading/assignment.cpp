@@ -5,6 +5,7 @@
 #include "errors/quotes.hpp"
 #include "formulas/table.hpp"
 #include "scene/language/keys.hpp"
+#include "scene/language/values.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

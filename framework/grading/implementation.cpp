@@ -2,11 +2,11 @@
 #include "grading/implementation.hpp"
 
 #include "errors/input_error.hpp"
-#include "formulas/table.hpp"
 #include "grading/includes.hpp"
-#include "grading/ninja.hpp"
 #include "grading/places.hpp"
+#include "grading/replace_all.hpp"
 #include "grading/submission_build.hpp"
+#include "grading/topics.hpp"
 
 #include <algorithm>
 #include <stdexcept>
@@ -16,12 +16,6 @@ namespace rigor {
 namespace fs = std::filesystem;
 
 namespace {
-
-void replace_all(std::string& text, const std::string& what, const std::string& by)
-{
-    for (std::size_t at = 0; (at = text.find(what, at)) != std::string::npos; at += by.size())
-        text.replace(at, what.size(), by);
-}
 
 std::string without_last_newline(std::string text)
 {
@@ -153,14 +147,6 @@ fs::path Implementation::file(const std::string& topic) const
 {
     const bool is_borrowed = is_among(borrowed, topic);
     return (is_borrowed ? places().source / "student" : folder) / (topic + ".cpp");
-}
-
-std::vector<std::string> topics()
-{
-    std::vector<std::string> result;
-    for (const Formula& row : formulas)
-        if (result.empty() || result.back() != row.topic) result.emplace_back(row.topic);
-    return result;
 }
 
 Implementation build_implementation(const std::string& name, const OnBuildStep& on_step,

@@ -2,8 +2,9 @@
 // An implementation of the formulas, from its sources to the worker that runs it.
 #pragma once
 
+#include "grading/ninja.hpp"
+
 #include <filesystem>
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -28,9 +29,6 @@ struct Implementation {
     std::filesystem::path file(const std::string& topic) const;
 };
 
-/// Called with each step of a build that is done.
-using OnBuildStep = std::function<void(int done, int total, const std::string& step)>;
-
 /// Builds the worker of `student`, `reference` or a folder that holds some of the topics' files; only what is out of
 /// date. A folder's files are compiled by the very commands that compile student/.
 ///
@@ -38,9 +36,6 @@ using OnBuildStep = std::function<void(int done, int total, const std::string& s
 /// @throws InputError if there is no such implementation, std::runtime_error if code of ours does not compile
 Implementation build_implementation(const std::string& name, const OnBuildStep& on_step = {},
                                     const std::vector<std::string>& asked = {});
-
-/// A topic's name for each file of student/, in the order of the assignments.
-std::vector<std::string> topics();
 
 /// Builds targets of ours. @throws std::runtime_error with the compiler's first errors
 void build_targets(const std::vector<std::string>& targets, const OnBuildStep& on_step = {});

@@ -2,12 +2,14 @@
 // Ninja, run and understood.
 #pragma once
 
-#include "grading/implementation.hpp"
-
+#include <functional>
 #include <string>
 #include <vector>
 
 namespace rigor {
+
+/// Called with each step of a build that is done.
+using OnBuildStep = std::function<void(int done, int total, const std::string& step)>;
 
 /// What a run of ninja did.
 struct NinjaRun {

@@ -4,6 +4,7 @@
 
 #include "grading/implementation.hpp"
 #include "grading/result.hpp"
+#include "grading/selection.hpp"
 
 #include <functional>
 #include <optional>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include "grading/selection.hpp"
 #include "errors/input_error.hpp"
 #include "errors/nearest.hpp"
-#include "grading/assignment.hpp"
 
 #include <algorithm>
 #include <cctype>

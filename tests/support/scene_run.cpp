@@ -5,7 +5,7 @@
 #include "scene/trajectory/reader.hpp"
 #include "support/random.hpp"
 #include "worker/client.hpp"
-#include "worker/proxy.hpp"
+#include "worker/proxy/proxy.hpp"
 
 #include <fmt/format.h>
 

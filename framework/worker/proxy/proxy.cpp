@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Every function of the contract, generated from the table: encode, ask, decode, look for NaN.
-#include "worker/proxy.hpp"
+#include "worker/proxy/proxy.hpp"
 
 #include "worker/define_formulas.hpp"
 #include "worker/finite.hpp"

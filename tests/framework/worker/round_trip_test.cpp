@@ -3,7 +3,7 @@
 #include "formulas/table.hpp"
 #include "support/catch.hpp"
 #include "worker/finite.hpp"
-#include "worker/proxy.hpp"
+#include "worker/proxy/proxy.hpp"
 
 #include <tuple>
 

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "cli/commands.hpp"
+#include "cli/commands/list.hpp"
+
 #include "cli/options.hpp"
 #include "cli/prepare.hpp"
 #include "grading/assignment.hpp"
 #include "grading/places.hpp"
+#include "grading/selection.hpp"
 #include "report/terminal.hpp"
 #include "scene/keys/scene_keys.hpp"
 

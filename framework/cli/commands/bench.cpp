@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "cli/commands.hpp"
+#include "cli/commands/bench.hpp"
+
 #include "cli/options.hpp"
 #include "cli/prepare.hpp"
 #include "errors/input_error.hpp"

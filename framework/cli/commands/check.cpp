@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "cli/commands.hpp"
+#include "cli/commands/check.hpp"
+
 #include "cli/options.hpp"
 #include "cli/prepare.hpp"
 #include "cli/progress.hpp"
 #include "errors/input_error.hpp"
 #include "grading/places.hpp"
 #include "grading/run_tests.hpp"
+#include "grading/selection.hpp"
 #include "report/result_json.hpp"
 #include "report/table.hpp"
 #include "report/terminal.hpp"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "cli/commands.hpp"
+#include "cli/commands/demo.hpp"
+
 #include "cli/draw.hpp"
 #include "cli/options.hpp"
 #include "cli/prepare.hpp"
@@ -8,6 +9,7 @@
 #include "grading/places.hpp"
 #include "grading/process.hpp"
 #include "grading/run_tests.hpp"
+#include "grading/selection.hpp"
 #include "report/result_json.hpp"
 #include "report/table.hpp"
 #include "report/terminal.hpp"

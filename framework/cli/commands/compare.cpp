@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "cli/commands.hpp"
+#include "cli/commands/compare.hpp"
+
 #include "cli/difference.hpp"
 #include "cli/draw.hpp"
 #include "cli/options.hpp"

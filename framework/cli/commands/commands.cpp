@@ -1,5 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "cli/commands.hpp"
+#include "cli/commands/commands.hpp"
+
+#include "cli/commands/bench.hpp"
+#include "cli/commands/check.hpp"
+#include "cli/commands/compare.hpp"
+#include "cli/commands/demo.hpp"
+#include "cli/commands/list.hpp"
+#include "cli/commands/render.hpp"
+#include "cli/commands/simulate.hpp"
+#include "cli/commands/test.hpp"
 
 namespace rigor {
 
