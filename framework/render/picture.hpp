@@ -45,7 +45,7 @@ struct Model {
 };
 
 /// A corner of a triangle of a surface that deforms, in the world.
-struct SkinVertex {
+struct DeformedVertex {
     Vector3f position, normal;                 // [m]
     Vector3f edges = Vector3f::Constant(1e6F); // as of a surface
     Vector4f color = Vector4f::Ones();         // linear red, green, blue, opacity
@@ -89,8 +89,8 @@ struct Picture {
     std::vector<Model> models;                      // likewise
     std::vector<Instance> ghost_boxes, ghost_balls; // translucent
     std::vector<Model> ghost_models;
-    std::vector<SkinVertex> skins;       // of deforming solids, three a triangle; cast shadows
-    std::vector<SkinVertex> ghost_skins; // translucent
+    std::vector<DeformedVertex> deformed; // of deforming solids, three a triangle; cast shadows
+    std::vector<DeformedVertex> ghost_deformed; // translucent
     // Overlays: cylinders and cones with base 0 and tip z = 1, small balls. Their opacity is that of
     // what lies behind a body; the rest is opaque.
     std::vector<Instance> rods, cones, dots;

@@ -5,7 +5,7 @@
 #include "render/gl/color_bar.hpp"
 #include "render/gl/font.hpp"
 #include "render/gl/gl.hpp"
-#include "render/gl/shaders.hpp"
+#include "render/gl/shaders/program.hpp"
 #include "render/picture.hpp"
 
 #include <optional>

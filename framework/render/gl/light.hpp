@@ -2,7 +2,7 @@
 // Where the camera and the sun stand.
 #pragma once
 
-#include "render/gl/shaders.hpp"
+#include "render/gl/shaders/program.hpp"
 #include "render/picture.hpp"
 
 namespace rigor {

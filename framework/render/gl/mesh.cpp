@@ -123,17 +123,17 @@ void SolidDrawing::draw(std::span<const Instance> instances)
     glDrawArraysInstanced(GL_TRIANGLES, 0, count_, static_cast<GLsizei>(instances.size()));
 }
 
-SkinDrawing::SkinDrawing()
+DeformedDrawing::DeformedDrawing()
 {
     glBindVertexArray(arrays_);
     glBindBuffer(GL_ARRAY_BUFFER, vertices_);
-    attribute(0, 3, sizeof(SkinVertex), offsetof(SkinVertex, position), 0);
-    attribute(1, 3, sizeof(SkinVertex), offsetof(SkinVertex, normal), 0);
-    attribute(7, 3, sizeof(SkinVertex), offsetof(SkinVertex, edges), 0);
-    attribute(6, 4, sizeof(SkinVertex), offsetof(SkinVertex, color), 0);
+    attribute(0, 3, sizeof(DeformedVertex), offsetof(DeformedVertex, position), 0);
+    attribute(1, 3, sizeof(DeformedVertex), offsetof(DeformedVertex, normal), 0);
+    attribute(7, 3, sizeof(DeformedVertex), offsetof(DeformedVertex, edges), 0);
+    attribute(6, 4, sizeof(DeformedVertex), offsetof(DeformedVertex, color), 0);
 }
 
-void SkinDrawing::send(std::span<const SkinVertex> triangles)
+void DeformedDrawing::send(std::span<const DeformedVertex> triangles)
 {
     count_ = static_cast<GLsizei>(triangles.size());
     glBindBuffer(GL_ARRAY_BUFFER, vertices_);
@@ -141,7 +141,7 @@ void SkinDrawing::send(std::span<const SkinVertex> triangles)
                  GL_STREAM_DRAW);
 }
 
-void SkinDrawing::draw() const
+void DeformedDrawing::draw() const
 {
     if (count_ == 0) return;
     glBindVertexArray(arrays_);

@@ -3,7 +3,7 @@
 #include "pictures.hpp"
 #include "render/frames.hpp"
 #include "render/png.hpp"
-#include "render/stage.hpp"
+#include "render/visualizer.hpp"
 #include "support/catch.hpp"
 #include "support/temporary_folder.hpp"
 

@@ -3,9 +3,9 @@
 #include "errors/input_error.hpp"
 #include "pictures.hpp"
 #include "render/colors.hpp"
+#include "render/deformed_surfaces.hpp"
 #include "render/frames.hpp"
-#include "render/skins.hpp"
-#include "render/stage.hpp"
+#include "render/visualizer.hpp"
 #include "scene/keys/scene_keys.hpp"
 #include "scene/run/record_solid.hpp"
 #include "scene/run/run_scene.hpp"
@@ -52,7 +52,7 @@ Frame first_frame(const Scene& scene)
 
 Picture picture_of(const Scene& scene, const Frame& frame)
 {
-    return Stage(scene, {}, scene.overlays).picture(frame);
+    return Visualizer(scene, {}, scene.overlays).picture(frame);
 }
 
 // The faces that look at the camera, as if a crack had opened them.
@@ -90,19 +90,19 @@ TEST_CASE("solids: the surface lies where the nodes are and looks outwards", "[r
     for (Vector3d& x : frame.solids[0].positions)
         x.y() += 3;
     const Picture picture = picture_of(scene, frame);
-    REQUIRE(picture.skins.size() == 3 * frame.solids[0].topology->surface.triangles.size());
+    REQUIRE(picture.deformed.size() == 3 * frame.solids[0].topology->surface.triangles.size());
     Vector3f low = Vector3f::Constant(9), high = -low;
     double volume = 0;
-    for (std::size_t i = 0; i < picture.skins.size(); i += 3) {
-        const Vector3f &a = picture.skins[i].position, &b = picture.skins[i + 1].position,
-                       &c = picture.skins[i + 2].position;
+    for (std::size_t i = 0; i < picture.deformed.size(); i += 3) {
+        const Vector3f &a = picture.deformed[i].position, &b = picture.deformed[i + 1].position,
+                       &c = picture.deformed[i + 2].position;
         volume += static_cast<double>(a.dot(b.cross(c))) / 6;
         const Vector3f across = (b - a).cross(c - a).normalized();
         for (std::size_t j = i; j < i + 3; ++j) {
-            low = low.cwiseMin(picture.skins[j].position);
-            high = high.cwiseMax(picture.skins[j].position);
-            CHECK((picture.skins[j].normal - across).norm() < 1e-5F); // flat: a box has edges
-            CHECK(picture.skins[j].color == linear_color(0.1, 0.2, 0.9));
+            low = low.cwiseMin(picture.deformed[j].position);
+            high = high.cwiseMax(picture.deformed[j].position);
+            CHECK((picture.deformed[j].normal - across).norm() < 1e-5F); // flat: a box has edges
+            CHECK(picture.deformed[j].color == linear_color(0.1, 0.2, 0.9));
         }
     }
     CHECK(std::abs(volume - 2) < 1e-5);
@@ -116,9 +116,10 @@ TEST_CASE("solids: lines run along sharp edges alone", "[render]")
     const Scene scene = bar_scene();
     const Picture picture = picture_of(scene, first_frame(scene));
     int lines = 0;
-    for (std::size_t i = 0; i < picture.skins.size(); i += 3)
+    for (std::size_t i = 0; i < picture.deformed.size(); i += 3)
         for (int side = 0; side < 3; ++side) {
-            const SkinVertex *a = &picture.skins[i + side], *b = &picture.skins[i + (side + 1) % 3];
+            const DeformedVertex *a = &picture.deformed[i + side],
+                                 *b = &picture.deformed[i + (side + 1) % 3];
             const bool is_line = a->edges[side] == 0 && b->edges[side] == 0;
             const bool is_diagonal =
                 ((a->position - b->position).array().abs() > 1e-6F).count() > 1;
@@ -134,12 +135,12 @@ TEST_CASE("solids: what a crack opened has another color", "[render]")
     const Frame frame = first_frame(scene), opened = cracked(frame);
     const Picture picture = picture_of(scene, opened);
     const auto in_color = [&](const Vector4f& color) {
-        return std::count_if(picture.skins.begin(), picture.skins.end(),
-                             [&](const SkinVertex& v) { return v.color == color; });
+        return std::count_if(picture.deformed.begin(), picture.deformed.end(),
+                             [&](const DeformedVertex& v) { return v.color == color; });
     };
     CHECK(in_color(colors::crack) == 12); // four triangles on two cells
     CHECK(in_color(linear_color(0.1, 0.2, 0.9)) ==
-          static_cast<std::ptrdiff_t>(picture.skins.size()) - 12);
+          static_cast<std::ptrdiff_t>(picture.deformed.size()) - 12);
 
     const Image whole = drawn(picture_of(scene, frame)), broken = drawn(picture);
     const std::uint8_t *blue = whole.pixel(160, 120), *dark = broken.pixel(160, 110);
@@ -152,7 +153,7 @@ TEST_CASE("solids: colors by stress come with a bar that says what they mean", "
     const Scene scene = bar_scene(R"("solids": "stress")");
     const Frame frame = first_frame(scene);
     const Picture picture = picture_of(scene, frame);
-    for (const SkinVertex& v : picture.skins)
+    for (const DeformedVertex& v : picture.deformed)
         if (std::abs(v.position.x()) > 0.9F) // its elements all have the same stress
             CHECK(v.color == colors::scale(v.position.x() < 0 ? 0 : 1));
     REQUIRE(picture.color_scale);
@@ -192,9 +193,9 @@ TEST_CASE("solids: the bar of colors covers nothing of what the camera shows", "
         const std::array<Vector3f, 4> corners = {Vector3f(-x, -y, 0), Vector3f(x, -y, 0),
                                                  Vector3f(x, y, 0), Vector3f(-x, y, 0)};
         for (const int i : {0, 1, 2, 0, 2, 3})
-            solid.skins.push_back({corners[i], Vector3f::UnitZ()});
+            solid.deformed.push_back({corners[i], Vector3f::UnitZ()});
         Picture empty = solid;
-        empty.skins.clear();
+        empty.deformed.clear();
         const OpenRenderer opened = open_renderer(width, height);
         Renderer& renderer = *opened.renderer;
         const Image neither = renderer.draw(empty), letters = renderer.draw(bar),
@@ -220,7 +221,7 @@ TEST_CASE("solids: the range of colors is the scene's if it names one", "[render
 {
     const Scene scene = bar_scene(R"("solids": "stress", "solids_range": [1e6, 9e6])");
     const Picture picture = picture_of(scene, first_frame(scene));
-    for (const SkinVertex& v : picture.skins)
+    for (const DeformedVertex& v : picture.deformed)
         if (v.position.x() > 0.9F) CHECK(v.color == colors::scale(0.375));
     REQUIRE(picture.color_scale);
     CHECK(picture.color_scale->ticks.front().text == "1");
@@ -256,12 +257,12 @@ TEST_CASE("solids: another run's solid is a ghost where it lies apart", "[render
     const Frame frame = first_frame(scene);
     Frame moved = frame;
     moved.solids[0].positions[0].y() += 0.1;
-    const Stage stage(scene, {}, scene.overlays);
-    CHECK(stage.comparison(frame, frame, "a", "b").ghost_skins.empty());
-    const Picture picture = stage.comparison(frame, moved, "a", "b");
-    CHECK(picture.ghost_skins.size() == picture.skins.size());
+    const Visualizer visualizer(scene, {}, scene.overlays);
+    CHECK(visualizer.comparison(frame, frame, "a", "b").ghost_deformed.empty());
+    const Picture picture = visualizer.comparison(frame, moved, "a", "b");
+    CHECK(picture.ghost_deformed.size() == picture.deformed.size());
     CHECK(picture.texts.back().text == "1 of 1 bodies lie apart");
-    CHECK_THROWS_AS(stage.picture(Frame()), InputError);
+    CHECK_THROWS_AS(visualizer.picture(Frame()), InputError);
 }
 
 TEST_CASE("solids: a run becomes files", "[render]")
@@ -272,12 +273,12 @@ TEST_CASE("solids: a run becomes files", "[render]")
     options.width = 64;
     options.height = 48;
     FrameSequence sequence(options);
-    std::optional<Stage> stage;
+    std::optional<Visualizer> visualizer;
     TrajectoryReader reader({
         [&](const Scene& scene, const std::vector<RecordedBody>& bodies) {
-            stage.emplace(scene, bodies, scene.overlays);
+            visualizer.emplace(scene, bodies, scene.overlays);
         },
-        [&](const Frame& frame) { sequence.push(stage->picture(frame)); },
+        [&](const Frame& frame) { sequence.push(visualizer->picture(frame)); },
         nullptr,
     });
     run_scene(bar_scene(R"("solids": "stress")"), Record::frames,

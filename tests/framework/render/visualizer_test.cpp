@@ -4,8 +4,8 @@
 #include "geometry/signed_distance.hpp"
 #include "geometry/solid_mesh.hpp"
 #include "pictures.hpp"
-#include "render/stage.hpp"
-#include "render/surfaces.hpp"
+#include "render/shape_surfaces.hpp"
+#include "render/visualizer.hpp"
 #include "scene/trajectory/trajectory.hpp"
 #include "support/catch.hpp"
 
@@ -15,14 +15,14 @@
 
 using namespace rigor;
 
-TEST_CASE("stage: each part becomes a solid where its body is", "[render]")
+TEST_CASE("visualizer: each part becomes a solid where its body is", "[render]")
 {
     SmallRun run = small_run();
     const double half = std::sqrt(0.5);
     run.frame.bodies[1].orientation = {half, Vector3d(0, 0, half)}; // a quarter turn about z
     run.bodies[1].center_of_mass = Vector3d(0.25, 0, 0);
     run.scene.bodies[1].parts[0].position = Vector3d(0.5, 0, 0);
-    const Picture picture = Stage(run.scene, run.bodies, Overlays()).picture(run.frame);
+    const Picture picture = Visualizer(run.scene, run.bodies, Overlays()).picture(run.frame);
 
     REQUIRE(picture.boxes.size() == 1);
     REQUIRE(picture.balls.size() == 1);
@@ -37,7 +37,7 @@ TEST_CASE("stage: each part becomes a solid where its body is", "[render]")
     CHECK((picture.boxes[0].color - picture.balls[0].color).norm() > 0.1F);
 }
 
-TEST_CASE("stage: of boxes of a body with faces in one plane the first is seen", "[render]")
+TEST_CASE("visualizer: of boxes of a body with faces in one plane the first is seen", "[render]")
 {
     SmallRun run = small_run();
     std::vector<Part>& parts = run.scene.bodies[1].parts;
@@ -47,7 +47,7 @@ TEST_CASE("stage: of boxes of a body with faces in one plane the first is seen",
     Part other = parts[0]; // on top of the first: the planes in common look opposite ways
     other.position = Vector3d(0.3, 0.2, 0.5);
     parts.insert(parts.end(), {turned, other});
-    const Picture picture = Stage(run.scene, run.bodies, Overlays()).picture(run.frame);
+    const Picture picture = Visualizer(run.scene, run.bodies, Overlays()).picture(run.frame);
     REQUIRE(picture.boxes.size() == 3);
     const auto half_sizes = [&](int i) -> Vector3f {
         return picture.boxes[i].axes.colwise().norm().transpose();
@@ -59,7 +59,7 @@ TEST_CASE("stage: of boxes of a body with faces in one plane the first is seen",
     CHECK(half_sizes(1).z() > 0.25F - 2e-4F); // a hair
 }
 
-TEST_CASE("stage: shapes of one make are drawn from one surface", "[render]")
+TEST_CASE("visualizer: shapes of one make are drawn from one surface", "[render]")
 {
     SmallRun run = small_run();
     const auto cross = std::make_shared<SolidMesh>(cross_mesh(1, 0.3));
@@ -73,7 +73,7 @@ TEST_CASE("stage: shapes of one make are drawn from one surface", "[render]")
                                Shape(Cone{1, 2}), Shape(Capsule{1, 2}), Shape(Torus{2, 1}),
                                Shape(Mesh{cross}), Shape(Mesh{cross}), Shape(Ellipsoid{{1, 2, 3}})})
         add(shape);
-    const Picture picture = Stage(run.scene, run.bodies, Overlays()).picture(run.frame);
+    const Picture picture = Visualizer(run.scene, run.bodies, Overlays()).picture(run.frame);
     REQUIRE(picture.models.size() == 6);
     std::vector<std::size_t> instances;
     for (const Model& model : picture.models)
@@ -84,7 +84,8 @@ TEST_CASE("stage: shapes of one make are drawn from one surface", "[render]")
     CHECK((picture.balls[1].axes.colwise().norm().transpose() - Vector3f(1, 2, 3)).norm() < 1e-5F);
 }
 
-TEST_CASE("stage: a surface has the size of its shape and normals that point out of it", "[render]")
+TEST_CASE("visualizer: a surface has the size of its shape and normals that point out of it",
+          "[render]")
 {
     for (const Shape& shape :
          {Shape(Cylinder{1, 2}), Shape(Cone{1, 2}), Shape(Capsule{1, 2}), Shape(Torus{2, 1})}) {
@@ -108,7 +109,7 @@ TEST_CASE("stage: a surface has the size of its shape and normals that point out
     }
 }
 
-TEST_CASE("stage: sharp edges are marked and smooth ones are not", "[render]")
+TEST_CASE("visualizer: sharp edges are marked and smooth ones are not", "[render]")
 {
     const auto marked = [](const Shape& shape) {
         std::size_t count = 0;
@@ -132,21 +133,21 @@ TEST_CASE("stage: sharp edges are marked and smooth ones are not", "[render]")
     }
 }
 
-TEST_CASE("stage: a color that a scene names is taken", "[render]")
+TEST_CASE("visualizer: a color that a scene names is taken", "[render]")
 {
     SmallRun run = small_run();
     run.scene.bodies[1].color = Vector3d(1, 0, 0);
-    const Picture picture = Stage(run.scene, run.bodies, Overlays()).picture(run.frame);
+    const Picture picture = Visualizer(run.scene, run.bodies, Overlays()).picture(run.frame);
     CHECK(picture.boxes[0].color == Vector4f(1, 0, 0, 1));
 }
 
-TEST_CASE("stage: angular velocity and momentum point where they should", "[render]")
+TEST_CASE("visualizer: angular velocity and momentum point where they should", "[render]")
 {
     SmallRun run = small_run();
     Overlays overlays;
     overlays.angular_velocity = true;
     const auto first_cone = [&] {
-        const Picture picture = Stage(run.scene, run.bodies, overlays).picture(run.frame);
+        const Picture picture = Visualizer(run.scene, run.bodies, overlays).picture(run.frame);
         REQUIRE(picture.cones.size() == 1); // of the box: the ball does not turn
         return picture.cones[0].axes.col(2).normalized().eval();
     };
@@ -157,7 +158,7 @@ TEST_CASE("stage: angular velocity and momentum point where they should", "[rend
     CHECK((first_cone() - Vector3f(1, 4, 0).normalized()).norm() < 1e-5F);
 }
 
-TEST_CASE("stage: overlays add what they name and a legend", "[render]")
+TEST_CASE("visualizer: overlays add what they name and a legend", "[render]")
 {
     SmallRun run = small_run();
     ContactRecord contact;
@@ -168,7 +169,7 @@ TEST_CASE("stage: overlays add what they name and a legend", "[render]")
     run.frame.time = 0.25;
     Overlays overlays;
     overlays.axes = overlays.contacts = overlays.labels = true;
-    const Picture picture = Stage(run.scene, run.bodies, overlays).picture(run.frame);
+    const Picture picture = Visualizer(run.scene, run.bodies, overlays).picture(run.frame);
 
     CHECK(picture.cones.size() == 7); // three axes each of box and ball, an impulse
     CHECK(picture.dots.size() == 1);
@@ -181,29 +182,29 @@ TEST_CASE("stage: overlays add what they name and a legend", "[render]")
     CHECK(all.find("floor") == std::string::npos); // a plane has no place for a name
 }
 
-TEST_CASE("stage: a scene without a plane gets lines to see motion by", "[render]")
+TEST_CASE("visualizer: a scene without a plane gets lines to see motion by", "[render]")
 {
     SmallRun run = small_run();
     run.scene.bodies[0].parts[0].shape = Box{{1, 1, 1}};
     Overlays overlays;
-    Picture picture = Stage(run.scene, run.bodies, overlays).picture(run.frame);
+    Picture picture = Visualizer(run.scene, run.bodies, overlays).picture(run.frame);
     REQUIRE(picture.grounds.size() == 1);
     CHECK_FALSE(picture.grounds[0].solid);
     overlays.grid = false;
-    CHECK(Stage(run.scene, run.bodies, overlays).picture(run.frame).grounds.empty());
+    CHECK(Visualizer(run.scene, run.bodies, overlays).picture(run.frame).grounds.empty());
 }
 
-TEST_CASE("stage: a comparison draws as ghosts what lies apart", "[render]")
+TEST_CASE("visualizer: a comparison draws as ghosts what lies apart", "[render]")
 {
     const SmallRun run = small_run();
-    const Stage stage(run.scene, run.bodies, Overlays());
+    const Visualizer visualizer(run.scene, run.bodies, Overlays());
     Frame other = run.frame;
-    const Picture same = stage.comparison(run.frame, other, "student", "reference");
+    const Picture same = visualizer.comparison(run.frame, other, "student", "reference");
     CHECK(same.ghost_boxes.empty());
     CHECK(same.rods.empty());
     other.bodies[1].position += Vector3d(0, 1, 0);
     other.bodies[2].orientation = {0, Vector3d(0, 1, 0)}; // half a turn in place
-    const Picture apart = stage.comparison(run.frame, other, "student", "reference");
+    const Picture apart = visualizer.comparison(run.frame, other, "student", "reference");
     CHECK(apart.ghost_boxes.size() == 1);
     CHECK(apart.ghost_balls.size() == 1);
     CHECK(apart.rods.size() == 1);
@@ -211,7 +212,7 @@ TEST_CASE("stage: a comparison draws as ghosts what lies apart", "[render]")
     CHECK(apart.texts.back().text == "2 of 3 bodies lie apart");
 }
 
-TEST_CASE("stage: a body that flew off or turned to nonsense is survived", "[render]")
+TEST_CASE("visualizer: a body that flew off or turned to nonsense is survived", "[render]")
 {
     SmallRun run = small_run();
     run.frame.bodies[1].position = Vector3d(1e300, 0, 0);
@@ -219,19 +220,19 @@ TEST_CASE("stage: a body that flew off or turned to nonsense is survived", "[ren
     run.frame.bodies[2].angular_momentum = Vector3d(1e300, 1e300, 0);
     Overlays overlays;
     overlays.angular_velocity = overlays.angular_momentum = overlays.axes = overlays.labels = true;
-    const Picture picture = Stage(run.scene, run.bodies, overlays).picture(run.frame);
+    const Picture picture = Visualizer(run.scene, run.bodies, overlays).picture(run.frame);
     CHECK(picture.boxes.empty());
     CHECK(picture.balls.size() == 1);
     for (const Instance& rod : picture.rods)
         CHECK(rod.axes.allFinite());
 }
 
-TEST_CASE("stage: a record of other bodies is refused", "[render]")
+TEST_CASE("visualizer: a record of other bodies is refused", "[render]")
 {
     SmallRun run = small_run();
     run.frame.bodies.pop_back();
-    const Stage stage(run.scene, run.bodies, Overlays());
-    CHECK_THROWS_WITH(stage.picture(run.frame), "small: step 0: expected 3 bodies, found 2");
+    const Visualizer visualizer(run.scene, run.bodies, Overlays());
+    CHECK_THROWS_WITH(visualizer.picture(run.frame), "small: step 0: expected 3 bodies, found 2");
     run.bodies.pop_back();
-    CHECK_THROWS_AS(Stage(run.scene, run.bodies, Overlays()), InputError);
+    CHECK_THROWS_AS(Visualizer(run.scene, run.bodies, Overlays()), InputError);
 }

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "render/gl/shaders.hpp"
+#include "render/gl/shaders/shader_sources.hpp"
+
+#include "render/gl/shaders/letter_sources.hpp"
 
 #include <stdexcept>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "render/surfaces.hpp"
+#include "render/shape_surfaces.hpp"
 
 #include "geometry/generators.hpp"
 #include "geometry/mesh_edges.hpp"

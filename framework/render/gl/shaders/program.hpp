@@ -3,12 +3,11 @@
 #pragma once
 
 #include "render/gl/gl.hpp"
+#include "render/gl/shaders/look.hpp"
 
 #include <string>
 
 namespace rigor {
-
-enum class Look { box, ball, model, overlay, ground, background, shadow, text, patch, count };
 
 /// What one picture's shaders share, in the layout of their uniform block (std140).
 struct View {
@@ -17,13 +16,6 @@ struct View {
     float light[4];  // towards it; [3]: the shadow's offset along a normal [m]
     float screen[4]; // width, height [pixels], 1 / side of the shadow map
 };
-
-/// The text of a look.
-struct ShaderSource {
-    std::string vertex, fragment;
-};
-ShaderSource source(Look look);
-ShaderSource letter_source(Look look); // of text and patches
 
 /// A compiled look. `definitions` are names its source asks for: SHADOWS, GHOST, CONTRAST, THROUGH.
 /// @throws std::runtime_error with the compiler's words

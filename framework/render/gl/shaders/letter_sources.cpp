@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The looks of what lies on the finished picture.
-#include "render/gl/shaders.hpp"
+#include "render/gl/shaders/letter_sources.hpp"
 
 namespace rigor {
 namespace {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "render/gl/shaders.hpp"
+#include "render/gl/shaders/program.hpp"
+
+#include "render/gl/shaders/shader_sources.hpp"
 
 #include <array>
 #include <stdexcept>
@@ -14,7 +16,6 @@ layout(std140) uniform View {
 };
 )";
 
-// A pale sky, the same that the ground fades into.
 void attach(GLuint program, GLenum stage, const std::string& text)
 {
     const GLuint shader = glCreateShader(stage);

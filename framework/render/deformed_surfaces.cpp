@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "render/skins.hpp"
+#include "render/deformed_surfaces.hpp"
 
 #include <algorithm>
 #include <array>
@@ -11,11 +11,11 @@ namespace {
 constexpr double smooth = 0.866; // cosine of 30 degrees
 
 // The surface of a solid at one moment.
-class Skin {
+class DeformedSurface {
 public:
-    explicit Skin(const SolidFrame& solid);
+    explicit DeformedSurface(const SolidFrame& solid);
 
-    SkinVertex vertex(int triangle, int corner) const;
+    DeformedVertex vertex(int triangle, int corner) const;
 
 private:
     struct Edge {
@@ -40,7 +40,8 @@ private:
     std::vector<int> corners_, first_corner_;  // 3 triangle + corner, sorted by their points
 };
 
-Skin::Skin(const SolidFrame& solid) : triangles_(solid.topology->surface.triangles)
+DeformedSurface::DeformedSurface(const SolidFrame& solid)
+    : triangles_(solid.topology->surface.triangles)
 {
     const SolidTopology& topology = *solid.topology;
     for (const EmbeddedPoint& point : topology.surface.points) {
@@ -66,14 +67,14 @@ Skin::Skin(const SolidFrame& solid) : triangles_(solid.topology->surface.triangl
     find_edges();
 }
 
-bool Skin::is_sharp(int triangle1, int triangle2) const
+bool DeformedSurface::is_sharp(int triangle1, int triangle2) const
 {
     return triangles_[triangle1].is_crack != triangles_[triangle2].is_crack ||
            !(normals_[triangle1].dot(normals_[triangle2]) > smooth);
 }
 
 // An edge is where two triangles meet; where more do, or only one does, none is drawn.
-void Skin::find_edges()
+void DeformedSurface::find_edges()
 {
     std::vector<Edge> edges;
     edges.reserve(3 * triangles_.size());
@@ -99,7 +100,7 @@ void Skin::find_edges()
     }
 }
 
-void Skin::add_line(const Edge& edge, const Edge& other_side)
+void DeformedSurface::add_line(const Edge& edge, const Edge& other_side)
 {
     sharp_[edge.triangle][edge.side] = sharp_[other_side.triangle][other_side.side] = true;
     const Vector3d along = (places_[edge.to] - places_[edge.from]).normalized();
@@ -109,7 +110,7 @@ void Skin::add_line(const Edge& edge, const Edge& other_side)
 
 // A sharp edge in the triangle's plane that only touches it in this corner: without its part here the
 // line would have gaps.
-const Vector3d* Skin::line_through(int triangle, int corner) const
+const Vector3d* DeformedSurface::line_through(int triangle, int corner) const
 {
     if (sharp_[triangle][corner] || sharp_[triangle][(corner + 2) % 3]) return nullptr;
     const Vector3d& p = place(triangle, corner);
@@ -125,7 +126,7 @@ const Vector3d* Skin::line_through(int triangle, int corner) const
     return nullptr;
 }
 
-double Skin::angle(int triangle, int corner) const
+double DeformedSurface::angle(int triangle, int corner) const
 {
     const Vector3d& p = place(triangle, corner);
     const Vector3d a = place(triangle, corner + 1) - p, b = place(triangle, corner + 2) - p;
@@ -133,7 +134,7 @@ double Skin::angle(int triangle, int corner) const
 }
 
 // Of all triangles around the corner that bend away from this one by little.
-Vector3d Skin::normal(int triangle, int corner) const
+Vector3d DeformedSurface::normal(int triangle, int corner) const
 {
     const int point = triangles_[triangle].points[corner];
     Vector3d sum = Vector3d::Zero();
@@ -144,11 +145,11 @@ Vector3d Skin::normal(int triangle, int corner) const
     return sum.norm() > 0 ? Vector3d(sum.normalized()) : normals_[triangle];
 }
 
-SkinVertex Skin::vertex(int triangle, int corner) const
+DeformedVertex DeformedSurface::vertex(int triangle, int corner) const
 {
     const Vector3d &p = place(triangle, corner), &next = place(triangle, corner + 1),
                    &last = place(triangle, corner + 2);
-    SkinVertex vertex{p.cast<float>(), normal(triangle, corner).cast<float>()};
+    DeformedVertex vertex{p.cast<float>(), normal(triangle, corner).cast<float>()};
     const double base = (last - next).norm();
     const double height = base > 0 ? (next - p).cross(last - p).norm() / base : 0;
     for (int side = 0; side < 3; ++side) // a corner lies on two of them
@@ -166,16 +167,16 @@ SkinVertex Skin::vertex(int triangle, int corner) const
 
 } // namespace
 
-void add_skin(std::vector<SkinVertex>& skin, const SolidFrame& solid,
-              const std::function<Vector4f(const EmbeddedTriangle&, int point)>& color)
+void add_deformed_surface(std::vector<DeformedVertex>& vertices, const SolidFrame& solid,
+                          const std::function<Vector4f(const EmbeddedTriangle&, int point)>& color)
 {
-    const Skin surface(solid);
+    const DeformedSurface surface(solid);
     const std::vector<EmbeddedTriangle>& triangles = solid.topology->surface.triangles;
-    skin.reserve(skin.size() + 3 * triangles.size());
+    vertices.reserve(vertices.size() + 3 * triangles.size());
     for (std::size_t t = 0; t < triangles.size(); ++t)
         for (int corner = 0; corner < 3; ++corner) {
-            skin.push_back(surface.vertex(static_cast<int>(t), corner));
-            skin.back().color = color(triangles[t], triangles[t].points[corner]);
+            vertices.push_back(surface.vertex(static_cast<int>(t), corner));
+            vertices.back().color = color(triangles[t], triangles[t].points[corner]);
         }
 }
 

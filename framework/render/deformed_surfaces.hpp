@@ -13,8 +13,8 @@ namespace rigor {
 /// edges where it bends by more and around what a crack opened.
 ///
 /// @param color  of a corner of a triangle: of the triangle, and the point of the surface
-void add_skin(std::vector<SkinVertex>& skin, const SolidFrame& solid,
-              const std::function<Vector4f(const EmbeddedTriangle&, int point)>& color);
+void add_deformed_surface(std::vector<DeformedVertex>& vertices, const SolidFrame& solid,
+                          const std::function<Vector4f(const EmbeddedTriangle&, int point)>& color);
 
 /// A quantity of elements at the points of the surface: the mean of the elements around each node,
 /// between the nodes evenly.

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// How deformable solids are drawn.
+#include "render/solid_visualizer.hpp"
+
 #include "geometry/bounds.hpp"
 #include "render/colors.hpp"
-#include "render/skins.hpp"
-#include "render/stage.hpp"
+#include "render/deformed_surfaces.hpp"
+#include "render/drawn_body.hpp"
 
 #include <fmt/format.h>
 
@@ -44,73 +45,68 @@ std::pair<double, const char*> pressure_unit(double largest)
 
 } // namespace
 
-void Stage::add_solids()
+SolidVisualizer::SolidVisualizer(const std::vector<SolidDescription>& solids,
+                                 const Overlays& overlays, std::size_t first_color)
+    : overlays_(overlays)
 {
-    const auto moving = std::count_if(actors_.begin(), actors_.end(),
-                                      [](const Actor& actor) { return !actor.is_static; });
-    for (const SolidDescription& solid : scene_.solids) {
-        const std::size_t n = static_cast<std::size_t>(moving) + solid_colors_.size();
-        solid_colors_.push_back(
-            solid.color ? linear_color(solid.color->x(), solid.color->y(), solid.color->z())
-                        : colors::palette(n));
+    for (const SolidDescription& solid : solids) {
+        colors_.push_back(solid.color
+                              ? linear_color(solid.color->x(), solid.color->y(), solid.color->z())
+                              : colors::palette(first_color + colors_.size()));
         Bounds bounds;
         for (const Vector3d& v : solid.mesh->vertices)
             bounds.include({v, v});
-        solid_radii_.push_back((bounds.high - bounds.low).norm() / 2);
+        radii_.push_back((bounds.high - bounds.low).norm() / 2);
+        stress_limit_ =
+            std::min({stress_limit_, solid.material.yield_stress, solid.material.strength});
     }
 }
 
-Stage::Colors Stage::solid_colors(const std::vector<std::vector<float>>& values) const
+std::array<double, 2>
+SolidVisualizer::color_range(const std::vector<std::vector<float>>& values) const
 {
-    Colors result{overlays_.solids, {0, 0}};
-    if (overlays_.solids_range) {
-        result.range = *overlays_.solids_range;
-        return result;
-    }
-    double limit = never, largest = 0;
-    for (const SolidDescription& solid : scene_.solids)
-        limit = std::min({limit, solid.material.yield_stress, solid.material.strength});
-    if (result.kind == SolidColors::stress && limit < never) {
-        result.range[1] = limit;
-        return result;
-    }
+    if (overlays_.solids_range) return *overlays_.solids_range;
+    const bool is_stress = overlays_.solids == SolidColors::stress;
+    if (is_stress && stress_limit_ < never) return {0, stress_limit_};
+    double largest = 0;
     for (const std::vector<float>& of_solid : values)
         for (const float value : of_solid)
             largest = std::max<double>(largest, value);
     // where there is nothing, rounding is not drawn as if it were something
-    const double least = result.kind == SolidColors::stress ? 1 : 1e-3;
-    result.range[1] = rounded_up(std::max(largest, least));
-    return result;
+    const double least = is_stress ? 1 : 1e-3;
+    return {0, rounded_up(std::max(largest, least))};
 }
 
-void Stage::draw_solids(Picture& picture, const Frame& frame) const
+void SolidVisualizer::draw(Picture& picture, const Frame& frame) const
 {
     const bool is_scale = overlays_.solids != SolidColors::color;
     std::vector<std::vector<float>> values(frame.solids.size()); // at the points of the surfaces
     for (std::size_t i = 0; i < values.size() && is_scale; ++i)
         values[i] =
             at_points(*frame.solids[i].topology, quantity(frame.solids[i], overlays_.solids));
-    const Colors colors = solid_colors(values);
-    const double low = colors.range[0], high = colors.range[1];
+    const std::array<double, 2> range = color_range(values);
+    const double low = range[0], high = range[1];
     for (std::size_t i = 0; i < frame.solids.size(); ++i) {
         if (!in_sight(frame.solids[i])) continue;
-        add_skin(picture.skins, frame.solids[i], [&](const EmbeddedTriangle& triangle, int point) {
-            if (triangle.is_crack) return is_scale ? colors::pale_crack : colors::crack;
-            if (!is_scale) return solid_colors_[i];
-            return colors::scale((values[i][point] - low) / (high - low));
-        });
+        add_deformed_surface(picture.deformed, frame.solids[i],
+                             [&](const EmbeddedTriangle& triangle, int point) {
+                                 if (triangle.is_crack)
+                                     return is_scale ? colors::pale_crack : colors::crack;
+                                 if (!is_scale) return colors_[i];
+                                 return colors::scale((values[i][point] - low) / (high - low));
+                             });
     }
-    if (is_scale) add_color_scale(picture, colors);
+    if (is_scale) add_color_scale(picture, range);
 }
 
-void Stage::add_color_scale(Picture& picture, const Colors& colors) const
+void SolidVisualizer::add_color_scale(Picture& picture, const std::array<double, 2>& range) const
 {
     ColorScale& scale = picture.color_scale.emplace();
     constexpr int steps = 128;
     for (int i = 0; i < steps; ++i)
         scale.colors.push_back(colors::scale((i + 0.5) / steps));
-    const auto [low, high] = colors.range;
-    const bool is_stress = colors.kind == SolidColors::stress;
+    const auto [low, high] = range;
+    const bool is_stress = overlays_.solids == SolidColors::stress;
     const auto [unit, name] = is_stress ? pressure_unit(high) : std::pair{1.0, ""};
     scale.title = is_stress ? fmt::format("von Mises stress [{}]", name) : "plastic strain";
     // ticks at round numbers, four or more of them
@@ -123,23 +119,23 @@ void Stage::add_color_scale(Picture& picture, const Colors& colors) const
     }
 }
 
-bool Stage::lies_apart(std::size_t solid, const SolidFrame& frame, const SolidFrame& other) const
+bool SolidVisualizer::lies_apart(std::size_t solid, const SolidFrame& frame,
+                                 const SolidFrame& other) const
 {
     if (frame.topology->elements != other.topology->elements ||
         frame.positions.size() != other.positions.size())
         return true;
-    constexpr double seen = 0.004; // of the solid's radius: less cannot be seen
     for (std::size_t i = 0; i < frame.positions.size(); ++i)
-        if (!((frame.positions[i] - other.positions[i]).norm() <= seen * solid_radii_[solid]))
+        if (!((frame.positions[i] - other.positions[i]).norm() <= visible_distance * radii_[solid]))
             return true;
     return false;
 }
 
-void Stage::add_ghost(Picture& picture, const SolidFrame& solid) const
+void SolidVisualizer::draw_ghost(Picture& picture, const SolidFrame& solid) const
 {
     if (!in_sight(solid)) return;
-    add_skin(picture.ghost_skins, solid,
-             [](const EmbeddedTriangle&, int) { return colors::ghostly; });
+    add_deformed_surface(picture.ghost_deformed, solid,
+                         [](const EmbeddedTriangle&, int) { return colors::ghostly; });
 }
 
 } // namespace rigor
