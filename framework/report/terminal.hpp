@@ -7,7 +7,7 @@
 
 namespace rigor {
 
-enum class Color { none, bold, dim, green, yellow, red, cyan };
+enum class Color { none, bold, dim, green, yellow, red };
 
 /// Whether this descriptor is a terminal.
 bool is_terminal(int descriptor);
