@@ -69,7 +69,8 @@ private:
     std::int64_t next_ = 0;
 };
 
-/// A scene, simulated and drawn at the same time. Says where the frames are. @return the exit status
+/// A scene, simulated and drawn at the same time. Says where the frames are. @return the exit
+/// status
 int render_scene(const Scene& scene, const Implementation& implementation,
                  const std::string& folder, const DrawOptions& options);
 

@@ -13,7 +13,8 @@ namespace {
 // A longer word is no misspelt name; comparing it would only cost time.
 constexpr std::size_t longest_word = 64;
 
-// How many letters to insert, remove, replace or swap with a neighbour turn one word into the other.
+// How many letters to insert, remove, replace or swap with a neighbour turn one word into the
+// other.
 std::size_t edit_distance(std::string_view a, std::string_view b)
 {
     std::vector<std::size_t> before, previous(b.size() + 1), current(b.size() + 1);

@@ -35,8 +35,9 @@ struct Assignment {
     double points() const;
 };
 
-/// One assignment.json, checked against the table of formulas: each formula of the topic has exactly one task, of its
-/// tag. @throws InputError that names the file, the place in it, what was expected and what was found
+/// One assignment.json, checked against the table of formulas: each formula of the topic has
+/// exactly one task, of its tag. @throws InputError that names the file, the place in it, what was
+/// expected and what was found
 Assignment load_assignment(const std::filesystem::path& file);
 
 /// All of them, `folder`/*/assignment.json, by name. @throws InputError also if there is none

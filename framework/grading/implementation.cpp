@@ -39,7 +39,8 @@ void take_over(Implementation& implementation, const NinjaRun& run)
     implementation.build_seconds += run.seconds;
 }
 
-// Ours, or the student's? What is made from the student's files has `marker` in its path; the worker is linked last.
+// Ours, or the student's? What is made from the student's files has `marker` in its path; the
+// worker is linked last.
 bool is_theirs(const NinjaRun& run, const std::string& marker, const std::string& worker)
 {
     if (run.failed.empty()) return run.timed_out;

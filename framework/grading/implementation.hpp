@@ -29,11 +29,14 @@ struct Implementation {
     std::filesystem::path file(const std::string& topic) const;
 };
 
-/// Builds the worker of `student`, `reference` or a folder that holds some of the topics' files; only what is out of
-/// date. A folder's files are compiled by the very commands that compile student/.
+/// Builds the worker of `student`, `reference` or a folder that holds some of the topics' files;
+/// only what is out of date. A folder's files are compiled by the very commands that compile
+/// student/.
 ///
-/// @param asked  topics of a folder whose files have to compile; of another, student/ can take the place; none: all
-/// @throws InputError if there is no such implementation, std::runtime_error if code of ours does not compile
+/// @param asked  topics of a folder whose files have to compile; of another, student/ can take the
+/// place; none: all
+/// @throws InputError if there is no such implementation, std::runtime_error if code of ours does
+/// not compile
 Implementation build_implementation(const std::string& name, const OnBuildStep& on_step = {},
                                     const std::vector<std::string>& asked = {});
 

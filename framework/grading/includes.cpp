@@ -25,8 +25,9 @@ bool is_within(const fs::path& file, const fs::path& folder)
            folder.end();
 }
 
-// The files of a list "object: file file \<newline> file", as the compiler opened them. ninja's own log would not do: it
-// shortens "link/../file" to "file", which is another file if link leads elsewhere.
+// The files of a list "object: file file \<newline> file", as the compiler opened them. ninja's own
+// log would not do: it shortens "link/../file" to "file", which is another file if link leads
+// elsewhere.
 std::vector<std::string> listed_files(const std::string& object)
 {
     std::ifstream file(list_of(object));

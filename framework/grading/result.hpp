@@ -12,10 +12,12 @@
 
 namespace rigor {
 
-/// How a test case or a task went, the better first: a task is as bad as the worst of its test cases.
+/// How a test case or a task went, the better first: a task is as bad as the worst of its test
+/// cases.
 ///
-/// A crash comes before a wrong value, since it hides what would have been found after it; `failed` before
-/// `not_implemented`, since a task that fails on its own is not excused by a stub it calls as well.
+/// A crash comes before a wrong value, since it hides what would have been found after it; `failed`
+/// before `not_implemented`, since a task that fails on its own is not excused by a stub it calls
+/// as well.
 enum class Status { passed, skipped, not_implemented, failed, not_finite, timed_out, crashed };
 
 std::string_view to_string(Status status);
@@ -61,7 +63,8 @@ struct Result {
     bool all_points() const { return status == SubmissionStatus::graded && score() == max_score(); }
 };
 
-/// A task's result from its test cases: its points whole if there are test cases and all of them passed, else none.
+/// A task's result from its test cases: its points whole if there are test cases and all of them
+/// passed, else none.
 TaskResult score_task(const Task& task, std::vector<TestCase> tests);
 
 } // namespace rigor

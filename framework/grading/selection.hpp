@@ -14,8 +14,9 @@ struct Selection {
     std::vector<std::string> tags;
 };
 
-/// What the words name: an assignment (`a2-inertia`, `A2`), its topic (`inertia`), a task's tag (`A2.14`) or its
-/// formula (`combine`), whatever the case. No word: everything. @throws InputError with the nearest name
+/// What the words name: an assignment (`a2-inertia`, `A2`), its topic (`inertia`), a task's tag
+/// (`A2.14`) or its formula (`combine`), whatever the case. No word: everything. @throws InputError
+/// with the nearest name
 std::vector<Selection> select_tasks(const std::vector<Assignment>& assignments,
                                     const std::vector<std::string>& words);
 

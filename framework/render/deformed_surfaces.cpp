@@ -108,8 +108,8 @@ void DeformedSurface::add_line(const Edge& edge, const Edge& other_side)
         lines_[point].push_back(along);
 }
 
-// A sharp edge in the triangle's plane that only touches it in this corner: without its part here the
-// line would have gaps.
+// A sharp edge in the triangle's plane that only touches it in this corner: without its part here
+// the line would have gaps.
 const Vector3d* DeformedSurface::line_through(int triangle, int corner) const
 {
     if (sharp_[triangle][corner] || sharp_[triangle][(corner + 2) % 3]) return nullptr;
@@ -117,7 +117,8 @@ const Vector3d* DeformedSurface::line_through(int triangle, int corner) const
     const Vector3d a = place(triangle, corner + 1) - p, b = place(triangle, corner + 2) - p;
     for (const Vector3d& along : lines_[triangles_[triangle].points[corner]]) {
         if (!(std::abs(along.dot(normals_[triangle])) < 0.5)) continue;
-        // beyond its end an edge has no line: a triangle there lies on both sides, or has a side on it
+        // beyond its end an edge has no line: a triangle there lies on both sides, or has a side on
+        // it
         const Vector3d across = normals_[triangle].cross(along);
         const double side_a = across.dot(a) / a.norm(), side_b = across.dot(b) / b.norm();
         if (side_a * side_b > 0 && std::min(std::abs(side_a), std::abs(side_b)) > 0.1)

@@ -9,8 +9,8 @@
 
 namespace rigor {
 
-/// The triangles of a solid's surface as it is now: smooth where it bends by less than 30 degrees, with
-/// edges where it bends by more and around what a crack opened.
+/// The triangles of a solid's surface as it is now: smooth where it bends by less than 30 degrees,
+/// with edges where it bends by more and around what a crack opened.
 ///
 /// @param color  of a corner of a triangle: of the triangle, and the point of the surface
 void add_deformed_surface(std::vector<DeformedVertex>& vertices, const SolidFrame& solid,

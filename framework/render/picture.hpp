@@ -51,8 +51,8 @@ struct DeformedVertex {
     Vector4f color = Vector4f::Ones();         // linear red, green, blue, opacity
 };
 
-/// What colors mean: a bar with numbers in a strip at the right border. The scene is drawn smaller, to
-/// the left of it.
+/// What colors mean: a bar with numbers in a strip at the right border. The scene is drawn smaller,
+/// to the left of it.
 struct ColorScale {
     std::string title;            // with the unit
     std::vector<Vector4f> colors; // from the low end up, linear
@@ -91,8 +91,8 @@ struct Picture {
     std::vector<Model> ghost_models;
     std::vector<DeformedVertex> deformed; // of deforming solids, three a triangle; cast shadows
     std::vector<DeformedVertex> ghost_deformed; // translucent
-    // Overlays: cylinders and cones with base 0 and tip z = 1, small balls. Their opacity is that of
-    // what lies behind a body; the rest is opaque.
+    // Overlays: cylinders and cones with base 0 and tip z = 1, small balls. Their opacity is that
+    // of what lies behind a body; the rest is opaque.
     std::vector<Instance> rods, cones, dots;
     std::vector<Ground> grounds;
     std::vector<Text> texts;

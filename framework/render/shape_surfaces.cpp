@@ -47,7 +47,8 @@ struct MeshOf {
     template <class Other> TriangleMesh operator()(const Other&) const { return {}; }
 };
 
-// The normal that a face shows at one of its vertices: of all faces there that bend away from it by little.
+// The normal that a face shows at one of its vertices: of all faces there that bend away from it by
+// little.
 class CornerNormals {
 public:
     CornerNormals(const TriangleMesh& mesh, const std::vector<Vector3d>& normals)

@@ -41,8 +41,9 @@ struct Graded {
     std::vector<std::string> submissions; // implementations, or folders of tests/samples
 };
 
-// The first assignment, which has no scene, solved and not; then three submissions: one that is complete, one half done
-// with the usual mistakes, one that crashes in one task and never returns from another.
+// The first assignment, which has no scene, solved and not; then three submissions: one that is
+// complete, one half done with the usual mistakes, one that crashes in one task and never returns
+// from another.
 std::vector<Graded> to_grade()
 {
     return {{"a0-pipeline", {"reference", "student"}},

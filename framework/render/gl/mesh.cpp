@@ -8,7 +8,8 @@
 namespace rigor {
 namespace {
 
-// The attributes of the shaders: 0 position, 1 normal, 7 edges; 2 3 4 axes, 5 place, 6 color an instance.
+// The attributes of the shaders: 0 position, 1 normal, 7 edges; 2 3 4 axes, 5 place, 6 color an
+// instance.
 void attribute(GLuint index, int size, std::size_t stride, std::size_t offset, GLuint divisor)
 {
     glEnableVertexAttribArray(index);

@@ -6,8 +6,9 @@
 
 namespace rigor {
 
-/// A scene's text with the texts of all mesh files that it names under "meshes", so that the scene is
-/// whole wherever it is sent. Lines keep their numbers; a text that names no file stays as it is.
+/// A scene's text with the texts of all mesh files that it names under "meshes", so that the scene
+/// is whole wherever it is sent. Lines keep their numbers; a text that names no file stays as it
+/// is.
 ///
 /// @param scene_file  that the mesh files' paths start from
 /// @throws Mistake at the line that names a file which is not there, InputError at a line of a mesh

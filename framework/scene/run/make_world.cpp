@@ -11,8 +11,8 @@ namespace rigor {
 
 namespace {
 
-// Each mesh of the scene once more: what a world makes of it in its steps, its level set above all, is
-// the world's own, so that each world of a scene does and counts the same.
+// Each mesh of the scene once more: what a world makes of it in its steps, its level set above all,
+// is the world's own, so that each world of a scene does and counts the same.
 class OwnMeshes {
 public:
     void take(std::vector<Part>& parts)

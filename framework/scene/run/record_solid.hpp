@@ -7,8 +7,8 @@
 
 namespace rigor {
 
-/// What a trajectory records of a deformable solid, frame by frame. Its mesh is looked at only where it
-/// changed.
+/// What a trajectory records of a deformable solid, frame by frame. Its mesh is looked at only
+/// where it changed.
 class SolidRecorder {
 public:
     /// @param time  for the error [s]

@@ -20,8 +20,8 @@ void run_scene(const Scene& scene, Record record, const ByteSink& write,
 /// The states of all bodies at a moment.
 using Moment = std::pair<double, std::vector<RigidState>>;
 
-/// The states that each moment of a scene leads to after some steps. Deformable solids start from each
-/// as they are when the scene begins.
+/// The states that each moment of a scene leads to after some steps. Deformable solids start from
+/// each as they are when the scene begins.
 /// @param starts  each time a multiple of the time step, each with a state for every body
 std::vector<std::vector<RigidState>> advance(const Scene& scene, const std::vector<Moment>& starts,
                                              int steps, const RunSettings& settings = {});

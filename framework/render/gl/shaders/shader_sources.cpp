@@ -131,8 +131,8 @@ void main() {
 }
 )";
 
-// Any surface, with a thin dark line along its sharp edges. Octants in two tones as of a ball, in what contrast
-// the surface asks for.
+// Any surface, with a thin dark line along its sharp edges. Octants in two tones as of a ball, in
+// what contrast the surface asks for.
 constexpr const char* model_fragment = R"(
 in vec3 edges;
 void main() {
