@@ -12,7 +12,7 @@ namespace rigor {
 
 struct Implementation {
     std::string name;                // as it was asked for: "student", "reference" or a folder
-    std::filesystem::path folder;    // of its sources
+    std::filesystem::path folder;    // where its sources are
     std::filesystem::path worker;    // the executable
     std::vector<std::string> broken; // topics whose files do not compile, and nobody asked for
     std::vector<std::string>

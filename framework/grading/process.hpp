@@ -22,7 +22,7 @@ struct Command {
 
 /// How it ended.
 struct Ended {
-    int status = 0;         // of its exit
+    int status = 0;         // its exit status
     int signal = 0;         // that killed it, or 0
     bool timed_out = false; // killed by us: it was silent for too long
     double seconds = 0;     // from start to end

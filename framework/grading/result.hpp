@@ -31,7 +31,7 @@ struct TestCase {
     std::string message, hint;                                       // in the test's own words
     std::string expected, actual, error, tolerance, tolerance_class; // empty where there is none
     std::string place;                                               // the field that is wrong
-    std::optional<std::int64_t> seed;                                // of the counterexample
+    std::optional<std::int64_t> seed;                                // makes the counterexample
     bool is_hidden = false;
     double seconds = 0;
 };

@@ -33,10 +33,10 @@ private:
     }
 
     const std::vector<EmbeddedTriangle>& triangles_;
-    std::vector<Vector3d> places_;             // of each point [m]
-    std::vector<Vector3d> normals_;            // of each triangle, unit
-    std::vector<std::vector<Vector3d>> lines_; // of each point, unit vectors along its sharp edges
-    std::vector<std::array<bool, 3>> sharp_;   // of each triangle: the sides 0 1, 1 2, 2 0
+    std::vector<Vector3d> places_;             // one a point [m]
+    std::vector<Vector3d> normals_;            // one a triangle, unit
+    std::vector<std::vector<Vector3d>> lines_; // at each point, unit vectors along its sharp edges
+    std::vector<std::array<bool, 3>> sharp_;   // for each triangle: the sides 0 1, 1 2, 2 0
     std::vector<int> corners_, first_corner_;  // 3 triangle + corner, sorted by their points
 };
 

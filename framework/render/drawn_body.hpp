@@ -14,7 +14,7 @@ struct DrawnBody {
     std::string name;
     bool is_static = false;
     std::vector<Part> parts;                     // about the center of mass
-    std::vector<int> models;                     // of each part; -1: a box, a ball, a plane
+    std::vector<int> models;                     // one a part; -1: a box, a ball, a plane
     Matrix3d inverse_inertia = Matrix3d::Zero(); // I_body⁻¹ [1/(kg m²)]
     double mass = 0, mean_inertia = 0;           // [kg], [kg m²]
     double radius = 0;                           // around the center of mass [m]

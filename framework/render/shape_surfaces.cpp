@@ -13,7 +13,7 @@ namespace rigor {
 namespace {
 
 constexpr double smooth = 0.866; // cosine of 30 degrees
-constexpr int sides = 64;        // of what is round
+constexpr int sides = 64;        // how many a circle has
 
 struct MeshOf {
     TriangleMesh operator()(const Capsule& c) const

@@ -46,7 +46,7 @@ private:
     SolidVisualizer solids_;
     std::map<SurfaceKey, int> model_numbers_; // among the picture's models
     Picture start_;           // camera and, where the scene has no plane, lines to see motion by
-    float thickness_ = 0.01F; // of a rod [m]
+    float thickness_ = 0.01F; // radius of a rod [m]
 };
 
 } // namespace rigor

@@ -34,7 +34,7 @@ enum class Status : std::uint32_t {
 
 struct Channel {
     static constexpr std::size_t capacity = std::size_t{64} << 20; // touched pages only take memory
-    static constexpr std::size_t longest_text = 4096;              // of a failure
+    static constexpr std::size_t longest_text = 4096;              // in a failure [bytes]
     static constexpr std::uint32_t ring = std::uint32_t{4} << 20;  // a power of two
 
     alignas(64) std::atomic<std::uint32_t> request;

@@ -72,7 +72,7 @@ private:
     Limits limits_;
     Worker* oracle_;
     std::unique_ptr<Session> session_;
-    std::string subject_; // of the request under way
+    std::string subject_; // what the request under way asks
     std::string output_;
     int failed_starts_ = 0;
     std::optional<WorkerFailure> start_failure_;

@@ -126,7 +126,7 @@ void notice_children()
 void limit(int pid, __rlimit_resource resource, std::size_t most)
 {
     const rlimit both = {most, most};
-    prlimit(pid, resource, &both, nullptr); // of a process that has ended already: nothing to limit
+    prlimit(pid, resource, &both, nullptr); // an ended process has nothing to limit
 }
 
 std::string signal_name(int signal)

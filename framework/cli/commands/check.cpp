@@ -66,7 +66,7 @@ void print_report(const std::vector<Result>& results, const Implementation& impl
     const auto broken = std::find_if(results.begin(), results.end(), [](const Result& result) {
         return result.status == SubmissionStatus::compile_error;
     });
-    if (broken != results.end()) { // of the implementation: say it once
+    if (broken != results.end()) { // the same for every task: say it once
         fmt::print("{}\n{}", colored(implementation.name + " does not compile", Color::red, color),
                    broken->message);
         return;

@@ -19,7 +19,7 @@ public:
     void draw(const Picture& picture, const View& view);
 
 private:
-    struct Corner { // of a letter's rectangle
+    struct Corner { // a corner of a letter's rectangle
         float x, y, u, v;
         float color[4];
     };

@@ -8,7 +8,7 @@
 namespace rigor {
 
 constexpr int shadow_side =
-    1024; // of the shadow map [pixels]; larger costs time and hardens the edges
+    1024; // the shadow map's side [pixels]; a larger one costs time and hardens the edges
 
 /// All that the shaders share about a picture of this size.
 View view_of(const Picture& picture, int width, int height);

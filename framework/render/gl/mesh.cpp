@@ -146,7 +146,7 @@ void DeformedDrawing::draw() const
 {
     if (count_ == 0) return;
     glBindVertexArray(arrays_);
-    glVertexAttrib3f(2, 1, 0, 0); // of one instance, which stands where its corners say
+    glVertexAttrib3f(2, 1, 0, 0); // one instance, which stands where its corners say
     glVertexAttrib3f(3, 0, 1, 0);
     glVertexAttrib3f(4, 0, 0, 1);
     glVertexAttrib3f(5, 0, 0, 0);

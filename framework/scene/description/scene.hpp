@@ -21,9 +21,9 @@ struct BodyDescription {
     std::optional<double> mass; // given instead of densities [kg]
     // given with mass, about the center of mass, which is the frame's origin [kg m²]
     std::optional<Matrix3d> inertia;
-    Vector3d position = Vector3d::Zero(); // of the frame's origin [m]
+    Vector3d position = Vector3d::Zero(); // where the frame's origin is [m]
     Quaternion orientation;
-    Vector3d velocity = Vector3d::Zero();         // of the center of mass [m/s]
+    Vector3d velocity = Vector3d::Zero();         // the center of mass's [m/s]
     Vector3d angular_velocity = Vector3d::Zero(); // world space [rad/s]
     std::optional<Vector3d> color;                // red, green, blue in 0 … 1
 };
@@ -35,13 +35,13 @@ struct SolidDescription {
     SolidMaterial material;
     NodeIntegrator integrator = NodeIntegrator::implicit_step;
     FractureMethod fracture_method = FractureMethod::faces;
-    Vector3d position = Vector3d::Zero(); // of the frame's origin [m]
+    Vector3d position = Vector3d::Zero(); // where the frame's origin is [m]
     Quaternion orientation;
-    Vector3d velocity = Vector3d::Zero();         // of the center of mass [m/s]
+    Vector3d velocity = Vector3d::Zero();         // the center of mass's [m/s]
     Vector3d angular_velocity = Vector3d::Zero(); // world space [rad/s]
     std::optional<Vector3d> color;                // red, green, blue in 0 … 1
     std::vector<Handle> handles;                  // in world space already
-    std::vector<NodeLoad> loads;                  // likewise
+    std::vector<NodeLoad> loads;                  // in world space already
 };
 
 struct Camera {
@@ -58,17 +58,17 @@ struct Overlays {
     bool axes = false, angular_velocity = false, angular_momentum = false, contacts = false,
          labels = false, grid = true;
     SolidColors solids = SolidColors::color;
-    std::optional<std::array<double, 2>> solids_range; // of the colors [Pa], or without unit
+    std::optional<std::array<double, 2>> solids_range; // what the colors span [Pa, or no unit]
 };
 
 struct Scene {
-    std::string name;        // of the file, without its ending
+    std::string name;        // the file's, without its ending
     std::string description; // one sentence: what to see
     std::string text;        // the file itself
     std::vector<BodyDescription> bodies;
     std::vector<SolidDescription> solids;
     std::vector<Spring> springs;              // their points in the bodies' frames, as written
-    std::vector<AppliedForce> forces;         // likewise
+    std::vector<AppliedForce> forces;         // points as those of springs
     Vector3d gravity = Vector3d(0, -9.81, 0); // [m/s²]
     Integrator integrator = Integrator::runge_kutta;
     ContactMethod contact_method = ContactMethod::built_in;

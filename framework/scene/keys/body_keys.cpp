@@ -42,7 +42,7 @@ struct BodyDraft {
     BodyDescription body;
     const Value *shape = nullptr, *parts = nullptr, *density = nullptr, *mass = nullptr,
                 *inertia = nullptr, *motion = nullptr, *grid = nullptr;
-    const Value* part_density = nullptr; // of the first part that has its own
+    const Value* part_density = nullptr; // where the first part has its own
 };
 
 constexpr Key<BodyDraft> body_keys[] = {

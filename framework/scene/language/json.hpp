@@ -20,8 +20,8 @@ struct Value {
     int line = 1;
     bool truth = false;
     double number = 0;
-    std::string text;         // of a string
-    std::vector<Value> items; // of an array, or of an object in the order of the file
+    std::string text;         // what a string says
+    std::vector<Value> items; // what an array or object holds, in the order of the file
     std::string key;          // its name, if an object holds it
 };
 

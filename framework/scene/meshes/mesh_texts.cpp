@@ -22,7 +22,7 @@ constexpr std::uintmax_t most_mesh_bytes = 64'000'000, most_scene_bytes = 16'000
 // A mesh file that the scene names.
 struct NamedFile {
     const Value* name;
-    bool is_solid; // of tetrahedra
+    bool is_solid; // a mesh of tetrahedra
 };
 
 // The names of mesh files under a value, {"mesh": {"file": …}}.

@@ -16,8 +16,8 @@ public:
     SolidFrame frame(const Deformable& solid, double time);
 
 private:
-    std::shared_ptr<const SolidTopology> topology_; // of the frame before
-    int change_ = 0;                                // that it belongs to
+    std::shared_ptr<const SolidTopology> topology_; // as in the frame before
+    int change_ = 0;                                // the change of the mesh that it belongs to
 };
 
 } // namespace rigor

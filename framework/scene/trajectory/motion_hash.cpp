@@ -15,7 +15,7 @@ void MotionHash::take(std::span<const std::byte> bytes)
 
 void MotionHash::take(const std::vector<RecordedBody>& bodies)
 {
-    take(encode_start({}, bodies)); // of no name and no text
+    take(encode_start({}, bodies)); // without name and text
 }
 
 void MotionHash::take(const Frame& frame)

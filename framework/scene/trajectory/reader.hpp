@@ -50,7 +50,7 @@ private:
     void read_mesh(ByteCursor& bytes);
     void expect_solid_state();
     void read_solid_state(ByteCursor& bytes);
-    std::string solid_place() const; // of the one being read, for an error
+    std::string solid_place() const; // names the solid being read in an error
     void finish_frame();
     void read_counter_count(ByteCursor& bytes);
     void read_counters(ByteCursor& bytes);
@@ -62,11 +62,11 @@ private:
     Scene scene_;
     std::uint32_t version_ = 1;
     std::string name_;
-    std::vector<RecordedBody> bodies_;                             // of the start
-    Frame frame_;                                                  // the one being read
-    bool is_new_topology_ = false;                                 // of the solid being read
-    TopologyCounts counts_;                                        // likewise
-    std::vector<std::shared_ptr<const SolidTopology>> topologies_; // of each solid, the last
+    std::vector<RecordedBody> bodies_; // as the header has them
+    Frame frame_;                      // the one being read
+    bool is_new_topology_ = false;     // whether the solid being read has one
+    TopologyCounts counts_;            // sizes of the mesh being read
+    std::vector<std::shared_ptr<const SolidTopology>> topologies_; // the last one of each solid
     std::int64_t last_step_ = -1;
     bool started_ = false, complete_ = false, broken_ = false;
 };

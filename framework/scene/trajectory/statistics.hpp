@@ -11,7 +11,7 @@ namespace rigor {
 struct SolidStatistics {
     DeformableTotals totals;
     std::size_t pieces = 0, elements = 0;
-    double largest_stress = 0;         // of von Mises, over the elements [Pa]
+    double largest_stress = 0;         // von Mises, over the elements [Pa]
     double largest_plastic_strain = 0; // equivalent, over the elements
 };
 
@@ -19,11 +19,11 @@ struct SolidStatistics {
 struct FrameStatistics {
     double time = 0;                              // [s]
     double kinetic_energy = 0;                    // [J]
-    double potential_energy = 0;                  // of gravity, springs and elastic solids [J]
+    double potential_energy = 0;                  // gravity, springs and elastic solids [J]
     Vector3d momentum = Vector3d::Zero();         // [kg m/s]
     Vector3d angular_momentum = Vector3d::Zero(); // about the world's origin [kg m²/s]
-    double deepest_penetration = 0;               // of the recorded contacts [m]
-    std::vector<SolidStatistics> solids;          // of each
+    double deepest_penetration = 0;               // among the recorded contacts [m]
+    std::vector<SolidStatistics> solids;          // one a solid
     double total_energy() const { return kinetic_energy + potential_energy; }
 };
 

@@ -47,10 +47,10 @@ struct SolidFrame {
     std::shared_ptr<const SolidTopology> topology; // not null
     bool is_new_topology = true;                   // another one than in the frame before
     DeformableTotals totals;
-    std::vector<Vector3d> positions;    // of each node, world space [m]
-    std::vector<Vector3d> velocities;   // of each node [m/s]
-    std::vector<float> stresses;        // of each element, of von Mises [Pa]
-    std::vector<float> plastic_strains; // of each element, equivalent: √(2/3) ‖ε_p‖
+    std::vector<Vector3d> positions;    // one a node, world space [m]
+    std::vector<Vector3d> velocities;   // one a node [m/s]
+    std::vector<float> stresses;        // one an element, von Mises [Pa]
+    std::vector<float> plastic_strains; // one an element, equivalent: √(2/3) ‖ε_p‖
 };
 
 /// The world at one moment.
@@ -58,7 +58,7 @@ struct Frame {
     std::int64_t step = 0;
     double time = 0; // [s]
     std::vector<RigidState> bodies;
-    std::vector<ContactRecord> contacts; // of the step that led here
+    std::vector<ContactRecord> contacts; // those of the step that led here
     std::vector<SolidFrame> solids = {};
 };
 

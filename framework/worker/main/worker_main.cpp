@@ -144,7 +144,7 @@ private:
 
     Channel& channel_;
     std::uint32_t streamed_ = 0;
-    std::uint32_t sequence_ = 1; // of the request being answered; the first is to get ready
+    std::uint32_t sequence_ = 1; // the request being answered; the first is to get ready
 };
 
 wire::Bytes Server::stream_scene(std::span<const std::byte> payload)
