@@ -74,8 +74,8 @@ std::string shown(const fs::path& file)
 
 std::string source_name(const std::string& object)
 {
-    const fs::path stem =
-        fs::path(object).stem(); // "inertia" from "inertia.o", "inertia.cpp" from "inertia.cpp.o"
+    // "inertia" for "inertia.o", "inertia.cpp" for "inertia.cpp.o"
+    const fs::path stem = fs::path(object).stem();
     return stem.has_extension() ? stem.string() : stem.string() + ".cpp";
 }
 
