@@ -3,6 +3,8 @@
 #include "render/frames.hpp"
 #include "render/png.hpp"
 #include "render/visualizer.hpp"
+#include "scene/keys/scene_keys.hpp"
+#include "scene/trajectory/reader.hpp"
 #include "support/bench.hpp"
 #include "support/temporary_folder.hpp"
 #include "worker/client.hpp"
