@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "cli/commands.hpp"
+#include "cli/command_line.hpp"
+
+#include "cli/commands/commands.hpp"
 #include "cli/options.hpp"
-#include "report/terminal.hpp"
-#include "scene/keys.hpp"
-#include "scene/scene.hpp"
+#include "errors/input_error.hpp"
+#include "errors/nearest.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -11,53 +12,6 @@
 #include <exception>
 
 namespace rigor {
-
-namespace {
-
-constexpr std::size_t help_width = 80, name_width = 24; // CLI11 does not break lines itself
-
-std::string broken(const std::string& meaning)
-{
-    return wrapped(meaning, help_width - name_width, 0);
-}
-
-} // namespace
-
-void Options::flag(const std::string& name, bool& value, const std::string& meaning)
-{
-    app_.add_flag(name, value, broken(meaning));
-}
-
-void Options::option(const std::string& name, const std::string& value_name, std::string& value,
-                     const std::string& meaning)
-{
-    app_.add_option(name, value, broken(meaning))->type_name(value_name);
-}
-
-void Options::option(const std::string& name, const std::string& value_name, std::uint32_t& value,
-                     const std::string& meaning)
-{
-    app_.add_option(name, value, broken(meaning))->type_name(value_name);
-}
-
-void Options::words(const std::string& value_name, std::vector<std::string>& values,
-                    const std::string& meaning)
-{
-    app_.add_option(value_name, values, broken(meaning))->type_name("");
-}
-
-void Options::word(const std::string& value_name, std::string& value, const std::string& meaning)
-{
-    app_.add_option(value_name, value, broken(meaning))->type_name("")->required();
-}
-
-void Options::examples(const std::vector<std::string>& lines)
-{
-    std::string text = "Examples:";
-    for (const std::string& line : lines)
-        text += "\n  ./rigor " + line;
-    app_.footer(text);
-}
 
 namespace {
 
@@ -116,7 +70,7 @@ int run_command_line(int argc, char** argv)
     app.footer("`rigor COMMAND --help` shows a command's options and examples.\n"
                "Exit status: 0 done, 1 what was checked is wrong, 2 bad usage or input, 3 a fault "
                "of Rigor's own.");
-    app.get_formatter()->column_width(name_width);
+    app.get_formatter()->column_width(Options::name_width);
 
     std::vector<std::pair<CLI::App*, Action>> actions;
     for (const CommandEntry& command : commands()) {

@@ -2,7 +2,7 @@
 // Where two runs of a scene part.
 #pragma once
 
-#include "scene/trajectory.hpp"
+#include "scene/trajectory/trajectory.hpp"
 
 #include <optional>
 #include <string>
@@ -19,7 +19,8 @@ struct Difference {
     double allowed = 0; // the threshold it exceeds
 };
 
-/// Rounding, grown over many steps, stays below this times the size that a quantity reached; a wrong formula does not.
+/// Rounding, grown over many steps, stays below this times the size that a quantity reached; a
+/// wrong formula does not.
 inline constexpr double same_within = 1e-9;
 
 /// Compares a run with an expected one, frame by frame.
@@ -31,8 +32,8 @@ public:
     /// What mass and inertia the bodies were given.
     std::vector<Difference> bodies(const std::vector<RecordedBody>& actual) const;
 
-    /// What differs in a frame: at most one entry a body and quantity, in the order X, q, V, L; of a
-    /// deformable solid its mesh, or the node whose x or v is farthest off, and the element whose
+    /// What differs in a frame: at most one entry a body and quantity, in the order X, q, V, L; of
+    /// a deformable solid its mesh, or the node whose x or v is farthest off, and the element whose
     /// stress or plastic strain is.
     std::vector<Difference> frame(const Frame& actual) const;
 

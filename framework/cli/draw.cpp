@@ -3,6 +3,7 @@
 
 #include "cli/options.hpp"
 #include "cli/progress.hpp"
+#include "errors/input_error.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -86,18 +87,18 @@ Film::~Film()
 
 void Film::start(const Scene& scene, const std::vector<RecordedBody>& bodies)
 {
-    stage_ = std::make_unique<Stage>(scene, bodies, overlays_);
+    visualizer_ = std::make_unique<Visualizer>(scene, bodies, overlays_);
 }
 
 void Film::add(const Frame& frame)
 {
-    sequence_->push(stage_->picture(frame));
+    sequence_->push(visualizer_->picture(frame));
 }
 
 void Film::add(const Frame& frame, const Frame& other, const std::string& name,
                const std::string& other_name)
 {
-    sequence_->push(stage_->comparison(frame, other, name, other_name));
+    sequence_->push(visualizer_->comparison(frame, other, name, other_name));
 }
 
 std::size_t Film::finish()

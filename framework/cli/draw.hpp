@@ -4,7 +4,8 @@
 
 #include "grading/implementation.hpp"
 #include "render/frames.hpp"
-#include "render/stage.hpp"
+#include "render/visualizer.hpp"
+#include "scene/trajectory/trajectory.hpp"
 
 #include <memory>
 #include <string>
@@ -48,7 +49,7 @@ private:
     std::unique_ptr<Progress> progress_;
     FrameOptions options_;
     std::unique_ptr<FrameSequence> sequence_;
-    std::unique_ptr<Stage> stage_;
+    std::unique_ptr<Visualizer> visualizer_;
     double seconds_at_start_ = 0;
 };
 
@@ -68,7 +69,8 @@ private:
     std::int64_t next_ = 0;
 };
 
-/// A scene, simulated and drawn at the same time. Says where the frames are. @return the exit status
+/// A scene, simulated and drawn at the same time. Says where the frames are. @return the exit
+/// status
 int render_scene(const Scene& scene, const Implementation& implementation,
                  const std::string& folder, const DrawOptions& options);
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The options of a command. CLI11 reads them; it is included by one file only, for it takes seconds to compile.
+// The options of a command. CLI11 reads them; no header includes it, for it takes seconds to
+// compile.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -16,6 +18,9 @@ namespace rigor {
 /// Declares what a command understands; the variables are filled in before the command runs.
 class Options {
 public:
+    /// Width of the column of names in a help text [characters].
+    static constexpr std::size_t name_width = 24;
+
     explicit Options(CLI::App& app) : app_(app) {}
 
     /// @param name  "--json"

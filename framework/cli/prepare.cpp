@@ -2,9 +2,9 @@
 #include "cli/prepare.hpp"
 
 #include "cli/progress.hpp"
+#include "errors/input_error.hpp"
+#include "errors/nearest.hpp"
 #include "grading/places.hpp"
-#include "scene/keys.hpp"
-#include "scene/scene.hpp"
 
 #include <algorithm>
 

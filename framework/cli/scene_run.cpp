@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "cli/scene_run.hpp"
 
-#include "cli/commands.hpp"
+#include "cli/command.hpp"
+#include "errors/input_error.hpp"
 #include "formulas/not_implemented.hpp"
+#include "scene/trajectory/reader.hpp"
 #include "worker/client.hpp"
 
 #include <chrono>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "grading/implementation.hpp"
-#include "scene/trajectory.hpp"
+#include "scene/run/run_scene.hpp"
 
 #include <functional>
 #include <span>
@@ -28,8 +28,8 @@ struct RunOutcome {
     double seconds = 0;
 };
 
-/// Runs a scene. What the implementation does wrong ends the run and is told in the outcome; what came before was handed
-/// on. @throws what the callbacks throw
+/// Runs a scene. What the implementation does wrong ends the run and is told in the outcome; what
+/// came before was handed on. @throws what the callbacks throw
 RunOutcome run_in_worker(const Implementation& implementation, const Scene& scene,
                          const SceneRun& run);
 

@@ -6,7 +6,6 @@
 #include "grading/places.hpp"
 #include "grading/process.hpp"
 #include "report/terminal.hpp"
-#include "scene/scene.hpp"
 
 #include <algorithm>
 #include <cstdio>

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "grading/assignment.hpp"
 
+#include "errors/input_error.hpp"
+#include "errors/quotes.hpp"
 #include "formulas/table.hpp"
-#include "scene/keys.hpp"
-#include "scene/scene.hpp"
+#include "scene/language/keys.hpp"
+#include "scene/language/values.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

@@ -35,22 +35,12 @@ struct Assignment {
     double points() const;
 };
 
-/// One assignment.json, checked against the table of formulas: each formula of the topic has exactly one task, of its
-/// tag. @throws InputError that names the file, the place in it, what was expected and what was found
+/// One assignment.json, checked against the table of formulas: each formula of the topic has
+/// exactly one task, of its tag. @throws InputError that names the file, the place in it, what was
+/// expected and what was found
 Assignment load_assignment(const std::filesystem::path& file);
 
 /// All of them, `folder`/*/assignment.json, by name. @throws InputError also if there is none
 std::vector<Assignment> load_assignments(const std::filesystem::path& folder);
-
-/// A part of an assignment: some of its tasks.
-struct Selection {
-    Assignment assignment;
-    std::vector<std::string> tags;
-};
-
-/// What the words name: an assignment (`a2-inertia`, `A2`), its topic (`inertia`), a task's tag (`A2.14`) or its
-/// formula (`combine`), whatever the case. No word: everything. @throws InputError with the nearest name
-std::vector<Selection> select_tasks(const std::vector<Assignment>& assignments,
-                                    const std::vector<std::string>& words);
 
 } // namespace rigor

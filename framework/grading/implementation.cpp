@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "grading/implementation.hpp"
 
-#include "formulas/table.hpp"
+#include "errors/input_error.hpp"
 #include "grading/includes.hpp"
-#include "grading/ninja.hpp"
 #include "grading/places.hpp"
+#include "grading/replace_all.hpp"
 #include "grading/submission_build.hpp"
-#include "scene/scene.hpp"
+#include "grading/topics.hpp"
 
 #include <algorithm>
 #include <stdexcept>
@@ -16,12 +16,6 @@ namespace rigor {
 namespace fs = std::filesystem;
 
 namespace {
-
-void replace_all(std::string& text, const std::string& what, const std::string& by)
-{
-    for (std::size_t at = 0; (at = text.find(what, at)) != std::string::npos; at += by.size())
-        text.replace(at, what.size(), by);
-}
 
 std::string without_last_newline(std::string text)
 {
@@ -45,7 +39,8 @@ void take_over(Implementation& implementation, const NinjaRun& run)
     implementation.build_seconds += run.seconds;
 }
 
-// Ours, or the student's? What is made from the student's files has `marker` in its path; the worker is linked last.
+// Ours, or the student's? What is made from the student's files has `marker` in its path; the
+// worker is linked last.
 bool is_theirs(const NinjaRun& run, const std::string& marker, const std::string& worker)
 {
     if (run.failed.empty()) return run.timed_out;
@@ -153,14 +148,6 @@ fs::path Implementation::file(const std::string& topic) const
 {
     const bool is_borrowed = is_among(borrowed, topic);
     return (is_borrowed ? places().source / "student" : folder) / (topic + ".cpp");
-}
-
-std::vector<std::string> topics()
-{
-    std::vector<std::string> result;
-    for (const Formula& row : formulas)
-        if (result.empty() || result.back() != row.topic) result.emplace_back(row.topic);
-    return result;
 }
 
 Implementation build_implementation(const std::string& name, const OnBuildStep& on_step,

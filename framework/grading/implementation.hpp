@@ -2,8 +2,9 @@
 // An implementation of the formulas, from its sources to the worker that runs it.
 #pragma once
 
+#include "grading/ninja.hpp"
+
 #include <filesystem>
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -11,7 +12,7 @@ namespace rigor {
 
 struct Implementation {
     std::string name;                // as it was asked for: "student", "reference" or a folder
-    std::filesystem::path folder;    // of its sources
+    std::filesystem::path folder;    // where its sources are
     std::filesystem::path worker;    // the executable
     std::vector<std::string> broken; // topics whose files do not compile, and nobody asked for
     std::vector<std::string>
@@ -28,19 +29,16 @@ struct Implementation {
     std::filesystem::path file(const std::string& topic) const;
 };
 
-/// Called with each step of a build that is done.
-using OnBuildStep = std::function<void(int done, int total, const std::string& step)>;
-
-/// Builds the worker of `student`, `reference` or a folder that holds some of the topics' files; only what is out of
-/// date. A folder's files are compiled by the very commands that compile student/.
+/// Builds the worker of `student`, `reference` or a folder that holds some of the topics' files;
+/// only what is out of date. A folder's files are compiled by the very commands that compile
+/// student/.
 ///
-/// @param asked  topics of a folder whose files have to compile; of another, student/ can take the place; none: all
-/// @throws InputError if there is no such implementation, std::runtime_error if code of ours does not compile
+/// @param asked  topics of a folder whose files have to compile; of another, student/ can take the
+/// place; none: all
+/// @throws InputError if there is no such implementation, std::runtime_error if code of ours does
+/// not compile
 Implementation build_implementation(const std::string& name, const OnBuildStep& on_step = {},
                                     const std::vector<std::string>& asked = {});
-
-/// A topic's name for each file of student/, in the order of the assignments.
-std::vector<std::string> topics();
 
 /// Builds targets of ours. @throws std::runtime_error with the compiler's first errors
 void build_targets(const std::vector<std::string>& targets, const OnBuildStep& on_step = {});

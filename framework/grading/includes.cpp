@@ -25,8 +25,9 @@ bool is_within(const fs::path& file, const fs::path& folder)
            folder.end();
 }
 
-// The files of a list "object: file file \<newline> file", as the compiler opened them. ninja's own log would not do: it
-// shortens "link/../file" to "file", which is another file if link leads elsewhere.
+// The files of a list "object: file file \<newline> file", as the compiler opened them. ninja's own
+// log would not do: it shortens "link/../file" to "file", which is another file if link leads
+// elsewhere.
 std::vector<std::string> listed_files(const std::string& object)
 {
     std::ifstream file(list_of(object));
@@ -73,7 +74,8 @@ std::string shown(const fs::path& file)
 
 std::string source_name(const std::string& object)
 {
-    const fs::path stem = fs::path(object).stem(); // of "inertia.o" or "inertia.cpp.o"
+    // "inertia" for "inertia.o", "inertia.cpp" for "inertia.cpp.o"
+    const fs::path stem = fs::path(object).stem();
     return stem.has_extension() ? stem.string() : stem.string() + ".cpp";
 }
 

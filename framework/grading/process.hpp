@@ -22,7 +22,7 @@ struct Command {
 
 /// How it ended.
 struct Ended {
-    int status = 0;         // of its exit
+    int status = 0;         // its exit status
     int signal = 0;         // that killed it, or 0
     bool timed_out = false; // killed by us: it was silent for too long
     double seconds = 0;     // from start to end
@@ -32,10 +32,12 @@ struct Ended {
 
 using OnLine = std::function<void(std::string_view line)>;
 
-/// Runs a program with stdin empty; each line of its stdout and stderr goes to `on_output`, each line that it writes to
-/// the descriptor `message_descriptor` to `on_message`. The program is ended when we are.
+/// Runs a program with stdin empty; each line of its stdout and stderr goes to `on_output`, each
+/// line that it writes to the descriptor `message_descriptor` to `on_message`. The program is ended
+/// when we are.
 ///
-/// A line longer than 1 MiB is handed over in pieces. @throws std::runtime_error if the program cannot be started
+/// A line longer than 1 MiB is handed over in pieces. @throws std::runtime_error if the program
+/// cannot be started
 Ended run(const Command& command, const OnLine& on_output, const OnLine& on_message = {});
 
 /// Whether a program of this name is in PATH.

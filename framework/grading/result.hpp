@@ -12,10 +12,12 @@
 
 namespace rigor {
 
-/// How a test case or a task went, the better first: a task is as bad as the worst of its test cases.
+/// How a test case or a task went, the better first: a task is as bad as the worst of its test
+/// cases.
 ///
-/// A crash comes before a wrong value, since it hides what would have been found after it; `failed` before
-/// `not_implemented`, since a task that fails on its own is not excused by a stub it calls as well.
+/// A crash comes before a wrong value, since it hides what would have been found after it; `failed`
+/// before `not_implemented`, since a task that fails on its own is not excused by a stub it calls
+/// as well.
 enum class Status { passed, skipped, not_implemented, failed, not_finite, timed_out, crashed };
 
 std::string_view to_string(Status status);
@@ -29,7 +31,7 @@ struct TestCase {
     std::string message, hint;                                       // in the test's own words
     std::string expected, actual, error, tolerance, tolerance_class; // empty where there is none
     std::string place;                                               // the field that is wrong
-    std::optional<std::int64_t> seed;                                // of the counterexample
+    std::optional<std::int64_t> seed;                                // makes the counterexample
     bool is_hidden = false;
     double seconds = 0;
 };
@@ -61,7 +63,8 @@ struct Result {
     bool all_points() const { return status == SubmissionStatus::graded && score() == max_score(); }
 };
 
-/// A task's result from its test cases: its points whole if there are test cases and all of them passed, else none.
+/// A task's result from its test cases: its points whole if there are test cases and all of them
+/// passed, else none.
 TaskResult score_task(const Task& task, std::vector<TestCase> tests);
 
 } // namespace rigor

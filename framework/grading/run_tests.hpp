@@ -4,6 +4,7 @@
 
 #include "grading/implementation.hpp"
 #include "grading/result.hpp"
+#include "grading/selection.hpp"
 
 #include <functional>
 #include <optional>
@@ -24,12 +25,14 @@ struct GradingRun {
 
 /// Runs the tests of the selected tasks against an implementation and scores them.
 ///
-/// A fault of the test program (it dies, matches no test, checks nothing, says what cannot be understood) makes the
-/// result `internal_error`: never a zero, and never a pass. An implementation that did not compile is `compile_error`.
+/// A fault of the test program (it dies, matches no test, checks nothing, says what cannot be
+/// understood) makes the result `internal_error`: never a zero, and never a pass. An implementation
+/// that did not compile is `compile_error`.
 Result grade(const Selection& selection, const Implementation& implementation,
              const GradingRun& run);
 
-/// The graded tests of this tree, with the reference as the oracle where there is one, both built if they are stale.
+/// The graded tests of this tree, with the reference as the oracle where there is one, both built
+/// if they are stale.
 GradingRun own_grading_run(const OnBuildStep& on_step = {});
 
 } // namespace rigor

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "grading/assignment.hpp"
-
-#include "scene/keys.hpp"
-#include "scene/scene.hpp"
+#include "grading/selection.hpp"
+#include "errors/input_error.hpp"
+#include "errors/nearest.hpp"
 
 #include <algorithm>
 #include <cctype>

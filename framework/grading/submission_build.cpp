@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "grading/submission_build.hpp"
 
-#include "grading/implementation.hpp"
+#include "errors/input_error.hpp"
 #include "grading/ninja.hpp"
 #include "grading/places.hpp"
-#include "scene/scene.hpp"
+#include "grading/replace_all.hpp"
+#include "grading/topics.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -48,12 +49,6 @@ std::string ninja_value(const std::string& text)
     for (const char c : text)
         result += c == '$' ? std::string("$$") : std::string(1, c);
     return result;
-}
-
-void replace_all(std::string& text, const std::string& what, const std::string& by)
-{
-    for (std::size_t at = 0; (at = text.find(what, at)) != std::string::npos; at += by.size())
-        text.replace(at, what.size(), by);
 }
 
 // A command that compiles a file of student/.

@@ -10,13 +10,12 @@ namespace rigor {
 
 /// A private build of a folder. Paths are relative to the build folder.
 struct SubmissionBuild {
-    std::string folder;               // "submissions/<name>-<hash>/"
-    std::string ninja_file;           // the rules
-    std::string worker;               // the executable
-    std::vector<std::string> objects; // made from the folder's files
-    std::vector<std::string>
-        needed_targets;                // of the main build: what the worker is linked with besides
-    std::vector<std::string> borrowed; // topics taken from student/
+    std::string folder;                      // "submissions/<name>-<hash>/"
+    std::string ninja_file;                  // the rules
+    std::string worker;                      // the executable
+    std::vector<std::string> objects;        // made from the folder's files
+    std::vector<std::string> needed_targets; // what of the main build the worker is linked with
+    std::vector<std::string> borrowed;       // topics taken from student/
 };
 
 /// Writes the rules, if they changed. @throws InputError if the folder holds no topic's file

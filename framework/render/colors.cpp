@@ -62,8 +62,8 @@ Vector4f scale(double value)
     return colors[std::lround(std::clamp(value, 0.0, 1.0) * steps)];
 }
 
-/// Okabe and Ito (2008), "Color Universal Design": told apart by all common kinds of sight. A little
-/// softer here, since large surfaces glare.
+/// Okabe and Ito (2008), "Color Universal Design": told apart by all common kinds of sight. A
+/// little softer here, since large surfaces glare.
 Vector4f palette(std::size_t n)
 {
     static constexpr std::array<std::array<double, 3>, 7> colors = {{{0.16, 0.47, 0.71},

@@ -11,12 +11,12 @@ namespace rigor::colors {
 /// Of the n-th moving body.
 Vector4f palette(std::size_t n);
 
-/// Of a quantity from 0 to 1: from dark blue over red to pale yellow, in steps that look alike. Since
-/// it grows lighter all the way, it is read without telling hues apart.
+/// Of a quantity from 0 to 1: from dark blue over red to pale yellow, in steps that look alike.
+/// Since it grows lighter all the way, it is read without telling hues apart.
 Vector4f scale(double value);
 
 extern const Vector4f crack;      // what a crack opened
-extern const Vector4f pale_crack; // likewise, among colors of the scale
+extern const Vector4f pale_crack; // the same among colors of the scale
 extern const Vector4f resting;    // static bodies
 extern const Vector4f dark;       // letters
 extern const Vector4f ghostly, difference;

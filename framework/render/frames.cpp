@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "render/frames.hpp"
 
+#include "errors/input_error.hpp"
 #include "render/png.hpp"
 #include "render/queue.hpp"
 #include "render/video.hpp"
-#include "scene/scene.hpp"
 
 #include <fmt/format.h>
 
@@ -99,7 +99,7 @@ private:
     Queue<Drawn> filmed_{on_their_way};
     std::size_t pushed_ = 0;
 
-    std::mutex mutex_; // of what follows, and of the report's figures
+    std::mutex mutex_; // guards what follows, and the report's figures
     std::exception_ptr error_;
     std::set<std::size_t> written_;
 
@@ -243,7 +243,7 @@ void FrameSequence::Pipeline::join()
     for (auto number = written_.begin(); number != written_.end() && *number == whole; ++number)
         ++whole;
     for (auto number = written_.lower_bound(whole); number != written_.end(); ++number) {
-        std::error_code ignored; // of a disk that already failed
+        std::error_code ignored; // a disk that already failed
         std::filesystem::remove(frame_file(options_.directory, *number), ignored);
     }
     written_.erase(written_.lower_bound(whole), written_.end());

@@ -26,7 +26,7 @@ struct FrameOptions {
 
 struct FrameReport {
     std::size_t frames = 0;  // written
-    std::size_t removed = 0; // of an earlier run, before the first was written
+    std::size_t removed = 0; // files of an earlier run, removed before the first was written
     std::optional<std::filesystem::path> video;
     std::string renderer;                        // what drew
     std::string notice;                          // one line to show, or empty

@@ -33,7 +33,7 @@ struct SurfaceVertex {
 /// Triangles about the middle of their bounds, three vertices each.
 struct Surface {
     std::vector<SurfaceVertex> triangles;
-    float contrast = 0; // of octants in two tones, to see a spin by where there are no edges
+    float contrast = 0; // between octants in two tones, to see a spin by where there are no edges
     Vector3f center = Vector3f::Zero(); // where the middle is in the frame it was made from [m]
     float radius = 0;                   // around the middle [m]
 };
@@ -45,14 +45,14 @@ struct Model {
 };
 
 /// A corner of a triangle of a surface that deforms, in the world.
-struct SkinVertex {
+struct DeformedVertex {
     Vector3f position, normal;                 // [m]
     Vector3f edges = Vector3f::Constant(1e6F); // as of a surface
     Vector4f color = Vector4f::Ones();         // linear red, green, blue, opacity
 };
 
-/// What colors mean: a bar with numbers in a strip at the right border. The scene is drawn smaller, to
-/// the left of it.
+/// What colors mean: a bar with numbers in a strip at the right border. The scene is drawn smaller,
+/// to the left of it.
 struct ColorScale {
     std::string title;            // with the unit
     std::vector<Vector4f> colors; // from the low end up, linear
@@ -86,13 +86,13 @@ struct Picture {
     bool shadows = true;
 
     std::vector<Instance> boxes, balls;             // the bodies; they cast shadows
-    std::vector<Model> models;                      // likewise
+    std::vector<Model> models;                      // the other bodies; they cast shadows
     std::vector<Instance> ghost_boxes, ghost_balls; // translucent
     std::vector<Model> ghost_models;
-    std::vector<SkinVertex> skins;       // of deforming solids, three a triangle; cast shadows
-    std::vector<SkinVertex> ghost_skins; // translucent
-    // Overlays: cylinders and cones with base 0 and tip z = 1, small balls. Their opacity is that of
-    // what lies behind a body; the rest is opaque.
+    std::vector<DeformedVertex> deformed;       // deformable solids, three a triangle; cast shadows
+    std::vector<DeformedVertex> ghost_deformed; // translucent
+    // Overlays: cylinders and cones with base 0 and tip z = 1, small balls. Their opacity is that
+    // of what lies behind a body; the rest is opaque.
     std::vector<Instance> rods, cones, dots;
     std::vector<Ground> grounds;
     std::vector<Text> texts;

@@ -3,7 +3,7 @@
 // for 1280 × 720 where stb alone takes 113, at the same size.
 #include "render/png.hpp"
 
-#include "scene/scene.hpp"
+#include "errors/input_error.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>

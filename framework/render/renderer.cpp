@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/renderer.hpp"
 
-#include "scene/scene.hpp"
+#include "errors/input_error.hpp"
 
 #include <dlfcn.h>
 #include <fmt/format.h>

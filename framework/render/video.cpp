@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/video.hpp"
 
-#include "scene/scene.hpp"
+#include "errors/input_error.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>

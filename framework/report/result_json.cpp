@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "report/result_json.hpp"
 
-#include "scene/scene.hpp"
+#include "errors/input_error.hpp"
 
 #include <cerrno>
 #include <cstring>

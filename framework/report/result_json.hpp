@@ -6,7 +6,8 @@
 //               tolerance_class, seed, hint, cases: [{name, status, message, seconds}]}],
 //      timing: {build_seconds, test_seconds}, versions: {rigor, compiler}}
 //
-// An entry of `tests` is a task; what it says is its first failure's. A task that did not run counts 0 of 0.
+// An entry of `tests` is a task; what it says is its first failure's. A task that did not run
+// counts 0 of 0.
 #pragma once
 
 #include "grading/result.hpp"

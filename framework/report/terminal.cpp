@@ -23,7 +23,7 @@ bool wants_color(int descriptor)
 std::string colored(std::string_view text, Color color, bool wanted)
 {
     if (!wanted || color == Color::none) return std::string(text);
-    constexpr const char* codes[] = {"0", "1", "2", "32", "33", "31", "36"};
+    constexpr const char* codes[] = {"0", "1", "2", "32", "33", "31"};
     return "\033[" + std::string(codes[static_cast<int>(color)]) + "m" + std::string(text) +
            "\033[0m";
 }

@@ -11,7 +11,7 @@ namespace rigor {
 
 namespace {
 
-constexpr std::size_t piece = std::size_t{1} << 18; // of states to advance in one request [bytes]
+constexpr std::size_t piece = std::size_t{1} << 18; // states to advance in one request [bytes]
 
 /// Text that a stranger wrote, fit for a terminal and for JSON: ASCII without control characters.
 std::string printable(std::string text)

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The client of a worker: asks one implementation, in its own process, and survives whatever it does.
+// The client of a worker: asks one implementation, in its own process, and survives whatever it
+// does.
 #pragma once
 
 #include "formulas/table.hpp"
+#include "scene/run/run_scene.hpp"
 #include "worker/failure.hpp"
 #include "worker/session.hpp"
 
@@ -11,8 +13,9 @@ namespace rigor {
 /// "A4.10 apply_impulse"
 std::string subject_of(FormulaIndex formula);
 
-/// One implementation of the formulas, whatever becomes of the processes that run it. A request that
-/// fails ends its process; the next one gets a fresh process. Every request returns in bounded time.
+/// One implementation of the formulas, whatever becomes of the processes that run it. A request
+/// that fails ends its process; the next one gets a fresh process. Every request returns in bounded
+/// time.
 ///
 /// Not for several threads at once. A process dies with the thread that started it: use a worker
 /// from one thread.
@@ -44,7 +47,8 @@ public:
     /// Ends the process: the next request starts from a clean one.
     void renew();
 
-    /// The beginning of what the implementation printed since the last call of this, made printable.
+    /// The beginning of what the implementation printed since the last call of this, made
+    /// printable.
     std::string take_output();
 
     /// Starts the process if there is none, and waits until it is ready. Requests do so themselves.
@@ -68,7 +72,7 @@ private:
     Limits limits_;
     Worker* oracle_;
     std::unique_ptr<Session> session_;
-    std::string subject_; // of the request under way
+    std::string subject_; // what the request under way asks
     std::string output_;
     int failed_starts_ = 0;
     std::optional<WorkerFailure> start_failure_;

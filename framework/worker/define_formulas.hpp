@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Defines every function of the contract from its declaration: `RIGOR_FORMULAS(RIGOR_DEFINE_FORMULA)`
-// makes of the row `FORMULA(A2.14, inertia, combine, a, b)`
+// Defines every function of the contract from its declaration:
+// `RIGOR_FORMULAS(RIGOR_DEFINE_FORMULA)` makes of the row `FORMULA(A2.14, inertia, combine, a, b)`
 //
 //     MassProperties combine(const MassProperties& a, const MassProperties& b)
 //     {

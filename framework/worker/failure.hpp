@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// How an implementation can fail without giving an answer. With `NotImplemented`, these are all that
-// a call through a worker throws because of what a student wrote. Anything else is a fault of ours.
+// How an implementation can fail without giving an answer. With `NotImplemented`, these are all
+// that a call through a worker throws because of what a student wrote. Anything else is a fault of
+// ours.
 #pragma once
 
 #include <stdexcept>

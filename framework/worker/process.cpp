@@ -126,7 +126,7 @@ void notice_children()
 void limit(int pid, __rlimit_resource resource, std::size_t most)
 {
     const rlimit both = {most, most};
-    prlimit(pid, resource, &both, nullptr); // of a process that has ended already: nothing to limit
+    prlimit(pid, resource, &both, nullptr); // an ended process has nothing to limit
 }
 
 std::string signal_name(int signal)
@@ -174,8 +174,8 @@ Process::Process(const std::filesystem::path& executable, const Limits& limits)
     channel_ = static_cast<Channel*>(address);
     output_ = ours.release();
 
-    // A sanitizer reserves terabytes that it never touches. That no core is written it sees to itself as it starts, and
-    // gives up if somebody else does in that moment.
+    // A sanitizer reserves terabytes that it never touches. That no core is written it sees to
+    // itself as it starts, and gives up if somebody else does in that moment.
     if (is_sanitized) return;
     limit(pid_, RLIMIT_CORE, 0);
     limit(pid_, RLIMIT_AS, limits.memory);

@@ -23,8 +23,8 @@ inline constexpr double patience = is_sanitized ? 20 : 1;
 
 /// What an implementation may use. A limit on time is the greater of its floor and `multiple` times
 /// what the oracle took for the same request; without an oracle it is the floor. Time runs from the
-/// request, while its client waits and the worker has a processor or sleeps: what a busy machine takes
-/// counts a tenth.
+/// request, while its client waits and the worker has a processor or sleeps: what a busy machine
+/// takes counts a tenth.
 struct Limits {
     std::chrono::duration<double> start{10}; // from exec until it is ready
     std::chrono::duration<double> call{2};   // floor for a formula, or 256 kB of states to advance
@@ -44,10 +44,10 @@ struct Broken {
     std::string text; // "crashed: segmentation fault"
 };
 
-/// A child process with a `Channel`. It runs in a session of its own, with no descriptor of ours but
-/// its end of the output pipe, with hardly an environment, and dies with the thread that started it.
-/// Ending it ends every process of its group. What runs under our user can still harm us in ways
-/// only a sandbox prevents (signals to us, files): this class is no sandbox.
+/// A child process with a `Channel`. It runs in a session of its own, with no descriptor of ours
+/// but its end of the output pipe, with hardly an environment, and dies with the thread that
+/// started it. Ending it ends every process of its group. What runs under our user can still harm
+/// us in ways only a sandbox prevents (signals to us, files): this class is no sandbox.
 class Process {
 public:
     /// Starts the executable; does not wait until it is ready.

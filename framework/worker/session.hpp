@@ -3,7 +3,7 @@
 // time, or the conversation is broken.
 #pragma once
 
-#include "scene/trajectory.hpp"
+#include "scene/trajectory/writer.hpp"
 #include "worker/process.hpp"
 
 namespace rigor {
@@ -13,7 +13,7 @@ struct Allowance {
     using Seconds = std::chrono::duration<double>;
 
     Seconds limit;                           // so far: the floor
-    double multiple = 0;                     // of what the reference takes
+    double multiple = 0;                     // times what the reference takes
     std::function<Seconds()> reference = {}; // empty: there is none, or it has been asked
     bool by_silence = false;                 // what arrives starts the time anew
     Seconds waited = {}, reference_took = {};
@@ -62,9 +62,9 @@ private:
 
     Limits limits_;
     Process process_;
-    std::uint32_t sequence_ = 1; // of the last question; the first is whether it is ready
-    std::uint32_t taken_ = 0;    // of the stream, modulo 2^32 [bytes]
-    std::size_t handed_on_ = 0;  // of the stream [bytes]
+    std::uint32_t sequence_ = 1; // the last question's; the first asks whether it is ready
+    std::uint32_t taken_ = 0;    // how much of the stream, modulo 2^32 [bytes]
+    std::size_t handed_on_ = 0;  // how much of the stream [bytes]
     std::size_t printed_ = 0;    // since the last question [bytes]
     std::string output_;
 };

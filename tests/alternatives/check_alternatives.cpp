@@ -5,6 +5,7 @@
 //     check_alternatives [TOPIC]
 #include "formulas/table.hpp"
 #include "grading/run_tests.hpp"
+#include "grading/selection.hpp"
 #include "support/judge_all.hpp"
 
 #include <fmt/format.h>

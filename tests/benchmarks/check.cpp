@@ -3,6 +3,7 @@
 // given its old time back.
 #include "grading/places.hpp"
 #include "grading/run_tests.hpp"
+#include "grading/selection.hpp"
 #include "support/bench.hpp"
 
 #include <algorithm>

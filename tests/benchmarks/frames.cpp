@@ -2,7 +2,9 @@
 // What a frame costs: simulated, drawn, encoded, and all of it at once, as `rigor render` does it.
 #include "render/frames.hpp"
 #include "render/png.hpp"
-#include "render/stage.hpp"
+#include "render/visualizer.hpp"
+#include "scene/keys/scene_keys.hpp"
+#include "scene/trajectory/reader.hpp"
 #include "support/bench.hpp"
 #include "support/temporary_folder.hpp"
 #include "worker/client.hpp"
@@ -31,12 +33,12 @@ public:
 
     void simulate(const std::function<void(Picture)>& take) const
     {
-        std::optional<Stage> stage;
+        std::optional<Visualizer> visualizer;
         TrajectoryReader::Handlers handlers;
         handlers.on_start = [&](const Scene& scene, const std::vector<RecordedBody>& bodies) {
-            stage.emplace(scene, bodies, scene.overlays);
+            visualizer.emplace(scene, bodies, scene.overlays);
         };
-        handlers.on_frame = [&](const Frame& frame) { take(stage->picture(frame)); };
+        handlers.on_frame = [&](const Frame& frame) { take(visualizer->picture(frame)); };
         handlers.on_end = [](const Counters&) {};
         TrajectoryReader reader(handlers);
         Limits limits;

@@ -2,7 +2,7 @@
 // What the process between a test and an implementation costs: one formula called directly, through
 // the proxy, and, for comparison, the same bytes through a pair of pipes; and a fresh worker.
 #include "support/bench.hpp"
-#include "worker/proxy.hpp"
+#include "worker/proxy/proxy.hpp"
 
 #include <algorithm>
 #include <cmath>

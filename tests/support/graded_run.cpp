@@ -5,7 +5,7 @@
 #include "support/run.hpp"
 #include "support/verdict.hpp"
 #include "worker/failure.hpp"
-#include "worker/proxy.hpp"
+#include "worker/proxy/proxy.hpp"
 
 #include <optional>
 #include <stdexcept>

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "support/scene_run.hpp"
 
+#include "scene/keys/scene_keys.hpp"
+#include "scene/trajectory/reader.hpp"
 #include "support/random.hpp"
 #include "worker/client.hpp"
-#include "worker/proxy.hpp"
+#include "worker/proxy/proxy.hpp"
 
 #include <fmt/format.h>
 

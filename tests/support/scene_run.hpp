@@ -2,8 +2,8 @@
 // Runs of whole scenes in the worker under test.
 #pragma once
 
-#include "scene/statistics.hpp"
-#include "scene/trajectory.hpp"
+#include "scene/run/run_scene.hpp"
+#include "scene/trajectory/statistics.hpp"
 #include "support/close.hpp"
 
 #include <optional>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "render/gl/gl.hpp"
-#include "render/gl/shaders.hpp"
+#include "render/gl/shaders/program.hpp"
 #include "render/picture.hpp"
 
 #include <span>

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
-// An OpenGL 3.3 core context without a window. Each module links one source that makes it.
 #pragma once
-
-#include <memory>
 
 namespace rigor {
 
+/// An OpenGL 3.3 core context without a window. Each drawing module has one way to make it.
 class Context {
 public:
     Context() = default;
@@ -16,8 +14,5 @@ public:
     virtual void make_current() = 0;
     virtual const char* name() const = 0;
 };
-
-/// @throws std::runtime_error if there is no such context on this machine
-std::unique_ptr<Context> make_context();
 
 } // namespace rigor

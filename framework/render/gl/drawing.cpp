@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The renderer of a module. What a scene does not need is not even compiled: each shader, mesh and
-// map is made when the first picture asks for it.
-#include "render/gl/context.hpp"
+#include "render/gl/drawing.hpp"
+
 #include "render/gl/ground_mesh.hpp"
 #include "render/gl/lettering.hpp"
 #include "render/gl/light.hpp"
 #include "render/gl/mesh.hpp"
-#include "render/gl/shaders.hpp"
+#include "render/gl/shaders/program.hpp"
 #include "render/gl/target.hpp"
-#include "render/renderer.hpp"
 
 #include <algorithm>
 #include <array>
@@ -16,20 +14,21 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 
 namespace rigor {
 namespace {
 
-void send(std::optional<SkinDrawing>& skins, std::span<const SkinVertex> triangles)
+void send(std::optional<DeformedDrawing>& deformed, std::span<const DeformedVertex> triangles)
 {
-    if (!triangles.empty() && !skins) skins.emplace();
-    if (skins) skins->send(triangles);
+    if (!triangles.empty() && !deformed) deformed.emplace();
+    if (deformed) deformed->send(triangles);
 }
 
 class Drawing final : public Renderer {
 public:
-    Drawing(int width, int height)
-        : width_(width), height_(height), context_(current(make_context())),
+    Drawing(std::unique_ptr<Context> context, int width, int height)
+        : width_(width), height_(height), context_(current(std::move(context))),
           parts_(std::make_unique<Parts>(width, height))
     {
     }
@@ -55,7 +54,7 @@ private:
         GlBuffer view;
         GlArrays no_attributes;
         FlatDrawing ground;
-        std::optional<SkinDrawing> skins, ghost_skins;
+        std::optional<DeformedDrawing> deformed, ghost_deformed;
         std::optional<ShadowMap> shadow_map;
         std::optional<Lettering> lettering;
         std::map<std::string, Program> programs;
@@ -72,7 +71,8 @@ private:
     void draw_solids(Solid solid, std::span<const Instance> instances);
     void draw_balls(const Picture& picture, std::span<const Instance> balls);
     void draw_models(std::span<const Model> models, Look look, const std::string& definitions);
-    void draw_skins(const std::optional<SkinDrawing>& skins, const std::string& definitions);
+    void draw_deformed(const std::optional<DeformedDrawing>& deformed,
+                       const std::string& definitions);
     void draw_shadows(const Picture& picture);
     void draw_bodies(const Picture& picture);
     void draw_ghosts(const Picture& picture);
@@ -139,18 +139,19 @@ void Drawing::draw_models(std::span<const Model> models, Look look, const std::s
     }
 }
 
-void Drawing::draw_skins(const std::optional<SkinDrawing>& skins, const std::string& definitions)
+void Drawing::draw_deformed(const std::optional<DeformedDrawing>& deformed,
+                            const std::string& definitions)
 {
-    if (!skins) return;
+    if (!deformed) return;
     use(Look::model, definitions + "#define CONTRAST 0.0\n#define TINT smooth\n");
-    skins->draw();
+    deformed->draw();
 }
 
 void Drawing::draw_shadows(const Picture& picture)
 {
     shadows_.clear();
     const bool has_casters = !picture.boxes.empty() || !picture.balls.empty() ||
-                             !picture.models.empty() || !picture.skins.empty();
+                             !picture.models.empty() || !picture.deformed.empty();
     if (!picture.shadows || !has_casters) return;
     shadows_ = "#define SHADOWS\n";
     if (!parts_->shadow_map) parts_->shadow_map.emplace();
@@ -162,7 +163,7 @@ void Drawing::draw_shadows(const Picture& picture)
     draw_solids(Solid::ball, picture.balls);
     draw_models(picture.models, Look::shadow, "");
     use(Look::shadow, "");
-    if (parts_->skins) parts_->skins->draw();
+    if (parts_->deformed) parts_->deformed->draw();
     glDisable(GL_POLYGON_OFFSET_FILL);
     parts_->shadow_map->bind();
 }
@@ -178,7 +179,7 @@ void Drawing::draw_bodies(const Picture& picture)
         draw_balls(picture, picture.balls);
     }
     draw_models(picture.models, Look::model, shadows_);
-    draw_skins(parts_->skins, shadows_);
+    draw_deformed(parts_->deformed, shadows_);
 }
 
 void Drawing::draw_ghosts(const Picture& picture)
@@ -194,7 +195,7 @@ void Drawing::draw_ghosts(const Picture& picture)
         draw_balls(picture, picture.ghost_balls);
     }
     draw_models(picture.ghost_models, Look::model, "#define GHOST\n");
-    draw_skins(parts_->ghost_skins, "#define GHOST\n");
+    draw_deformed(parts_->ghost_deformed, "#define GHOST\n");
     glDisable(GL_POLYGON_OFFSET_FILL);
 }
 
@@ -249,8 +250,8 @@ Image Drawing::draw(const Picture& picture)
     glDepthFunc(GL_LEQUAL);
     glDepthMask(GL_TRUE);
     glDisable(GL_CULL_FACE); // both sides cast
-    send(parts_->skins, picture.skins);
-    send(parts_->ghost_skins, picture.ghost_skins);
+    send(parts_->deformed, picture.deformed);
+    send(parts_->ghost_deformed, picture.ghost_deformed);
     draw_shadows(picture);
 
     glEnable(GL_CULL_FACE);
@@ -282,11 +283,10 @@ Image Drawing::draw(const Picture& picture)
 }
 
 } // namespace
-} // namespace rigor
 
-/// What a module exports. The caller owns the renderer.
-extern "C" rigor::Renderer* create_renderer(int width, int height);
-rigor::Renderer* create_renderer(int width, int height)
+std::unique_ptr<Renderer> make_drawing(std::unique_ptr<Context> context, int width, int height)
 {
-    return new rigor::Drawing(width, height);
+    return std::make_unique<Drawing>(std::move(context), width, height);
 }
+
+} // namespace rigor

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "render/gl/context.hpp"
+#include "render/gl/egl_context.hpp"
 
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
@@ -51,7 +51,7 @@ private:
 
 } // namespace
 
-std::unique_ptr<Context> make_context()
+std::unique_ptr<Context> make_egl_context()
 {
     return std::make_unique<EglContext>();
 }

@@ -14,12 +14,12 @@ namespace rigor {
 struct Glyph {
     int x = 0, y = 0, width = 0, height = 0; // in the atlas [pixels]
     int left = 0, top = 0;                   // from the pen on its base line, y down [pixels]
-    float advance = 0;                       // of the pen [pixels]
+    float advance = 0;                       // how far the pen moves [pixels]
 };
 
 class Font {
 public:
-    static constexpr int side = 1024; // of the atlas [pixels]
+    static constexpr int side = 1024; // the atlas's side [pixels]
 
     /// @throws std::runtime_error if the font's file cannot be read
     Font();

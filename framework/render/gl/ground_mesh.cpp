@@ -17,7 +17,8 @@ GroundPieces ground_pieces(const Ground& ground, const Vector3f& origin, float h
     M.col(0) = L * ground.axes.col(0);
     M.col(1) = L * ground.axes.col(2);
     const Spot middle = L * origin + to_light.topRightCorner<2, 1>();
-    Spot reach(half * M.row(0).norm(), half * M.row(1).norm()); // of the circle in sight
+    Spot reach(half * M.row(0).norm(),
+               half * M.row(1).norm()); // how far the circle in sight reaches
 
     GroundPieces pieces;
     const bool grazed = !(std::abs(M.determinant()) > 0.05F * M.squaredNorm());

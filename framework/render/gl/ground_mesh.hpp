@@ -2,7 +2,7 @@
 // A ground in two pieces: where shadows can fall, and the rest, which need not look for them.
 #pragma once
 
-#include "render/gl/shaders.hpp"
+#include "render/gl/shaders/program.hpp"
 #include "render/picture.hpp"
 
 #include <vector>

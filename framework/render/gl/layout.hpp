@@ -16,8 +16,8 @@ inline int large_letters(int height)
     return std::clamp(height / 32, 12, 64);
 }
 
-/// Width of the strip at the right border that belongs to the bar of colors, where there is one: the
-/// scene is drawn to the left of it [pixels].
+/// Width of the strip at the right border that belongs to the bar of colors, where there is one:
+/// the scene is drawn to the left of it [pixels].
 inline int color_bar_strip(int width, int height)
 {
     return std::min(36 * small_letters(height) / 5, width / 2);

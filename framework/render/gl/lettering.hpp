@@ -5,7 +5,7 @@
 #include "render/gl/color_bar.hpp"
 #include "render/gl/font.hpp"
 #include "render/gl/gl.hpp"
-#include "render/gl/shaders.hpp"
+#include "render/gl/shaders/program.hpp"
 #include "render/picture.hpp"
 
 #include <optional>
@@ -19,7 +19,7 @@ public:
     void draw(const Picture& picture, const View& view);
 
 private:
-    struct Corner { // of a letter's rectangle
+    struct Corner { // a corner of a letter's rectangle
         float x, y, u, v;
         float color[4];
     };

@@ -87,7 +87,7 @@ Ball around_casters(const Picture& picture)
     for (const Model& model : picture.models)
         for (const Instance& caster : model.instances)
             include(caster.position, Vector3f::Constant(model.surface->radius));
-    for (const SkinVertex& corner : picture.skins)
+    for (const DeformedVertex& corner : picture.deformed)
         include(corner.position, Vector3f::Zero());
     if (!(low.x() <= high.x())) return {picture.target, 1};
     // In steps, so that the edges of shadows do not crawl from frame to frame.

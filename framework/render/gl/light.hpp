@@ -2,13 +2,13 @@
 // Where the camera and the sun stand.
 #pragma once
 
-#include "render/gl/shaders.hpp"
+#include "render/gl/shaders/program.hpp"
 #include "render/picture.hpp"
 
 namespace rigor {
 
 constexpr int shadow_side =
-    1024; // of the shadow map [pixels]; larger costs time and hardens the edges
+    1024; // the shadow map's side [pixels]; a larger one costs time and hardens the edges
 
 /// All that the shaders share about a picture of this size.
 View view_of(const Picture& picture, int width, int height);

@@ -8,7 +8,8 @@
 namespace rigor {
 namespace {
 
-// The attributes of the shaders: 0 position, 1 normal, 7 edges; 2 3 4 axes, 5 place, 6 color an instance.
+// The attributes of the shaders: 0 position, 1 normal, 7 edges; 2 3 4 axes, 5 place, 6 color an
+// instance.
 void attribute(GLuint index, int size, std::size_t stride, std::size_t offset, GLuint divisor)
 {
     glEnableVertexAttribArray(index);
@@ -123,17 +124,17 @@ void SolidDrawing::draw(std::span<const Instance> instances)
     glDrawArraysInstanced(GL_TRIANGLES, 0, count_, static_cast<GLsizei>(instances.size()));
 }
 
-SkinDrawing::SkinDrawing()
+DeformedDrawing::DeformedDrawing()
 {
     glBindVertexArray(arrays_);
     glBindBuffer(GL_ARRAY_BUFFER, vertices_);
-    attribute(0, 3, sizeof(SkinVertex), offsetof(SkinVertex, position), 0);
-    attribute(1, 3, sizeof(SkinVertex), offsetof(SkinVertex, normal), 0);
-    attribute(7, 3, sizeof(SkinVertex), offsetof(SkinVertex, edges), 0);
-    attribute(6, 4, sizeof(SkinVertex), offsetof(SkinVertex, color), 0);
+    attribute(0, 3, sizeof(DeformedVertex), offsetof(DeformedVertex, position), 0);
+    attribute(1, 3, sizeof(DeformedVertex), offsetof(DeformedVertex, normal), 0);
+    attribute(7, 3, sizeof(DeformedVertex), offsetof(DeformedVertex, edges), 0);
+    attribute(6, 4, sizeof(DeformedVertex), offsetof(DeformedVertex, color), 0);
 }
 
-void SkinDrawing::send(std::span<const SkinVertex> triangles)
+void DeformedDrawing::send(std::span<const DeformedVertex> triangles)
 {
     count_ = static_cast<GLsizei>(triangles.size());
     glBindBuffer(GL_ARRAY_BUFFER, vertices_);
@@ -141,11 +142,11 @@ void SkinDrawing::send(std::span<const SkinVertex> triangles)
                  GL_STREAM_DRAW);
 }
 
-void SkinDrawing::draw() const
+void DeformedDrawing::draw() const
 {
     if (count_ == 0) return;
     glBindVertexArray(arrays_);
-    glVertexAttrib3f(2, 1, 0, 0); // of one instance, which stands where its corners say
+    glVertexAttrib3f(2, 1, 0, 0); // one instance, which stands where its corners say
     glVertexAttrib3f(3, 0, 1, 0);
     glVertexAttrib3f(4, 0, 0, 1);
     glVertexAttrib3f(5, 0, 0, 0);

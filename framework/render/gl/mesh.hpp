@@ -32,10 +32,10 @@ private:
 };
 
 /// Triangles in the world, sent anew for each picture.
-class SkinDrawing {
+class DeformedDrawing {
 public:
-    SkinDrawing();
-    void send(std::span<const SkinVertex> triangles);
+    DeformedDrawing();
+    void send(std::span<const DeformedVertex> triangles);
     void draw() const;
 
 private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "render/gl/context.hpp"
+#include "render/gl/osmesa_context.hpp"
 
 #include <GL/osmesa.h>
 
@@ -44,7 +44,7 @@ private:
 
 } // namespace
 
-std::unique_ptr<Context> make_context()
+std::unique_ptr<Context> make_osmesa_context()
 {
     return std::make_unique<OsmesaContext>();
 }

@@ -2,9 +2,11 @@
 // A worker: the engine linked with one implementation of the formulas. It answers the requests of
 // one client through shared memory (descriptor 3) until it is killed.
 #include "formulas/not_implemented.hpp"
-#include "rigid/parallel/keep_memory.hpp"
 #include "rigid/bodies/non_finite.hpp"
-#include "scene/trajectory.hpp"
+#include "rigid/parallel/keep_memory.hpp"
+#include "scene/keys/scene_keys.hpp"
+#include "scene/run/run_scene.hpp"
+#include "scene/trajectory/trajectory.hpp"
 #include "worker/channel.hpp"
 #include "worker/main/dispatch.hpp"
 
@@ -24,23 +26,23 @@ namespace rigor {
 
 namespace {
 
-/// Nobody is left to answer once the client is dead, not even from an endless loop in an initializer
-/// of the implementation: so this comes before those.
+/// Nobody is left to answer once the client is dead, not even from an endless loop in an
+/// initializer of the implementation: so this comes before those.
 [[gnu::constructor(101)]] void die_with_client()
 {
     prctl(PR_SET_PDEATHSIG, SIGKILL);
 }
 
-/// Recursion over a stack of 100 000 bodies fits: it is not wrong, only deep. From inside, because a
-/// limit from outside is lost while exec is under way.
+/// Recursion over a stack of 100 000 bodies fits: it is not wrong, only deep. From inside, because
+/// a limit from outside is lost while exec is under way.
 [[gnu::constructor(102)]] void make_room_for_recursion()
 {
     const rlimit stack = {rlim_t{32} << 20, rlim_t{32} << 20};
     setrlimit(RLIMIT_STACK, &stack); // where that is not allowed, less is deep
 }
 
-// Whose formulas these are is decided where the worker is built: no implementation can say it is the
-// reference. Formulas of others may not be fit for threads.
+// Whose formulas these are is decided where the worker is built: no implementation can say it is
+// the reference. Formulas of others may not be fit for threads.
 RunSettings settings([[maybe_unused]] int threads)
 {
 #ifdef RIGOR_REFERENCE
@@ -143,7 +145,7 @@ private:
 
     Channel& channel_;
     std::uint32_t streamed_ = 0;
-    std::uint32_t sequence_ = 1; // of the request being answered; the first is to get ready
+    std::uint32_t sequence_ = 1; // the request being answered; the first is to get ready
 };
 
 wire::Bytes Server::stream_scene(std::span<const std::byte> payload)

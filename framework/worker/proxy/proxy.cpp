@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Every function of the contract, generated from the table: encode, ask, decode, look for NaN.
-#include "worker/proxy.hpp"
+#include "worker/proxy/proxy.hpp"
 
 #include "worker/define_formulas.hpp"
 #include "worker/finite.hpp"
@@ -14,8 +14,8 @@ namespace {
 std::unique_ptr<Worker> under_test, reference;
 Worker* asked = nullptr;
 
-/// A rotation may be as slow as it likes: its longest step is then infinite. What has no stiffness never
-/// yields.
+/// A rotation may be as slow as it likes: its longest step is then infinite. What has no stiffness
+/// never yields.
 constexpr bool may_be_infinite(FormulaIndex formula)
 {
     return formula == FormulaIndex::max_time_step || formula == FormulaIndex::yield_strain;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "grading/assignment.hpp"
 
+#include "errors/input_error.hpp"
 #include "formulas/table.hpp"
-#include "scene/scene.hpp"
+#include "scene/keys/scene_keys.hpp"
 #include "support/catch.hpp"
 #include "support/temporary_folder.hpp"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // How test cases become points, with a shell script in the place of the test program.
 #include "grading/run_tests.hpp"
+#include "grading/selection.hpp"
 #include "grading/verdicts.hpp"
 #include "support/catch.hpp"
 #include "support/temporary_folder.hpp"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include "errors/input_error.hpp"
 #include "grading/assignment.hpp"
-#include "scene/scene.hpp"
+#include "grading/selection.hpp"
 #include "support/catch.hpp"
 
 namespace rigor::testing {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
+#include "errors/input_error.hpp"
 #include "pictures.hpp"
 #include "render/frames.hpp"
 #include "render/png.hpp"
-#include "render/stage.hpp"
+#include "render/visualizer.hpp"
 #include "support/catch.hpp"
 #include "support/temporary_folder.hpp"
 

@@ -5,7 +5,7 @@
 #include "render/image.hpp"
 #include "render/picture.hpp"
 #include "render/renderer.hpp"
-#include "scene/trajectory.hpp"
+#include "scene/trajectory/trajectory.hpp"
 
 #include <filesystem>
 #include <string>

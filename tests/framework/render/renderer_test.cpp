@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include "errors/input_error.hpp"
 #include "pictures.hpp"
-#include "render/surfaces.hpp"
-#include "scene/scene.hpp"
+#include "render/shape_surfaces.hpp"
 #include "support/catch.hpp"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include "errors/input_error.hpp"
 #include "report/result_json.hpp"
 #include "report/table.hpp"
 #include "report/terminal.hpp"
-#include "scene/scene.hpp"
 #include "support/catch.hpp"
 #include "support/temporary_folder.hpp"
 

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 // A scene's motion and its hash.
-#include "scene/motion_hash.hpp"
+#include "scene/keys/scene_keys.hpp"
+#include "scene/run/run_scene.hpp"
+#include "scene/trajectory/motion_hash.hpp"
+#include "scene/trajectory/reader.hpp"
 #include "support/close.hpp"
 
 #include <cmath>

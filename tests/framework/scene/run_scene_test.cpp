@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "scene/statistics.hpp"
+#include "scene/keys/scene_keys.hpp"
+#include "scene/run/run_scene.hpp"
+#include "scene/trajectory/reader.hpp"
+#include "scene/trajectory/statistics.hpp"
 #include "support/close.hpp"
 
 using namespace rigor;

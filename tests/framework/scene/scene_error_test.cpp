@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "scene/scene.hpp"
+#include "errors/input_error.hpp"
+#include "scene/keys/scene_keys.hpp"
 #include "support/catch.hpp"
 
 #include <filesystem>

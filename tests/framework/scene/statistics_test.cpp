@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "scene/statistics.hpp"
+#include "scene/keys/scene_keys.hpp"
+#include "scene/trajectory/statistics.hpp"
 #include "support/close.hpp"
 #include "support/random.hpp"
 

@@ -2,7 +2,9 @@
 // Bytes of a trajectory: joined, damaged, read back.
 #pragma once
 
-#include "scene/trajectory.hpp"
+#include "errors/input_error.hpp"
+#include "scene/trajectory/reader.hpp"
+#include "scene/trajectory/writer.hpp"
 #include "support/close.hpp"
 
 #include <cstring>

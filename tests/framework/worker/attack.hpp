@@ -2,7 +2,7 @@
 // What the tests of hostile implementations share.
 #pragma once
 
-#include "worker/proxy.hpp"
+#include "worker/proxy/proxy.hpp"
 
 #include <chrono>
 #include <filesystem>

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Workers are processes of their own, at other addresses, started when they may be: the motion is the
 // same.
-#include "scene/motion_hash.hpp"
+#include "scene/run/run_scene.hpp"
+#include "scene/trajectory/motion_hash.hpp"
+#include "scene/trajectory/reader.hpp"
 #include "support/catch.hpp"
 #include "support/random.hpp"
 #include "worker/client.hpp"

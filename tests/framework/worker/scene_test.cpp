@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "attack.hpp"
+#include "scene/trajectory/reader.hpp"
 #include "support/catch.hpp"
 #include "worker/wire.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Compares with the reference, so it runs only where the reference is.
 #include "../fracture_laws.hpp"
-#include "worker/proxy.hpp"
+#include "worker/proxy/proxy.hpp"
 
 namespace rigor::testing {
 

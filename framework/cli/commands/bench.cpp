@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+#include "cli/commands/bench.hpp"
+
+#include "cli/options.hpp"
+#include "cli/prepare.hpp"
+#include "errors/input_error.hpp"
+#include "errors/nearest.hpp"
+#include "grading/ninja.hpp"
+#include "grading/places.hpp"
+#include "grading/process.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <fmt/format.h>
+
+namespace rigor {
+
+namespace {
+
+struct BenchOptions {
+    std::vector<std::string> names;
+    std::string out;
+    bool json = false, list = false;
+};
+
+const std::string& known_name(const std::string& name, const std::vector<std::string>& known)
+{
+    const auto found = std::find(known.begin(), known.end(), name);
+    if (found != known.end()) return *found;
+    const std::vector<std::string_view> views(known.begin(), known.end());
+    const std::string near(nearest(name, views));
+    throw InputError(fmt::format("no benchmark '{}'; {}", name,
+                                 near.empty() ? fmt::format("there are {}", fmt::join(known, ", "))
+                                              : "did you mean '" + near + "'?"));
+}
+
+// The benchmarks that draw.
+constexpr std::array<std::string_view, 2> with_plots = {"accuracy", "plasticity"};
+
+bool draws(const std::string& name)
+{
+    return std::find(with_plots.begin(), with_plots.end(), name) != with_plots.end();
+}
+
+// Where a benchmark puts its plots: a folder of its own, unless it is the only one.
+std::string plots_of(const std::string& name, const BenchOptions& options)
+{
+    if (options.out.empty()) return (places().build / "bench" / name).string();
+    if (options.names.size() == 1) return options.out;
+    return (std::filesystem::path(options.out) / name).string();
+}
+
+void check_out(const std::string& out, const std::vector<std::string>& names)
+{
+    if (out.empty()) return;
+    if (std::none_of(names.begin(), names.end(), draws))
+        throw InputError(fmt::format("--out: expected a benchmark that draws ({}), found {}",
+                                     fmt::join(with_plots, ", "), fmt::join(names, ", ")));
+    std::error_code error;
+    std::filesystem::create_directories(out, error);
+    if (!std::filesystem::is_directory(out))
+        throw InputError("--out: expected a folder for plots, found " + out);
+}
+
+void run_benchmark(const std::string& name, const BenchOptions& options)
+{
+    Command command;
+    command.arguments = {places().program(("bench_" + name).c_str()).string()};
+    if (draws(name)) {
+        command.arguments.emplace_back("--out");
+        command.arguments.push_back(plots_of(name, options));
+    }
+    if (options.json) command.arguments.emplace_back("--json");
+    const Ended ended = run(command, [](std::string_view line) {
+        fmt::print("{}\n", line);
+        std::fflush(stdout);
+    });
+    if (!ended.ok()) throw std::runtime_error("bench " + name + " did not end as it should");
+}
+
+int bench(const BenchOptions& options)
+{
+    const std::vector<std::string> known = ninja_programs("bench_");
+    if (known.empty()) throw std::runtime_error("this build has no benchmarks");
+    if (options.list) {
+        fmt::print("{}\n", fmt::join(known, "\n"));
+        return exit_done;
+    }
+    std::vector<std::string> names, targets;
+    for (const std::string& name : options.names.empty() ? known : options.names) {
+        names.push_back(known_name(name, known));
+        targets.push_back("bench_" + name);
+    }
+    check_out(options.out, names);
+    prepare_targets(targets);
+    if (options.json && names.size() > 1) fmt::print("[\n");
+    for (const std::string& name : names) {
+        if (&name != names.data()) fmt::print("{}\n", options.json ? "," : "");
+        run_benchmark(name, options);
+    }
+    if (options.json && names.size() > 1) fmt::print("]\n");
+    return exit_done;
+}
+
+} // namespace
+
+Action declare_bench(Options& options)
+{
+    const auto chosen = std::make_shared<BenchOptions>();
+    options.words("NAME", chosen->names, "Benchmarks; without one, all");
+    options.flag("--list", chosen->list, "Name them");
+    options.flag("--json", chosen->json, "Print JSON: one object, or a list of them");
+    options.option("--out", "DIR", chosen->out,
+                   "Folder for plots; without it build/<preset>/bench/NAME");
+    options.examples({"bench --list",
+                      "bench spin            run time against error, every integrator",
+                      "bench accuracy --out plots", "bench worker --json"});
+    return [chosen] { return bench(*chosen); };
+}
+
+} // namespace rigor

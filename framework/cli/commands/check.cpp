@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+#include "cli/commands/check.hpp"
+
+#include "cli/options.hpp"
+#include "cli/prepare.hpp"
+#include "cli/progress.hpp"
+#include "errors/input_error.hpp"
+#include "grading/places.hpp"
+#include "grading/run_tests.hpp"
+#include "grading/selection.hpp"
+#include "report/result_json.hpp"
+#include "report/table.hpp"
+#include "report/terminal.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <fmt/format.h>
+#include <unistd.h>
+
+namespace rigor {
+
+namespace {
+
+struct CheckOptions {
+    std::vector<std::string> what;
+    std::string with = "student", out;
+    std::uint32_t seed = 0;
+    bool json = false;
+};
+
+int status_of(const std::vector<Result>& results)
+{
+    const auto any = [&](auto predicate) {
+        return std::any_of(results.begin(), results.end(), predicate);
+    };
+    if (any([](const Result& r) { return r.status == SubmissionStatus::internal_error; }))
+        return exit_fault;
+    return any([](const Result& r) { return !r.all_points(); }) ? exit_wrong : exit_done;
+}
+
+void say_what_was_built(const Implementation& implementation)
+{
+    std::vector<std::string> lacking;
+    for (const std::string& topic : implementation.borrowed) {
+        const auto& broken = implementation.broken;
+        if (std::find(broken.begin(), broken.end(), topic) == broken.end())
+            lacking.push_back(topic);
+        else
+            fmt::print(stderr,
+                       "{}/{}.cpp does not compile and is not asked for: what student/ has takes "
+                       "its place\n",
+                       implementation.name, topic);
+    }
+    if (!lacking.empty())
+        fmt::print(stderr, "{} has no {}.cpp: what student/ has takes their place\n",
+                   implementation.name, fmt::join(lacking, ".cpp, "));
+    if (implementation.built() && !implementation.build_steps.empty())
+        fmt::print(stderr, "built in {:.1f} s ({} {})\n", implementation.build_seconds,
+                   implementation.build_steps.size(),
+                   implementation.build_steps.size() == 1 ? "step" : "steps");
+}
+
+void print_report(const std::vector<Result>& results, const Implementation& implementation)
+{
+    const bool color = wants_color(STDOUT_FILENO);
+    const auto broken = std::find_if(results.begin(), results.end(), [](const Result& result) {
+        return result.status == SubmissionStatus::compile_error;
+    });
+    if (broken != results.end()) { // the same for every task: say it once
+        fmt::print("{}\n{}", colored(implementation.name + " does not compile", Color::red, color),
+                   broken->message);
+        return;
+    }
+    for (const Result& result : results)
+        fmt::print("{}{}", &result == results.data() ? "" : "\n",
+                   points_table(result, implementation, color));
+    if (results.size() > 1) fmt::print("\n{}", summary(results, color));
+}
+
+// Points for a file that was not handed in would be points for the one in student/.
+void require_own_file(const Selection& selection, const Implementation& implementation)
+{
+    const std::vector<std::string>& borrowed = implementation.borrowed;
+    const Assignment& asked = selection.assignment;
+    if (std::find(borrowed.begin(), borrowed.end(), asked.topic) != borrowed.end())
+        throw InputError(fmt::format("{}: expected {}.cpp, which {} is about, found no such file",
+                                     implementation.name, asked.topic, asked.name));
+}
+
+int check(const CheckOptions& options)
+{
+    const std::vector<Selection> selections =
+        select_tasks(load_assignments(places().assignments()), options.what);
+    std::vector<std::string> asked; // without WHAT, every file
+    for (const Selection& selection : selections)
+        if (!options.what.empty()) asked.push_back(selection.assignment.topic);
+    const Implementation implementation = prepared_implementation(options.with, asked);
+    for (const Selection& selection : selections)
+        if (!options.what.empty()) require_own_file(selection, implementation);
+    say_what_was_built(implementation);
+    GradingRun run = own_grading_run();
+    run.seed = options.seed;
+    std::vector<Result> results;
+    for (const Selection& selection : selections) {
+        Progress progress(selection.assignment.name);
+        run.on_task = [&](int begun, int tasks, const std::string& tag) {
+            progress.update((begun - 1.0) / tasks,
+                            tag + " " + selection.assignment.task(tag)->name());
+        };
+        results.push_back(grade(selection, implementation, run));
+    }
+    if (!options.out.empty()) write_whole(options.out, to_json(results));
+    if (options.json)
+        fmt::print("{}", to_json(results));
+    else
+        print_report(results, implementation);
+    return status_of(results);
+}
+
+} // namespace
+
+Action declare_check(Options& options)
+{
+    const auto chosen = std::make_shared<CheckOptions>();
+    options.words("WHAT", chosen->what,
+                  "Assignments (a2-inertia, A2), topics (inertia), tasks (A2.14) or formulas "
+                  "(combine); without one, all");
+    options.option(
+        "--with", "WHO", chosen->with,
+        "student (the default), reference, or a folder that holds some of the topics' files");
+    options.option("--seed", "N", chosen->seed, "First seed of the random cases (0)");
+    options.flag("--json", chosen->json,
+                 "Print the result as JSON: an object for one assignment, a list for several");
+    options.option("--out", "FILE", chosen->out, "Write that JSON to a file");
+    options.examples({"check inertia               the topic you work on",
+                      "check A2.14                 one task",
+                      "check A2.14 --seed 17       the random case that a failure named",
+                      "check a4 --with reference   the solution, where it is"});
+    return [chosen] { return check(*chosen); };
+}
+
+} // namespace rigor

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#include "cli/commands/commands.hpp"
+
+#include "cli/commands/bench.hpp"
+#include "cli/commands/check.hpp"
+#include "cli/commands/compare.hpp"
+#include "cli/commands/demo.hpp"
+#include "cli/commands/list.hpp"
+#include "cli/commands/render.hpp"
+#include "cli/commands/simulate.hpp"
+#include "cli/commands/test.hpp"
+
+namespace rigor {
+
+std::span<const CommandEntry> commands()
+{
+    static constexpr CommandEntry all[] = {
+        {"demo", "Render the showcase scenes and grade the sample submissions", declare_demo},
+        {"test", "Run everything that CI runs", declare_test},
+        {"list", "Show assignments, tasks, points and scenes", declare_list},
+        {"check", "Grade your own files: the loop to live in", declare_check},
+        {"simulate", "Run a scene and store its trajectory", declare_simulate},
+        {"render", "Draw a scene or a stored trajectory as frames", declare_render},
+        {"compare", "Find the first step where two implementations differ", declare_compare},
+        {"bench", "Measure run time against error", declare_bench},
+    };
+    return all;
+}
+
+} // namespace rigor

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// The commands, each from a file of its own.
+#pragma once
+
+#include "cli/command.hpp"
+
+#include <span>
+
+namespace rigor {
+
+struct CommandEntry {
+    const char* name;
+    const char* summary;
+    Action (*declare)(Options& options);
+};
+
+std::span<const CommandEntry> commands();
+
+} // namespace rigor

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#include "errors/nearest.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace rigor {
+
+namespace {
+
+// A longer word is no misspelt name; comparing it would only cost time.
+constexpr std::size_t longest_word = 64;
+
+// How many letters to insert, remove, replace or swap with a neighbour turn one word into the
+// other.
+std::size_t edit_distance(std::string_view a, std::string_view b)
+{
+    std::vector<std::size_t> before, previous(b.size() + 1), current(b.size() + 1);
+    std::iota(previous.begin(), previous.end(), std::size_t{0});
+    for (std::size_t i = 1; i <= a.size(); ++i) {
+        current[0] = i;
+        for (std::size_t j = 1; j <= b.size(); ++j) {
+            const std::size_t replaced = previous[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
+            current[j] = std::min({previous[j] + 1, current[j - 1] + 1, replaced});
+            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+                current[j] = std::min(current[j], before[j - 2] + 1);
+        }
+        before = std::exchange(previous, current);
+    }
+    return previous[b.size()];
+}
+
+} // namespace
+
+std::string_view nearest(std::string_view word, std::span<const std::string_view> names)
+{
+    std::string_view best;
+    if (word.size() > longest_word) return best;
+    std::size_t best_distance = std::max<std::size_t>(2, word.size() / 3) + 1;
+    for (const std::string_view name : names) {
+        const std::size_t distance = edit_distance(word, name);
+        if (distance >= best_distance || distance >= std::max(word.size(), name.size())) continue;
+        best = name;
+        best_distance = distance;
+    }
+    return best;
+}
+
+} // namespace rigor

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "grading/assignment.hpp"
+
+#include <string>
+#include <vector>
+
+namespace rigor {
+
+/// A part of an assignment: some of its tasks.
+struct Selection {
+    Assignment assignment;
+    std::vector<std::string> tags;
+};
+
+/// What the words name: an assignment (`a2-inertia`, `A2`), its topic (`inertia`), a task's tag
+/// (`A2.14`) or its formula (`combine`), whatever the case. No word: everything. @throws InputError
+/// with the nearest name
+std::vector<Selection> select_tasks(const std::vector<Assignment>& assignments,
+                                    const std::vector<std::string>& words);
+
+} // namespace rigor

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace rigor {
+
+/// A topic's name for each file of student/, in the order of the assignments.
+std::vector<std::string> topics();
+
+} // namespace rigor

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "render/picture.hpp"
+#include "scene/description/scene.hpp"
+
+#include <string>
+#include <vector>
+
+namespace rigor {
+
+/// What a picture needs to know of a rigid body besides its state.
+struct DrawnBody {
+    std::string name;
+    bool is_static = false;
+    std::vector<Part> parts;                     // about the center of mass
+    std::vector<int> models;                     // one a part; -1: a box, a ball, a plane
+    Matrix3d inverse_inertia = Matrix3d::Zero(); // I_body⁻¹ [1/(kg m²)]
+    double mass = 0, mean_inertia = 0;           // [kg], [kg m²]
+    double radius = 0;                           // around the center of mass [m]
+    Vector4f color;
+};
+
+/// Two states look different where they lie apart by more than this part of a body's radius.
+constexpr double visible_distance = 0.004;
+
+/// Whether a body is drawn there at all: what flies off is left alone.
+inline bool in_sight(const Vector3d& position)
+{
+    constexpr double far = 1e6; // [m]
+    return position.norm() < far;
+}
+
+} // namespace rigor

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "render/gl/context.hpp"
+
+#include <memory>
+
+namespace rigor {
+
+/// @throws std::runtime_error if there is no such context on this machine
+std::unique_ptr<Context> make_egl_context();
+
+} // namespace rigor

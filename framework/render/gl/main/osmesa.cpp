@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: MIT
+// The module that draws by OSMesa.
+#include "render/gl/drawing.hpp"
+#include "render/gl/osmesa_context.hpp"
+
+rigor::Renderer* create_renderer(int width, int height)
+{
+    return rigor::make_drawing(rigor::make_osmesa_context(), width, height).release();
+}

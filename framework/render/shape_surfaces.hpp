@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// Shapes as triangles to draw.
+#pragma once
+
+#include "geometry/shapes/shape.hpp"
+#include "render/picture.hpp"
+
+namespace rigor {
+
+/// The surface of a shape that is neither box, ball nor plane: smooth where it bends by less than
+/// 30 degrees, with edges where it bends by more.
+Surface surface_of(const Shape& shape);
+
+} // namespace rigor

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: MIT
+#include "scene/keys/body_keys.hpp"
+
+#include "errors/quotes.hpp"
+#include "scene/keys/grid_keys.hpp"
+#include "scene/keys/shape_keys.hpp"
+#include "scene/language/orientation.hpp"
+#include "scene/language/values.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace rigor {
+
+namespace {
+
+struct PartDraft {
+    MeshLibrary& meshes;
+    std::optional<Shape> shape;
+    Part part;
+    bool has_density = false;
+};
+
+constexpr Key<PartDraft> part_keys[] = {
+    {"shape", "needed: one shape",
+     [](PartDraft& p, const Value& v) { p.shape = read_shape(v, p.meshes); }},
+    {"position", "of the shape's origin in the body's frame, default [0, 0, 0] [m]",
+     [](PartDraft& p, const Value& v) { p.part.position = vector3(v); }},
+    {"orientation", "of the shape in the body's frame, default none",
+     [](PartDraft& p, const Value& v) { p.part.orientation = orientation(v); }},
+    {"density", "> 0, default the body's [kg/m³]",
+     [](PartDraft& p, const Value& v) {
+         p.part.density = positive(v, "a density");
+         p.has_density = true;
+     }},
+};
+
+// A body, and the values whose meaning depends on other keys.
+struct BodyDraft {
+    BodyDescription body;
+    const Value *shape = nullptr, *parts = nullptr, *density = nullptr, *mass = nullptr,
+                *inertia = nullptr, *motion = nullptr, *grid = nullptr;
+    const Value* part_density = nullptr; // where the first part has its own
+};
+
+constexpr Key<BodyDraft> body_keys[] = {
+    {"name", "needed, unique: springs, forces and messages call the body by it",
+     [](BodyDraft& d, const Value& v) { d.body.name = line_of_text(v, "a name"); }},
+    {"shape", "one shape about the frame's origin; or `parts`",
+     [](BodyDraft& d, const Value& v) { d.shape = &v; }},
+    {"parts", "the shapes of a compound body, a list; parts that overlap count twice",
+     [](BodyDraft& d, const Value& v) { d.parts = &v; }},
+    {"density", "> 0, default 1000 [kg/m³]", [](BodyDraft& d, const Value& v) { d.density = &v; }},
+    {"mass", "> 0, instead of densities; without `inertia` the matter is spread evenly [kg]",
+     [](BodyDraft& d, const Value& v) { d.mass = &v; }},
+    {"inertia",
+     "with `mass`: three moments, or three rows of a symmetric matrix, about the frame's origin, "
+     "which is then the center of mass [kg m²]",
+     [](BodyDraft& d, const Value& v) { d.inertia = &v; }},
+    {"position", "of the frame's origin, default [0, 0, 0] [m]",
+     [](BodyDraft& d, const Value& v) { d.body.position = vector3(v); }},
+    {"orientation", "of the frame, default none",
+     [](BodyDraft& d, const Value& v) { d.body.orientation = orientation(v); }},
+    {"velocity", "of the center of mass, default [0, 0, 0] [m/s]",
+     [](BodyDraft& d, const Value& v) {
+         d.body.velocity = vector3(v);
+         d.motion = &v;
+     }},
+    {"angular_velocity", "in world space, default [0, 0, 0] [rad/s]",
+     [](BodyDraft& d, const Value& v) {
+         d.body.angular_velocity = vector3(v);
+         d.motion = &v;
+     }},
+    {"restitution", "ε from 0 to 1, default 0.5; of a pair the smaller counts",
+     [](BodyDraft& d, const Value& v) {
+         d.body.material.restitution = in_range(v, "a restitution", 0, 1);
+     }},
+    {"friction", "μ ≥ 0, default 0.5; of a pair the geometric mean counts",
+     [](BodyDraft& d, const Value& v) {
+         d.body.material.friction = not_negative(v, "a friction");
+     }},
+    {"static", "true for a body that never moves, default false",
+     [](BodyDraft& d, const Value& v) { d.body.is_static = boolean(v); }},
+    {"color", "[red, green, blue], each from 0 to 1, default one of a palette",
+     [](BodyDraft& d, const Value& v) { d.body.color = color(v); }},
+    {"grid", "makes many of this body, named \"name 1\", \"name 2\" and so on",
+     [](BodyDraft& d, const Value& v) { d.grid = &v; }},
+};
+
+void read_parts(BodyDraft& draft, const Value& value, MeshLibrary& meshes)
+{
+    if (!draft.shape == !draft.parts)
+        throw Mistake{value.line,
+                      fmt::format("expected {} in the body {}",
+                                  draft.shape ? "either \"shape\" or \"parts\", not both,"
+                                              : "a \"shape\" or \"parts\"",
+                                  in_quotes(draft.body.name))};
+    const double density = draft.density ? positive(*draft.density, "a density") : Part{}.density;
+    std::vector<Part>& parts = draft.body.parts;
+    if (draft.shape) {
+        parts.push_back({read_shape(*draft.shape, meshes), Vector3d::Zero(), {}, density});
+        return;
+    }
+    for (const Value& item : array(*draft.parts, "a list of parts")) {
+        PartDraft part{meshes, {}, {}};
+        part.part.density = density;
+        read_object<PartDraft>(item, "a part {\"shape\": …}", part_keys, part);
+        if (!part.shape) expected("a \"shape\" in the part", item);
+        if (part.has_density && !draft.part_density) draft.part_density = find(item, "density");
+        part.part.shape = *part.shape;
+        parts.push_back(part.part);
+    }
+    if (parts.empty()) expected("at least one part", *draft.parts);
+}
+
+Matrix3d read_inertia(const Value& value)
+{
+    constexpr std::string_view what = "three moments, or three rows of three numbers";
+    if (array(value, what).size() != 3) expected(what, value);
+    Matrix3d I = Matrix3d::Zero();
+    const bool rows = value.items[0].kind == Value::Kind::array;
+    for (int i = 0; i < 3; ++i) {
+        const Value& item = value.items[i];
+        if (rows)
+            I.row(i) = vector3(item, "a row of three numbers").transpose();
+        else
+            I(i, i) = number(item, "a moment");
+    }
+    const double rounding = 1e-9 * I.norm();
+    if ((I - I.transpose()).norm() > rounding)
+        throw Mistake{value.line, "expected a symmetric inertia, found rows that differ from the "
+                                  "columns"};
+    // D = ∫ x xᵀ dm = ½ tr(I) δ - I has no negative eigenvalue: the moments are not negative, and
+    // none is larger than the sum of the other two.
+    const Matrix3d D = 0.5 * I.trace() * Matrix3d::Identity() - I;
+    Eigen::SelfAdjointEigenSolver<Matrix3d> eigen;
+    eigen.compute(D, Eigen::EigenvaluesOnly);
+    if (!(eigen.eigenvalues().minCoeff() >= -rounding))
+        throw Mistake{value.line,
+                      fmt::format("expected an inertia that matter can have (no moment negative or "
+                                  "larger than the sum of the other two), found {}",
+                                  rows ? "a matrix that breaks this"
+                                       : fmt::format("[{}, {}, {}]", I(0, 0), I(1, 1), I(2, 2)))};
+    return I;
+}
+
+// Mass, with inertia or spread evenly over the volume.
+void read_mass(BodyDraft& draft)
+{
+    if (draft.inertia && !draft.mass)
+        throw Mistake{draft.inertia->line, "expected \"mass\" beside \"inertia\", found none"};
+    if (!draft.mass) return;
+    const Value* density = draft.density ? draft.density : draft.part_density;
+    if (density)
+        throw Mistake{density->line, "expected either \"mass\" or \"density\", found both"};
+    const double mass = positive(*draft.mass, "a mass");
+    if (draft.inertia) {
+        draft.body.mass = mass;
+        draft.body.inertia = read_inertia(*draft.inertia);
+        return;
+    }
+    double total = 0;
+    for (const Part& part : draft.body.parts)
+        total += volume(part.shape);
+    for (Part& part : draft.body.parts)
+        part.density = total > 0 ? mass / total : part.density;
+}
+
+void check_static(const BodyDraft& draft, const Value& value)
+{
+    const BodyDescription& body = draft.body;
+    for (const Part& part : body.parts)
+        if (std::holds_alternative<Plane>(part.shape) && !body.is_static)
+            throw Mistake{value.line, fmt::format("expected \"static\": true for the plane {}, "
+                                                  "found a body that moves",
+                                                  in_quotes(body.name))};
+    if (body.is_static && (!body.velocity.isZero(0) || !body.angular_velocity.isZero(0)))
+        expected("no velocity of a static body", *draft.motion);
+}
+
+} // namespace
+
+void read_body(const Value& value, MeshLibrary& meshes, std::vector<BodyDescription>& bodies)
+{
+    BodyDraft draft;
+    read_object<BodyDraft>(value, "a body {\"name\": …, \"shape\": …}", body_keys, draft);
+    if (draft.body.name.empty())
+        throw Mistake{value.line, "expected a \"name\" in the body, found none"};
+    read_parts(draft, value, meshes);
+    read_mass(draft);
+    check_static(draft, value);
+    if (draft.grid)
+        read_grid(*draft.grid, draft.body, bodies);
+    else
+        bodies.push_back(std::move(draft.body));
+}
+
+void body_meanings(std::vector<KeyMeaning>& meanings)
+{
+    add_meanings<BodyDraft>("body", body_keys, meanings);
+    add_meanings<PartDraft>("part", part_keys, meanings);
+    shape_meanings(meanings);
+}
+
+} // namespace rigor

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "scene/description/scene.hpp"
+#include "scene/language/keys.hpp"
+
+namespace rigor {
+
+/// Copies of a body along a grid: {"count": [5, 4, 5], "spacing": [1.1, 1.1, 1.1], …}.
+/// @throws Mistake
+void read_grid(const Value& value, const BodyDescription& body,
+               std::vector<BodyDescription>& bodies);
+
+void grid_meanings(std::vector<KeyMeaning>& meanings);
+
+} // namespace rigor

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// An object of one kind, whose keys are its sizes: a shape, a mesh.
+#pragma once
+
+#include "scene/language/keys.hpp"
+
+#include <fmt/format.h>
+
+#include <initializer_list>
+
+namespace rigor {
+
+/// The keys of a shape of one kind; each of `needed` must be there.
+template <class T>
+T read_kind(const Value& value, Keys<T> keys, std::initializer_list<std::string_view> needed)
+{
+    T kind;
+    read_object<T>(value, fmt::format("{{\"{}\": …}}", keys[0].name), keys, kind);
+    for (const std::string_view name : needed)
+        if (!find(value, name)) expected(fmt::format("a \"{}\" in the {}", name, value.key), value);
+    return kind;
+}
+
+/// Refuses a length that leaves no room for another one.
+inline void less(const Value& object, std::string_view key, double limit)
+{
+    const Value& value = *find(object, key);
+    if (!(value.number < limit)) expected(fmt::format("a {} < {:.6g}", key, limit), value);
+}
+
+} // namespace rigor

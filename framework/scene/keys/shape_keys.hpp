@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "geometry/shapes/shape.hpp"
+#include "scene/language/keys.hpp"
+#include "scene/meshes/mesh_library.hpp"
+
+namespace rigor {
+
+/// A shape, an object of one key.
+/// @throws Mistake
+Shape read_shape(const Value& value, MeshLibrary& meshes);
+
+void shape_meanings(std::vector<KeyMeaning>& meanings);
+
+} // namespace rigor

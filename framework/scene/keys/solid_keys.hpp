@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "scene/description/scene.hpp"
+#include "scene/language/keys.hpp"
+#include "scene/meshes/mesh_library.hpp"
+
+namespace rigor {
+
+/// Appends the deformable solid of an entry of "solids".
+/// @throws Mistake
+void read_solid(const Value& value, MeshLibrary& meshes, std::vector<SolidDescription>& solids);
+
+void solid_meanings(std::vector<KeyMeaning>& meanings);
+
+} // namespace rigor

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#include "scene/language/keys.hpp"
+
+#include "errors/nearest.hpp"
+#include "errors/quotes.hpp"
+
+#include <fmt/format.h>
+
+namespace rigor {
+
+std::string list_of(std::span<const std::string_view> names)
+{
+    std::string text;
+    for (const std::string_view name : names)
+        text += fmt::format("{}\"{}\"", text.empty() ? "" : ", ", name);
+    return text;
+}
+
+void unknown_key(const Value& value, std::span<const std::string_view> names)
+{
+    const std::string_view near = nearest(value.key, names);
+    std::string hint = near.empty() ? fmt::format("expected one of {}", list_of(names))
+                                    : fmt::format("did you mean \"{}\"?", near);
+    if (names.empty()) hint = "expected no key here";
+    throw Mistake{value.line, fmt::format("unknown key {}; {}", in_quotes(value.key), hint)};
+}
+
+const Value* find(const Value& object, std::string_view key)
+{
+    for (const Value& item : object.items)
+        if (item.key == key) return &item;
+    return nullptr;
+}
+
+} // namespace rigor

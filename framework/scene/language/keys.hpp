@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+// A grammar as tables: each key with its meaning and its reader. The documentation, the reading and
+// the suggestion of the nearest key all follow from the table.
+#pragma once
+
+#include "scene/language/json.hpp"
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rigor {
+
+/// One key of an object of type T.
+template <class T> struct Key {
+    std::string_view name;
+    std::string_view meaning; // as documented in assignments/scenes.md
+    void (*read)(T& target, const Value& value);
+};
+
+template <class T> using Keys = std::span<const Key<T>>;
+
+/// A key as the documentation lists it.
+struct KeyMeaning {
+    std::string_view object, key, meaning;
+};
+
+/// Names as an error lists them: `"sphere", "box"`.
+std::string list_of(std::span<const std::string_view> names);
+
+/// @throws Mistake `unknown key "restituton"; did you mean "restitution"?`
+[[noreturn]] void unknown_key(const Value& value, std::span<const std::string_view> names);
+
+/// Reads each key of an object by its row of the table.
+/// @param what  the object in an error's words: "a body"
+/// @throws Mistake
+template <class T>
+void read_object(const Value& value, std::string_view what, Keys<T> keys, T& target)
+{
+    if (value.kind != Value::Kind::object) expected(what, value);
+    for (const Value& item : value.items) {
+        const Key<T>* row = nullptr;
+        for (const Key<T>& key : keys)
+            if (key.name == item.key) row = &key;
+        if (!row) {
+            std::vector<std::string_view> names;
+            for (const Key<T>& key : keys)
+                names.push_back(key.name);
+            unknown_key(item, names);
+        }
+        row->read(target, item);
+    }
+}
+
+/// The value of a key, or null.
+const Value* find(const Value& object, std::string_view key);
+
+/// Appends the rows of a table to the documentation of `object`.
+template <class T>
+void add_meanings(std::string_view object, Keys<T> keys, std::vector<KeyMeaning>& meanings)
+{
+    for (const Key<T>& key : keys)
+        meanings.push_back({object, key.name, key.meaning});
+}
+
+} // namespace rigor

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "formulas/types.hpp"
+#include "scene/language/keys.hpp"
+
+namespace rigor {
+
+/// {"axis": …, "degrees": …}, {"quaternion": [s, x, y, z]} or {"euler_degrees": [φ, θ, ψ]}.
+/// @throws Mistake
+Quaternion orientation(const Value& value);
+
+void orientation_meanings(std::vector<KeyMeaning>& meanings);
+
+} // namespace rigor

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// The readers of plain values. Each throws a Mistake that says what it expected; `what` names the
+// quantity. Numbers are at most 1e12 in size, positive ones at least 1e-12, so that no product of a
+// few of them overflows or vanishes.
+#pragma once
+
+#include "formulas/types.hpp"
+#include "scene/language/json.hpp"
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rigor {
+
+constexpr double smallest_number = 1e-12;
+
+double number(const Value& value, std::string_view what = "a number");
+double positive(const Value& value, std::string_view what);
+double not_negative(const Value& value, std::string_view what);
+double in_range(const Value& value, std::string_view what, double low, double high);
+std::int64_t integer(const Value& value, std::string_view what, std::int64_t low,
+                     std::int64_t high);
+bool boolean(const Value& value);
+std::string line_of_text(const Value& value, std::string_view what);
+Vector3d vector3(const Value& value, std::string_view what = "three numbers");
+Vector3d positive3(const Value& value, std::string_view what);
+Vector3d color(const Value& value);
+const std::vector<Value>& array(const Value& value, std::string_view what);
+
+/// One of several words.
+std::size_t one_of(const Value& value, std::span<const std::string_view> words);
+
+} // namespace rigor

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#include "scene/meshes/mesh_library.hpp"
+
+#include "errors/quotes.hpp"
+#include "geometry/meshes/mesh_checks.hpp"
+#include "geometry/mesh_files/tetrahedra_files.hpp"
+
+#include <fmt/format.h>
+
+namespace rigor {
+
+void MeshLibrary::read_texts(const Value& value)
+{
+    constexpr std::string_view what = "texts of meshes by name {\"ring.obj\": \"v 0 0 0 …\"}";
+    if (value.kind != Value::Kind::object) expected(what, value);
+    for (const Value& item : value.items) {
+        if (item.kind != Value::Kind::string) expected("the text of a mesh", item);
+        texts_[item.key] = &item;
+    }
+}
+
+const Value& MeshLibrary::text_of(const Value& file) const
+{
+    const auto text = texts_.find(file.text);
+    if (text == texts_.end())
+        throw Mistake{file.line,
+                      fmt::format("expected the text of the mesh {} among the scene's \"meshes\", "
+                                  "found none",
+                                  in_quotes(file.text))};
+    return *text->second;
+}
+
+SharedMesh MeshLibrary::from_file(const Value& file, double scale, int cells)
+{
+    const std::string& name = file.text;
+    const Value& text = text_of(file);
+    SharedMesh& mesh = known_[fmt::format("{} {} {}", name, scale, cells)];
+    if (mesh) return mesh;
+    try {
+        ObjMesh read = read_obj(text.text);
+        for (Vector3d& v : read.mesh.vertices)
+            v *= scale;
+        check_mesh(read.mesh, read.lines);
+        mesh = std::make_shared<SolidMesh>(std::move(read.mesh), name, cells);
+    } catch (const MeshError& error) {
+        throw Mistake{text.line,
+                      fmt::format("{}:{}: {}", in_quotes(name), error.line, error.what())};
+    }
+    return mesh;
+}
+
+std::shared_ptr<const TetrahedralMesh> MeshLibrary::tetrahedra(const Value& file, double scale)
+{
+    const Value& text = text_of(file);
+    try {
+        TetrahedraText read = read_tetrahedra(text.text);
+        for (Vector3d& v : read.mesh.vertices)
+            v *= scale;
+        check_mesh(read.mesh, read.lines);
+        return std::make_shared<TetrahedralMesh>(std::move(read.mesh));
+    } catch (const MeshError& error) {
+        throw Mistake{text.line,
+                      fmt::format("{}:{}: {}", in_quotes(file.text), error.line, error.what())};
+    }
+}
+
+SharedMesh MeshLibrary::generated(const std::string& key, const Value& value, int cells,
+                                  const std::function<TriangleMesh()>& make)
+{
+    SharedMesh& mesh = known_[fmt::format("{} {}", key, cells)];
+    if (mesh) return mesh;
+    try {
+        TriangleMesh made = make();
+        check_mesh(made);
+        mesh = std::make_shared<SolidMesh>(std::move(made), value.key, cells);
+    } catch (const MeshError& error) {
+        throw Mistake{value.line, fmt::format("the mesh of the {}: {}", value.key, error.what())};
+    }
+    return mesh;
+}
+
+} // namespace rigor

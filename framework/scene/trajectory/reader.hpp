@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "scene/trajectory/solid_records.hpp"
+
+#include <filesystem>
+#include <functional>
+#include <span>
+#include <string>
+
+namespace rigor {
+
+/// Takes the bytes of a trajectory as they come, in pieces of any size, and calls back for each
+/// whole record. The bytes may be hostile: every count is checked before it is believed, every
+/// number is finite. Once it has thrown, it takes no more.
+class TrajectoryReader {
+public:
+    struct Handlers {
+        std::function<void(const Scene&, const std::vector<RecordedBody>&)> on_start;
+        std::function<void(Frame)> on_frame;
+        std::function<void(const Counters&)> on_end;
+    };
+    explicit TrajectoryReader(Handlers handlers);
+    /// Collects everything in `whole`.
+    explicit TrajectoryReader(Trajectory& whole);
+
+    /// @throws InputError if the bytes are not a trajectory; names the record and the quantity
+    void feed(std::span<const std::byte> bytes);
+
+    bool started() const { return started_; }
+    bool complete() const { return complete_; }
+
+private:
+    using Stage = void (TrajectoryReader::*)(ByteCursor&);
+
+    void next(Stage stage, std::size_t bytes);
+    void read_magic(ByteCursor& bytes);
+    void read_name_size(ByteCursor& bytes);
+    void read_name(ByteCursor& bytes);
+    void read_text(ByteCursor& bytes);
+    void read_bodies(ByteCursor& bytes);
+    void read_solid_count(ByteCursor& bytes);
+    void start();
+    void read_tag(ByteCursor& bytes);
+    void read_frame(ByteCursor& bytes);
+    void read_contacts(ByteCursor& bytes);
+    void next_solid();
+    void read_solid(ByteCursor& bytes);
+    void read_counts(ByteCursor& bytes);
+    void read_mesh(ByteCursor& bytes);
+    void expect_solid_state();
+    void read_solid_state(ByteCursor& bytes);
+    std::string solid_place() const; // names the solid being read in an error
+    void finish_frame();
+    void read_counter_count(ByteCursor& bytes);
+    void read_counters(ByteCursor& bytes);
+
+    Handlers handlers_;
+    std::vector<std::byte> pending_; // not yet enough for the next stage
+    Stage stage_;
+    std::size_t needed_ = 0; // bytes that it takes
+    Scene scene_;
+    std::uint32_t version_ = 1;
+    std::string name_;
+    std::vector<RecordedBody> bodies_; // as the header has them
+    Frame frame_;                      // the one being read
+    bool is_new_topology_ = false;     // whether the solid being read has one
+    TopologyCounts counts_;            // sizes of the mesh being read
+    std::vector<std::shared_ptr<const SolidTopology>> topologies_; // the last one of each solid
+    std::int64_t last_step_ = -1;
+    bool started_ = false, complete_ = false, broken_ = false;
+};
+
+/// A whole trajectory from a file, or as much of it as is there. @throws InputError
+Trajectory load_trajectory(const std::filesystem::path& file);
+
+} // namespace rigor

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#include "errors/nearest.hpp"
+#include "support/catch.hpp"
+
+#include <array>
+
+using namespace rigor;
+
+TEST_CASE("nearest: a misspelt word gets the name that needs the fewest changes", "[errors]")
+{
+    constexpr std::array<std::string_view, 3> names = {"friction", "restitution", "density"};
+    CHECK(nearest("restituton", names) == "restitution"); // a letter is missing
+    CHECK(nearest("frictoin", names) == "friction");      // two letters changed places
+    CHECK(nearest("densityy", names) == "density");       // a letter too many
+}
+
+TEST_CASE("nearest: a word unlike every name gets none", "[errors]")
+{
+    constexpr std::array<std::string_view, 2> names = {"box", "ball"};
+    CHECK(nearest("velocity", names).empty());
+    CHECK(nearest("", names).empty());
+    CHECK(nearest(std::string(100, 'b'), names).empty());
+}

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#include "echo/echo.hpp"
+#include "formulas/table.hpp"
+#include "support/catch.hpp"
+#include "worker/finite.hpp"
+#include "worker/proxy/proxy.hpp"
+
+#include <tuple>
+
+namespace rigor {
+
+namespace {
+
+template <class Result, class... Argument>
+void check_round_trip(FormulaIndex formula, Result (*function)(Argument...), SplitMix& random)
+{
+    std::tuple<std::remove_cvref_t<Argument>...> arguments;
+    std::apply([&](auto&... argument) { (fill(argument, random), ...); }, arguments);
+    wire::Bytes sent, received, expected;
+    std::apply([&](const auto&... argument) { (wire::encode(sent, argument), ...); }, arguments);
+
+    wire::encode(received, std::apply(function, arguments));
+    wire::encode(expected, echo_of<Result>(static_cast<unsigned>(formula), sent));
+    INFO(subject_of(formula));
+    REQUIRE(received == expected);
+}
+
+} // namespace
+
+TEST_CASE("worker: every bit of the arguments and of the result of every formula arrives")
+{
+    use_worker(RIGOR_BINARY_DIR "/bin/worker_echo");
+    SplitMix random{1};
+    for (int repeat = 0; repeat < 20; ++repeat) {
+#define RIGOR_ROW(tag, topic, f, ...) check_round_trip(FormulaIndex::f, &f, random);
+        RIGOR_FORMULAS(RIGOR_ROW)
+#undef RIGOR_ROW
+    }
+}
+
+TEST_CASE("worker: a request holds megabytes and refuses more than it can hold")
+{
+    use_worker(RIGOR_BINARY_DIR "/bin/worker_echo");
+    LevelSet grid;
+    grid.size = {128, 128, 128};
+    grid.distances.assign(std::size_t{128} * 128 * 128, 0.5);
+    wire::Bytes sent;
+    wire::encode(sent, grid);
+    wire::encode(sent, Vector3d(1, 2, 3));
+    const auto index = static_cast<unsigned>(FormulaIndex::sample_level_set);
+    REQUIRE(sample_level_set(grid, Vector3d(1, 2, 3)) == echo_of<double>(index, sent));
+
+    grid.distances.resize(Channel::capacity / sizeof(double));
+    REQUIRE_THROWS_AS(sample_level_set(grid, Vector3d(1, 2, 3)), std::length_error);
+}
+
+TEST_CASE("worker: the longest step of a rotation may be infinite and nothing else may")
+{
+    REQUIRE(find_non_finite(1.0).empty());
+    use_worker(RIGOR_BINARY_DIR "/bin/worker_reference");
+    REQUIRE(max_time_step(Vector3d::Zero()) == std::numeric_limits<double>::infinity());
+    const double huge = std::numeric_limits<double>::max();
+    REQUIRE_THROWS_AS(solid_sphere(huge, huge), NotFinite);
+}
+
+TEST_CASE("worker: by_reference asks the oracle and only for the time being")
+{
+    use_worker(RIGOR_BINARY_DIR "/bin/worker_echo", RIGOR_BINARY_DIR "/bin/worker_reference");
+    const auto reference = [] { return kinetic_energy(2, {1, 0, 0}, Matrix3d::Zero(), {0, 0, 0}); };
+    REQUIRE(by_reference(reference) == 1.0);
+    REQUIRE(reference() != 1.0);
+}
+
+} // namespace rigor
