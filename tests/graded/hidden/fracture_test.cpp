@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Compares with the reference, so it runs only where the reference is.
-#include "../fracture_laws.hpp"
+#include "graded/fracture/fracture_laws.hpp"
 #include "worker/proxy.hpp"
 
 namespace rigor::testing {

@@ -2,7 +2,7 @@
 // A3.15 and A3.16: motions with an exact answer, and how fast the error falls with the step. The
 // numbers are Euler's equations of a free body in Jacobi's elliptic functions, to 15 digits.
 #include "formulas/rotation.hpp"
-#include "graded/rotation_cases.hpp"
+#include "rotation_cases.hpp"
 #include "support/close.hpp"
 
 using namespace rigor;

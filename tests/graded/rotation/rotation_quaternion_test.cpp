@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A3.5 to A3.10: the algebra of quaternions.
 #include "formulas/rotation.hpp"
-#include "graded/rotation_cases.hpp"
+#include "rotation_cases.hpp"
 #include "support/close.hpp"
 
 using namespace rigor;

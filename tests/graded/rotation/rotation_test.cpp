@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A3.1 to A3.4: why not R, Euler angles.
 #include "formulas/rotation.hpp"
-#include "graded/rotation_cases.hpp"
+#include "rotation_cases.hpp"
 #include "support/close.hpp"
 
 #include <numbers>

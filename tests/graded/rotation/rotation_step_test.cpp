@@ -2,7 +2,7 @@
 // A3.15 and A3.16: one step's own closed form, and motions with an exact answer that the step must
 // hit to rounding. How fast the errors fall is in rotation_convergence_test.cpp.
 #include "formulas/rotation.hpp"
-#include "graded/rotation_cases.hpp"
+#include "rotation_cases.hpp"
 #include "support/close.hpp"
 
 using namespace rigor;

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "formulas/contact.hpp"
-#include "sliding_pair.hpp"
+#include "graded/collision/sliding_pair.hpp"
 
 namespace rigor::testing {
 

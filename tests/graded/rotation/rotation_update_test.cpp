@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A3.11 to A3.14: updates of the orientation, the longest step, gravity.
 #include "formulas/rotation.hpp"
-#include "graded/rotation_cases.hpp"
+#include "rotation_cases.hpp"
 #include "support/close.hpp"
 
 #include <limits>
