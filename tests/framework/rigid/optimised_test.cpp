@@ -8,6 +8,7 @@
 #include "rigid/contact_stage.hpp"
 #include "rigid/sweeps.hpp"
 #include "support/catch.hpp"
+#include "support/seeds.hpp"
 #include "worlds.hpp"
 
 using namespace rigor;

@@ -4,6 +4,7 @@
 #include "formulas/collision.hpp"
 #include "support/close.hpp"
 #include "support/random.hpp"
+#include "support/seeds.hpp"
 
 #include <cmath>
 
@@ -67,10 +68,7 @@ TEST_CASE("collision: an impulse through the center of mass does not spin", "[A4
 TEST_CASE("collision: an impulse changes momentum and angular momentum about any point",
           "[A4.10][collision]")
 {
-    for (unsigned seed : seeds(100)) {
-        CAPTURE(seed);
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(100)) {
         const Body body = random.body();
         const Vector3d x = random.vector(), j = random.vector(), c = 3 * random.vector();
 
@@ -89,10 +87,7 @@ TEST_CASE("collision: an impulse changes momentum and angular momentum about any
 
 TEST_CASE("collision: an impulse moves its point by K times itself", "[A4.10][collision]")
 {
-    for (unsigned seed : seeds(100)) {
-        CAPTURE(seed);
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(100)) {
         const Body body = random.body();
         const Vector3d x = random.vector(), j = random.vector();
         const Matrix3d K = response_at(body, x);
@@ -111,10 +106,7 @@ TEST_CASE("collision: an impulse moves its point by K times itself", "[A4.10][co
 TEST_CASE("collision: after an impulse angular velocity and momentum still belong together",
           "[A4.10][collision]")
 {
-    for (unsigned seed : seeds(100)) {
-        CAPTURE(seed);
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(100)) {
         const Body body = random.body();
 
         const Body after = apply_impulse(body, random.vector(), random.vector());
@@ -142,10 +134,7 @@ TEST_CASE("collision: an impulse moves no body and changes no mass", "[A4.10][co
 
 TEST_CASE("collision: opposite impulses keep the momentum of a pair", "[A4.10][collision]")
 {
-    for (unsigned seed : seeds(100)) {
-        CAPTURE(seed);
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(100)) {
         const Body body1 = random.body(), body2 = random.body();
         const Vector3d x = random.vector(), j = random.vector(), c = random.vector();
 
@@ -218,10 +207,7 @@ TEST_CASE("collision: contacts that only touch count too", "[A4.11][collision]")
 
 TEST_CASE("collision: the deepest of many random contacts", "[A4.11][collision]")
 {
-    for (unsigned seed : seeds(50)) {
-        CAPTURE(seed);
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(50)) {
         Contacts contacts;
         int deepest = -1;
         for (int i = 0; i < 20; ++i) {

@@ -4,6 +4,7 @@
 #include "formulas/collision.hpp"
 #include "support/close.hpp"
 #include "support/random.hpp"
+#include "support/seeds.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -65,8 +66,6 @@ TEST_CASE("collision: static friction stops the sliding and turns the normal vel
           "[A4.6][collision]")
 {
     for (unsigned seed : seeds(100)) {
-        CAPTURE(seed);
-        current_seed(seed);
         const CollidingPair pair = colliding_pair(seed);
         const auto& [body1, body2, x, n, K, v, restitution, size, condition] = pair;
 
@@ -81,8 +80,6 @@ TEST_CASE("collision: static friction stops the sliding and turns the normal vel
 TEST_CASE("collision: no impulse leaves less energy than plastic sticking", "[A4.6][collision]")
 {
     for (unsigned seed : seeds(50)) {
-        CAPTURE(seed);
-        current_seed(seed);
         const CollidingPair pair = colliding_pair(seed);
         const Matrix3d& K = pair.K;
         const auto work = [&](const Vector3d& j) { return j.dot(pair.v + K * j / 2); };
@@ -117,10 +114,7 @@ TEST_CASE("collision: a bouncing rod that sticks may gain energy", "[A4.6][colli
 
 TEST_CASE("collision: static friction on long levers", "[A4.6][collision]")
 {
-    for (unsigned seed : seeds(50)) {
-        CAPTURE(seed);
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(50)) {
         // 1/M is 1, a lever adds up to 1e4: from any j the v that needs it
         const double lever = std::pow(10, random.uniform(0, 4));
         const Matrix3d R = random.rotation();
@@ -141,8 +135,6 @@ TEST_CASE("collision: static friction on long levers", "[A4.6][collision]")
 TEST_CASE("collision: a static impulse turns with the scene", "[A4.6][collision]")
 {
     for (unsigned seed : seeds(50)) {
-        CAPTURE(seed);
-        current_seed(seed);
         const CollidingPair pair = colliding_pair(seed);
         const Matrix3d R = Random(seed + 1000).rotation();
 
@@ -189,10 +181,7 @@ TEST_CASE("collision: a pulling impulse is outside the friction cone", "[A4.7][c
 
 TEST_CASE("collision: friction is a cone and not a pyramid", "[A4.7][collision]")
 {
-    for (unsigned seed : seeds(50)) {
-        CAPTURE(seed);
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(50)) {
         const Vector3d n = random.unit_vector();
         const double mu = random.uniform(0.05, 2), j_n = random.mass();
         for (int angle = 0; angle < 360; angle += 17) { // turned about the normal

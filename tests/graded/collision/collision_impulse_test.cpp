@@ -4,6 +4,7 @@
 #include "sliding_pair.hpp"
 #include "support/close.hpp"
 #include "support/random.hpp"
+#include "support/seeds.hpp"
 
 #include <cmath>
 
@@ -17,8 +18,6 @@ TEST_CASE("collision: bodies that separate are left alone", "[A4.9][collision]")
     REQUIRE_THAT(collision_impulse(sphere_on_floor(), Vector3d(3, 0, 0), up, 0.5, 0.3),
                  IsExactly(Vector3d(0, 0, 0)));
     for (unsigned seed : seeds(50)) {
-        CAPTURE(seed);
-        current_seed(seed);
         const CollidingPair pair = colliding_pair(seed);
         REQUIRE_THAT(collision_impulse(pair.K, -pair.v, pair.n, pair.restitution, 0.3),
                      IsExactly(Vector3d(0, 0, 0)));
@@ -50,8 +49,6 @@ TEST_CASE("collision: inside the cone it sticks and outside it slides", "[A4.9][
 {
     int stuck = 0, slid = 0;
     for (unsigned seed : seeds(300)) {
-        CAPTURE(seed);
-        current_seed(seed);
         const CollidingPair pair = colliding_pair(seed);
         const auto& [body1, body2, x, n, K, v, restitution, size, condition] = pair;
         const double friction = Random(seed + 1000).uniform(0, 1);
@@ -77,8 +74,6 @@ TEST_CASE("collision: inside the cone it sticks and outside it slides", "[A4.9][
 TEST_CASE("collision: an impulse of a collision pushes and stays in the cone", "[A4.9][collision]")
 {
     for (unsigned seed : seeds(100)) {
-        CAPTURE(seed);
-        current_seed(seed);
         const CollidingPair pair = colliding_pair(seed);
         const Vector3d& n = pair.n;
         for (double friction : {0.0, 0.3, 3.0, 1e6}) {
@@ -97,8 +92,6 @@ TEST_CASE("collision: turn the scene 17 degrees about the normal and the result 
 {
     int cases = 0;
     for (unsigned seed : seeds(100)) {
-        CAPTURE(seed);
-        current_seed(seed);
         const CollidingPair pair = colliding_pair(seed);
         const auto& [body1, body2, x, n, K, v, restitution, size, condition] = pair;
         const double friction = 0.4;
@@ -115,10 +108,7 @@ TEST_CASE("collision: turn the scene 17 degrees about the normal and the result 
 TEST_CASE("collision: a sphere never gains energy from the floor", "[A4.9][collision]")
 {
     const Matrix3d K = sphere_on_floor();
-    for (unsigned seed : seeds(100)) {
-        CAPTURE(seed);
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(100)) {
         const Vector3d v = random.vector();
         const double restitution = random.uniform(0, 1), friction = random.uniform(0, 1);
         const Vector3d j = collision_impulse(K, v, up, restitution, friction);

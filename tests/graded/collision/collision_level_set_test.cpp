@@ -3,6 +3,7 @@
 #include "formulas/collision.hpp"
 #include "support/close.hpp"
 #include "support/random.hpp"
+#include "support/seeds.hpp"
 
 #include <array>
 #include <cmath>
@@ -91,10 +92,7 @@ TEST_CASE("collision: a level set has the value of a node at that node", "[A4.1]
 
 TEST_CASE("collision: between its nodes a level set is trilinear", "[A4.1][collision]")
 {
-    for (unsigned seed : seeds(50)) {
-        CAPTURE(seed);
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(50)) {
         const Trilinear phi(random);
         const LevelSet grid = sampled(random.vector(), 0.3, some_size, phi);
         const Vector3d p = point_inside(random, grid);
@@ -136,10 +134,7 @@ TEST_CASE("collision: far outside the grid the distance is finite", "[A4.1][coll
 TEST_CASE("collision: a sphere's level set is off by a quarter of the squared cell size",
           "[A4.1][collision]")
 {
-    for (unsigned seed : seeds(10)) {
-        CAPTURE(seed);
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(10)) {
         const Vector3d p = random.unit_vector();
         std::vector<double> errors;
         for (double h : {0.1, 0.05, 0.025}) {
@@ -154,10 +149,7 @@ TEST_CASE("collision: a sphere's level set is off by a quarter of the squared ce
 
 TEST_CASE("collision: no point of a sphere's level set is off by more", "[A4.1][collision]")
 {
-    for (unsigned seed : seeds(100)) {
-        CAPTURE(seed);
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(100)) {
         const double h = 1.0 / 64;
         const Vector3d p = random.unit_vector();
         const Vector3d at = (random.vector() + Vector3d::Ones()) / 2;
@@ -169,10 +161,7 @@ TEST_CASE("collision: no point of a sphere's level set is off by more", "[A4.1][
 
 TEST_CASE("collision: the normal of a plane's level set is the plane's", "[A4.2][collision]")
 {
-    for (unsigned seed : seeds(50)) {
-        CAPTURE(seed);
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(50)) {
         const Vector3d n = random.unit_vector();
         const LevelSet grid = sampled(random.vector(), 0.3, some_size,
                                       [&](const Vector3d& x) { return x.dot(n) - 0.2; });
@@ -185,10 +174,7 @@ TEST_CASE("collision: the normal of a plane's level set is the plane's", "[A4.2]
 
 TEST_CASE("collision: the normal is the gradient inside the cell", "[A4.2][collision]")
 {
-    for (unsigned seed : seeds(100)) {
-        CAPTURE(seed);
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(100)) {
         const Trilinear phi(random);
         const LevelSet grid = sampled(random.vector(), 0.3, some_size, phi);
         const Vector3d p = point_inside(random, grid);
@@ -241,10 +227,7 @@ TEST_CASE("collision: a point on a face between cells belongs to the higher cell
 TEST_CASE("collision: outside the grid the normal is that of the nearest point",
           "[A4.2][collision]")
 {
-    for (unsigned seed : seeds(50)) {
-        CAPTURE(seed);
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(50)) {
         const Trilinear phi(random);
         const LevelSet grid = sampled(Vector3d::Zero(), 0.5, some_size, phi);
         const Vector3d p = 10 * random.vector();
@@ -275,10 +258,7 @@ TEST_CASE("collision: where the gradient is zero the normal points up", "[A4.2][
 
 TEST_CASE("collision: the normal of a sampled sphere points outward", "[A4.2][collision]")
 {
-    for (unsigned seed : seeds(10)) {
-        CAPTURE(seed);
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(10)) {
         const Vector3d p = random.unit_vector();
         std::vector<double> errors;
         for (double h : {0.02, 0.01, 0.005}) {

@@ -4,6 +4,7 @@
 #include "sliding_pair.hpp"
 #include "support/close.hpp"
 #include "support/random.hpp"
+#include "support/seeds.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -53,8 +54,6 @@ TEST_CASE("collision: sliding friction is μ times the normal impulse against th
 {
     int cases = 0;
     for (unsigned seed : seeds(200)) {
-        CAPTURE(seed);
-        current_seed(seed);
         const CollidingPair pair = colliding_pair(seed);
         const double friction = Random(seed + 1000).uniform(0, 1);
         if (!slides_easily(pair, friction)) continue;
@@ -68,8 +67,6 @@ TEST_CASE("collision: sliding friction is μ times the normal impulse against th
 TEST_CASE("collision: sliding without friction is the frictionless impulse", "[A4.8][collision]")
 {
     for (unsigned seed : seeds(50)) {
-        CAPTURE(seed);
-        current_seed(seed);
         const auto [body1, body2, x, n, K, v, restitution, size, condition] = colliding_pair(seed);
         const Vector3d j = -(1 + restitution) * v.dot(n) / n.dot(K * n) * n;
         REQUIRE_THAT(sliding_friction_impulse(K, v, n, restitution, 0),
@@ -89,8 +86,6 @@ TEST_CASE("collision: what does not slide gets no sliding friction", "[A4.8][col
 
     // straight down along any normal, where rounding leaves a tangential speed of some eps
     for (unsigned seed : seeds(50)) {
-        CAPTURE(seed);
-        current_seed(seed);
         const CollidingPair pair = colliding_pair(seed);
         const Vector3d& n = pair.n;
         const Vector3d expected = 3 / n.dot(pair.K * n) * n;
@@ -166,8 +161,6 @@ TEST_CASE("collision: whatever the friction a sliding impulse is in the cone", "
     CollidingPair rod = {{}, {}, {}, up, leaning_rod(), Vector3d(1, -1, 0), 0.5, 1, 1};
     check(rod, 4.0 / 3); // nᵀ K (n - μ T) is 0 or what rounding makes of it
     for (unsigned seed : seeds(50)) {
-        CAPTURE(seed);
-        current_seed(seed);
         const CollidingPair pair = colliding_pair(seed);
         for (double friction : {0.0, 0.3, 1.0, 3.0, 30.0, 1e6}) {
             CAPTURE(friction);
@@ -179,8 +172,6 @@ TEST_CASE("collision: whatever the friction a sliding impulse is in the cone", "
 TEST_CASE("collision: a sliding impulse turns with the scene", "[A4.8][collision]")
 {
     for (unsigned seed : seeds(50)) {
-        CAPTURE(seed);
-        current_seed(seed);
         const CollidingPair pair = colliding_pair(seed);
         const auto& [body1, body2, x, n, K, v, restitution, size, condition] = pair;
         const double friction = 0.4;

@@ -4,6 +4,7 @@
 #include "formulas/collision.hpp"
 #include "support/close.hpp"
 #include "support/random.hpp"
+#include "support/seeds.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -65,10 +66,7 @@ TEST_CASE("collision: a rolling wheel does not slide on the ground", "[A4.3][col
 
 TEST_CASE("collision: two parts of one moving body have no relative velocity", "[A4.3][collision]")
 {
-    for (unsigned seed : seeds(100)) {
-        CAPTURE(seed);
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(100)) {
         const Body body1 = random.body();
         Body body2 = random.body(); // of another mass and place, carried along by body 1
         body2.velocity = velocity_at(body1, body2.position);
@@ -83,10 +81,7 @@ TEST_CASE("collision: two parts of one moving body have no relative velocity", "
 
 TEST_CASE("collision: the relative velocity of any two bodies", "[A4.3][collision]")
 {
-    for (unsigned seed : seeds(100)) {
-        CAPTURE(seed);
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(100)) {
         const Body body1 = random.body(), body2 = random.body();
         const Vector3d x = random.vector();
 
@@ -137,10 +132,7 @@ TEST_CASE("collision: the impulse matrix of a static body is zero", "[A4.4][coll
 TEST_CASE("collision: K maps an impulse to the change of velocity at its point",
           "[A4.4][collision]")
 {
-    for (unsigned seed : seeds(100)) {
-        CAPTURE(seed);
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(100)) {
         const Body body = random.body();
         const Vector3d x = random.vector(), j = random.vector();
 
@@ -157,10 +149,7 @@ TEST_CASE("collision: K maps an impulse to the change of velocity at its point",
 
 TEST_CASE("collision: K is symmetric and at least the inverse mass", "[A4.4][collision]")
 {
-    for (unsigned seed : seeds(100)) {
-        CAPTURE(seed);
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(100)) {
         const Body body = random.body();
         const Vector3d x = random.vector(), j = random.unit_vector();
 
@@ -200,8 +189,6 @@ TEST_CASE("collision: without friction the normal velocity becomes -ε times its
           "[A4.5][collision]")
 {
     for (unsigned seed : seeds(100)) {
-        CAPTURE(seed);
-        current_seed(seed);
         const auto [body1, body2, x, n, K, v, restitution, size, condition] = colliding_pair(seed);
 
         const Vector3d j = frictionless_impulse(K, v, n, restitution);
@@ -217,8 +204,6 @@ TEST_CASE("collision: a frictionless impulse takes the energy that restitution s
           "[A4.5][collision]")
 {
     for (unsigned seed : seeds(100)) {
-        CAPTURE(seed);
-        current_seed(seed);
         const auto [body1, body2, x, n, K, v, restitution, size, condition] = colliding_pair(seed);
 
         const Vector3d j = frictionless_impulse(K, v, n, restitution);
@@ -240,8 +225,6 @@ TEST_CASE("collision: a frictionless impulse takes the energy that restitution s
 TEST_CASE("collision: a frictionless impulse turns with the scene", "[A4.5][collision]")
 {
     for (unsigned seed : seeds(50)) {
-        CAPTURE(seed);
-        current_seed(seed);
         const auto [body1, body2, x, n, K, v, restitution, size, condition] = colliding_pair(seed);
         const Matrix3d R = Random(seed + 1000).rotation();
 

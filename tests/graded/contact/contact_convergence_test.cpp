@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A5.5: the laws of simultaneous contact, after few sweeps and after many.
 #include "contact_laws.hpp"
+#include "support/seeds.hpp"
 
 namespace rigor::testing {
 
@@ -74,8 +75,6 @@ TEST_CASE("contact: simultaneously each body moves by the impulses that are repo
           "[A5.5][contact]")
 {
     for (unsigned seed : seeds(100)) {
-        CAPTURE(seed);
-        current_seed(seed);
         const ContactCase problem = guessed_case(seed, seed % 2 == 0);
         check_bookkeeping(problem, resolved(problem, few), visits(problem));
     }
@@ -84,8 +83,6 @@ TEST_CASE("contact: simultaneously each body moves by the impulses that are repo
 TEST_CASE("contact: simultaneous contacts keep momentum and angular momentum", "[A5.5][contact]")
 {
     for (unsigned seed : seeds(100)) {
-        CAPTURE(seed);
-        current_seed(seed);
         const ContactCase problem = guessed_case(seed, false);
         for (int sweeps : {0, 1, few})
             check_momenta(problem, resolved(problem, sweeps), visits(problem));
@@ -95,8 +92,6 @@ TEST_CASE("contact: simultaneous contacts keep momentum and angular momentum", "
 TEST_CASE("contact: after each sweep contacts push and friction is in its cone", "[A5.5][contact]")
 {
     for (unsigned seed : seeds(100)) {
-        CAPTURE(seed);
-        current_seed(seed);
         const ContactCase problem = guessed_case(seed, seed % 2 == 0);
         for (int sweeps : {1, 2, few})
             check_cones(problem, resolved(problem, sweeps), visits(problem));
@@ -106,8 +101,6 @@ TEST_CASE("contact: after each sweep contacts push and friction is in its cone",
 TEST_CASE("contact: without friction each sweep leaves less energy", "[A5.5][contact]")
 {
     for (unsigned seed : seeds(50)) {
-        CAPTURE(seed);
-        current_seed(seed);
         ContactCase problem = random_case(seed, seed % 2 == 0);
         for (BodyContact& c : problem.contacts)
             c.friction = 0;
@@ -126,8 +119,6 @@ TEST_CASE("contact: without friction the contact of the end of the list obeys it
           "[A5.5][contact]")
 {
     for (unsigned seed : seeds(50)) {
-        CAPTURE(seed);
-        current_seed(seed);
         ContactCase problem = guessed_case(seed, false);
         const BodyContact& last = problem.contacts.back();
         for (BodyContact& c : problem.contacts)
@@ -145,8 +136,6 @@ TEST_CASE("contact: without friction the contact of the end of the list obeys it
 TEST_CASE("contact: two sweeps are one sweep and then another", "[A5.5][contact]")
 {
     for (unsigned seed : seeds(50)) {
-        CAPTURE(seed);
-        current_seed(seed);
         const ContactCase problem = guessed_case(seed, seed % 2 == 0);
         const ContactResult whole = resolved(problem, few);
         ContactCase rest = problem; // from the impulses of some sweeps on
@@ -162,8 +151,6 @@ TEST_CASE("contact: simultaneously depth does not matter nor which body is calle
           "[A5.5][contact]")
 {
     for (unsigned seed : seeds(50)) {
-        CAPTURE(seed);
-        current_seed(seed);
         const ContactCase problem = guessed_case(seed, seed % 2 == 0);
         ContactCase other = problem;
         for (BodyContact& c : other.contacts) {
@@ -184,8 +171,6 @@ TEST_CASE("contact: simultaneously depth does not matter nor which body is calle
 TEST_CASE("contact: turned by 17 degrees all contacts are resolved the same way", "[A5.5][contact]")
 {
     for (unsigned seed : seeds(50)) {
-        CAPTURE(seed);
-        current_seed(seed);
         const ContactCase problem = guessed_case(seed, seed % 2 == 0);
         const Matrix3d R = turn(17, seed % 3 == 0 ? up : Random(seed).unit_vector());
         const ContactResult result = resolved(problem, few);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A5.2: the laws of contacts one point at a time, on random bodies.
 #include "contact_laws.hpp"
+#include "support/seeds.hpp"
 
 #include <algorithm>
 
@@ -26,8 +27,6 @@ TEST_CASE("contact: one at a time each body moves by the impulses that are repor
           "[A5.2][contact]")
 {
     for (unsigned seed : seeds(100)) {
-        CAPTURE(seed);
-        current_seed(seed);
         const ContactCase problem = random_case(seed, seed % 2 == 0);
         check_bookkeeping(problem, resolved(problem), visits(problem));
     }
@@ -36,8 +35,6 @@ TEST_CASE("contact: one at a time each body moves by the impulses that are repor
 TEST_CASE("contact: one at a time keeps momentum and angular momentum", "[A5.2][contact]")
 {
     for (unsigned seed : seeds(100)) {
-        CAPTURE(seed);
-        current_seed(seed);
         const ContactCase problem = random_case(seed, false);
         check_momenta(problem, resolved(problem), visits(problem));
     }
@@ -46,8 +43,6 @@ TEST_CASE("contact: one at a time keeps momentum and angular momentum", "[A5.2][
 TEST_CASE("contact: one at a time contacts push and friction stays in its cone", "[A5.2][contact]")
 {
     for (unsigned seed : seeds(100)) {
-        CAPTURE(seed);
-        current_seed(seed);
         const ContactCase problem = random_case(seed, seed % 2 == 0);
         check_cones(problem, resolved(problem), visits(problem));
     }
@@ -56,8 +51,6 @@ TEST_CASE("contact: one at a time contacts push and friction stays in its cone",
 TEST_CASE("contact: one at a time never raises the energy", "[A5.2][contact]")
 {
     for (unsigned seed : seeds(100)) {
-        CAPTURE(seed);
-        current_seed(seed);
         const ContactCase problem = random_case(seed, seed % 2 == 0);
         const double before = energy(problem.bodies);
         check_at_most(energy(resolved(problem).bodies), before, "kinetic energy afterwards",
@@ -68,8 +61,6 @@ TEST_CASE("contact: one at a time never raises the energy", "[A5.2][contact]")
 TEST_CASE("contact: the contact that was visited last does not approach", "[A5.2][contact]")
 {
     for (unsigned seed : seeds(100)) {
-        CAPTURE(seed);
-        current_seed(seed);
         ContactCase problem = random_case(seed, seed % 2 == 0);
         for (BodyContact& c : problem.contacts)
             c.separation_speed = seed % 3 == 0 ? 0 : Random(seed).uniform(-0.5, 0.5);
@@ -92,8 +83,6 @@ TEST_CASE("contact: the contact that was visited last does not approach", "[A5.2
 TEST_CASE("contact: one at a time the order of the list does not matter", "[A5.2][contact]")
 {
     for (unsigned seed : seeds(50)) {
-        CAPTURE(seed);
-        current_seed(seed);
         const ContactCase problem = random_case(seed, seed % 2 == 0); // no two depths are equal
         ContactCase listed_backwards = problem;
         std::reverse(listed_backwards.contacts.begin(), listed_backwards.contacts.end());
@@ -111,8 +100,6 @@ TEST_CASE("contact: one at a time it does not matter which body is called the fi
           "[A5.2][contact]")
 {
     for (unsigned seed : seeds(50)) {
-        CAPTURE(seed);
-        current_seed(seed);
         const ContactCase heap = heap_of_balls(seed);
         ContactCase swapped = heap;
         for (BodyContact& c : swapped.contacts) {
@@ -132,8 +119,6 @@ TEST_CASE("contact: one at a time starts from nothing and spares those who touch
           "[A5.2][contact]")
 {
     for (unsigned seed : seeds(20)) {
-        CAPTURE(seed);
-        current_seed(seed);
         const ContactCase problem = random_case(seed, seed % 2 == 0);
         ContactCase guessed = problem;
         Random random(seed);
@@ -154,8 +139,6 @@ TEST_CASE("contact: a heap of balls turned by 17 degrees is resolved the same wa
 {
     std::size_t contacts = 0;
     for (unsigned seed : seeds(50)) {
-        CAPTURE(seed);
-        current_seed(seed);
         const ContactCase heap = heap_of_balls(seed);
         const Matrix3d R = turn(17, Random(seed).unit_vector());
         const ContactResult result = resolved(heap), again = resolved(turned(heap, R));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A5.4: shock propagation.
 #include "contact_laws.hpp"
+#include "support/seeds.hpp"
 
 #include <algorithm>
 
@@ -113,8 +114,6 @@ TEST_CASE("contact: bodies of one level move each other", "[A5.4][contact]")
             REQUIRE_THAT(result.bodies[i].velocity, IsClose(Vector3d(0, -0.75, 0), Rounding(64)));
     }
     for (unsigned seed : seeds(50)) {
-        CAPTURE(seed);
-        current_seed(seed);
         problem = random_case(seed, false);
         const ContactResult result = propagated(problem, Levels(problem.bodies.size(), 2));
         check_momenta(problem, result, visits(problem));
@@ -139,8 +138,6 @@ TEST_CASE("contact: within a level the deepest contact comes first and gently", 
 TEST_CASE("contact: what is above does not matter to what is below", "[A5.4][contact]")
 {
     for (unsigned seed : seeds(50)) {
-        CAPTURE(seed);
-        current_seed(seed);
         const ContactCase problem = random_case(seed, true);
         const Levels levels = random_levels(problem, seed);
         const Bodies whole = propagated(problem, levels).bodies;
@@ -165,8 +162,6 @@ TEST_CASE("contact: what is above does not matter to what is below", "[A5.4][con
 TEST_CASE("contact: each body receives the impulses of its own level only", "[A5.4][contact]")
 {
     for (unsigned seed : seeds(100)) {
-        CAPTURE(seed);
-        current_seed(seed);
         const ContactCase problem = random_case(seed, true);
         const Levels levels = random_levels(problem, seed);
         const ContactResult result = propagated(problem, levels);
@@ -180,8 +175,6 @@ TEST_CASE("contact: each body receives the impulses of its own level only", "[A5
 TEST_CASE("contact: shock propagation pushes and stays in the friction cone", "[A5.4][contact]")
 {
     for (unsigned seed : seeds(100)) {
-        CAPTURE(seed);
-        current_seed(seed);
         const ContactCase problem = random_case(seed, true);
         check_cones(problem, propagated(problem, random_levels(problem, seed)), visits(problem));
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A7.6: a crack through a vertex cuts elements.
 #include "fracture_laws.hpp"
+#include "support/seeds.hpp"
 
 namespace rigor::testing {
 
@@ -246,9 +247,7 @@ TEST_CASE("fracture: cuts at the vertices of a section break a bar there", "[A7.
 TEST_CASE("fracture: a cut keeps volume and center and inverts nothing",
           "[A7.6][fracture][property]")
 {
-    for (unsigned seed : seeds(60)) {
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(60)) {
         const TetrahedralMesh mesh = jiggled(block(2, 2, 2), random);
         const int vertex = random_index(random, mesh.vertices.size());
         const Vector3d n = random.unit_vector();
@@ -268,9 +267,7 @@ TEST_CASE("fracture: a cut keeps volume and center and inverts nothing",
 
 TEST_CASE("fracture: cuts upon cuts keep what one cut keeps", "[A7.6][fracture][property]")
 {
-    for (unsigned seed : seeds(8)) {
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(8)) {
         TetrahedralMesh mesh = jiggled(block(2, 2, 1), random);
         for (int cuts = 0; cuts < 8; ++cuts) {
             CAPTURE(cuts);
@@ -285,9 +282,7 @@ TEST_CASE("fracture: cuts upon cuts keep what one cut keeps", "[A7.6][fracture][
 TEST_CASE("fracture: the way a mesh is numbered does not matter to where it is cut",
           "[A7.6][fracture][property]")
 {
-    for (unsigned seed : seeds(20)) {
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(20)) {
         const TetrahedralMesh mesh = jiggled(block(2, 2, 1), random);
         const int vertex = random_index(random, mesh.vertices.size());
         const Vector3d n = random.unit_vector();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A7.5: the mesh comes apart along its own faces.
 #include "fracture_laws.hpp"
+#include "support/seeds.hpp"
 
 namespace rigor::testing {
 
@@ -191,9 +192,7 @@ TEST_CASE("fracture: with every face cut each tetrahedron is alone", "[A7.5][fra
 TEST_CASE("fracture: what faces hold together is one vertex and nothing else is",
           "[A7.5][fracture][property]")
 {
-    for (unsigned seed : seeds(40)) {
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(40)) {
         const TetrahedralMesh mesh = jiggled(block(2, 2, 2), random);
         const Faces faces = random_faces(mesh, random, random.uniform(0, 0.5));
         const SplitMesh result = split(mesh, faces);
@@ -204,9 +203,7 @@ TEST_CASE("fracture: what faces hold together is one vertex and nothing else is"
 
 TEST_CASE("fracture: cutting again changes nothing", "[A7.5][fracture][property]")
 {
-    for (unsigned seed : seeds(20)) {
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(20)) {
         const TetrahedralMesh mesh = jiggled(block(2, 2, 2), random);
         const Faces faces = random_faces(mesh, random, 0.3);
         check_unchanged(split(mesh, faces).mesh, faces);
@@ -237,9 +234,7 @@ TEST_CASE("fracture: a face that stayed closed is no crack the next time", "[A7.
 TEST_CASE("fracture: the way a mesh is numbered does not matter to its faces",
           "[A7.5][fracture][property]")
 {
-    for (unsigned seed : seeds(20)) {
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(20)) {
         const TetrahedralMesh mesh = jiggled(block(2, 2, 2), random);
         const Faces faces = random_faces(mesh, random, 0.3);
         const Renumbered other = renumbered(mesh, random);

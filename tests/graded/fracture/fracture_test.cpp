@@ -2,6 +2,7 @@
 // A7.1 to A7.4: where a solid cracks.
 #include "fracture_cases.hpp"
 #include "support/close.hpp"
+#include "support/seeds.hpp"
 
 #include <numbers>
 
@@ -82,9 +83,7 @@ TEST_CASE("fracture: what has no volume does not count in an average", "[A7.1][f
 
 TEST_CASE("fracture: an even stress is smooth already", "[A7.1][fracture][property]")
 {
-    for (unsigned seed : seeds(20)) {
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(20)) {
         const std::vector<Matrix3d> stresses(7, random.positive_definite());
         std::vector<double> volumes;
         for (std::size_t i = 0; i < stresses.size(); ++i)
@@ -97,9 +96,7 @@ TEST_CASE("fracture: an even stress is smooth already", "[A7.1][fracture][proper
 TEST_CASE("fracture: a smooth stress lies between those it is made of",
           "[A7.1][fracture][property]")
 {
-    for (unsigned seed : seeds(50)) {
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(50)) {
         const int count = 9;
         const Neighbours neighbours = random_neighbours(random, count);
         std::vector<Matrix3d> stresses;
@@ -160,9 +157,7 @@ TEST_CASE("fracture: equal eigenvalues have some unit vector", "[A7.2][fracture]
 
 TEST_CASE("fracture: the largest eigenvalue of random stresses", "[A7.2][fracture][property]")
 {
-    for (unsigned seed : seeds(100)) {
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(100)) {
         const Vector3d principal = random.vector() * std::pow(10, random.uniform(-6, 9));
         const Matrix3d sigma = stress_of(principal, random.rotation());
         const PrincipalStress found = principal_stress(sigma);
@@ -174,9 +169,7 @@ TEST_CASE("fracture: the largest eigenvalue of random stresses", "[A7.2][fractur
 TEST_CASE("fracture: the largest eigenvalue is at most the mean and two thirds of von Mises",
           "[A7.2][fracture][property]")
 {
-    for (unsigned seed : seeds(100)) {
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(100)) {
         const Matrix3d sigma = stress_of(random.vector(), random.rotation());
         const double p = sigma.trace() / 3;
         const double sigma_vM = std::sqrt(1.5) * (sigma - p * Matrix3d::Identity()).norm();
@@ -236,9 +229,7 @@ TEST_CASE("fracture: a solid cracks just above its strength and not just below",
 
 TEST_CASE("fracture: a crack turns with its stress", "[A7.3][fracture][property]")
 {
-    for (unsigned seed : seeds(100)) {
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(100)) {
         const Vector3d principal(random.uniform(2, 3), random.uniform(-3, 1),
                                  random.uniform(-3, 1));
         const Matrix3d Q = random.rotation();
@@ -298,9 +289,7 @@ TEST_CASE("fracture: a face without area is perpendicular to every crack", "[A7.
 TEST_CASE("fracture: the nearest face goes with its corner when corners change places",
           "[A7.4][fracture][property]")
 {
-    for (unsigned seed : seeds(100)) {
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(100)) {
         std::array<Vector3d, 4> x;
         for (Vector3d& corner : x)
             corner = random.vector();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A7.7: elements are duplicated, with the crack embedded.
+#include "support/seeds.hpp"
 #include "virtual_nodes_laws.hpp"
 
 namespace rigor::testing {
@@ -201,9 +202,7 @@ TEST_CASE("fracture: the tip of a crack in a plate stays closed", "[A7.7][fractu
 TEST_CASE("fracture: the share of the volume above a plane", "[A7.7][fracture][property]")
 {
     int tried = 0;
-    for (unsigned seed : seeds(200)) {
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(200)) {
         TetrahedralMesh mesh = unit_tetrahedron();
         for (Vector3d& x : mesh.vertices)
             x += 0.2 * random.vector();
@@ -225,9 +224,7 @@ TEST_CASE("fracture: the share of the volume above a plane", "[A7.7][fracture][p
 TEST_CASE("fracture: any cracks through any elements share out vertices and matter",
           "[A7.7][fracture][property]")
 {
-    for (unsigned seed : seeds(40)) {
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(40)) {
         const TetrahedralMesh mesh = jiggled(block(2, 2, 1), random);
         const Cracks cracks = random_cracks(mesh, random, random.uniform(0, 0.7));
         const EmbeddedMesh result = embedded(mesh, cracks);
@@ -241,9 +238,7 @@ TEST_CASE("fracture: any cracks through any elements share out vertices and matt
 TEST_CASE("fracture: neither numbering nor the cracks' order among elements matters",
           "[A7.7][fracture][property]")
 {
-    for (unsigned seed : seeds(20)) {
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(20)) {
         const TetrahedralMesh mesh = jiggled(block(2, 2, 1), random);
         const Cracks cracks = random_cracks(mesh, random, 0.5);
         const Renumbered other = renumbered(mesh, random);

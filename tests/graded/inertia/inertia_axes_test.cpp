@@ -3,6 +3,7 @@
 #include "formulas/inertia.hpp"
 #include "support/close.hpp"
 #include "support/random.hpp"
+#include "support/seeds.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -69,10 +70,7 @@ TEST_CASE("inertia: principal axes of a tensor with products", "[A2.4][inertia]"
 
 TEST_CASE("inertia: principal axes of any body are a rotation", "[A2.4][inertia]")
 {
-    for (unsigned seed : seeds(100)) {
-        CAPTURE(seed);
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(100)) {
         const Matrix3d I = random.inertia();
 
         require_principal_axes(principal_axes(I), I);
@@ -81,10 +79,7 @@ TEST_CASE("inertia: principal axes of any body are a rotation", "[A2.4][inertia]
 
 TEST_CASE("inertia: principal axes of bodies that are nearly round", "[A2.4][inertia]")
 {
-    for (unsigned seed : seeds(20)) {
-        CAPTURE(seed);
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(20)) {
         const Matrix3d R = random.rotation();
         for (const double gap : {1e-4, 1e-6, 1e-8, 1e-12, 0.0}) {
             CAPTURE(gap);
@@ -114,10 +109,7 @@ TEST_CASE("inertia: moments are never negative", "[A2.4][inertia]")
     const PrincipalAxes axes = principal_axes(diagonal(-rounding, 1, 2));
     require_principal_axes(axes, diagonal(0, 1, 2));
 
-    for (unsigned seed : seeds(100)) { // rods in every direction: one moment is 0, up to rounding
-        CAPTURE(seed);
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(100)) { // rods in every direction: one moment is 0, up to rounding
         const Matrix3d I = turned(random.rotation(), Vector3d(0, 5, 5));
 
         require_principal_axes(principal_axes(I), I);
@@ -126,10 +118,7 @@ TEST_CASE("inertia: moments are never negative", "[A2.4][inertia]")
 
 TEST_CASE("inertia: principal axes of thin and of tiny bodies", "[A2.4][inertia]")
 {
-    for (unsigned seed : seeds(20)) {
-        CAPTURE(seed);
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(20)) {
         for (const Vector3d& moments : {Vector3d(1e-6, 1, 1), Vector3d(1e-12, 2e-12, 2.5e-12)}) {
             const Matrix3d I = turned(random.rotation(), moments);
 

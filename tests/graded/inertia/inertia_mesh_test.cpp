@@ -4,6 +4,7 @@
 #include "support/close.hpp"
 #include "support/mass_properties.hpp"
 #include "support/random.hpp"
+#include "support/seeds.hpp"
 
 #include <cmath>
 #include <map>
@@ -141,10 +142,7 @@ TEST_CASE("inertia: a square pyramid", "[A2.13][inertia]")
 TEST_CASE("inertia: any tetrahedron is as heavy to turn as its four Gauss points",
           "[A2.13][inertia]")
 {
-    for (unsigned seed : seeds(100)) {
-        CAPTURE(seed);
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(100)) {
         const Vector3d a = random.vector(), b = random.vector(), c = random.vector();
         const TriangleMesh mesh = tetrahedron(a, b, c, random.vector());
         const double density = 100 * random.mass();
@@ -159,10 +157,7 @@ TEST_CASE("inertia: any tetrahedron is as heavy to turn as its four Gauss points
 
 TEST_CASE("inertia: a mesh that moves and turns takes its inertia along", "[A2.13][inertia]")
 {
-    for (unsigned seed : seeds(100)) {
-        CAPTURE(seed);
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(100)) {
         const Vector3d size(1, 2, 3), X = 3 * random.vector();
         const Matrix3d R = random.rotation();
         const TriangleMesh mesh = moved(box(-size / 2, size), R, X);
@@ -233,10 +228,7 @@ TEST_CASE("inertia: a mesh without volume is nothing", "[A2.13][inertia]")
 
 TEST_CASE("inertia: an open mesh gives something finite", "[A2.13][inertia]")
 {
-    for (unsigned seed : seeds(20)) {
-        CAPTURE(seed);
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(20)) {
         TriangleMesh mesh =
             moved(box(-Vector3d::Ones(), Vector3d(1, 2, 3)), random.rotation(), random.vector());
         mesh.triangles.resize(11); // a hole

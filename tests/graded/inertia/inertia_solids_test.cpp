@@ -4,6 +4,7 @@
 #include "support/close.hpp"
 #include "support/mass_properties.hpp"
 #include "support/random.hpp"
+#include "support/seeds.hpp"
 
 #include <numbers>
 
@@ -39,10 +40,7 @@ TEST_CASE("inertia: a solid sphere by hand", "[A2.6][inertia]")
 
 TEST_CASE("inertia: spheres scale with the fifth power of their size", "[A2.6][inertia]")
 {
-    for (unsigned seed : seeds(20)) {
-        CAPTURE(seed);
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(20)) {
         const double density = 1000 * random.mass(), r = random.uniform(0.1, 1);
 
         require_mass_properties(solid_sphere(density, 2 * r), enlarged(solid_sphere(density, r), 2),
@@ -62,10 +60,7 @@ TEST_CASE("inertia: a box of 1 by 2 by 3 meters and 12 kg", "[A2.7][inertia]")
 
 TEST_CASE("inertia: the moments of a box add up to its second moments", "[A2.7][inertia]")
 {
-    for (unsigned seed : seeds(20)) {
-        CAPTURE(seed);
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(20)) {
         const double density = 1000 * random.mass();
         const double a = random.mass(), b = random.mass(), c = random.mass();
 
@@ -98,10 +93,7 @@ TEST_CASE("inertia: a solid cylinder by hand", "[A2.8][inertia]")
 
 TEST_CASE("inertia: a cylinder is a pile of cylinders", "[A2.8][inertia]")
 {
-    for (unsigned seed : seeds(20)) {
-        CAPTURE(seed);
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(20)) {
         const double density = 1000 * random.mass(), r = random.mass(), h = random.mass();
 
         const MassProperties whole = solid_cylinder(density, r, 2 * h);
@@ -129,10 +121,7 @@ TEST_CASE("inertia: a solid ellipsoid by hand", "[A2.9][inertia]")
 
 TEST_CASE("inertia: an ellipsoid with equal axes is a sphere", "[A2.9][inertia]")
 {
-    for (unsigned seed : seeds(20)) {
-        CAPTURE(seed);
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(20)) {
         const double density = 1000 * random.mass(), r = random.mass();
         const double M = density * 4 / 3 * pi * r * r * r, I = 2 * M * r * r / 5;
 
@@ -157,10 +146,7 @@ TEST_CASE("inertia: a thin rod by hand", "[A2.10][inertia]")
 
 TEST_CASE("inertia: a rod is two rods in a row", "[A2.10][inertia]")
 {
-    for (unsigned seed : seeds(20)) {
-        CAPTURE(seed);
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(20)) {
         const double line_density = random.mass(), l = random.mass();
 
         const MassProperties whole = thin_rod(line_density, 2 * l);

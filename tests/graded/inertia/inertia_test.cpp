@@ -4,6 +4,7 @@
 #include "support/close.hpp"
 #include "support/mass_properties.hpp"
 #include "support/random.hpp"
+#include "support/seeds.hpp"
 
 using namespace rigor;
 using namespace rigor::testing;
@@ -92,10 +93,7 @@ TEST_CASE("inertia: without mass all is zero", "[A2.1][inertia]")
 
 TEST_CASE("inertia: particles that move and turn take their inertia along", "[A2.1][inertia]")
 {
-    for (unsigned seed : seeds(100)) {
-        CAPTURE(seed);
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(100)) {
         const std::vector<Particle> particles = random.particles(5);
         const Matrix3d R = random.rotation();
         const Vector3d X = random.vector();
@@ -109,10 +107,7 @@ TEST_CASE("inertia: particles that move and turn take their inertia along", "[A2
 
 TEST_CASE("inertia: I ω is the angular momentum of the particles", "[A2.1][inertia]")
 {
-    for (unsigned seed : seeds(100)) {
-        CAPTURE(seed);
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(100)) {
         const std::vector<Particle> particles = random.particles(5);
         const Vector3d w = random.vector();
 
@@ -137,10 +132,7 @@ TEST_CASE("inertia: a third of a turn passes the moments on", "[A2.2][inertia]")
 
 TEST_CASE("inertia: in world space it is that of the turned particles", "[A2.2][inertia]")
 {
-    for (unsigned seed : seeds(100)) {
-        CAPTURE(seed);
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(100)) {
         const Matrix3d R = random.rotation();
         Matrix3d I_body = Matrix3d::Zero(), I = Matrix3d::Zero();
         double scale = 0;
@@ -172,10 +164,7 @@ TEST_CASE("inertia: the inverse of a rod stays finite in world space", "[A2.3][i
 
 TEST_CASE("inertia: the inverse in world space inverts", "[A2.3][inertia]")
 {
-    for (unsigned seed : seeds(100)) {
-        CAPTURE(seed);
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(100)) {
         const Matrix3d R = random.rotation(), I_body = random.inertia();
         const Matrix3d I_body_inverse = I_body.inverse();
         const Matrix3d I = R * I_body * R.transpose();
@@ -234,10 +223,7 @@ TEST_CASE("inertia: a body without mass adds nothing", "[A2.14][inertia]")
 TEST_CASE("inertia: the union of two swarms has the mass properties of all particles",
           "[A2.14][inertia]")
 {
-    for (unsigned seed : seeds(100)) {
-        CAPTURE(seed);
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(100)) {
         const std::vector<Particle> one = random.particles(4), two = random.particles(3);
         std::vector<Particle> all = one;
         all.insert(all.end(), two.begin(), two.end());

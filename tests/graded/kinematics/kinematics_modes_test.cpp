@@ -4,6 +4,7 @@
 #include "support/close.hpp"
 #include "support/mass_properties.hpp"
 #include "support/random.hpp"
+#include "support/seeds.hpp"
 
 using namespace rigor;
 using namespace rigor::testing;
@@ -53,10 +54,7 @@ TEST_CASE("kinematics: turning does not move the center", "[A1.6][kinematics]")
 
 TEST_CASE("kinematics: the modes give the velocity of every point", "[A1.6][kinematics]")
 {
-    for (unsigned seed : seeds(100)) {
-        CAPTURE(seed);
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(100)) {
         const Vector3d V = random.vector(), w = random.vector();
         const Vector3d X = random.vector(), x = random.vector();
 
@@ -70,10 +68,7 @@ TEST_CASE("kinematics: the modes give the velocity of every point", "[A1.6][kine
 TEST_CASE("kinematics: forces along the line between two points do no virtual work",
           "[A1.6][kinematics]")
 {
-    for (unsigned seed : seeds(100)) {
-        CAPTURE(seed);
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(100)) {
         const Vector3d X = random.vector(), x1 = random.vector(), x2 = random.vector();
         const Vector3d f = x2 - x1; // on point 1, and -f on point 2
 
@@ -104,10 +99,7 @@ TEST_CASE("kinematics: no particle has no generalized mass", "[A1.7][kinematics]
 
 TEST_CASE("kinematics: generalized mass gives the kinetic energy", "[A1.7][kinematics]")
 {
-    for (unsigned seed : seeds(100)) {
-        CAPTURE(seed);
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(100)) {
         const std::vector<Particle> particles = random.particles(5);
         const Vector3d X = random.vector(), V = random.vector(), w = random.vector();
         const Vector6d u = stacked(V, w);
@@ -128,10 +120,7 @@ TEST_CASE("kinematics: generalized mass gives the kinetic energy", "[A1.7][kinem
 
 TEST_CASE("kinematics: blocks of the generalized mass about any point", "[A1.7][kinematics]")
 {
-    for (unsigned seed : seeds(100)) {
-        CAPTURE(seed);
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(100)) {
         const std::vector<Particle> particles = random.particles(5);
         const double M = sum_of(particles).mass;
         const Vector3d X = random.vector(), X_cm = sum_of(particles).center_of_mass;

@@ -4,6 +4,7 @@
 #include "support/close.hpp"
 #include "support/mass_properties.hpp"
 #include "support/random.hpp"
+#include "support/seeds.hpp"
 
 using namespace rigor;
 using namespace rigor::testing;
@@ -54,10 +55,7 @@ TEST_CASE("kinematics: no force is no wrench", "[A1.8][kinematics]")
 
 TEST_CASE("kinematics: gravity does not turn a body about its center of mass", "[A1.8][kinematics]")
 {
-    for (unsigned seed : seeds(100)) {
-        CAPTURE(seed);
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(100)) {
         const Vector3d g(0, -9.81, 0);
         const std::vector<Particle> particles = random.particles(6);
         const double weight = sum_of(particles).mass * g.norm();
@@ -74,10 +72,7 @@ TEST_CASE("kinematics: gravity does not turn a body about its center of mass", "
 
 TEST_CASE("kinematics: net force and torque have the power of the forces", "[A1.8][kinematics]")
 {
-    for (unsigned seed : seeds(100)) {
-        CAPTURE(seed);
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(100)) {
         const std::vector<PointForce> forces = random_forces(random, 4);
         const Vector3d X = random.vector(), V = random.vector(), w = random.vector();
         double power = 0, scale = 0;
@@ -124,10 +119,7 @@ TEST_CASE("kinematics: a static body has no rates", "[A1.9][kinematics]")
 
 TEST_CASE("kinematics: angular momentum changes only by torque", "[A1.9][kinematics]")
 {
-    for (unsigned seed : seeds(100)) {
-        CAPTURE(seed);
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(100)) {
         const MatrixState state = random_state(random);
         const Vector3d tau = random.vector();
         const Matrix3d I_inverse = random.positive_definite();
@@ -144,10 +136,7 @@ TEST_CASE("kinematics: angular momentum changes only by torque", "[A1.9][kinemat
 TEST_CASE("kinematics: the rates move every point with the velocity of its body",
           "[A1.9][kinematics]")
 {
-    for (unsigned seed : seeds(100)) {
-        CAPTURE(seed);
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(100)) {
         const MatrixState state = random_state(random);
         const Matrix3d I = random.inertia(); // in world space
         const Matrix3d I_inverse = I.inverse();

@@ -3,6 +3,7 @@
 #include "formulas/kinematics.hpp"
 #include "support/close.hpp"
 #include "support/random.hpp"
+#include "support/seeds.hpp"
 
 #include <cmath>
 
@@ -45,10 +46,7 @@ TEST_CASE("kinematics: the cross-product matrix by hand", "[A1.1][kinematics]")
 
 TEST_CASE("kinematics: w* x is w × x", "[A1.1][kinematics]")
 {
-    for (unsigned seed : seeds(100)) {
-        CAPTURE(seed);
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(100)) {
         const Vector3d w = random.vector(), x = random.vector();
 
         const Vector3d w_x_x = cross_matrix(w) * x;
@@ -59,11 +57,7 @@ TEST_CASE("kinematics: w* x is w × x", "[A1.1][kinematics]")
 
 TEST_CASE("kinematics: w* is skew", "[A1.1][kinematics]")
 {
-    for (unsigned seed : seeds(100)) {
-        CAPTURE(seed);
-        current_seed(seed);
-        Random random(seed);
-
+    for (Random random : seeds(100)) {
         const Matrix3d w_x = cross_matrix(random.vector());
 
         REQUIRE_THAT(Matrix3d(w_x.transpose()), IsExactly(Matrix3d(-w_x)));
@@ -81,10 +75,7 @@ TEST_CASE("kinematics: a point of a body turned a quarter about z", "[A1.2][kine
 
 TEST_CASE("kinematics: the origin of object space lies at X", "[A1.2][kinematics]")
 {
-    for (unsigned seed : seeds(20)) {
-        CAPTURE(seed);
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(20)) {
         const Matrix3d R = random.rotation();
         const Vector3d X = random.vector();
 
@@ -94,10 +85,7 @@ TEST_CASE("kinematics: the origin of object space lies at X", "[A1.2][kinematics
 
 TEST_CASE("kinematics: a rigid motion turns and then moves a point", "[A1.2][kinematics]")
 {
-    for (unsigned seed : seeds(100)) {
-        CAPTURE(seed);
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(100)) {
         const Eigen::Quaterniond q = random.eigen_quaternion();
         const Vector3d X = random.vector(), p1 = random.vector(), p2 = random.vector();
 
@@ -122,10 +110,7 @@ TEST_CASE("kinematics: a point seen from a body turned a quarter about z", "[A1.
 
 TEST_CASE("kinematics: the center of mass is the origin of object space", "[A1.3][kinematics]")
 {
-    for (unsigned seed : seeds(20)) {
-        CAPTURE(seed);
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(20)) {
         const Matrix3d R = random.rotation();
         const Vector3d X = random.vector();
 
@@ -136,10 +121,7 @@ TEST_CASE("kinematics: the center of mass is the origin of object space", "[A1.3
 
 TEST_CASE("kinematics: the way back undoes the way there", "[A1.3][kinematics]")
 {
-    for (unsigned seed : seeds(100)) {
-        CAPTURE(seed);
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(100)) {
         const Eigen::Quaterniond q = random.eigen_quaternion();
         const Vector3d X = random.vector(), p = random.vector();
         const Vector3d x = q * p + X;
@@ -163,10 +145,7 @@ TEST_CASE("kinematics: angular velocity of a body that spins about z", "[A1.4][k
 
 TEST_CASE("kinematics: angular velocity is in world space", "[A1.4][kinematics]")
 {
-    for (unsigned seed : seeds(100)) {
-        CAPTURE(seed);
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(100)) {
         const Matrix3d R = random.rotation();
         const Vector3d w = random.vector();
 
@@ -176,10 +155,7 @@ TEST_CASE("kinematics: angular velocity is in world space", "[A1.4][kinematics]"
 
 TEST_CASE("kinematics: angular velocity is that of the skew part", "[A1.4][kinematics]")
 {
-    for (unsigned seed : seeds(100)) {
-        CAPTURE(seed);
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(100)) {
         const Matrix3d R = random.rotation(), B = random.positive_definite();
         const Vector3d w = random.vector();
 
@@ -193,10 +169,7 @@ TEST_CASE("kinematics: a difference in time gives the angular velocity to second
           "[A1.4][kinematics]")
 {
     // (R(t + h) - R(t))/h Rᵀ = (exp(h ω*) - δ)/h, whose skew part is sin(h |ω|)/(h |ω|) ω*: second order.
-    for (unsigned seed : seeds(20)) {
-        CAPTURE(seed);
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(20)) {
         const Matrix3d R = random.rotation();
         const Vector3d w = 2 * random.unit_vector();
         std::vector<double> errors;
@@ -225,10 +198,7 @@ TEST_CASE("kinematics: velocity of a point of a spinning body", "[A1.5][kinemati
 
 TEST_CASE("kinematics: no two points of a body part or approach", "[A1.5][kinematics]")
 {
-    for (unsigned seed : seeds(100)) {
-        CAPTURE(seed);
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(100)) {
         const Vector3d V = random.vector(), w = random.vector(), X = random.vector();
         const Vector3d x1 = random.vector(), x2 = random.vector();
         const double scale = V.norm() + w.norm() * (X.norm() + x1.norm() + x2.norm());
@@ -243,10 +213,7 @@ TEST_CASE("kinematics: no two points of a body part or approach", "[A1.5][kinema
 
 TEST_CASE("kinematics: velocity is the derivative of the position", "[A1.5][kinematics]")
 {
-    for (unsigned seed : seeds(20)) {
-        CAPTURE(seed);
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(20)) {
         const Matrix3d R = random.rotation();
         const Vector3d V = random.vector(), w = 2 * random.unit_vector(), X = random.vector();
         const Vector3d p = random.unit_vector();

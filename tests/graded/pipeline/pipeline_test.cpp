@@ -2,6 +2,7 @@
 #include "formulas/pipeline.hpp"
 #include "support/close.hpp"
 #include "support/random.hpp"
+#include "support/seeds.hpp"
 
 using namespace rigor;
 using namespace rigor::testing;
@@ -44,10 +45,7 @@ TEST_CASE("pipeline: a body at rest has no energy", "[A0.1][pipeline]")
 
 TEST_CASE("pipeline: energy is the sum of the particles' energies", "[A0.1][pipeline]")
 {
-    for (unsigned seed : seeds(100)) {
-        CAPTURE(seed);
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(100)) {
         const Vector3d V = random.vector(), w = random.vector();
         double M = 0, sum = 0;
         Matrix3d I = Matrix3d::Zero();
@@ -68,10 +66,7 @@ TEST_CASE("pipeline: energy is the sum of the particles' energies", "[A0.1][pipe
 
 TEST_CASE("pipeline: energy is the same in every frame", "[A0.1][pipeline]")
 {
-    for (unsigned seed : seeds(100)) {
-        CAPTURE(seed);
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(100)) {
         const double M = random.mass();
         const Vector3d V = random.vector(), w = random.vector();
         const Matrix3d I = random.inertia(), R = random.rotation();

@@ -2,6 +2,7 @@
 // A6.5 to A6.7: linear elasticity, and the von Mises stress straight from strain.
 #include "formulas/plasticity.hpp"
 #include "plasticity_cases.hpp"
+#include "support/seeds.hpp"
 
 #include <limits>
 
@@ -41,10 +42,7 @@ TEST_CASE("plasticity: a rod that thins as Poisson says is free of stress across
 
 TEST_CASE("plasticity: stress turns and adds up with strain", "[A6.5][plasticity]")
 {
-    for (unsigned seed : seeds(100)) {
-        CAPTURE(seed);
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(100)) {
         const Matrix3d a = random_symmetric(random), b = random_symmetric(random);
         const Matrix3d R = random.rotation();
         const double lambda = random.uniform(0, 2), G = random.uniform(0, 2);
@@ -87,10 +85,7 @@ TEST_CASE("plasticity: volume alone has no von Mises stress", "[A6.6][plasticity
 TEST_CASE("plasticity: the strain knows the von Mises stress without the stress",
           "[A6.6][plasticity]")
 {
-    for (unsigned seed : seeds(100)) {
-        CAPTURE(seed);
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(100)) {
         const Matrix3d strain = random_symmetric(random);
         const double lambda = random.uniform(0, 2), G = random.uniform(0, 2);
         const Matrix3d stress = lambda * strain.trace() * Matrix3d::Identity() + 2 * G * strain;

@@ -2,6 +2,7 @@
 // A6.8: one step of plastic flow.
 #include "formulas/plasticity.hpp"
 #include "plasticity_cases.hpp"
+#include "support/seeds.hpp"
 
 #include <numbers>
 
@@ -56,10 +57,7 @@ struct Overloaded {
 
 TEST_CASE("plasticity: below the yield surface nothing flows", "[A6.8][plasticity]")
 {
-    for (unsigned seed : seeds(100)) {
-        CAPTURE(seed);
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(100)) {
         const Overloaded solid(random);
         const double strong = mises_of(solid.stress) * (1 + 1e-12);
 
@@ -90,10 +88,7 @@ TEST_CASE("plasticity: shear flows as shear", "[A6.8][plasticity]")
 
 TEST_CASE("plasticity: after the flow the stress is on the yield surface", "[A6.8][plasticity]")
 {
-    for (unsigned seed : seeds(100)) {
-        CAPTURE(seed);
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(100)) {
         const Overloaded solid(random);
 
         const Flow step = flow(solid.stress, solid.yield_stress, solid.G, solid.plastic_strain);
@@ -115,10 +110,7 @@ TEST_CASE("plasticity: after the flow the stress is on the yield surface", "[A6.
 TEST_CASE("plasticity: the flow is along the deviator and as long as f asks for",
           "[A6.8][plasticity]")
 {
-    for (unsigned seed : seeds(100)) {
-        CAPTURE(seed);
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(100)) {
         const Overloaded solid(random);
         const Matrix3d s = deviator_of(solid.stress);
         const double gamma = (mises_of(solid.stress) - solid.yield_stress) / (3 * solid.G);
@@ -134,10 +126,7 @@ TEST_CASE("plasticity: the flow is along the deviator and as long as f asks for"
 TEST_CASE("plasticity: no stress inside the yield surface would do more work on the flow",
           "[A6.8][plasticity]")
 {
-    for (unsigned seed : seeds(100)) {
-        CAPTURE(seed);
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(100)) {
         const Overloaded solid(random);
         const Flow step = flow(solid.stress, solid.yield_stress, solid.G, solid.plastic_strain);
 
@@ -154,10 +143,7 @@ TEST_CASE("plasticity: no stress inside the yield surface would do more work on 
 
 TEST_CASE("plasticity: an isotropic solid flows alike in every frame", "[A6.8][plasticity]")
 {
-    for (unsigned seed : seeds(100)) {
-        CAPTURE(seed);
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(100)) {
         const Overloaded solid(random);
         const Matrix3d R = random.rotation();
         const Matrix3d here =
@@ -184,10 +170,7 @@ TEST_CASE("plasticity: pressure alone never yields", "[A6.8][plasticity]")
 TEST_CASE("plasticity: a solid without strength keeps nothing but its pressure",
           "[A6.8][plasticity]")
 {
-    for (unsigned seed : seeds(20)) {
-        CAPTURE(seed);
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(20)) {
         const Matrix3d stress = random_symmetric(random);
         const Matrix3d pressure = stress.trace() / 3 * Matrix3d::Identity();
 

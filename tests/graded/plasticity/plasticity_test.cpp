@@ -2,6 +2,7 @@
 // A6.1 to A6.4: the deviator and the three forms of the von Mises stress.
 #include "formulas/plasticity.hpp"
 #include "plasticity_cases.hpp"
+#include "support/seeds.hpp"
 
 #include <numbers>
 
@@ -46,10 +47,7 @@ TEST_CASE("plasticity: pressure has no deviator", "[A6.1][plasticity]")
 
 TEST_CASE("plasticity: a stress is its deviator and a pressure", "[A6.1][plasticity]")
 {
-    for (unsigned seed : seeds(100)) {
-        CAPTURE(seed);
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(100)) {
         const Matrix3d stress = random_symmetric(random);
 
         const Matrix3d s = deviator(stress);
@@ -65,10 +63,7 @@ TEST_CASE("plasticity: a stress is its deviator and a pressure", "[A6.1][plastic
 
 TEST_CASE("plasticity: no pressure changes the deviator and no turn does", "[A6.1][plasticity]")
 {
-    for (unsigned seed : seeds(100)) {
-        CAPTURE(seed);
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(100)) {
         const Matrix3d stress = random_symmetric(random), R = random.rotation();
         const double p = random.uniform(-100, 100);
         const Matrix3d s = deviator(stress);
@@ -106,10 +101,7 @@ TEST_CASE("plasticity: shear and pressure from their principal stresses", "[A6.2
 TEST_CASE("plasticity: the order of the principal stresses does not matter and no pressure does",
           "[A6.2][plasticity]")
 {
-    for (unsigned seed : seeds(100)) {
-        CAPTURE(seed);
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(100)) {
         const Vector3d s = random.vector();
         const double p = random.uniform(-10, 10);
         const double expected = mises_by_entries(s.asDiagonal());
@@ -134,10 +126,7 @@ TEST_CASE("plasticity: pull and shear from the norm of the stress", "[A6.3][plas
 TEST_CASE("plasticity: the norm of a stress and its trace give the von Mises stress",
           "[A6.3][plasticity]")
 {
-    for (unsigned seed : seeds(100)) {
-        CAPTURE(seed);
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(100)) {
         const Matrix3d stress = random_symmetric(random);
 
         const double found = von_mises_frobenius(stress);
@@ -150,10 +139,7 @@ TEST_CASE("plasticity: the norm of a stress and its trace give the von Mises str
 
 TEST_CASE("plasticity: rounding under the root never makes a pressure shear", "[A6.3][plasticity]")
 {
-    for (unsigned seed : seeds(100)) {
-        CAPTURE(seed);
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(100)) {
         const double p = random.uniform(-1e9, 1e9);
         const Matrix3d pressure = p * Matrix3d::Identity();
 
@@ -178,10 +164,7 @@ TEST_CASE("plasticity: pull and shear from the deviator", "[A6.4][plasticity]")
 
 TEST_CASE("plasticity: no turn and no pressure changes the von Mises stress", "[A6.4][plasticity]")
 {
-    for (unsigned seed : seeds(100)) {
-        CAPTURE(seed);
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(100)) {
         const Matrix3d stress = random_symmetric(random), R = random.rotation();
         const double p = random.uniform(-100, 100);
         const double expected = mises_by_entries(stress);
@@ -195,10 +178,7 @@ TEST_CASE("plasticity: no turn and no pressure changes the von Mises stress", "[
 
 TEST_CASE("plasticity: the three forms are equal", "[A6.4][plasticity]")
 {
-    for (unsigned seed : seeds(100)) {
-        CAPTURE(seed);
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(100)) {
         const Vector3d principal = random.vector();
         const Matrix3d stress = turned(random.rotation(), principal.asDiagonal());
         const double scale = principal.norm();

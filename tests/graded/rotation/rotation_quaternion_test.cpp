@@ -3,6 +3,7 @@
 #include "formulas/rotation.hpp"
 #include "rotation_cases.hpp"
 #include "support/close.hpp"
+#include "support/seeds.hpp"
 
 using namespace rigor;
 using namespace rigor::testing;
@@ -44,10 +45,7 @@ TEST_CASE("rotation: ij = -ji = k and so on around", "[A3.5][rotation]")
 
 TEST_CASE("rotation: the product of any two quaternions", "[A3.5][rotation]")
 {
-    for (unsigned seed : seeds(100)) {
-        CAPTURE(seed);
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(100)) {
         const Quaternion a = any_quaternion(random), b = any_quaternion(random);
         const Quaternion ab = multiply(a, b);
         REQUIRE_THAT(ab, IsClose(plain(eigen(a) * eigen(b)), Rounding(16, length(a) * length(b))));
@@ -64,10 +62,7 @@ TEST_CASE("rotation: the conjugate changes the sign of the vector part", "[A3.6]
 
 TEST_CASE("rotation: q times its conjugate is |q|²", "[A3.6][rotation]")
 {
-    for (unsigned seed : seeds(100)) {
-        CAPTURE(seed);
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(100)) {
         const Quaternion q = any_quaternion(random);
         const double squared = eigen(q).squaredNorm();
         const Quaternion product = plain(eigen(q) * eigen(conjugate(q)));
@@ -85,10 +80,7 @@ TEST_CASE("rotation: normalized by hand", "[A3.7][rotation]")
 TEST_CASE("rotation: a normalized quaternion is unit and keeps its sign", "[A3.7][rotation]")
 {
     REQUIRE_THAT(normalize({-2, {0, 0, 0}}), IsClose(Quaternion{-1, {0, 0, 0}}, Rounding(8, 1)));
-    for (unsigned seed : seeds(100)) {
-        CAPTURE(seed);
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(100)) {
         const Quaternion q = any_quaternion(random);
         const Quaternion n = normalize(q);
         REQUIRE_THAT(length(n), IsClose(1.0, Rounding(8)));
@@ -119,10 +111,7 @@ TEST_CASE("rotation: a quarter turn about z takes x to y", "[A3.8][rotation]")
 
 TEST_CASE("rotation: the axis stays and lengths are kept", "[A3.8][rotation]")
 {
-    for (unsigned seed : seeds(100)) {
-        CAPTURE(seed);
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(100)) {
         const Quaternion q = random.quaternion();
         const Vector3d p = 3 * random.vector();
         REQUIRE_THAT(rotate(q, q.v), IsClose(q.v, Rounding(16, 1)));
@@ -132,10 +121,7 @@ TEST_CASE("rotation: the axis stays and lengths are kept", "[A3.8][rotation]")
 
 TEST_CASE("rotation: q and -q rotate alike", "[A3.8][rotation]")
 {
-    for (unsigned seed : seeds(100)) {
-        CAPTURE(seed);
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(100)) {
         const Quaternion q = random.quaternion();
         const Vector3d p = 3 * random.vector();
         const Vector3d expected = eigen(q).toRotationMatrix() * p;
@@ -157,10 +143,8 @@ TEST_CASE("rotation: the columns of the matrix are the rotated axes", "[A3.9][ro
 
 TEST_CASE("rotation: a unit quaternion's matrix is a rotation", "[A3.9][rotation]")
 {
-    for (unsigned seed : seeds(100)) {
-        CAPTURE(seed);
-        current_seed(seed);
-        const Quaternion q = Random(seed).quaternion();
+    for (Random random : seeds(100)) {
+        const Quaternion q = random.quaternion();
         const Matrix3d R = to_matrix(q);
         REQUIRE_THAT(R, IsRotation());
         REQUIRE_THAT(R, IsClose(eigen(q).toRotationMatrix(), Rounding(16, 1)));
@@ -178,10 +162,7 @@ TEST_CASE("rotation: at the identity the rate is half of ω", "[A3.10][rotation]
 
 TEST_CASE("rotation: the rate is perpendicular to q", "[A3.10][rotation]")
 {
-    for (unsigned seed : seeds(100)) {
-        CAPTURE(seed);
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(100)) {
         const Quaternion q = random.quaternion();
         const Vector3d w = 5 * random.vector();
         const Quaternion rate = quaternion_rate(q, w);

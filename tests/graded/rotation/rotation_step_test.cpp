@@ -4,6 +4,7 @@
 #include "formulas/rotation.hpp"
 #include "rotation_cases.hpp"
 #include "support/close.hpp"
+#include "support/seeds.hpp"
 
 using namespace rigor;
 using namespace rigor::testing;
@@ -33,10 +34,7 @@ void check_step(const RigidState& actual, const RigidState& expected, const Step
 
 TEST_CASE("rotation: symplectic Euler takes the new V and the new L", "[A3.15][rotation]")
 {
-    for (unsigned seed : seeds(100)) {
-        CAPTURE(seed);
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(100)) {
         const StepCase c = random_step(random);
         const double h = c.time_step;
         RigidState expected = c.state;
@@ -84,10 +82,7 @@ TEST_CASE("rotation: symplectic Euler keeps L and the length of q", "[A3.15][rot
 
 TEST_CASE("rotation: symplectic Euler leaves a static body alone", "[A3.15][rotation]")
 {
-    for (unsigned seed : seeds(20)) {
-        CAPTURE(seed);
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(20)) {
         const StepCase c = random_step(random);
         const BodyInertia fixed = {0, Matrix3d::Zero()};
         const RigidState after = step_symplectic_euler(c.state, fixed, c.wrench, c.time_step);
@@ -97,10 +92,7 @@ TEST_CASE("rotation: symplectic Euler leaves a static body alone", "[A3.15][rota
 
 TEST_CASE("rotation: Buss's step is one turn by ΔtΩ", "[A3.16][rotation]")
 {
-    for (unsigned seed : seeds(100)) {
-        CAPTURE(seed);
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(100)) {
         const StepCase c = random_step(random);
         const auto& [X, q, V, L] = c.state;
         const double h = c.time_step;
@@ -139,10 +131,7 @@ TEST_CASE("rotation: Buss's step flies a parabola exactly", "[A3.16][rotation]")
 TEST_CASE("rotation: an isotropic body turns exactly in one step of any size", "[A3.16][rotation]")
 {
     const BodyInertia ball = {1, Matrix3d::Identity() / 2.0}; // I = 2 δ
-    for (unsigned seed : seeds(20)) {
-        CAPTURE(seed);
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(20)) {
         const Vector3d w = random.vector();
         RigidState state;
         state.orientation = random.quaternion();
@@ -186,10 +175,7 @@ TEST_CASE("rotation: Buss's step keeps L and the length of q", "[A3.16][rotation
 
 TEST_CASE("rotation: Buss's step leaves a static body alone", "[A3.16][rotation]")
 {
-    for (unsigned seed : seeds(20)) {
-        CAPTURE(seed);
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(20)) {
         const StepCase c = random_step(random);
         const BodyInertia fixed = {0, Matrix3d::Zero()};
         REQUIRE_THAT(step_buss(c.state, fixed, c.wrench, c.time_step), IsExactly(c.state));

@@ -3,6 +3,7 @@
 #include "formulas/rotation.hpp"
 #include "rotation_cases.hpp"
 #include "support/close.hpp"
+#include "support/seeds.hpp"
 
 #include <numbers>
 
@@ -42,10 +43,7 @@ TEST_CASE("rotation: the matrix update turns x towards y about z", "[A3.1][rotat
 
 TEST_CASE("rotation: the matrix update moves each axis by ω × axis", "[A3.1][rotation]")
 {
-    for (unsigned seed : seeds(100)) {
-        CAPTURE(seed);
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(100)) {
         const Matrix3d R = random.rotation();
         const Vector3d w = 5 * random.vector();
         const double h = random.uniform(0, 0.5);
@@ -94,20 +92,15 @@ TEST_CASE("rotation: Gram-Schmidt by hand", "[A3.2][rotation]")
 
 TEST_CASE("rotation: Gram-Schmidt leaves a rotation as it is", "[A3.2][rotation]")
 {
-    for (unsigned seed : seeds(100)) {
-        CAPTURE(seed);
-        current_seed(seed);
-        const Matrix3d R = Random(seed).rotation();
+    for (Random random : seeds(100)) {
+        const Matrix3d R = random.rotation();
         REQUIRE_THAT(gram_schmidt(R), IsClose(R, Rounding(16, 1)));
     }
 }
 
 TEST_CASE("rotation: Gram-Schmidt is biased to the first column", "[A3.2][rotation]")
 {
-    for (unsigned seed : seeds(100)) {
-        CAPTURE(seed);
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(100)) {
         Matrix3d R = random.rotation();
         for (int i = 0; i < 3; ++i)
             R.col(i) = random.mass() * (R.col(i) + 0.3 * random.vector());
@@ -160,10 +153,8 @@ TEST_CASE("rotation: Euler angles by hand", "[A3.3][rotation]")
 
 TEST_CASE("rotation: Euler angles turn about x then y then z", "[A3.3][rotation]")
 {
-    for (unsigned seed : seeds(100)) {
-        CAPTURE(seed);
-        current_seed(seed);
-        const Vector3d angles = pi * Random(seed).vector();
+    for (Random random : seeds(100)) {
+        const Vector3d angles = pi * random.vector();
         const Matrix3d R = euler_to_matrix(angles);
         REQUIRE_THAT(R, IsRotation());
         REQUIRE_THAT(R, IsClose(yaw_pitch_roll(angles), Rounding(16, 1)));
@@ -190,10 +181,7 @@ TEST_CASE("rotation: Euler rates by hand", "[A3.4][rotation]")
 
 TEST_CASE("rotation: Euler rates add up to ω", "[A3.4][rotation]")
 {
-    for (unsigned seed : seeds(100)) {
-        CAPTURE(seed);
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(100)) {
         const Vector3d angles = Vector3d(3, 1.4, 3).cwiseProduct(random.vector());
         const Vector3d w = 5 * random.vector();
 

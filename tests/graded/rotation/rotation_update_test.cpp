@@ -3,6 +3,7 @@
 #include "formulas/rotation.hpp"
 #include "rotation_cases.hpp"
 #include "support/close.hpp"
+#include "support/seeds.hpp"
 
 #include <limits>
 #include <numbers>
@@ -25,10 +26,7 @@ TEST_CASE("rotation: the exact update makes a quarter turn about z", "[A3.11][ro
 
 TEST_CASE("rotation: the exact update turns by ωΔt in world space", "[A3.11][rotation]")
 {
-    for (unsigned seed : seeds(100)) {
-        CAPTURE(seed);
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(100)) {
         const Quaternion q = random.quaternion();
         const Vector3d w = 10 * random.vector();
         const double h = random.uniform(0, 2);
@@ -117,10 +115,7 @@ TEST_CASE("rotation: the linear update turns by 2 atan(|ω|Δt/2)", "[A3.12][rot
 
 TEST_CASE("rotation: the linear update turns about ω in world space", "[A3.12][rotation]")
 {
-    for (unsigned seed : seeds(100)) {
-        CAPTURE(seed);
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(100)) {
         const Quaternion q = random.quaternion();
         const Vector3d axis = random.unit_vector();
         const double speed = random.uniform(0, 10), h = random.uniform(0, 1);
@@ -162,10 +157,7 @@ TEST_CASE("rotation: at rest the linear update changes nothing", "[A3.12][rotati
 
 TEST_CASE("rotation: the longest step makes a quarter turn", "[A3.13][rotation]")
 {
-    for (unsigned seed : seeds(100)) {
-        CAPTURE(seed);
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(100)) {
         const Vector3d w = random.mass() * random.unit_vector();
         REQUIRE_THAT(max_time_step(w) * w.norm(), IsClose(pi / 2, Rounding(8)));
     }
@@ -193,10 +185,7 @@ TEST_CASE("rotation: gravity pulls with M g", "[A3.14][rotation]")
 
 TEST_CASE("rotation: gravity may point anywhere and never has a torque", "[A3.14][rotation]")
 {
-    for (unsigned seed : seeds(20)) {
-        CAPTURE(seed);
-        current_seed(seed);
-        Random random(seed);
+    for (Random random : seeds(20)) {
         const double mass = random.mass();
         const Vector3d g = 10 * random.vector();
         const Wrench wrench = gravity_wrench(mass, g);
