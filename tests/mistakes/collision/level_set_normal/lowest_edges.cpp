@@ -1,36 +1,21 @@
 // SPDX-License-Identifier: MIT
 // These are the slopes along the three edges at the cell's lowest node, wherever in the cell p is.
-#include "formulas/collision.hpp"
-
-#include <algorithm>
-#include <cmath>
+#include "mistakes/collision/level_set.hpp"
 
 namespace rigor {
 
 Vector3d level_set_normal(const LevelSet& grid, const Vector3d& p)
 {
-    const Vector3d s = (p - grid.origin) / grid.cell_size;
-    Vector3d nearest, t;
-    std::array<int, 3> cell;
-    for (int i = 0; i < 3; ++i) {
-        nearest[i] = std::clamp(s[i], 0.0, grid.size[i] - 1.0);
-        cell[i] = static_cast<int>(std::clamp(std::floor(nearest[i]), 0.0, grid.size[i] - 2.0));
-        t[i] = nearest[i] - cell[i];
-    }
-    Vector3d gradient = Vector3d::Zero();
-    for (int corner = 0; corner < 8; ++corner) {
-        const std::array<int, 3> end = {corner & 1, corner >> 1 & 1, corner >> 2};
-        const int x = cell[0] + end[0], y = cell[1] + end[1], z = cell[2] + end[2];
-        Vector3d w; // slope of the corner's weight along each axis
+    const Cell cell = cell_of(grid, p);
+    const auto along_its_edge = [](const Corner& corner) {
+        Vector3d slopes;
         for (int a = 0; a < 3; ++a) {
-            w[a] = end[a] ? 1 : -1;
-            for (int b = 1; b < 3; ++b)
-                if (end[(a + b) % 3]) w[a] = 0;
+            const bool is_on_edge = !corner[(a + 1) % 3] && !corner[(a + 2) % 3];
+            slopes[a] = !is_on_edge ? 0 : corner[a] ? 1 : -1;
         }
-        gradient += w * grid.distances[x + grid.size[0] * (y + grid.size[1] * z)];
-    }
-    if (gradient.norm() == 0) return Vector3d::UnitY();
-    return gradient / gradient.norm();
+        return slopes;
+    };
+    return direction_of(sum_over_corners(grid, cell, Vector3d(Vector3d::Zero()), along_its_edge));
 }
 
 } // namespace rigor

@@ -1,32 +1,18 @@
 // SPDX-License-Identifier: MIT
 // This is the value of the nearest node: nothing is interpolated between the nodes.
-#include "formulas/collision.hpp"
-
-#include <algorithm>
-#include <cmath>
+#include "mistakes/collision/level_set.hpp"
 
 namespace rigor {
 
 double sample_level_set(const LevelSet& grid, const Vector3d& p)
 {
-    const Vector3d s = (p - grid.origin) / grid.cell_size;
-    Vector3d nearest, t;
-    std::array<int, 3> cell;
-    for (int i = 0; i < 3; ++i) {
-        nearest[i] = std::clamp(s[i], 0.0, grid.size[i] - 1.0);
-        cell[i] = static_cast<int>(std::clamp(std::floor(nearest[i]), 0.0, grid.size[i] - 2.0));
-        t[i] = nearest[i] - cell[i];
-    }
-    double phi = 0;
-    for (int k = 0; k < 2; ++k)
-        for (int j = 0; j < 2; ++j)
-            for (int i = 0; i < 2; ++i) {
-                const int x = cell[0] + i, y = cell[1] + j, z = cell[2] + k;
-                const double weight =
-                    (i == (t.x() >= 0.5)) && (j == (t.y() >= 0.5)) && (k == (t.z() >= 0.5)) ? 1 : 0;
-                phi += weight * grid.distances[x + grid.size[0] * (y + grid.size[1] * z)];
-            }
-    return phi + (s - nearest).norm() * grid.cell_size;
+    const Cell cell = cell_of(grid, p);
+    const auto is_nearest = [&](const Corner& corner) {
+        for (int a = 0; a < 3; ++a)
+            if (corner[a] != (cell.t[a] >= 0.5)) return 0.0;
+        return 1.0;
+    };
+    return sum_over_corners(grid, cell, 0.0, is_nearest) + distance_to_box(grid, cell);
 }
 
 } // namespace rigor

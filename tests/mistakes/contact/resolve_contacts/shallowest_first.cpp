@@ -1,29 +1,20 @@
 // SPDX-License-Identifier: MIT
 // The deepest contact comes first, not the shallowest.
-#include "mistakes/contact/one_contact.hpp"
+#include "mistakes/contact/resolve_contacts.hpp"
 
 namespace rigor {
 
 ContactResult resolve_contacts(const Bodies& bodies, const Contacts& contacts, int n)
 {
-    ContactResult result{bodies, std::vector<Vector3d>(contacts.size(), Vector3d::Zero())};
-    std::vector<int> order(contacts.size());
-    std::iota(order.begin(), order.end(), 0);
-    std::stable_sort(order.begin(), order.end(),
-                     [&](int a, int b) { return contacts[a].depth < contacts[b].depth; });
-    for (int k = 0; k < n; ++k) {
-        const double epsilon = contact_restitution(k, n);
-        for (int i : order) {
-            const BodyContact& c = contacts[i];
-            const Vector3d u = velocity_of(result.bodies, c) - c.separation_speed * c.normal;
-            if (u.dot(c.normal) >= 0) continue;
-            const Matrix3d K = impulse_matrix_of(result.bodies, c);
-            const Vector3d j = collision_impulse(K, u, c.normal, epsilon, c.friction);
-            apply(result.bodies, c, j);
-            result.impulses[i] += j;
-        }
-    }
-    return result;
+    ContactsOneAtATime wrong;
+    wrong.order = [](const Contacts& listed) {
+        std::vector<int> order(listed.size());
+        std::iota(order.begin(), order.end(), 0);
+        std::stable_sort(order.begin(), order.end(),
+                         [&](int a, int b) { return listed[a].depth < listed[b].depth; });
+        return order;
+    };
+    return wrong(bodies, contacts, n);
 }
 
 } // namespace rigor

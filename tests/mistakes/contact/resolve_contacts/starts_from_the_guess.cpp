@@ -1,28 +1,14 @@
 // SPDX-License-Identifier: MIT
 // The impulses of these contacts start from zero, not from a guess for another formula.
-#include "mistakes/contact/one_contact.hpp"
+#include "mistakes/contact/resolve_contacts.hpp"
 
 namespace rigor {
 
 ContactResult resolve_contacts(const Bodies& bodies, const Contacts& contacts, int n)
 {
-    ContactResult result{bodies, std::vector<Vector3d>(contacts.size(), Vector3d::Zero())};
-    for (std::size_t i = 0; i < contacts.size(); ++i)
-        result.impulses[i] = contacts[i].impulse;
-    const std::vector<int> order = by_depth(contacts);
-    for (int k = 0; k < n; ++k) {
-        const double epsilon = contact_restitution(k, n);
-        for (int i : order) {
-            const BodyContact& c = contacts[i];
-            const Vector3d u = velocity_of(result.bodies, c) - c.separation_speed * c.normal;
-            if (u.dot(c.normal) >= 0) continue;
-            const Matrix3d K = impulse_matrix_of(result.bodies, c);
-            const Vector3d j = collision_impulse(K, u, c.normal, epsilon, c.friction);
-            apply(result.bodies, c, j);
-            result.impulses[i] += j;
-        }
-    }
-    return result;
+    ContactsOneAtATime wrong;
+    wrong.start = [](const BodyContact& c) { return c.impulse; };
+    return wrong(bodies, contacts, n);
 }
 
 } // namespace rigor

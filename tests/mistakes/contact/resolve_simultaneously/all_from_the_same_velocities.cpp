@@ -1,38 +1,14 @@
 // SPDX-License-Identifier: MIT
 // A contact has to see what those before it in the same sweep did.
-#include "mistakes/contact/one_contact.hpp"
+#include "mistakes/contact/resolve_simultaneously.hpp"
 
 namespace rigor {
 
 ContactResult resolve_simultaneously(const Bodies& bodies, const Contacts& contacts, int sweeps)
 {
-    ContactResult result{bodies, std::vector<Vector3d>(contacts.size(), Vector3d::Zero())};
-    for (std::size_t i = 0; i < contacts.size(); ++i) {
-        const BodyContact& c = contacts[i];
-        const Matrix3d K = impulse_matrix_of(bodies, c);
-        if (K.isZero(0)) continue;
-        result.impulses[i] = c.impulse;
-        apply(result.bodies, c, c.impulse);
-    }
-    for (int sweep = 0; sweep < sweeps; ++sweep) {
-        const Bodies before = result.bodies;
-        for (std::size_t i = 0; i < contacts.size(); ++i) {
-            const BodyContact& c = contacts[i];
-            const Vector3d& n = c.normal;
-            const Matrix3d K = impulse_matrix_of(bodies, c);
-            if (K.isZero(0)) continue;
-            const Vector3d v = velocity_of(before, c), j = result.impulses[i];
-            const double v_n = v.dot(n);
-            const double j_n = std::max(0.0, j.dot(n) - (v_n - c.separation_speed) / n.dot(K * n));
-            const double lambda = larger_eigenvalue(K, n);
-            const Vector3d v_T = v - v_n * n;
-            Vector3d j_T = j - j.dot(n) * n - v_T / lambda;
-            if (j_T.norm() > c.friction * j_n) j_T *= c.friction * j_n / j_T.norm();
-            result.impulses[i] = j_n * n + j_T;
-            apply(result.bodies, c, result.impulses[i] - j);
-        }
-    }
-    return result;
+    ContactsAtOnce wrong;
+    wrong.sees_those_before = false;
+    return wrong(bodies, contacts, sweeps);
 }
 
 } // namespace rigor
