@@ -5,7 +5,7 @@
 #include "geometry/pose.hpp"
 #include "geometry/solid_mesh.hpp"
 #include "rigid/non_finite.hpp"
-#include "support/bench.hpp"
+#include "support/bench/bench.hpp"
 #include "support/depth.hpp"
 
 #include <algorithm>

@@ -2,8 +2,8 @@
 // Run time against error on cases with exact answers: our integrators and contact methods, Bullet
 // and ODE, each with many step sizes, all in one run and on one thread.
 #include "cases.hpp"
-#include "support/bench.hpp"
-#include "support/plot.hpp"
+#include "support/bench/bench.hpp"
+#include "support/bench/plot.hpp"
 
 #include <algorithm>
 #include <cmath>

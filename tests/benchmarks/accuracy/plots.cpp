@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "cases.hpp"
-#include "support/plot.hpp"
+#include "support/bench/plot.hpp"
 
 namespace rigor {
 

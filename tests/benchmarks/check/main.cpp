@@ -3,7 +3,7 @@
 // given its old time back.
 #include "grading/places.hpp"
 #include "grading/run_tests.hpp"
-#include "support/bench.hpp"
+#include "support/bench/bench.hpp"
 
 #include <algorithm>
 #include <filesystem>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "benchmarks/engines/scenes.hpp"
-#include "support/bench.hpp"
+#include "support/bench/bench.hpp"
 
 namespace rigor {
 

@@ -2,7 +2,7 @@
 #include "deformable/element.hpp"
 #include "deformable/elements.hpp"
 #include "parts.hpp"
-#include "support/plot.hpp"
+#include "support/bench/plot.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 // Deformable solids: error against run time of both integrators, the time and memory of a step of 50 000
 // tetrahedra by stage, what skipping eigenvalues saves, fragments, ten minutes of ill-treatment.
 #include "parts.hpp"
-#include "support/plot.hpp"
+#include "support/bench/plot.hpp"
 
 #include <cstdio>
 #include <cstdlib>

@@ -2,7 +2,7 @@
 // The parts of the benchmark of deformable solids.
 #pragma once
 
-#include "support/bench.hpp"
+#include "support/bench/bench.hpp"
 #include "support/deformables.hpp"
 
 #include <string>

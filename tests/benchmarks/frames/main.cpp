@@ -3,7 +3,7 @@
 #include "render/frames.hpp"
 #include "render/png.hpp"
 #include "render/stage.hpp"
-#include "support/bench.hpp"
+#include "support/bench/bench.hpp"
 #include "support/temporary_folder.hpp"
 #include "worker/client.hpp"
 

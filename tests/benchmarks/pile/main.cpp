@@ -4,7 +4,7 @@
 #include "nonconvex.hpp"
 #include "options.hpp"
 #include "run.hpp"
-#include "support/bench.hpp"
+#include "support/bench/bench.hpp"
 
 #include <algorithm>
 #include <cstdio>

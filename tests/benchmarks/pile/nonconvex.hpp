@@ -2,7 +2,7 @@
 // Rings, crosses, bowls and gears that hook into each other.
 #pragma once
 
-#include "support/bench.hpp"
+#include "support/bench/bench.hpp"
 
 namespace rigor {
 

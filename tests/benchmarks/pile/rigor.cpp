@@ -2,7 +2,7 @@
 #include "run.hpp"
 
 #include "rigid/mass.hpp"
-#include "support/bench.hpp"
+#include "support/bench/bench.hpp"
 
 #include <string>
 

@@ -2,8 +2,8 @@
 // A piece of steel strained to and fro: error against exact answers for any number of steps, the time of
 // a step, and the loops that it goes round.
 #include "formulas/plasticity.hpp"
-#include "support/bench.hpp"
-#include "support/plot.hpp"
+#include "support/bench/bench.hpp"
+#include "support/bench/plot.hpp"
 
 #include <cmath>
 #include <cstdio>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "rigid/world.hpp"
-#include "support/bench.hpp"
+#include "support/bench/bench.hpp"
 
 #include <functional>
 #include <string>

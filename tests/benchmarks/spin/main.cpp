@@ -4,7 +4,7 @@
 #include "rigid/mass.hpp"
 #include "rigid/world.hpp"
 #include "run.hpp"
-#include "support/bench.hpp"
+#include "support/bench/bench.hpp"
 #include "support/free_rotor.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "run.hpp"
 
-#include "support/bench.hpp"
+#include "support/bench/bench.hpp"
 
 #include <ode/ode.h>
 

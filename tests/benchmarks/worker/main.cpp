@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What the process between a test and an implementation costs: one formula called directly, through
 // the proxy, and, for comparison, the same bytes through a pair of pipes; and a fresh worker.
-#include "support/bench.hpp"
+#include "support/bench/bench.hpp"
 #include "worker/proxy.hpp"
 
 #include <algorithm>

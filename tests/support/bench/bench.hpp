@@ -54,9 +54,6 @@ std::string machine_name();
 /// Wall-clock time of one call [s].
 double seconds(const std::function<void()>& work);
 
-/// Median over `repeats` calls [s], after one call that is not counted.
-double median_seconds(const std::function<void()>& work, int repeats);
-
 /// Medians of two pieces of work that are run in turns, so that a slow spell of the machine hits both
 /// [s].
 std::pair<double, double> paired_seconds(const std::function<void()>& a,

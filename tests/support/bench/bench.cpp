@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "support/bench.hpp"
+#include "support/bench/bench.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -143,15 +143,6 @@ double median(std::vector<double> values)
     std::nth_element(values.begin(), middle, values.end());
     if (values.size() % 2 == 1) return *middle;
     return (*middle + *std::max_element(values.begin(), middle)) / 2;
-}
-
-double median_seconds(const std::function<void()>& work, int repeats)
-{
-    work();
-    std::vector<double> times;
-    for (int i = 0; i < repeats; ++i)
-        times.push_back(seconds(work));
-    return median(times);
 }
 
 std::pair<double, double> paired_seconds(const std::function<void()>& a,
