@@ -11,8 +11,8 @@
 
 namespace rigor::testing {
 
-/// n seeds in a row. The seed of the running case stands in the verdict and in the message of every failure, like
-/// CAPTURE(seed).
+/// n seeds in a row. The seed of the running case stands in the verdict, and in the message of every
+/// failure as `CAPTURE(seed)` would put it there.
 class Seeds {
 public:
     Seeds(unsigned first, unsigned n) : first_(first), n_(n) {}
