@@ -29,12 +29,13 @@ struct Mistake {
 
 const Formula& formula_of(const fs::path& file)
 {
-    const std::string topic = file.parent_path().filename(), name = file.stem().stem();
+    const fs::path folder = file.parent_path();
+    const std::string topic = folder.parent_path().filename(), name = folder.filename();
     for (const Formula& formula : formulas)
         if (formula.topic == topic && formula.name == name) return formula;
     throw std::runtime_error(file.string() +
                              ": expected a mistake's name to be "
-                             "<topic>/<formula>.<mistake>.cpp, found no formula '" +
+                             "<topic>/<formula>/<mistake>.cpp, found no formula '" +
                              topic + "::" + name + "'");
 }
 
@@ -42,17 +43,16 @@ std::vector<Mistake> find_mistakes(const std::string& wanted)
 {
     std::vector<Mistake> mistakes;
     for (const auto& entry : fs::recursive_directory_iterator(RIGOR_MISTAKES_DIR)) {
-        if (entry.path().extension() != ".cpp" || entry.path().parent_path() == RIGOR_MISTAKES_DIR)
-            continue;
         const fs::path& file = entry.path();
+        if (file.extension() != ".cpp" || file.parent_path() == RIGOR_MISTAKES_DIR) continue;
         const Formula& formula = formula_of(file);
         if (!wanted.empty() && wanted != formula.tag && wanted != formula.name) continue;
-        const std::string what = file.stem().extension().string().substr(1);
+        const std::string name = file.stem();
         const fs::path worker =
             fs::path(RIGOR_MISTAKE_WORKERS) /
-            ("worker_mistake_" + std::string(formula.topic) + "." + file.stem().string());
+            fmt::format("worker_mistake_{}.{}.{}", formula.topic, formula.name, name);
         mistakes.push_back(
-            {&formula, what, testing::second_line(file, "explains the mistake"), worker, "", ""});
+            {&formula, name, testing::second_line(file, "explains the mistake"), worker, "", ""});
     }
     std::sort(mistakes.begin(), mistakes.end(), [](const Mistake& a, const Mistake& b) {
         return std::pair(a.formula, a.name) < std::pair(b.formula, b.name);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The stress suite: `rigor test --stress`.
 #include "stress/stress.hpp"
-#include "support/bench.hpp"
+#include "support/bench/bench.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -5,7 +5,7 @@
 #include "geometry/shapes/shape_bounds.hpp"
 #include "geometry/shapes/solid_mesh.hpp"
 #include "rigid/bodies/non_finite.hpp"
-#include "support/bench.hpp"
+#include "support/bench/bench.hpp"
 #include "support/depth.hpp"
 
 #include <algorithm>

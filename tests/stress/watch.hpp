@@ -27,9 +27,6 @@ public:
     /// that is not a number. @param each  called after every step
     void run(int steps, double time_step, int every = 1, const std::function<void()>& each = {});
 
-    /// Does not count the overlap before: for scenes that start with one.
-    void forget_penetration() { record_.penetration = 0; }
-
     void limit_penetration(double most);
     void limit_energy(double most, char tolerance_class = 'I');
 

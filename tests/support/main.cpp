@@ -5,6 +5,7 @@
 #include "support/catch.hpp"
 
 #include "support/run.hpp"
+#include "support/seeds.hpp"
 #include "support/verdict.hpp"
 
 #include <nlohmann/json.hpp>
@@ -150,7 +151,7 @@ int main(int count, char** values)
     const std::string seed = take(arguments, "--seed");
     if (!verdicts.empty()) options.verdicts = std::atoi(verdicts.c_str());
     if (!seed.empty())
-        set_base_seed(static_cast<unsigned>(std::strtoul(seed.c_str(), nullptr, 10)));
+        set_first_seed(static_cast<unsigned>(std::strtoul(seed.c_str(), nullptr, 10)));
     try {
         prepare(options);
     } catch (const std::exception& error) {

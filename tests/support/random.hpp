@@ -11,7 +11,7 @@ namespace rigor::testing {
 
 class Random {
 public:
-    explicit Random(unsigned seed);
+    Random(unsigned seed); // implicit, for `for (Random random : seeds(100))`
 
     std::uint64_t bits();                    // SplitMix64
     double uniform(double low, double high); // in [low, high)

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 namespace rigor::testing {
 
@@ -19,12 +18,5 @@ struct Verdict {
 
 /// The verdict of the running test case.
 Verdict& verdict();
-
-/// Notes the seed of the random case that is about to be tried.
-void current_seed(unsigned seed);
-
-/// The seeds of a property, n in a row from the run's base seed (`--seed`).
-std::vector<unsigned> seeds(unsigned n);
-void set_base_seed(unsigned seed);
 
 } // namespace rigor::testing

@@ -101,7 +101,7 @@ inline constexpr CounterField counter_fields[] = {
     {"contact sweeps", &Counters::contact_sweeps},
     {"early exits", &Counters::early_exits},
     {"Newton solves", &Counters::newton_solves},
-    {"healed contacts", &Counters::healed_contacts},
+    {"corrected contacts", &Counters::corrected_contacts},
     {"level sets built", &Counters::level_sets_built},
     {"level set samples", &Counters::level_set_samples},
     {"deformable substeps", &Counters::deformable_substeps},

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "grading/ninja.hpp"
 #include "grading/process.hpp"
 #include "support/catch.hpp"
 
@@ -77,16 +76,6 @@ TEST_CASE("process: what cannot be started is an error", "[process]")
     Command command;
     command.arguments = {"/no/such/program"};
     REQUIRE_THROWS_AS(run(command, [](std::string_view) {}), std::runtime_error);
-}
-
-TEST_CASE("process: a compiler's first errors begin at the first and are few", "[process]")
-{
-    const std::string text = first_errors(
-        {"a warning", "x.cpp: In function 'f':", "x.cpp:3: error: expected ';'", "  3 | x"});
-    REQUIRE(text == "x.cpp: In function 'f':\nx.cpp:3: error: expected ';'\n  3 | x\n");
-    const std::string many = first_errors(Lines(1000, "x.cpp:3: error: no"));
-    REQUIRE(std::count(many.begin(), many.end(), '\n') == 21);
-    REQUIRE(first_errors({"killed"}) == "killed\n");
 }
 
 } // namespace rigor::testing

@@ -8,6 +8,7 @@
 #include "rigid/contact/resting_contact.hpp"
 #include "rigid/contact/solvers/sweeps.hpp"
 #include "support/catch.hpp"
+#include "support/seeds.hpp"
 #include "worlds.hpp"
 
 using namespace rigor;

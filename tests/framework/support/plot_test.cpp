@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "support/plot.hpp"
+#include "support/bench/plot.hpp"
 
 #include "support/catch.hpp"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "support/close.hpp"
 #include "support/random.hpp"
+#include "support/seeds.hpp"
 
 using namespace rigor;
 using namespace rigor::testing;
@@ -14,9 +15,7 @@ TEST_CASE("random: a seed gives the same case on every machine", "[support]")
 
 TEST_CASE("random: bodies could exist", "[support]")
 {
-    for (const unsigned seed : seeds(100)) {
-        CAPTURE(seed);
-        Random random(seed);
+    for (Random random : seeds(100)) {
         REQUIRE_THAT(random.rotation(), IsRotation());
         REQUIRE_THAT(random.unit_vector().norm(), IsClose(1.0, Rounding(4, 1)));
 

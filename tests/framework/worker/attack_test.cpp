@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Hostile implementations, tests/attacks/*.cpp: each gives the verdict it deserves, in bounded time,
+// Hostile implementations, tests/attacks/*/*.cpp: each gives the verdict it deserves, in bounded time,
 // and the next call on a fresh worker is answered.
 #include "attack.hpp"
 #include "support/catch.hpp"

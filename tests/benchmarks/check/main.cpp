@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+// The loop a student lives in: from saving a topic's file to the verdicts of its tasks. The file is only touched, and
+// given its old time back.
+#include "grading/places.hpp"
+#include "grading/run_tests.hpp"
+#include "grading/selection.hpp"
+#include "support/bench/bench.hpp"
+
+#include <algorithm>
+#include <filesystem>
+
+namespace {
+
+using namespace rigor;
+namespace fs = std::filesystem;
+
+// A file that looks as if it had just been saved, as long as this lives.
+class Touched {
+public:
+    explicit Touched(const fs::path& file) : file_(file), time_(fs::last_write_time(file))
+    {
+        fs::last_write_time(file, fs::file_time_type::clock::now());
+    }
+    ~Touched()
+    {
+        std::error_code nobody_to_tell;
+        fs::last_write_time(file_, time_, nobody_to_tell);
+    }
+    Touched(const Touched&) = delete;
+    Touched& operator=(const Touched&) = delete;
+
+private:
+    fs::path file_;
+    fs::file_time_type time_;
+};
+
+long steps_with(const Implementation& implementation, const std::string& words)
+{
+    return std::count_if(
+        implementation.build_steps.begin(), implementation.build_steps.end(),
+        [&](const std::string& step) { return step.find(words) != std::string::npos; });
+}
+
+// One turn of the loop for a topic of an implementation. @return whether just that file was compiled, and its worker linked
+bool measure(Bench& bench, const std::string& who, const Selection& selection)
+{
+    build_implementation(who); // what was stale before is not ours
+    GradingRun run = own_grading_run();
+    const std::string& topic = selection.assignment.topic;
+    const Touched saved(places().source / who / (topic + ".cpp"));
+
+    Implementation implementation;
+    Result result;
+    const double build = seconds([&] { implementation = build_implementation(who); });
+    const double tests = seconds([&] { result = grade(selection, implementation, run); });
+    if (!implementation.built() || result.status != SubmissionStatus::graded)
+        throw std::runtime_error(who + " cannot be checked: " + result.message);
+
+    const long files = steps_with(implementation, topic + ".cpp"),
+               links = steps_with(implementation, "Linking");
+    const long others = static_cast<long>(implementation.build_steps.size()) - files - links;
+    bench.row({{"topic", topic},
+               {"of", who},
+               {"files compiled", static_cast<double>(files)},
+               {"links", static_cast<double>(links)},
+               {"other steps", static_cast<double>(others)},
+               {"build [s]", build},
+               {"tests [s]", tests},
+               {"to the verdict [s]", build + tests}});
+    return files == 1 && links == 1 && others == 0;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    try {
+        Bench bench("check");
+        int more_or_less = 0;
+        for (const Selection& selection :
+             select_tasks(load_assignments(places().assignments()), {}))
+            for (const char* who : {"student", "reference"}) {
+                if (!fs::exists(places().source / who)) continue;
+                more_or_less += !measure(bench, who, selection);
+            }
+        bench.note(
+            "each topic's file is touched, then built and judged as `rigor check TOPIC` does");
+        bench.reach({"edits after which anything but one file and its worker was built",
+                     static_cast<double>(more_or_less), 0});
+        return bench.finish(wants_json(argc, argv));
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "bench check: %s\n", error.what());
+        return 3;
+    }
+}

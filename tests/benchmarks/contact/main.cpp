@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// What contact gets right: sticking or slipping, creep, bounces, weight on light bodies, stacks. Bullet
+// and ODE beside, with their defaults.
+#include "parts.hpp"
+
+#include <algorithm>
+
+using namespace rigor;
+
+int main(int argc, char** argv)
+{
+    Bench bench("contact");
+    std::vector<Contestant> all = contact_contestants();
+    std::erase_if(all, [](const Contestant& c) {
+        return c.is_ours() && c.method != "built_in" && c.method != "simultaneous";
+    });
+    measure_stick_or_slip(bench, all);
+    measure_creep(bench, all);
+    measure_bounces(bench, all);
+    measure_elastic_bounces(bench, all);
+    measure_heavy_on_light(bench, all);
+    measure_stacks(bench, all);
+    bench.note(
+        "Steps of 1/60 s for 10 s unless a row says otherwise; no body sleeps; one thread. Unit "
+        "cubes of 1 kg.");
+    for (const char* peer : {"bullet", "ode"})
+        if (std::none_of(all.begin(), all.end(), [&](const auto& c) { return c.engine == peer; }))
+            bench.note(std::string("Not installed when this was built, so without rows: ") + peer +
+                       ".");
+    return bench.finish(wants_json(argc, argv));
+}

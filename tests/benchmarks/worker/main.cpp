@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+// What the process between a test and an implementation costs: one formula called directly, through
+// the proxy, and, for comparison, the same bytes through a pair of pipes; and a fresh worker.
+#include "support/bench/bench.hpp"
+#include "worker/proxy/proxy.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <stdexcept>
+#include <sys/wait.h>
+#include <thread>
+#include <unistd.h>
+
+// The reference's pipeline.cpp, compiled once more in a namespace of its own.
+namespace direct {
+
+double kinetic_energy(double mass, const Eigen::Vector3d& velocity, const Eigen::Matrix3d& inertia,
+                      const Eigen::Vector3d& angular_velocity);
+
+} // namespace direct
+
+using namespace rigor;
+
+namespace {
+
+constexpr int rounds = 21, calls = 2000, starts = 51;
+
+const Matrix3d I = Vector3d(1, 2, 3).asDiagonal();
+const Vector3d w(0.1, 0.2, 0.3);
+
+/// Another one each time, so that none can be hoisted out of a loop.
+Vector3d velocity(int i)
+{
+    return {0.1 * (i % 7), -1 - 0.01 * (i % 11), 0.3};
+}
+
+/// A child that answers 128 bytes, the arguments of the formula, with 8, its result.
+class PipePair {
+public:
+    PipePair()
+    {
+        if (pipe(there_) != 0 || pipe(back_) != 0) throw std::runtime_error("no pipe");
+        child_ = fork();
+        if (child_ != 0) return;
+        close(there_[1]); // so that the end of the parent is the end of the input
+        std::byte bytes[128] = {};
+        while (read(there_[0], bytes, sizeof bytes) == sizeof bytes &&
+               write(back_[1], bytes, 8) == 8) {
+        }
+        _exit(0);
+    }
+    ~PipePair()
+    {
+        for (const int fd : {there_[0], there_[1], back_[0], back_[1]})
+            close(fd);
+        waitpid(child_, nullptr, 0);
+    }
+    PipePair(const PipePair&) = delete;
+    PipePair& operator=(const PipePair&) = delete;
+
+    void round_trip()
+    {
+        std::byte bytes[128] = {};
+        if (write(there_[1], bytes, sizeof bytes) != sizeof bytes || read(back_[0], bytes, 8) != 8)
+            throw std::runtime_error("the pipe broke");
+    }
+
+private:
+    int there_[2], back_[2];
+    pid_t child_;
+};
+
+struct Samples {
+    std::vector<double> times; // [s]
+
+    double quantile(double q)
+    {
+        std::sort(times.begin(), times.end());
+        const double at = q * static_cast<double>(times.size() - 1);
+        return times[static_cast<std::size_t>(at)];
+    }
+
+    Bench::Row row(const std::string& what, double unit)
+    {
+        return {{"what", what},
+                {"median", quantile(0.5) / unit},
+                {"90 %", quantile(0.9) / unit},
+                {"99 %", quantile(0.99) / unit},
+                {"slowest", quantile(1) / unit},
+                {"times", static_cast<double>(times.size())}};
+    }
+};
+
+template <class Call> void sample(Samples& samples, int count, const Call& call)
+{
+    for (int i = 0; i < count; ++i)
+        samples.times.push_back(seconds([&] { call(i); }));
+}
+
+void check_same_answers()
+{
+    for (int i = 0; i < 77; ++i)
+        if (kinetic_energy(2, velocity(i), I, w) != direct::kinetic_energy(2, velocity(i), I, w))
+            throw std::runtime_error("the worker answers otherwise than the function itself");
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    Bench bench("worker");
+    PipePair pipes;
+    use_worker(RIGOR_BINARY_DIR "/bin/worker_reference");
+    check_same_answers();
+
+    Samples direct_call, proxy_call, pipe, after_pause, start;
+    const auto call = [](int i) { kinetic_energy(2, velocity(i), I, w); };
+    double sum = 0;
+    for (int round = 0; round < rounds; ++round) {
+        // A direct call is shorter than reading the clock: timed by the thousand.
+        direct_call.times.push_back(seconds([&] {
+                                        for (int i = 0; i < calls; ++i)
+                                            sum += direct::kinetic_energy(2, velocity(i), I, w);
+                                    }) /
+                                    calls);
+        sample(proxy_call, calls, call);
+        sample(pipe, calls / 10, [&](int) { pipes.round_trip(); });
+    }
+    for (int i = 0; i < 100; ++i) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+        sample(after_pause, 1, call);
+    }
+    for (int i = 0; i < starts; ++i) {
+        renew_worker();
+        sample(start, 1, [](int) { worker().start(); });
+    }
+    if (!std::isfinite(sum)) return 1;
+
+    bench.row(direct_call.row("direct call [µs]", 1e-6));
+    bench.row(proxy_call.row("call through the proxy [µs]", 1e-6));
+    bench.row(after_pause.row("the same after a pause of 2 ms [µs]", 1e-6));
+    bench.row(pipe.row("the same bytes through pipes [µs]", 1e-6));
+    bench.row(start.row("a fresh worker, start to ready [ms]", 1e-3));
+    bench.reach(
+        {"formula call through the proxy, median [µs]", proxy_call.quantile(0.5) * 1e6, 15});
+    bench.reach({"a fresh worker, median [ms]", start.quantile(0.5) * 1e3, 10});
+    bench.note("kinetic_energy of the reference; worker and client share the machine as it is, "
+               "not pinned");
+    return bench.finish(wants_json(argc, argv));
+}

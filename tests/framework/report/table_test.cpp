@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#include "report/table.hpp"
+#include "report/terminal.hpp"
+#include "results.hpp"
+#include "support/catch.hpp"
+
+#include <sstream>
+
+namespace rigor::testing {
+
+namespace {
+
+std::string table_of(const Result& result)
+{
+    Implementation student;
+    student.name = "student";
+    student.folder = std::string(RIGOR_SOURCE_DIR) + "/student";
+    return points_table(result, student, false);
+}
+
+bool has(const std::string& text, const std::string& part)
+{
+    return text.find(part) != std::string::npos;
+}
+
+} // namespace
+
+TEST_CASE("report: the table says what broke and where and what to do next", "[report]")
+{
+    const std::string table = table_of(some_result());
+    CAPTURE(table);
+    REQUIRE(has(table, "A2.1   particle_mass_properties           2/2   passed"));
+    REQUIRE(has(table, "failed, 1 of 2 laws broken"));
+    REQUIRE(has(table, "it turns with the body"));
+    REQUIRE(has(table, "2, allowed 1.8e-15 (rounding)"));
+    REQUIRE(has(table, "./rigor check A2.2 --seed 17"));
+    REQUIRE(has(table, "student/inertia.cpp:"));
+    REQUIRE(has(table, "assignments/a2-inertia/README.md, A2.2"));
+    REQUIRE(has(table, "waits for A2.3"));
+    REQUIRE(has(table, "Next: A2.3 world_inverse_inertia (2 tasks are not implemented yet)"));
+    REQUIRE(has(table, "2 of 8 points"));
+}
+
+TEST_CASE("report: the table fits into 80 columns", "[report]")
+{
+    Result result = some_result();
+    std::istringstream lines(table_of(result));
+    for (std::string line; std::getline(lines, line);) {
+        CAPTURE(line);
+        REQUIRE(columns(line) <= 80);
+    }
+}
+
+TEST_CASE("report: a table without colour has no escape sequence", "[report]")
+{
+    REQUIRE_FALSE(has(table_of(some_result()), "\033"));
+}
+
+} // namespace rigor::testing

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+// A4.9: the impulse of a collision, which is none, sticking or sliding.
+#include "formulas/collision.hpp"
+#include "sliding_pair.hpp"
+#include "support/close.hpp"
+#include "support/random.hpp"
+#include "support/seeds.hpp"
+
+#include <cmath>
+
+namespace rigor::testing {
+
+TEST_CASE("collision: bodies that separate are left alone", "[A4.9][collision]")
+{
+    REQUIRE_THAT(collision_impulse(sphere_on_floor(), Vector3d(3, 2, 0), up, 0.5, 0.3),
+                 IsExactly(Vector3d(0, 0, 0)));
+    // so are those that slide along each other, neither approaching nor separating
+    REQUIRE_THAT(collision_impulse(sphere_on_floor(), Vector3d(3, 0, 0), up, 0.5, 0.3),
+                 IsExactly(Vector3d(0, 0, 0)));
+    for (unsigned seed : seeds(50)) {
+        const CollidingPair pair = colliding_pair(seed);
+        REQUIRE_THAT(collision_impulse(pair.K, -pair.v, pair.n, pair.restitution, 0.3),
+                     IsExactly(Vector3d(0, 0, 0)));
+    }
+}
+
+TEST_CASE("collision: the oblique sphere slides below a friction of 2/7 and sticks above it",
+          "[A4.9][collision]")
+{
+    const Matrix3d K = sphere_on_floor();
+    const Vector3d v(3, -2, 0);
+    REQUIRE_THAT(collision_impulse(K, v, up, 0.5, 0.1),
+                 IsClose(Vector3d(-0.3, 3, 0), Rounding(16)));
+    for (double friction : {0.3, 1.0, 1e6})
+        REQUIRE_THAT(collision_impulse(K, v, up, 0.5, friction),
+                     IsClose(Vector3d(-6.0 / 7, 3, 0), Rounding(16)));
+
+    // class B: whether it still slides flips between 2/7 (1 - d) and 2/7 (1 + d)
+    const double d = 1e-9;
+    const auto slides_on = [&](double friction) {
+        const Vector3d after = v + K * collision_impulse(K, v, up, 0.5, friction);
+        return after.x() > 1e-3 * d;
+    };
+    REQUIRE(slides_on(2.0 / 7 * (1 - d)));
+    REQUIRE_FALSE(slides_on(2.0 / 7 * (1 + d)));
+}
+
+TEST_CASE("collision: inside the cone it sticks and outside it slides", "[A4.9][collision]")
+{
+    int stuck = 0, slid = 0;
+    for (unsigned seed : seeds(300)) {
+        const CollidingPair pair = colliding_pair(seed);
+        const auto& [body1, body2, x, n, K, v, restitution, size, condition] = pair;
+        const double friction = Random(seed + 1000).uniform(0, 1);
+        const double inside = margin(pair, friction);
+        if (std::abs(inside) < 1e-6 || !slides_easily(pair, friction)) continue; // a near thing
+
+        const Vector3d j = collision_impulse(K, v, n, restitution, friction);
+
+        if (inside > 0) {
+            ++stuck;
+            const Vector3d after = -restitution * v.dot(n) * n;
+            REQUIRE_THAT(Vector3d(v + K * j),
+                         IsClose(after, Rounding(16, size * K.norm() * condition)));
+        } else {
+            ++slid;
+            check_sliding(pair, friction, j);
+        }
+    }
+    REQUIRE(stuck > 10);
+    REQUIRE(slid > 10);
+}
+
+TEST_CASE("collision: an impulse of a collision pushes and stays in the cone", "[A4.9][collision]")
+{
+    for (unsigned seed : seeds(100)) {
+        const CollidingPair pair = colliding_pair(seed);
+        const Vector3d& n = pair.n;
+        for (double friction : {0.0, 0.3, 3.0, 1e6}) {
+            CAPTURE(friction);
+            const Vector3d j = collision_impulse(pair.K, pair.v, n, pair.restitution, friction);
+            const double scale = 64 * (1 + friction) * j.norm() + impulse_scale(pair);
+            check_at_most(0, j.dot(n), "0 against jₙ", scale);
+            check_at_most(tangential(j, n).norm(), friction * j.dot(n), "|j_T| against μ jₙ",
+                          scale);
+        }
+    }
+}
+
+TEST_CASE("collision: turn the scene 17 degrees about the normal and the result turns with it",
+          "[A4.9][collision]")
+{
+    int cases = 0;
+    for (unsigned seed : seeds(100)) {
+        const CollidingPair pair = colliding_pair(seed);
+        const auto& [body1, body2, x, n, K, v, restitution, size, condition] = pair;
+        const double friction = 0.4;
+        if (std::abs(margin(pair, friction)) < 1e-6 || !slides_easily(pair, friction)) continue;
+        ++cases;
+        const Matrix3d R = turn(17, n);
+        const Vector3d j = collision_impulse(K, v, n, restitution, friction);
+        REQUIRE_THAT(collision_impulse(R * K * R.transpose(), R * v, n, restitution, friction),
+                     IsClose(Vector3d(R * j), Rounding(64, impulse_scale(pair))));
+    }
+    REQUIRE(cases > 20);
+}
+
+TEST_CASE("collision: a sphere never gains energy from the floor", "[A4.9][collision]")
+{
+    const Matrix3d K = sphere_on_floor();
+    for (Random random : seeds(100)) {
+        const Vector3d v = random.vector();
+        const double restitution = random.uniform(0, 1), friction = random.uniform(0, 1);
+        const Vector3d j = collision_impulse(K, v, up, restitution, friction);
+        check_at_most(j.dot(v + K * j / 2), 0, "the work of the impulse", 16);
+    }
+}
+
+TEST_CASE("collision: a jammed contact outside the cone is not blown apart", "[A4.9][collision]")
+{
+    const Vector3d j = collision_impulse(jamming_contact(), Vector3d(2, -2, 0), up, 0.5, 2.25);
+    REQUIRE_THAT(j, IsClose(Vector3d(-3.6, 2, 2.7), Rounding(64)));
+}
+
+TEST_CASE("collision: between two static bodies there is no impulse", "[A4.9][collision]")
+{
+    for (double friction : {0.0, 0.3})
+        REQUIRE_THAT(collision_impulse(Matrix3d::Zero(), Vector3d(1, -1, 0), up, 0.5, friction),
+                     IsExactly(Vector3d(0, 0, 0)));
+}
+
+} // namespace rigor::testing

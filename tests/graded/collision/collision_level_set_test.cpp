@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: MIT
+// A4.1 and A4.2: signed distances on a grid.
+#include "formulas/collision.hpp"
+#include "support/close.hpp"
+#include "support/random.hpp"
+#include "support/seeds.hpp"
+
+#include <array>
+#include <cmath>
+
+namespace rigor::testing {
+
+namespace {
+
+template <class Function>
+LevelSet sampled(const Vector3d& origin, double h, const std::array<int, 3>& size,
+                 const Function& phi)
+{
+    LevelSet grid{origin, h, size, {}};
+    for (int k = 0; k < size[2]; ++k)
+        for (int j = 0; j < size[1]; ++j)
+            for (int i = 0; i < size[0]; ++i)
+                grid.distances.push_back(phi(origin + h * Vector3d(i, j, k)));
+    return grid;
+}
+
+// One cell of a unit sphere's level set, `at` of the way through it at a point p of the sphere.
+LevelSet cell_of_sphere(const Vector3d& p, double h, const Vector3d& at)
+{
+    const auto sphere = [](const Vector3d& x) { return x.norm() - 1; };
+    return sampled(p - h * at, h, {2, 2, 2}, sphere);
+}
+
+// a + b x + c y + d z + e xy + f yz + g zx + h xyz: what trilinear interpolation reproduces.
+struct Trilinear {
+    std::array<double, 8> c{};
+
+    explicit Trilinear(Random& random)
+    {
+        for (double& coefficient : c)
+            coefficient = random.uniform(-1, 1);
+    }
+    double operator()(const Vector3d& p) const
+    {
+        const double x = p.x(), y = p.y(), z = p.z();
+        return c[0] + c[1] * x + c[2] * y + c[3] * z + c[4] * x * y + c[5] * y * z + c[6] * z * x +
+               c[7] * x * y * z;
+    }
+    Vector3d gradient(const Vector3d& p) const
+    {
+        const double x = p.x(), y = p.y(), z = p.z();
+        return {c[1] + c[4] * y + c[6] * z + c[7] * y * z,
+                c[2] + c[4] * x + c[5] * z + c[7] * z * x,
+                c[3] + c[5] * y + c[6] * x + c[7] * x * y};
+    }
+};
+
+// Three, four and five nodes, so that no two axes can be mistaken for each other.
+const std::array<int, 3> some_size = {3, 4, 5};
+
+Vector3d point_inside(Random& random, const LevelSet& grid)
+{
+    const auto along = [&](int axis) {
+        return random.uniform(0, grid.cell_size * (grid.size[axis] - 1));
+    };
+    const double x = along(0), y = along(1), z = along(2);
+    return grid.origin + Vector3d(x, y, z);
+}
+
+// φ = x - 1 on [0, 2] × [0, 3] × [0, 4]
+const LevelSet slab =
+    sampled(Vector3d::Zero(), 1, some_size, [](const Vector3d& p) { return p.x() - 1; });
+
+} // namespace
+
+TEST_CASE("collision: a level set has the value of a node at that node", "[A4.1][collision]")
+{
+    Random random(1);
+    const Vector3d origin(-0.5, 2, 1);
+    const LevelSet grid =
+        sampled(origin, 0.25, some_size, [&](const Vector3d&) { return random.uniform(-1, 1); });
+
+    int index = 0;
+    for (int k = 0; k < 5; ++k)
+        for (int j = 0; j < 4; ++j)
+            for (int i = 0; i < 3; ++i, ++index) {
+                CAPTURE(i, j, k);
+                const double distance = sample_level_set(grid, origin + 0.25 * Vector3d(i, j, k));
+                REQUIRE_THAT(distance, IsClose(grid.distances[index], Rounding(8, 1)));
+            }
+}
+
+TEST_CASE("collision: between its nodes a level set is trilinear", "[A4.1][collision]")
+{
+    for (Random random : seeds(50)) {
+        const Trilinear phi(random);
+        const LevelSet grid = sampled(random.vector(), 0.3, some_size, phi);
+        const Vector3d p = point_inside(random, grid);
+
+        // eight terms, each at most the cube of the largest coordinate
+        REQUIRE_THAT(sample_level_set(grid, p), IsClose(phi(p), Rounding(64, 8 * 8)));
+    }
+}
+
+TEST_CASE("collision: inside a solid the distance is negative", "[A4.1][collision]")
+{
+    REQUIRE_THAT(sample_level_set(slab, Vector3d(0.25, 1.5, 2)), IsClose(-0.75, Rounding(8)));
+    REQUIRE_THAT(sample_level_set(slab, Vector3d(1.5, 1.5, 2)), IsClose(0.5, Rounding(8)));
+    REQUIRE_THAT(sample_level_set(slab, Vector3d(1, 1.5, 2)), IsClose(0.0, Rounding(8, 1)));
+}
+
+TEST_CASE("collision: outside the grid the distance to its box is added", "[A4.1][collision]")
+{
+    // off a face, an edge and a corner; the nearest points have φ = 1, 1, -1
+    REQUIRE_THAT(sample_level_set(slab, Vector3d(5, 1, 1)), IsClose(1 + 3.0, Rounding(16)));
+    REQUIRE_THAT(sample_level_set(slab, Vector3d(5, 7, 1)), IsClose(1 + 5.0, Rounding(16)));
+    REQUIRE_THAT(sample_level_set(slab, Vector3d(-2, -3, 10)), IsClose(-1 + 7.0, Rounding(16)));
+    // beside it, where φ = -0.5
+    REQUIRE_THAT(sample_level_set(slab, Vector3d(0.5, -2, 1)), IsClose(-0.5 + 2, Rounding(16)));
+    // on the border nothing is added
+    REQUIRE_THAT(sample_level_set(slab, Vector3d(2, 3, 4)), IsClose(1.0, Rounding(16)));
+}
+
+TEST_CASE("collision: far outside the grid the distance is finite", "[A4.1][collision]")
+{
+    for (double far : {1e6, 1e12, 1e100}) {
+        CAPTURE(far);
+        REQUIRE_THAT(sample_level_set(slab, Vector3d(far, 1, 1)),
+                     IsClose(1 + (far - 2), Rounding(16)));
+        REQUIRE_THAT(sample_level_set(slab, Vector3d(-far, 1, 1)), IsClose(-1 + far, Rounding(16)));
+    }
+}
+
+TEST_CASE("collision: a sphere's level set is off by a quarter of the squared cell size",
+          "[A4.1][collision]")
+{
+    for (Random random : seeds(10)) {
+        const Vector3d p = random.unit_vector();
+        std::vector<double> errors;
+        for (double h : {0.1, 0.05, 0.025}) {
+            const LevelSet grid = cell_of_sphere(p, h, Vector3d::Constant(0.5));
+            errors.push_back(sample_level_set(grid, p));
+            // |x| has the Laplacian 2/|x|: the mean of the corners is off by h²/8 times that
+            REQUIRE_THAT(errors.back(), IsClose(h * h / 4, Order(h * h * h * h)));
+        }
+        check_order(errors, 2);
+    }
+}
+
+TEST_CASE("collision: no point of a sphere's level set is off by more", "[A4.1][collision]")
+{
+    for (Random random : seeds(100)) {
+        const double h = 1.0 / 64;
+        const Vector3d p = random.unit_vector();
+        const Vector3d at = (random.vector() + Vector3d::Ones()) / 2;
+        const double error = std::abs(sample_level_set(cell_of_sphere(p, h, at), p));
+        // the second derivatives of |x| vary by about h within the cell
+        check_at_most(error, h * h / 4 * (1 + 4 * h), "the error of the sampled sphere");
+    }
+}
+
+TEST_CASE("collision: the normal of a plane's level set is the plane's", "[A4.2][collision]")
+{
+    for (Random random : seeds(50)) {
+        const Vector3d n = random.unit_vector();
+        const LevelSet grid = sampled(random.vector(), 0.3, some_size,
+                                      [&](const Vector3d& x) { return x.dot(n) - 0.2; });
+        const Vector3d p = point_inside(random, grid);
+
+        // differences over a cell: the rounding of the distances, magnified by 1/h
+        REQUIRE_THAT(level_set_normal(grid, p), IsClose(n, Rounding(32, 1 / 0.3)));
+    }
+}
+
+TEST_CASE("collision: the normal is the gradient inside the cell", "[A4.2][collision]")
+{
+    for (Random random : seeds(100)) {
+        const Trilinear phi(random);
+        const LevelSet grid = sampled(random.vector(), 0.3, some_size, phi);
+        const Vector3d p = point_inside(random, grid);
+        const Vector3d gradient = phi.gradient(p);
+
+        // the rounding of φ over the cell size, relative to the gradient it is in
+        const double scale = 8 * 8 / 0.3 / gradient.norm();
+        REQUIRE_THAT(level_set_normal(grid, p),
+                     IsClose(gradient.normalized(), Rounding(32, scale)));
+    }
+}
+
+TEST_CASE("collision: the normal of a steep or a flat level set is unit", "[A4.2][collision]")
+{
+    for (double slope : {1e-6, 0.1, 3.0, 1e6}) {
+        CAPTURE(slope);
+        const LevelSet grid = sampled(Vector3d::Zero(), 0.5, some_size, [&](const Vector3d& p) {
+            return slope * (3 * p.x() - 4 * p.z());
+        });
+        const Vector3d n = level_set_normal(grid, Vector3d(0.3, 0.2, 1.1));
+        REQUIRE_THAT(n, IsClose(Vector3d(0.6, 0, -0.8), Rounding(64)));
+    }
+}
+
+TEST_CASE("collision: a point on a face between cells belongs to the higher cell",
+          "[A4.2][collision]")
+{
+    // along each axis in turn, φ is level in the first cell and rises in the second and last one
+    for (int axis = 0; axis < 3; ++axis) {
+        CAPTURE(axis);
+        const int across = (axis + 1) % 3;
+        const LevelSet grid = sampled(Vector3d::Zero(), 1, {3, 3, 3}, [&](const Vector3d& p) {
+            return p[across] / 2 + (p[axis] == 2 ? 0.5 : 0.0);
+        });
+        const auto at = [&](double place) {
+            Vector3d p = Vector3d::Constant(0.5);
+            p[axis] = place;
+            return level_set_normal(grid, p);
+        };
+        const Vector3d level = Vector3d::Unit(across);
+        const Vector3d rising = (Vector3d::Unit(across) + Vector3d::Unit(axis)).normalized();
+
+        REQUIRE_THAT(at(0.5), IsClose(level, Rounding(8)));
+        REQUIRE_THAT(at(1), IsClose(rising, Rounding(8)));
+        REQUIRE_THAT(at(1.5), IsClose(rising, Rounding(8)));
+        REQUIRE_THAT(at(2), IsClose(rising, Rounding(8))); // the last face, the last cell
+    }
+}
+
+TEST_CASE("collision: outside the grid the normal is that of the nearest point",
+          "[A4.2][collision]")
+{
+    for (Random random : seeds(50)) {
+        const Trilinear phi(random);
+        const LevelSet grid = sampled(Vector3d::Zero(), 0.5, some_size, phi);
+        const Vector3d p = 10 * random.vector();
+        const Vector3d nearest = p.cwiseMax(0).cwiseMin(Vector3d(1, 1.5, 2));
+        const Vector3d gradient = phi.gradient(nearest);
+
+        const double scale = 8 * 8 / 0.5 / gradient.norm();
+        REQUIRE_THAT(level_set_normal(grid, p),
+                     IsClose(gradient.normalized(), Rounding(32, scale)));
+    }
+    REQUIRE_THAT(level_set_normal(slab, Vector3d(1e100, -1e100, 0)),
+                 IsClose(Vector3d(1, 0, 0), Rounding(8)));
+}
+
+TEST_CASE("collision: where the gradient is zero the normal points up", "[A4.2][collision]")
+{
+    const LevelSet level =
+        sampled(Vector3d::Zero(), 1, some_size, [](const Vector3d&) { return 0.5; });
+    REQUIRE_THAT(level_set_normal(level, Vector3d(0.5, 1.25, 3.5)), IsExactly(Vector3d(0, 1, 0)));
+    REQUIRE_THAT(level_set_normal(level, Vector3d(9, 1.25, -3)), IsExactly(Vector3d(0, 1, 0)));
+
+    // a saddle, at its middle
+    const LevelSet saddle = sampled(Vector3d::Zero(), 1, {2, 2, 2}, [](const Vector3d& p) {
+        return (p.x() - 0.5) * (p.y() - 0.5) * (p.z() - 0.5);
+    });
+    REQUIRE_THAT(level_set_normal(saddle, Vector3d(0.5, 0.5, 0.5)), IsExactly(Vector3d(0, 1, 0)));
+}
+
+TEST_CASE("collision: the normal of a sampled sphere points outward", "[A4.2][collision]")
+{
+    for (Random random : seeds(10)) {
+        const Vector3d p = random.unit_vector();
+        std::vector<double> errors;
+        for (double h : {0.02, 0.01, 0.005}) {
+            const LevelSet grid = cell_of_sphere(p, h, Vector3d(0.1, 0.3, 0.8));
+            const Vector3d n = level_set_normal(grid, p);
+            errors.push_back((n - p).norm());
+            // a second derivative is at most 1, and p at most 0.4 h from the middle of its axis
+            REQUIRE_THAT(n, IsClose(p, Order(h)));
+        }
+        check_order(errors, 1);
+    }
+}
+
+} // namespace rigor::testing

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: MIT
+// A4.8: sliding friction, and where it jams.
+#include "formulas/collision.hpp"
+#include "sliding_pair.hpp"
+#include "support/close.hpp"
+#include "support/random.hpp"
+#include "support/seeds.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace rigor::testing {
+
+namespace {
+
+// A thin rod, M = L = 1, whose tip slides along x on the floor, its body behind it and leaning at
+// atan 2 = 63.4349°: K = 4 δ - 3 d dᵀ.
+Matrix3d leaning_rod()
+{
+    const Vector3d d = Vector3d(-1, 2, 0) / std::sqrt(5.0);
+    return 4 * Matrix3d::Identity() - 3 * d * d.transpose();
+}
+
+} // namespace
+
+TEST_CASE("collision: an oblique sphere that slides", "[A4.8][collision]")
+{
+    // mass 1, r = 0.1, v = (3, -2), ε = 0.5, μ = 0.1: jₙ = 3, j_T = -0.3
+    const Vector3d j =
+        sliding_friction_impulse(sphere_on_floor(), Vector3d(3, -2, 0), up, 0.5, 0.1);
+    REQUIRE_THAT(j, IsClose(Vector3d(-0.3, 3, 0), Rounding(16)));
+    REQUIRE_THAT(3 + j.x(), IsClose(2.7, Rounding(16)));            // V
+    REQUIRE_THAT(0.1 * j.x() / 0.004, IsClose(-7.5, Rounding(16))); // ω = (r × j)/I about z
+}
+
+TEST_CASE("collision: friction takes speed from a block that slides down an incline",
+          "[A4.8][collision]")
+{
+    // 30°, μ = 0.2, mass 2: in a time step gravity adds g h, the plastic impulse of the incline takes
+    // its normal part, and friction μ of that: g (sin θ - μ cos θ) h is left
+    const double h = 0.01, theta = std::numbers::pi / 6;
+    const Vector3d n(std::sin(theta), std::cos(theta), 0);
+    const Vector3d downhill(std::cos(theta), -std::sin(theta), 0);
+    const Vector3d v(0, -9.81 * h, 0);
+
+    const Vector3d j = sliding_friction_impulse(Matrix3d::Identity() / 2, v, n, 0, 0.2);
+
+    REQUIRE_THAT(Vector3d(v + j / 2),
+                 IsClose(3.20585815777493 * h * downhill, Rounding(32, v.norm())));
+}
+
+TEST_CASE("collision: sliding friction is μ times the normal impulse against the sliding",
+          "[A4.8][collision]")
+{
+    int cases = 0;
+    for (unsigned seed : seeds(200)) {
+        const CollidingPair pair = colliding_pair(seed);
+        const double friction = Random(seed + 1000).uniform(0, 1);
+        if (!slides_easily(pair, friction)) continue;
+        ++cases;
+        check_sliding(pair, friction,
+                      sliding_friction_impulse(pair.K, pair.v, pair.n, pair.restitution, friction));
+    }
+    REQUIRE(cases > 50);
+}
+
+TEST_CASE("collision: sliding without friction is the frictionless impulse", "[A4.8][collision]")
+{
+    for (unsigned seed : seeds(50)) {
+        const auto [body1, body2, x, n, K, v, restitution, size, condition] = colliding_pair(seed);
+        const Vector3d j = -(1 + restitution) * v.dot(n) / n.dot(K * n) * n;
+        REQUIRE_THAT(sliding_friction_impulse(K, v, n, restitution, 0),
+                     IsClose(j, Rounding(16, size * condition)));
+    }
+}
+
+TEST_CASE("collision: what does not slide gets no sliding friction", "[A4.8][collision]")
+{
+    // straight down on a contact that couples pushing with sliding: 1.5 · 2 / nᵀ K n
+    const Vector3d j =
+        sliding_friction_impulse(jamming_contact(), Vector3d(0, -2, 0), up, 0.5, 0.3);
+    REQUIRE_THAT(j, IsClose(Vector3d(0, 0.75, 0), Rounding(8)));
+    // nor does what is at rest
+    REQUIRE_THAT(sliding_friction_impulse(jamming_contact(), Vector3d::Zero(), up, 0.5, 0.3),
+                 IsExactly(Vector3d(0, 0, 0)));
+
+    // straight down along any normal, where rounding leaves a tangential speed of some eps
+    for (unsigned seed : seeds(50)) {
+        const CollidingPair pair = colliding_pair(seed);
+        const Vector3d& n = pair.n;
+        const Vector3d expected = 3 / n.dot(pair.K * n) * n;
+        REQUIRE_THAT(sliding_friction_impulse(pair.K, -2 * n, n, 0.5, 0.3),
+                     IsClose(expected, Rounding(16, expected.norm() * pair.condition)));
+    }
+}
+
+TEST_CASE("collision: between two static bodies there is no sliding impulse", "[A4.8][collision]")
+{
+    const Matrix3d none = Matrix3d::Zero();
+    REQUIRE_THAT(sliding_friction_impulse(none, Vector3d(1, -1, 0), up, 0.5, 0.3),
+                 IsExactly(Vector3d(0, 0, 0)));
+    REQUIRE_THAT(sliding_friction_impulse(none, Vector3d(0, -1, 0), up, 0.5, 0.3),
+                 IsExactly(Vector3d(0, 0, 0)));
+}
+
+TEST_CASE("collision: a jammed contact gets the static impulse shortened to the cone",
+          "[A4.8][collision]")
+{
+    const Vector3d v(2, -2, 0);
+    const auto jammed = [&](double friction) {
+        return sliding_friction_impulse(jamming_contact(), v, up, 0.5, friction);
+    };
+    // just before it jams, nᵀ K (n - μ T) = 1, the formula still holds
+    REQUIRE_THAT(jammed(1.5), IsClose(Vector3d(-4.5, 3, 0), Rounding(16)));
+    // at 2 it jams: |j_T| = 5 is shortened to μ · 2
+    REQUIRE_THAT(jammed(2), IsClose(Vector3d(-3.2, 2, 2.4), Rounding(64)));
+    REQUIRE_THAT(jammed(2.25), IsClose(Vector3d(-3.6, 2, 2.7), Rounding(64)));
+    // from 2.5 on there is nothing to shorten
+    REQUIRE_THAT(jammed(3), IsClose(Vector3d(-4, 2, 3), Rounding(64)));
+    REQUIRE_THAT(jammed(1e6), IsClose(Vector3d(-4, 2, 3), Rounding(64)));
+}
+
+TEST_CASE("collision: a jammed contact is not pulled", "[A4.8][collision]")
+{
+    // the static impulse would be (-9, -3, 9)
+    Matrix3d K;
+    K << 2, 1, 2, //
+        1, 5, 3,  //
+        2, 3, 3;
+    const Vector3d v(3, -2, 0);
+    for (double friction : {5.0, 8.0, 1e6}) {
+        CAPTURE(friction);
+        REQUIRE_THAT(sliding_friction_impulse(K, v, up, 0.5, friction),
+                     IsExactly(Vector3d(0, 0, 0)));
+    }
+}
+
+TEST_CASE("collision: Painleve's rod jams from a friction of 4/3 on", "[A4.8][collision]")
+{
+    const Matrix3d K = leaning_rod();
+    const Vector3d v(1, -1, 0);
+    const double d = 1e-3;
+
+    // before: nᵀ K (n - μ T) = 8/5 - μ 6/5 is small, and the impulse 1.5 over it large
+    const Vector3d sliding = sliding_friction_impulse(K, v, up, 0.5, 4.0 / 3 * (1 - d));
+    REQUIRE_THAT(sliding.y(), IsClose(1.5 / (1.6 * d), Rounding(64, 1 / (d * d))));
+    // after: it sticks, for in the plane the static impulse of a jammed contact is in the cone
+    const Vector3d sticking = sliding_friction_impulse(K, v, up, 0.5, 4.0 / 3 * (1 + d));
+    REQUIRE_THAT(Vector3d(v + K * sticking), IsClose(Vector3d(0, 0.5, 0), Rounding(64)));
+}
+
+TEST_CASE("collision: whatever the friction a sliding impulse is in the cone", "[A4.8][collision]")
+{
+    const auto check = [](const CollidingPair& pair, double friction) {
+        const Vector3d& n = pair.n;
+        const Vector3d j = sliding_friction_impulse(pair.K, pair.v, n, pair.restitution, friction);
+        const double scale = 64 * (1 + friction) * j.norm() + impulse_scale(pair);
+        check_at_most(0, j.dot(n), "0 against jₙ", scale);
+        check_at_most(tangential(j, n).norm(), friction * j.dot(n), "|j_T| against μ jₙ", scale);
+    };
+    CollidingPair rod = {{}, {}, {}, up, leaning_rod(), Vector3d(1, -1, 0), 0.5, 1, 1};
+    check(rod, 4.0 / 3); // nᵀ K (n - μ T) is 0 or what rounding makes of it
+    for (unsigned seed : seeds(50)) {
+        const CollidingPair pair = colliding_pair(seed);
+        for (double friction : {0.0, 0.3, 1.0, 3.0, 30.0, 1e6}) {
+            CAPTURE(friction);
+            check(pair, friction);
+        }
+    }
+}
+
+TEST_CASE("collision: a sliding impulse turns with the scene", "[A4.8][collision]")
+{
+    for (unsigned seed : seeds(50)) {
+        const CollidingPair pair = colliding_pair(seed);
+        const auto& [body1, body2, x, n, K, v, restitution, size, condition] = pair;
+        const double friction = 0.4;
+        if (!slides_easily(pair, friction)) continue;
+        const Vector3d j = sliding_friction_impulse(K, v, n, restitution, friction);
+        for (const Matrix3d& R : {turn(17, n), Random(seed + 1000).rotation()})
+            REQUIRE_THAT(sliding_friction_impulse(R * K * R.transpose(), R * v, R * n, restitution,
+                                                  friction),
+                         IsClose(Vector3d(R * j), Rounding(64, impulse_scale(pair))));
+    }
+}
+
+} // namespace rigor::testing

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: MIT
+// Bodies that touch, by hand and at random: what the tests of topic `contact` start from.
+#pragma once
+
+#include "formulas/contact.hpp"
+#include "graded/collision/sliding_pair.hpp"
+
+namespace rigor::testing {
+
+using Bodies = std::vector<Body>;
+using Contacts = std::vector<BodyContact>;
+
+struct ContactCase {
+    Bodies bodies;
+    Contacts contacts;
+};
+
+/// A body that an impulse pushes but does not turn: what it is in a motion along one line.
+inline Body block(double mass, const Vector3d& V = {0, 0, 0}, const Vector3d& X = {0, 0, 0})
+{
+    Body body;
+    body.inverse_mass = 1 / mass;
+    body.position = X;
+    body.velocity = V;
+    return body;
+}
+
+/// A uniform ball of radius 0.1 that does not spin. With its lowest point as the contact, K is
+/// diag(3.5, 1, 3.5)/M.
+inline Body ball(double mass, const Vector3d& V, const Vector3d& X = {0, 0.1, 0})
+{
+    Body body = block(mass, V, X);
+    body.inverse_inertia = Matrix3d::Identity() / (0.4 * mass * 0.01);
+    return body;
+}
+
+/// A thin rod along x about the origin, M = 1, its ends at x = ±1: I = 1/3 across it. An impulse
+/// upwards at an end moves that end by 4 times itself, the other end by -2 times.
+inline Body rod(const Vector3d& V)
+{
+    Body body = block(1, V);
+    body.inverse_inertia.diagonal() = Vector3d(0, 3, 3);
+    return body;
+}
+
+inline BodyContact touch(int body1, int body2, double depth, const Vector3d& point = {0, 0, 0},
+                         double friction = 0)
+{
+    BodyContact contact;
+    contact.body1 = body1;
+    contact.body2 = body2;
+    contact.depth = depth;
+    contact.point = point;
+    contact.friction = friction;
+    return contact;
+}
+
+/// Body 0 is the ground; bodies 1, 2, … of these masses, one upon the other, fall at 1 m/s.
+inline ContactCase stack(const std::vector<double>& masses)
+{
+    ContactCase stack{{Body()}, {}};
+    for (double mass : masses) {
+        const int above = static_cast<int>(stack.bodies.size());
+        stack.contacts.push_back(touch(above, above - 1, 0.01, above * up));
+        stack.bodies.push_back(block(mass, -up, (above + 0.5) * up));
+    }
+    return stack;
+}
+
+/// A seesaw that falls at 1 m/s: a plank, M = 2 and I = 1 about z, on a ridge below its middle, with
+/// a block of 6 kg on its left end and one of 2 kg on its right end, both 1 m from the middle.
+///
+/// No block leaves the plank, so all three turn as one about the ridge:
+/// ω = (m₁ - m₂) a / (I + (m₁ + m₂) a²) = 4/9.
+inline ContactCase seesaw()
+{
+    Body plank = block(2, -up);
+    plank.inverse_inertia.diagonal() = Vector3d(0, 0, 1);
+    return {{Body(), plank, block(6, -up, {-1, 0.5, 0}), block(2, -up, {1, 0.5, 0})},
+            {touch(1, 0, 0.03), touch(2, 1, 0.02, {-1, 0, 0}), touch(3, 1, 0.01, {1, 0, 0})}};
+}
+
+/// The seesaw as it moves on.
+inline Bodies tilting_seesaw()
+{
+    Bodies bodies = seesaw().bodies;
+    bodies[1].velocity.setZero();
+    bodies[1].angular_velocity = bodies[1].angular_momentum = Vector3d(0, 0, 4.0 / 9);
+    bodies[2].velocity = -4.0 / 9 * up;
+    bodies[3].velocity = 4.0 / 9 * up;
+    return bodies;
+}
+
+inline Vector3d velocity_of(const Bodies& bodies, const BodyContact& c)
+{
+    return velocity_at(bodies[c.body1], c.point) - velocity_at(bodies[c.body2], c.point);
+}
+
+inline Matrix3d impulse_matrix_of(const Bodies& bodies, const BodyContact& c)
+{
+    return response_at(bodies[c.body1], c.point) + response_at(bodies[c.body2], c.point);
+}
+
+/// The larger eigenvalue of K across n.
+inline double tangential_eigenvalue(const Matrix3d& K, const Vector3d& n)
+{
+    const Matrix3d P = Matrix3d::Identity() - n * n.transpose();
+    return Eigen::SelfAdjointEigenSolver<Matrix3d>(P * K * P).eigenvalues().maxCoeff();
+}
+
+/// Three to six bodies and twice as many contacts, anywhere, with distinct depths. Friction is so
+/// small, μ² λ ≤ nᵀ K n, that no contact can jam or raise the energy by friction (the handout proves
+/// it: "What friction may do").
+inline ContactCase random_case(unsigned seed, bool with_statics)
+{
+    Random random(seed);
+    ContactCase result;
+    const int count = 3 + static_cast<int>(seed % 4);
+    for (int i = 0; i < count; ++i)
+        result.bodies.push_back(with_statics && i < 2 ? Body() : random.body());
+    for (int i = 0; i < 2 * count; ++i) {
+        BodyContact c;
+        c.body1 = static_cast<int>(random.uniform(0, count));
+        c.body2 = (c.body1 + 1 + static_cast<int>(random.uniform(0, count - 1))) % count;
+        c.point = random.vector();
+        c.normal = random.unit_vector();
+        c.depth = random.uniform(0, 1);
+        const Matrix3d K = impulse_matrix_of(result.bodies, c);
+        const double share = random.uniform(0, 1);
+        if (!K.isZero(0))
+            c.friction =
+                share * std::sqrt(c.normal.dot(K * c.normal) / tangential_eigenvalue(K, c.normal));
+        result.contacts.push_back(c);
+    }
+    return result;
+}
+
+/// Balls of different sizes that touch each other in a heap, some of them, and a static one. Here K
+/// does not mix push and slide, so where a contact starts to slide its impulse does not jump.
+inline ContactCase heap_of_balls(unsigned seed)
+{
+    Random random(seed);
+    ContactCase heap;
+    std::vector<double> radii;
+    for (int i = 0; i < 6; ++i) {
+        radii.push_back(random.uniform(0.5, 1));
+        heap.bodies.push_back(random.body());
+        heap.bodies[i].inverse_inertia =
+            2.5 * heap.bodies[i].inverse_mass / (radii[i] * radii[i]) * Matrix3d::Identity();
+        heap.bodies[i].angular_momentum = heap.bodies[i].angular_velocity *
+                                          (0.4 * radii[i] * radii[i] / heap.bodies[i].inverse_mass);
+    }
+    heap.bodies[0] = Body();
+    for (int i = 0; i < 6; ++i)
+        for (int j = 0; j < i; ++j) {
+            const Vector3d d = heap.bodies[i].position - heap.bodies[j].position;
+            if (d.norm() > radii[i] + radii[j]) continue;
+            BodyContact c = touch(i, j, radii[i] + radii[j] - d.norm());
+            c.normal = d.normalized();
+            c.point = heap.bodies[j].position + d * radii[j] / (radii[i] + radii[j]);
+            c.friction = random.uniform(0, 1);
+            heap.contacts.push_back(c);
+        }
+    return heap;
+}
+
+/// All of it turned by R about the origin.
+inline ContactCase turned(ContactCase problem, const Matrix3d& R)
+{
+    for (Body& body : problem.bodies) {
+        body.inverse_inertia = (R * body.inverse_inertia * R.transpose()).eval();
+        for (Vector3d* a :
+             {&body.position, &body.velocity, &body.angular_velocity, &body.angular_momentum})
+            *a = (R * *a).eval();
+    }
+    for (BodyContact& c : problem.contacts)
+        for (Vector3d* a : {&c.point, &c.normal, &c.impulse})
+            *a = (R * *a).eval();
+    return problem;
+}
+
+} // namespace rigor::testing

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: MIT
+// A5.4: shock propagation.
+#include "contact_laws.hpp"
+#include "support/seeds.hpp"
+
+#include <algorithm>
+
+namespace rigor::testing {
+
+namespace {
+
+using Levels = std::vector<int>;
+
+constexpr int n = 5;
+
+ContactResult propagated(const ContactCase& problem, const Levels& levels, int iterations = n)
+{
+    return shock_propagation(problem.bodies, problem.contacts, levels, iterations);
+}
+
+// Static bodies at 0, the others anywhere above: not in every level is one.
+Levels random_levels(const ContactCase& problem, unsigned seed)
+{
+    Random random(seed + 1000);
+    Levels levels;
+    for (const Body& body : problem.bodies)
+        levels.push_back(body.is_static() ? 0 : static_cast<int>(random.uniform(1, 5)));
+    return levels;
+}
+
+int visits(const ContactCase& problem)
+{
+    return n * static_cast<int>(problem.contacts.size());
+}
+
+} // namespace
+
+TEST_CASE("contact: a stack is stopped whole in one pass", "[A5.4][contact]")
+{
+    for (int iterations : {1, 2, 10}) {
+        const ContactCase problem = stack({3, 1, 4, 1, 5});
+        const ContactResult result = propagated(problem, {0, 1, 2, 3, 4, 5}, iterations);
+        // whatever is below is held, so each contact stops its upper body alone
+        for (int i = 0; i < 5; ++i) {
+            CAPTURE(iterations, i);
+            const double mass = 1 / problem.bodies[i + 1].inverse_mass;
+            REQUIRE_THAT(result.impulses[i], IsClose(Vector3d(mass * up), Rounding(64, 5)));
+            REQUIRE_THAT(result.bodies[i + 1].velocity,
+                         IsClose(Vector3d(0, 0, 0), Rounding(64, 1)));
+        }
+        check_untouched(problem, result);
+    }
+}
+
+TEST_CASE("contact: a stack far heavier above than below", "[A5.4][contact]")
+{
+    const ContactCase problem = stack({1e-3, 1, 1e3});
+    const ContactResult result = propagated(problem, {0, 1, 2, 3});
+    for (int i = 1; i <= 3; ++i)
+        REQUIRE_THAT(result.bodies[i].velocity, IsClose(Vector3d(0, 0, 0), Rounding(64, 1)));
+}
+
+TEST_CASE("contact: the blocks on a seesaw follow the plank that their weight has tilted",
+          "[A5.4][contact]")
+{
+    // the plank moves as the whole weight above lets it; the blocks do not know yet
+    ContactCase problem = seesaw();
+    const Bodies expected = tilting_seesaw();
+    problem.bodies[1] = expected[1];
+    const ContactResult result = propagated(problem, {0, 1, 2, 2});
+
+    REQUIRE_THAT(result.bodies[1], IsExactly(expected[1])); // held, and its own contact is at rest
+    REQUIRE_THAT(result.bodies, IsClose(expected, Rounding(64, 1)));
+    // each block is stopped against the plank: 6 (1 - 4/9) and 2 (1 + 4/9)
+    REQUIRE_THAT(
+        result.impulses,
+        IsClose(std::vector<Vector3d>{0 * up, 10.0 / 3 * up, 26.0 / 9 * up}, Rounding(64, 4)));
+}
+
+TEST_CASE("contact: a seesaw that moves as its weight lets it is left as it is", "[A5.4][contact]")
+{
+    ContactCase problem = seesaw();
+    problem.bodies = tilting_seesaw();
+    const ContactResult result = propagated(problem, {0, 1, 2, 2});
+    REQUIRE_THAT(result.bodies, IsClose(problem.bodies, Rounding(64, 1)));
+}
+
+TEST_CASE("contact: a body that is held keeps moving and drags what rests on it", "[A5.4][contact]")
+{
+    // a cart on ice with a block on it that falls, held by friction; both ways to name the contact
+    ContactCase problem{{Body(), block(2, {0.5, 0, 0}), block(1, {0, -1, 0}, up)},
+                        {touch(1, 0, 0.01), touch(2, 1, 0.01, 0.5 * up, 1)}};
+    ContactResult result = propagated(problem, {0, 1, 2});
+    REQUIRE_THAT(result.bodies[1], IsExactly(problem.bodies[1]));
+    REQUIRE_THAT(result.bodies[2].velocity, IsClose(Vector3d(0.5, 0, 0), Rounding(64, 1)));
+    REQUIRE_THAT(result.impulses[1], IsClose(Vector3d(0.5, 1, 0), Rounding(64, 1)));
+
+    std::swap(problem.contacts[1].body1, problem.contacts[1].body2);
+    problem.contacts[1].normal = -up;
+    result = propagated(problem, {0, 1, 2});
+    REQUIRE_THAT(result.bodies[1], IsExactly(problem.bodies[1]));
+    REQUIRE_THAT(result.bodies[2].velocity, IsClose(Vector3d(0.5, 0, 0), Rounding(64, 1)));
+    REQUIRE_THAT(result.impulses[1], IsClose(Vector3d(-0.5, -1, 0), Rounding(64, 1)));
+}
+
+TEST_CASE("contact: bodies of one level move each other", "[A5.4][contact]")
+{
+    // 3 kg at 1 m/s run into 1 kg at rest: both at 3/4 m/s
+    ContactCase problem{{block(1), block(3, -up)}, {touch(1, 0, 0.01)}};
+    for (int level : {1, 4}) {
+        const ContactResult result = propagated(problem, {level, level});
+        REQUIRE_THAT(result.impulses[0], IsClose(Vector3d(0, 0.75, 0), Rounding(64, 1)));
+        for (int i : {0, 1})
+            REQUIRE_THAT(result.bodies[i].velocity, IsClose(Vector3d(0, -0.75, 0), Rounding(64)));
+    }
+    for (unsigned seed : seeds(50)) {
+        problem = random_case(seed, false);
+        const ContactResult result = propagated(problem, Levels(problem.bodies.size(), 2));
+        check_momenta(problem, result, visits(problem));
+        check_bookkeeping(problem, result, visits(problem));
+    }
+}
+
+TEST_CASE("contact: within a level the deepest contact comes first and gently", "[A5.4][contact]")
+{
+    // the rod of A5.2, two iterations; and the same upon a body that is held
+    for (int below : {0, 1}) {
+        CAPTURE(below);
+        const ContactCase problem{
+            {Body(), block(1), rod(-up)},
+            {touch(2, below, 0.01, {-1, 0, 0}), touch(2, below, 0.02, {1, 0, 0})}};
+        const ContactResult result = propagated(problem, {0, 1, 2}, 2);
+        REQUIRE_THAT(result.impulses, IsClose(std::vector<Vector3d>{0.4140625 * up, 0.328125 * up},
+                                              Rounding(32, 1)));
+    }
+}
+
+TEST_CASE("contact: what is above does not matter to what is below", "[A5.4][contact]")
+{
+    for (unsigned seed : seeds(50)) {
+        const ContactCase problem = random_case(seed, true);
+        const Levels levels = random_levels(problem, seed);
+        const Bodies whole = propagated(problem, levels).bodies;
+        for (int top = 0; top <= 5; ++top) {
+            ContactCase lower = problem;
+            const auto is_above = [&](const BodyContact& c) {
+                return std::max(levels[c.body1], levels[c.body2]) > top;
+            };
+            lower.contacts.erase(
+                std::remove_if(lower.contacts.begin(), lower.contacts.end(), is_above),
+                lower.contacts.end());
+            const ContactResult result = propagated(lower, levels);
+            for (std::size_t i = 0; i < levels.size(); ++i) {
+                CAPTURE(i, top);
+                if (levels[i] <= top)
+                    REQUIRE_THAT(whole[i], IsClose(result.bodies[i], Rounding(64)));
+            }
+        }
+    }
+}
+
+TEST_CASE("contact: each body receives the impulses of its own level only", "[A5.4][contact]")
+{
+    for (unsigned seed : seeds(100)) {
+        const ContactCase problem = random_case(seed, true);
+        const Levels levels = random_levels(problem, seed);
+        const ContactResult result = propagated(problem, levels);
+        const auto receives = [&](int body, const BodyContact& c) {
+            return levels[body] == std::max(levels[c.body1], levels[c.body2]);
+        };
+        check_bookkeeping(problem, result, visits(problem), receives);
+    }
+}
+
+TEST_CASE("contact: shock propagation pushes and stays in the friction cone", "[A5.4][contact]")
+{
+    for (unsigned seed : seeds(100)) {
+        const ContactCase problem = random_case(seed, true);
+        check_cones(problem, propagated(problem, random_levels(problem, seed)), visits(problem));
+    }
+}
+
+TEST_CASE("contact: contacts of the ground level are left alone", "[A5.4][contact]")
+{
+    const ContactCase problem{{Body(), block(1, -up)}, {touch(1, 0, 0.01)}};
+    const ContactResult result = propagated(problem, {0, 0});
+    REQUIRE_THAT(result.bodies, IsExactly(problem.bodies));
+    REQUIRE_THAT(result.impulses, IsExactly(std::vector<Vector3d>{{0, 0, 0}}));
+}
+
+TEST_CASE("contact: shock propagation without iterations or contacts changes nothing",
+          "[A5.4][contact]")
+{
+    const ContactCase problem = stack({1, 2, 3});
+    for (int iterations : {0, -1}) {
+        const ContactResult result = propagated(problem, {0, 1, 2, 3}, iterations);
+        REQUIRE_THAT(result.bodies, IsExactly(problem.bodies));
+        REQUIRE_THAT(result.impulses, IsExactly(std::vector<Vector3d>(3, {0, 0, 0})));
+    }
+    const ContactResult untouched = propagated({problem.bodies, {}}, {0, 1, 2, 3});
+    REQUIRE_THAT(untouched.bodies, IsExactly(problem.bodies));
+    REQUIRE(untouched.impulses.empty());
+    REQUIRE(propagated({}, {}).bodies.empty());
+}
+
+} // namespace rigor::testing

@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: MIT
+// A7.5: the mesh comes apart along its own faces.
+#include "fracture_laws.hpp"
+#include "support/seeds.hpp"
+
+namespace rigor::testing {
+
+namespace {
+
+using Faces = std::vector<MeshFace>;
+
+// Splits, and checks what holds for every split along faces: no tetrahedron has changed.
+SplitMesh split(const TetrahedralMesh& mesh, const Faces& faces)
+{
+    const SplitMesh result = split_along_faces(mesh, faces);
+    REQUIRE(result.mesh.tetrahedra.size() == mesh.tetrahedra.size());
+    check_indices(result.mesh);
+    REQUIRE_THAT(corners(result.mesh), IsExactly(corners(mesh)));
+    REQUIRE(result.origins.size() == result.mesh.vertices.size());
+    REQUIRE(result.parents.size() == mesh.tetrahedra.size());
+    for (int t = 0; t < tetrahedron_count(mesh); ++t) {
+        REQUIRE(result.parents[t] == t);
+        for (int c = 0; c < 4; ++c) {
+            const VertexOrigin& origin = result.origins[result.mesh.tetrahedra[t][c]];
+            REQUIRE(origin.first == mesh.tetrahedra[t][c]);
+            REQUIRE(origin.second == origin.first);
+            REQUIRE_THAT(origin.fraction, IsExactly(0.0));
+        }
+    }
+    return result;
+}
+
+void check_unchanged(const TetrahedralMesh& mesh, const Faces& faces)
+{
+    const SplitMesh result = split(mesh, faces);
+    REQUIRE_THAT(canonical(result.mesh.tetrahedra), IsExactly(canonical(mesh.tetrahedra)));
+}
+
+// Each face with the chance given, from a side at random.
+Faces random_faces(const TetrahedralMesh& mesh, Random& random, double chance)
+{
+    Faces result;
+    for (int t = 0; t < tetrahedron_count(mesh); ++t)
+        for (int f = 0; f < 4; ++f)
+            if (random.uniform(0, 1) < chance) result.push_back({t, f});
+    return result;
+}
+
+// By the definition: corners that faces hold together are one vertex, and others are not.
+void check_definition(const TetrahedralMesh& mesh, const Faces& faces, const SplitMesh& result)
+{
+    std::set<std::array<int, 3>> cut;
+    for (const MeshFace& face : faces)
+        cut.insert(face_vertices(mesh.tetrahedra[face.tetrahedron], face.face));
+    const auto holds = [&](const std::array<int, 3>& face) { return !cut.contains(face); };
+    const std::vector<int> label =
+        groups(4 * mesh.tetrahedra.size(), links_through_faces(mesh, holds));
+
+    std::vector<Tetrahedron> expected = mesh.tetrahedra;
+    for (int t = 0; t < tetrahedron_count(mesh); ++t)
+        for (int c = 0; c < 4; ++c)
+            expected[t][c] = label[4 * t + c];
+    REQUIRE_THAT(canonical(result.mesh.tetrahedra), IsExactly(canonical(expected)));
+}
+
+} // namespace
+
+TEST_CASE("fracture: without faces a mesh stays as it is", "[A7.5][fracture]")
+{
+    check_unchanged(unit_tetrahedron(), {});
+    check_unchanged(two_tetrahedra(), {});
+    check_unchanged(block(2, 2, 1), {});
+    check_unchanged({}, {});
+}
+
+TEST_CASE("fracture: a face of the surface changes nothing", "[A7.5][fracture]")
+{
+    check_unchanged(unit_tetrahedron(), {{0, 0}, {0, 1}, {0, 2}, {0, 3}});
+    check_unchanged(two_tetrahedra(), {{0, 1}, {0, 2}, {0, 3}, {1, 1}, {1, 2}, {1, 3}});
+    const TetrahedralMesh cube = block(2, 2, 2);
+    check_unchanged(cube, faces_where(cube, [](const Vector3d& x) { return x.x() == 0; }));
+}
+
+TEST_CASE("fracture: two tetrahedra part at the face between them", "[A7.5][fracture]")
+{
+    // from one side, from the other, from both, and twice
+    for (const Faces& faces :
+         {Faces{{0, 0}}, Faces{{1, 0}}, Faces{{0, 0}, {1, 0}}, Faces{{1, 0}, {1, 0}, {0, 2}}}) {
+        const SplitMesh result = split(two_tetrahedra(), faces);
+        REQUIRE(vertex_count(result.mesh) == 8);
+        REQUIRE(piece_count(result.mesh) == 2);
+    }
+}
+
+TEST_CASE("fracture: a bar is cut across", "[A7.5][fracture]")
+{
+    const TetrahedralMesh bar = block(3, 1, 1);
+    const Faces faces = faces_where(bar, [](const Vector3d& x) { return x.x() == 1; });
+    const SplitMesh result = split(bar, faces);
+    REQUIRE(vertex_count(result.mesh) == vertex_count(bar) + 4);
+    REQUIRE(piece_count(result.mesh) == 2);
+    REQUIRE_THAT(piece_volumes(result.mesh), IsClose(std::vector{1.0, 2.0}, Rounding(16, 2)));
+    check_split(bar, result);
+}
+
+TEST_CASE("fracture: one face inside a solid stays closed", "[A7.5][fracture]")
+{
+    const TetrahedralMesh cube = block(3, 3, 3);
+    const Faces inside = faces_where(cube, [](const Vector3d& x) {
+        return x.minCoeff() >= 1 && x.maxCoeff() <= 2; // of the cell in the middle
+    });
+    REQUIRE(inside.size() == 24 + 12);
+    for (const MeshFace& face : inside)
+        check_unchanged(cube, {face});
+}
+
+TEST_CASE("fracture: the rim of a crack stays closed", "[A7.5][fracture]")
+{
+    // a disc of all faces at one vertex inside: only that one doubles
+    const TetrahedralMesh block_of_32 = block(2, 4, 4);
+    const int middle = block_vertex(2, 4, 1, 2, 2);
+    Faces disc;
+    for (const MeshFace& face :
+         faces_where(block_of_32, [](const Vector3d& x) { return x.x() == 1; })) {
+        const auto vertices = face_vertices(block_of_32.tetrahedra[face.tetrahedron], face.face);
+        if (std::count(vertices.begin(), vertices.end(), middle) == 1) disc.push_back(face);
+    }
+    const SplitMesh opened = split(block_of_32, disc);
+    REQUIRE(vertex_count(opened.mesh) == vertex_count(block_of_32) + 1);
+    REQUIRE(piece_count(opened.mesh) == 1);
+    check_split(block_of_32, opened);
+
+    const TetrahedralMesh cube = block(2, 2, 2);
+    // from the side y = 0 half way: the three vertices of that side double
+    const SplitMesh half =
+        split(cube, faces_where(cube, [](const Vector3d& x) { return x.x() == 1 && x.y() <= 1; }));
+    REQUIRE(vertex_count(half.mesh) == 30);
+    REQUIRE(piece_count(half.mesh) == 1);
+    std::set<int> doubled, seen;
+    for (const VertexOrigin& origin : half.origins)
+        if (!seen.insert(origin.first).second) doubled.insert(origin.first);
+    REQUIRE(doubled == std::set<int>{block_vertex(2, 2, 1, 0, 0), block_vertex(2, 2, 1, 0, 1),
+                                     block_vertex(2, 2, 1, 0, 2)});
+    check_split(cube, half);
+}
+
+TEST_CASE("fracture: cracks that cross make a vertex fourfold", "[A7.5][fracture]")
+{
+    const TetrahedralMesh plate = block(2, 2, 1);
+    Faces faces = faces_where(plate, [](const Vector3d& x) { return x.x() == 1; });
+    const Faces other = faces_where(plate, [](const Vector3d& x) { return x.y() == 1; });
+    faces.insert(faces.end(), other.begin(), other.end());
+    const SplitMesh result = split(plate, faces);
+    REQUIRE(vertex_count(result.mesh) == 4 * 8);
+    REQUIRE(piece_count(result.mesh) == 4);
+    REQUIRE_THAT(piece_volumes(result.mesh),
+                 IsClose(std::vector{1.0, 1.0, 1.0, 1.0}, Rounding(16, 1)));
+}
+
+TEST_CASE("fracture: a crack that turns a corner frees a quarter", "[A7.5][fracture]")
+{
+    const TetrahedralMesh plate = block(2, 2, 1);
+    const SplitMesh result =
+        split(plate, faces_where(plate, [](const Vector3d& x) {
+                  return (x.x() == 1 && x.y() <= 1) || (x.y() == 1 && x.x() <= 1);
+              }));
+    REQUIRE(piece_count(result.mesh) == 2);
+    REQUIRE(vertex_count(result.mesh) == 18 + 6);
+    REQUIRE_THAT(piece_volumes(result.mesh), IsClose(std::vector{1.0, 3.0}, Rounding(16, 3)));
+}
+
+TEST_CASE("fracture: an edge does not hold tetrahedra together", "[A7.5][fracture]")
+{
+    // the eight around the middle: all faces on x = 0 and on y = 0 leave four pairs
+    const TetrahedralMesh mesh = octahedron();
+    Faces faces = faces_where(mesh, [](const Vector3d& x) { return x.x() == 0; });
+    const Faces other = faces_where(mesh, [](const Vector3d& x) { return x.y() == 0; });
+    faces.insert(faces.end(), other.begin(), other.end());
+    const SplitMesh result = split(mesh, faces);
+    REQUIRE(piece_count(result.mesh) == 4);
+    REQUIRE(vertex_count(result.mesh) == 4 * 5);
+}
+
+TEST_CASE("fracture: with every face cut each tetrahedron is alone", "[A7.5][fracture]")
+{
+    const TetrahedralMesh cube = block(2, 1, 1);
+    const SplitMesh result = split(cube, faces_where(cube, [](const Vector3d&) { return true; }));
+    REQUIRE(vertex_count(result.mesh) == 4 * 12);
+    REQUIRE(piece_count(result.mesh) == 12);
+}
+
+TEST_CASE("fracture: what faces hold together is one vertex and nothing else is",
+          "[A7.5][fracture][property]")
+{
+    for (Random random : seeds(40)) {
+        const TetrahedralMesh mesh = jiggled(block(2, 2, 2), random);
+        const Faces faces = random_faces(mesh, random, random.uniform(0, 0.5));
+        const SplitMesh result = split(mesh, faces);
+        check_definition(mesh, faces, result);
+        check_split(mesh, result);
+    }
+}
+
+TEST_CASE("fracture: cutting again changes nothing", "[A7.5][fracture][property]")
+{
+    for (Random random : seeds(20)) {
+        const TetrahedralMesh mesh = jiggled(block(2, 2, 2), random);
+        const Faces faces = random_faces(mesh, random, 0.3);
+        check_unchanged(split(mesh, faces).mesh, faces);
+    }
+}
+
+TEST_CASE("fracture: a face that stayed closed is no crack the next time", "[A7.5][fracture]")
+{
+    // the two faces across a bar are named one after the other, and then both at once
+    const TetrahedralMesh bar = block(2, 1, 1);
+    const Faces across = faces_where(bar, [](const Vector3d& x) { return x.x() == 1; });
+    REQUIRE(across.size() == 4); // two from either side
+    Faces first, second;
+    for (const MeshFace& face : across)
+        (face_vertices(bar.tetrahedra[face.tetrahedron], face.face) ==
+                 face_vertices(bar.tetrahedra[across[0].tetrahedron], across[0].face)
+             ? first
+             : second)
+            .push_back(face);
+    // one vertex of each is of that face alone; the diagonal holds until both are open
+    const SplitMesh once = split(bar, first);
+    REQUIRE(vertex_count(once.mesh) == vertex_count(bar) + 1);
+    const SplitMesh twice = split(once.mesh, second);
+    REQUIRE(vertex_count(twice.mesh) == vertex_count(bar) + 4);
+    REQUIRE(piece_count(twice.mesh) == 2);
+}
+
+TEST_CASE("fracture: the way a mesh is numbered does not matter to its faces",
+          "[A7.5][fracture][property]")
+{
+    for (Random random : seeds(20)) {
+        const TetrahedralMesh mesh = jiggled(block(2, 2, 2), random);
+        const Faces faces = random_faces(mesh, random, 0.3);
+        const Renumbered other = renumbered(mesh, random);
+        Faces same;
+        for (const MeshFace& face : faces)
+            same.push_back({other.tetrahedron[face.tetrahedron], face.face});
+        std::reverse(same.begin(), same.end());
+
+        const SplitMesh result = split(mesh, faces), renamed = split(other.mesh, same);
+        std::vector<Tetrahedron> back(mesh.tetrahedra.size());
+        for (std::size_t t = 0; t < back.size(); ++t)
+            back[t] = renamed.mesh.tetrahedra[other.tetrahedron[t]];
+        REQUIRE_THAT(canonical(back), IsExactly(canonical(result.mesh.tetrahedra)));
+    }
+}
+
+TEST_CASE("fracture: a large mesh is cut through", "[A7.5][fracture]")
+{
+    const TetrahedralMesh cube = block(16, 16, 16); // 24576 tetrahedra
+    const SplitMesh result =
+        split_along_faces(cube, faces_where(cube, [](const Vector3d& x) { return x.z() == 8; }));
+    REQUIRE(vertex_count(result.mesh) == 18 * 17 * 17);
+    REQUIRE(result.mesh.tetrahedra.size() == cube.tetrahedra.size());
+    REQUIRE(piece_count(result.mesh) == 2);
+}
+
+} // namespace rigor::testing

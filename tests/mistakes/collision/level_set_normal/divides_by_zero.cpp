@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+// A zero gradient has no direction: 0/0 is not a number.
+#include "mistakes/collision/level_set.hpp"
+
+namespace rigor {
+
+Vector3d level_set_normal(const LevelSet& grid, const Vector3d& p)
+{
+    const Vector3d gradient = gradient_in(grid, cell_of(grid, p));
+    return gradient / gradient.norm();
+}
+
+} // namespace rigor

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// A5.2, right by default: a mistake replaces the one step that it gets wrong.
+#pragma once
+
+#include "mistakes/contact/one_contact.hpp"
+
+#include <functional>
+
+namespace rigor {
+
+struct ContactsOneAtATime {
+    std::function<std::vector<int>(const Contacts& contacts)> order = by_depth;
+    /// The impulse that a contact has before the first iteration.
+    std::function<Vector3d(const BodyContact& c)> start = [](const BodyContact&) -> Vector3d {
+        return Vector3d::Zero();
+    };
+    /// Of iteration k of n.
+    std::function<double(int k, int n)> restitution = contact_restitution;
+    /// The velocity that an impulse has to stop, u [m/s].
+    std::function<Vector3d(const Vector3d& v, const BodyContact& c)> velocity_to_stop =
+        [](const Vector3d& v, const BodyContact& c) -> Vector3d {
+        return v - c.separation_speed * c.normal;
+    };
+    std::function<Vector3d(const Matrix3d& K, const Vector3d& u, const BodyContact& c,
+                           double epsilon)>
+        impulse = [](const Matrix3d& K, const Vector3d& u, const BodyContact& c, double epsilon) {
+            return collision_impulse(K, u, c.normal, epsilon, c.friction);
+        };
+    std::function<void(Bodies& bodies, const BodyContact& c, const Vector3d& j)> push = apply;
+    /// The impulse to be reported, after another j.
+    std::function<Vector3d(const Vector3d& sum, const Vector3d& j)> report =
+        [](const Vector3d& sum, const Vector3d& j) -> Vector3d { return sum + j; };
+    bool sees_those_before = true; // in the same iteration
+    bool stops_after_one = false;  // contact that approaches, in each iteration
+
+    ContactResult operator()(const Bodies& bodies, const Contacts& contacts, int n) const
+    {
+        ContactResult result{bodies, {}};
+        for (const BodyContact& c : contacts)
+            result.impulses.push_back(start(c));
+        const std::vector<int> indices = order(contacts);
+        for (int k = 0; k < n; ++k) {
+            const double epsilon = restitution(k, n);
+            const Bodies before = result.bodies;
+            for (int i : indices) {
+                const BodyContact& c = contacts[i];
+                const Vector3d v = velocity_of(sees_those_before ? result.bodies : before, c);
+                const Vector3d u = velocity_to_stop(v, c);
+                if (u.dot(c.normal) >= 0) continue;
+                const Vector3d j = impulse(impulse_matrix_of(result.bodies, c), u, c, epsilon);
+                push(result.bodies, c, j);
+                result.impulses[i] = report(result.impulses[i], j);
+                if (stops_after_one) break;
+            }
+        }
+        return result;
+    }
+};
+
+} // namespace rigor

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// The naive way: restitution 0 in every iteration, so the first contact gets the whole load.
+#include "mistakes/contact/resolve_contacts.hpp"
+
+namespace rigor {
+
+ContactResult resolve_contacts(const Bodies& bodies, const Contacts& contacts, int n)
+{
+    ContactsOneAtATime wrong;
+    wrong.restitution = [](int, int) { return 0; };
+    return wrong(bodies, contacts, n);
+}
+
+} // namespace rigor

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// The deepest contact comes first, not the shallowest.
+#include "mistakes/contact/resolve_contacts.hpp"
+
+namespace rigor {
+
+ContactResult resolve_contacts(const Bodies& bodies, const Contacts& contacts, int n)
+{
+    ContactsOneAtATime wrong;
+    wrong.order = [](const Contacts& listed) {
+        std::vector<int> order(listed.size());
+        std::iota(order.begin(), order.end(), 0);
+        std::stable_sort(order.begin(), order.end(),
+                         [&](int a, int b) { return listed[a].depth < listed[b].depth; });
+        return order;
+    };
+    return wrong(bodies, contacts, n);
+}
+
+} // namespace rigor

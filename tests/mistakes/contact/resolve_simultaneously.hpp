@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+// A5.5, right by default: a mistake replaces the one step that it gets wrong.
+#pragma once
+
+#include "mistakes/contact/one_contact.hpp"
+
+#include <functional>
+
+namespace rigor {
+
+/// A contact when a sweep comes to it.
+struct VisitedContact {
+    const BodyContact& contact;
+    Matrix3d K;
+    Vector3d v, j; // velocity [m/s], impulse so far [N s]
+
+    Vector3d n() const { return contact.normal; }
+    double push_stiffness() const { return n().dot(K * n()); }
+};
+
+struct ContactsAtOnce {
+    std::function<std::vector<int>(const Contacts& contacts)> order = [](const Contacts& contacts) {
+        std::vector<int> order(contacts.size());
+        std::iota(order.begin(), order.end(), 0);
+        return order;
+    };
+    /// The impulse that a contact starts from, applied to its bodies.
+    std::function<Vector3d(Bodies& bodies, const BodyContact& c)> start = [](Bodies& bodies,
+                                                                             const BodyContact& c) {
+        apply(bodies, c, c.impulse);
+        return c.impulse;
+    };
+    bool starts_between_statics = false, resolves_statics = false;
+    bool sees_those_before = true; // in the same sweep
+    /// The normal part of the new impulse, never pulling.
+    std::function<double(const VisitedContact& c)> push = [](const VisitedContact& c) {
+        const double missing = c.v.dot(c.n()) - c.contact.separation_speed;
+        return std::max(0.0, c.j.dot(c.n()) - missing / c.push_stiffness());
+    };
+    std::function<double(const VisitedContact& c)> lambda = [](const VisitedContact& c) {
+        return larger_eigenvalue(c.K, c.n());
+    };
+    /// The change of the tangential impulse, before it is shortened.
+    std::function<Vector3d(const Vector3d& v_T, double lambda)> friction =
+        [](const Vector3d& v_T, double lambda) -> Vector3d { return -v_T / lambda; };
+    std::function<Vector3d(const Vector3d& j_T, double j_n, const VisitedContact& c)> shorten =
+        [](const Vector3d& j_T, double j_n, const VisitedContact& c) -> Vector3d {
+        const double most = c.contact.friction * j_n;
+        return j_T.norm() > most ? Vector3d(j_T * (most / j_T.norm())) : j_T;
+    };
+    /// Where there is one: the new impulse, instead of all the steps above.
+    std::function<Vector3d(const VisitedContact& c)> impulse;
+    bool reports_the_change = false, applies_the_whole = false;
+
+    ContactResult operator()(const Bodies& bodies, const Contacts& contacts, int sweeps) const
+    {
+        ContactResult result{bodies, std::vector<Vector3d>(contacts.size(), Vector3d::Zero())};
+        for (std::size_t i = 0; i < contacts.size(); ++i)
+            if (starts_between_statics || !impulse_matrix_of(bodies, contacts[i]).isZero(0))
+                result.impulses[i] = start(result.bodies, contacts[i]);
+        for (int k = 0; k < sweeps; ++k)
+            sweep(result, contacts);
+        return result;
+    }
+
+private:
+    Vector3d new_impulse(const VisitedContact& c) const
+    {
+        if (impulse) return impulse(c);
+        const Vector3d n = c.n();
+        const double j_n = push(c);
+        const Vector3d v_T = c.v - c.v.dot(n) * n;
+        const Vector3d j_T = c.j - c.j.dot(n) * n + friction(v_T, lambda(c));
+        return j_n * n + shorten(j_T, j_n, c);
+    }
+
+    void sweep(ContactResult& result, const Contacts& contacts) const
+    {
+        const Bodies before = result.bodies;
+        for (int i : order(contacts)) {
+            const BodyContact& c = contacts[i];
+            const Matrix3d K = impulse_matrix_of(before, c);
+            if (!resolves_statics && K.isZero(0)) continue;
+            const Vector3d v = velocity_of(sees_those_before ? result.bodies : before, c);
+            const Vector3d j = result.impulses[i], j_new = new_impulse({c, K, v, j});
+            const Vector3d change = j_new - j;
+            result.impulses[i] = reports_the_change ? change : j_new;
+            apply(result.bodies, c, applies_the_whole ? j_new : change);
+        }
+    }
+};
+
+} // namespace rigor

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// Friction is shortened by the new push, not by that from before.
+#include "mistakes/contact/resolve_simultaneously.hpp"
+
+namespace rigor {
+
+ContactResult resolve_simultaneously(const Bodies& bodies, const Contacts& contacts, int sweeps)
+{
+    ContactsAtOnce wrong;
+    wrong.shorten = [](const Vector3d& j_T, double, const VisitedContact& c) {
+        return ContactsAtOnce().shorten(j_T, std::max(0.0, c.j.dot(c.n())), c);
+    };
+    return wrong(bodies, contacts, sweeps);
+}
+
+} // namespace rigor

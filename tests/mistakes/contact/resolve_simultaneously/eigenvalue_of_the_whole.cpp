@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// λ is of K across n, not of the whole K.
+#include "mistakes/contact/resolve_simultaneously.hpp"
+
+namespace rigor {
+
+ContactResult resolve_simultaneously(const Bodies& bodies, const Contacts& contacts, int sweeps)
+{
+    ContactsAtOnce wrong;
+    wrong.lambda = [](const VisitedContact& c) {
+        return Eigen::SelfAdjointEigenSolver<Matrix3d>(c.K).eigenvalues().maxCoeff();
+    };
+    return wrong(bodies, contacts, sweeps);
+}
+
+} // namespace rigor

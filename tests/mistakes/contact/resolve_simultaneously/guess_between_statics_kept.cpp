@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// Between two static bodies there is no impulse, whatever was guessed.
+#include "mistakes/contact/resolve_simultaneously.hpp"
+
+namespace rigor {
+
+ContactResult resolve_simultaneously(const Bodies& bodies, const Contacts& contacts, int sweeps)
+{
+    ContactsAtOnce wrong;
+    wrong.starts_between_statics = true;
+    return wrong(bodies, contacts, sweeps);
+}
+
+} // namespace rigor

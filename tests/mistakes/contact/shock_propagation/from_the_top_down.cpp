@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// From the ground up, so that each level finds what it stands on at rest.
+#include "mistakes/contact/shock_propagation.hpp"
+
+namespace rigor {
+
+ContactResult shock_propagation(const Bodies& bodies, const Contacts& contacts,
+                                const std::vector<int>& levels, int n)
+{
+    ShockPropagation wrong;
+    wrong.order = [](int highest) {
+        std::vector<int> order = upwards(1, highest);
+        std::reverse(order.begin(), order.end());
+        return order;
+    };
+    return wrong(bodies, contacts, levels, n);
+}
+
+} // namespace rigor

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+// Each level gets n iterations, gently, not one.
+#include "mistakes/contact/shock_propagation.hpp"
+
+namespace rigor {
+
+ContactResult shock_propagation(const Bodies& bodies, const Contacts& contacts,
+                                const std::vector<int>& levels, int n)
+{
+    ShockPropagation wrong;
+    wrong.iterations = [](int asked) { return std::min(asked, 1); };
+    return wrong(bodies, contacts, levels, n);
+}
+
+} // namespace rigor

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// Bodies of the level that is being resolved can move.
+#include "mistakes/contact/shock_propagation.hpp"
+
+namespace rigor {
+
+ContactResult shock_propagation(const Bodies& bodies, const Contacts& contacts,
+                                const std::vector<int>& levels, int n)
+{
+    ShockPropagation wrong;
+    wrong.is_held = [](const Body&, int its_level, int level) {
+        return its_level <= level && level > 1;
+    };
+    return wrong(bodies, contacts, levels, n);
+}
+
+} // namespace rigor

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// A face counts only if it is named from the tetrahedron that comes first.
+#include "mistakes/fracture/cutting.hpp"
+
+namespace rigor {
+
+SplitMesh split_along_faces(const TetrahedralMesh& mesh, const std::vector<MeshFace>& faces)
+{
+    std::map<cutting::Face, std::vector<int>> sides = cutting::faces_of(mesh);
+    std::set<cutting::Face> cut;
+    for (const MeshFace& face : faces) {
+        const cutting::Face vertices =
+            cutting::face_of(mesh.tetrahedra[face.tetrahedron], face.face);
+        if (sides[vertices][0] == face.tetrahedron) cut.insert(vertices);
+    }
+    return cutting::split_where(mesh,
+                                [&](const cutting::Face& face) { return cut.contains(face); });
+}
+
+} // namespace rigor

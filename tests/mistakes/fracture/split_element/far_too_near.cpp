@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// A vertex counts as on the plane from five times as far.
+#include "mistakes/fracture/cutting.hpp"
+
+namespace rigor {
+
+SplitMesh split_element(const TetrahedralMesh& mesh, int vertex, const Vector3d& normal)
+{
+    cutting::ElementRules rules;
+    rules.snap_distance = 0.25;
+    return cutting::split_by(rules, mesh, vertex, normal);
+}
+
+} // namespace rigor

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// Edges are halved in the middle, wherever the plane meets them.
+#include "mistakes/fracture/cutting.hpp"
+
+namespace rigor {
+
+SplitMesh split_element(const TetrahedralMesh& mesh, int vertex, const Vector3d& normal)
+{
+    cutting::ElementRules rules;
+    rules.halves_in_the_middle = true;
+    return cutting::split_by(rules, mesh, vertex, normal);
+}
+
+} // namespace rigor

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// One of the halves has two corners swapped.
+#include "mistakes/fracture/cutting.hpp"
+
+namespace rigor {
+
+SplitMesh split_element(const TetrahedralMesh& mesh, int vertex, const Vector3d& normal)
+{
+    cutting::ElementRules rules;
+    rules.swaps_corners = true;
+    return cutting::split_by(rules, mesh, vertex, normal);
+}
+
+} // namespace rigor

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// The elements are cut, but nothing comes apart.
+#include "mistakes/fracture/cutting.hpp"
+
+namespace rigor {
+
+SplitMesh split_element(const TetrahedralMesh& mesh, int vertex, const Vector3d& normal)
+{
+    cutting::ElementRules rules;
+    rules.opens = false;
+    return cutting::split_by(rules, mesh, vertex, normal);
+}
+
+} // namespace rigor

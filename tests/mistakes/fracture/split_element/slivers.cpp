@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// No vertex counts as on the plane unless it is exactly there.
+#include "mistakes/fracture/cutting.hpp"
+
+namespace rigor {
+
+SplitMesh split_element(const TetrahedralMesh& mesh, int vertex, const Vector3d& normal)
+{
+    cutting::ElementRules rules;
+    rules.snap_distance = 1e-12;
+    return cutting::split_by(rules, mesh, vertex, normal);
+}
+
+} // namespace rigor

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// A second crack of a tetrahedron is forgotten.
+#include "mistakes/fracture/cutting.hpp"
+
+namespace rigor {
+
+EmbeddedMesh virtual_nodes(const TetrahedralMesh& mesh, const std::vector<ElementCrack>& cracks)
+{
+    cutting::CopyRules rules;
+    rules.first_crack_only = true;
+    return cutting::copies_by(rules, mesh, cracks);
+}
+
+} // namespace rigor

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// A corner on the plane is on the side away from the normal.
+#include "mistakes/fracture/cutting.hpp"
+
+namespace rigor {
+
+EmbeddedMesh virtual_nodes(const TetrahedralMesh& mesh, const std::vector<ElementCrack>& cracks)
+{
+    cutting::CopyRules rules;
+    rules.on_plane_is_below = true;
+    return cutting::copies_by(rules, mesh, cracks);
+}
+
+} // namespace rigor

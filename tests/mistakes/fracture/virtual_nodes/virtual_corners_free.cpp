@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// Only the real corners of a face are joined, so virtual ones are loose.
+#include "mistakes/fracture/cutting.hpp"
+
+namespace rigor {
+
+EmbeddedMesh virtual_nodes(const TetrahedralMesh& mesh, const std::vector<ElementCrack>& cracks)
+{
+    cutting::CopyRules rules;
+    rules.joins_only_corners = true;
+    return cutting::copies_by(rules, mesh, cracks);
+}
+
+} // namespace rigor

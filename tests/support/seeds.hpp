@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// The random cases of a property, each with a seed that a failure names.
+//
+//     for (Random random : seeds(100)) {
+//         const Matrix3d R = random.rotation();
+#pragma once
+
+#include "support/catch.hpp"
+
+#include <optional>
+
+namespace rigor::testing {
+
+/// n seeds in a row. The seed of the running case stands in the verdict, and in the message of every
+/// failure as `CAPTURE(seed)` would put it there.
+class Seeds {
+public:
+    Seeds(unsigned first, unsigned n) : first_(first), n_(n) {}
+
+    class Iterator {
+    public:
+        Iterator(Seeds& seeds, unsigned seed) : seeds_(&seeds), seed_(seed) {}
+        unsigned operator*() const
+        {
+            seeds_->begin_case(seed_);
+            return seed_;
+        }
+        Iterator& operator++()
+        {
+            ++seed_;
+            return *this;
+        }
+        bool operator!=(const Iterator& other) const { return seed_ != other.seed_; }
+
+    private:
+        Seeds* seeds_;
+        unsigned seed_;
+    };
+    Iterator begin() { return {*this, first_}; }
+    Iterator end() { return {*this, first_ + n_}; }
+
+private:
+    void begin_case(unsigned seed);
+
+    unsigned first_, n_;
+    std::optional<Catch::ScopedMessage> message_; // of the running case
+};
+
+/// The seeds of a property, n in a row from the run's first seed.
+Seeds seeds(unsigned n);
+
+/// The first seed of every property: 0, or the run's `--seed`.
+unsigned first_seed();
+void set_first_seed(unsigned seed);
+
+} // namespace rigor::testing
