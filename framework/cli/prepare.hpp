@@ -25,7 +25,8 @@ void prepare_targets(const std::vector<std::string>& targets);
 /// The graded tests and their oracle, built if they are stale, with a progress bar.
 GradingRun prepared_grading_run();
 
-/// Runs a program of ours: its lines of stdout become ours as they come, its stderr is ours, so that JSON stays alone.
+/// Runs a program of ours: its lines of stdout become ours as they come. Its stderr is ours, so that
+/// JSON is alone on stdout.
 /// @return its exit status @throws std::runtime_error if it crashed
 int run_program(const std::vector<std::string>& arguments);
 

@@ -33,8 +33,9 @@ struct Ended {
 
 using OnLine = std::function<void(std::string_view line)>;
 
-/// Runs a program with stdin empty; each line of its stdout and stderr (see `shares_stderr`) goes to `on_output`, each line that it writes to
-/// the descriptor `message_descriptor` to `on_message`. The program is ended when we are.
+/// Runs a program with stdin empty; each line of its stdout and stderr (see `shares_stderr`) goes to
+/// `on_output`, each line that it writes to the descriptor `message_descriptor` to `on_message`. The
+/// program is ended when we are.
 ///
 /// A line longer than 1 MiB is handed over in pieces. @throws std::runtime_error if the program cannot be started
 Ended run(const Command& command, const OnLine& on_output, const OnLine& on_message = {});

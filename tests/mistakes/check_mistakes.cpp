@@ -107,6 +107,10 @@ bool catches(Status status)
 
 void judge(Mistake& mistake, const std::vector<Assignment>& assignments, const GradingRun& run)
 {
+    if (!fs::exists(mistake.worker)) { // every test of it would fail, and seem to catch the mistake
+        mistake.fault = mistake.worker.string() + " is missing: it was not built";
+        return;
+    }
     const std::string tag(mistake.formula->tag);
     for (const Assignment& assignment : assignments) {
         if (!assignment.task(tag)) continue;
