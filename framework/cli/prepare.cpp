@@ -5,8 +5,12 @@
 #include "errors/input_error.hpp"
 #include "errors/nearest.hpp"
 #include "grading/places.hpp"
+#include "grading/process.hpp"
 
 #include <algorithm>
+#include <cstdio>
+#include <fmt/format.h>
+#include <stdexcept>
 
 namespace rigor {
 
@@ -41,6 +45,25 @@ void prepare_targets(const std::vector<std::string>& targets)
 {
     Progress progress("building");
     build_targets(targets, on_step(progress));
+}
+
+GradingRun prepared_grading_run()
+{
+    Progress progress("building");
+    return own_grading_run(on_step(progress));
+}
+
+int run_program(const std::vector<std::string>& arguments)
+{
+    Command command;
+    command.arguments = arguments;
+    command.shares_stderr = true;
+    const Ended ended = run(command, [](std::string_view line) {
+        fmt::print("{}\n", line);
+        std::fflush(stdout);
+    });
+    if (!ended.signal) return ended.status;
+    throw std::runtime_error(fmt::format("{} was ended by signal {}", arguments[0], ended.signal));
 }
 
 std::vector<SceneFile> shipped_scenes()

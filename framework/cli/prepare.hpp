@@ -2,7 +2,7 @@
 // What commands do before their own work: build an implementation, find a scene.
 #pragma once
 
-#include "grading/implementation.hpp"
+#include "grading/run_tests.hpp"
 
 #include <filesystem>
 #include <string>
@@ -21,6 +21,14 @@ Implementation working_implementation(const std::string& with);
 
 /// Targets of ours, built if they are stale, with a progress bar.
 void prepare_targets(const std::vector<std::string>& targets);
+
+/// The graded tests and their oracle, built if they are stale, with a progress bar.
+GradingRun prepared_grading_run();
+
+/// Runs a program of ours: its lines of stdout become ours as they come. Its stderr is ours, so that
+/// JSON is alone on stdout.
+/// @return its exit status @throws std::runtime_error if it crashed
+int run_program(const std::vector<std::string>& arguments);
 
 struct SceneFile {
     std::filesystem::path file;

@@ -127,7 +127,7 @@ std::vector<std::string> environment_with(const std::vector<std::string>& additi
     const int nothing = open("/dev/null", O_RDONLY);
     dup2(nothing, STDIN_FILENO);
     dup2(output, STDOUT_FILENO);
-    dup2(output, STDERR_FILENO);
+    if (!command.shares_stderr) dup2(output, STDERR_FILENO);
     if (messages == message_descriptor)
         fcntl(messages, F_SETFD, 0);
     else if (messages >= 0)

@@ -18,6 +18,7 @@ struct Command {
     double silence = 0;                   // longest time without a line [s]; 0: no limit
     std::uint64_t memory = 0;             // address space [bytes]; 0: no limit
     std::vector<std::string> environment; // "NAME=value", added to ours
+    bool shares_stderr = false;           // its stderr is ours, and no part of its output
 };
 
 /// How it ended.
@@ -32,9 +33,9 @@ struct Ended {
 
 using OnLine = std::function<void(std::string_view line)>;
 
-/// Runs a program with stdin empty; each line of its stdout and stderr goes to `on_output`, each
-/// line that it writes to the descriptor `message_descriptor` to `on_message`. The program is ended
-/// when we are.
+/// Runs a program with stdin empty; each line of its stdout and stderr (see `shares_stderr`) goes to
+/// `on_output`, each line that it writes to the descriptor `message_descriptor` to `on_message`. The
+/// program is ended when we are.
 ///
 /// A line longer than 1 MiB is handed over in pieces. @throws std::runtime_error if the program
 /// cannot be started

@@ -120,9 +120,7 @@ GradingRun own_grading_run(const OnBuildStep& on_step)
         run.oracle = places().program("worker_reference");
         targets.emplace_back("worker_reference");
     }
-    const bool there = std::filesystem::exists(run.test_program) &&
-                       (!run.oracle || std::filesystem::exists(*run.oracle));
-    if (!there) build_targets(targets, on_step); // the launcher keeps them up to date
+    build_targets(targets, on_step);
     return run;
 }
 

@@ -2,6 +2,7 @@
 // Every mistake must be caught, by a test of its own task. Prints formula, mistake and the test that caught it.
 //
 //     check_mistakes [TAG or FORMULA]
+//     check_mistakes --sample SEED TOPIC/FORMULA/MISTAKE...    some of them; SEED is only told
 #include "formulas/table.hpp"
 #include "grading/run_tests.hpp"
 #include "support/judge_all.hpp"
@@ -39,14 +40,30 @@ const Formula& formula_of(const fs::path& file)
                              topic + "::" + name + "'");
 }
 
-std::vector<Mistake> find_mistakes(const std::string& wanted)
+struct Wanted {
+    std::string formula;             // tag or name; empty: all
+    std::string seed;                // that drew the sample
+    std::vector<std::string> sample; // TOPIC/FORMULA/MISTAKE; empty: all
+
+    bool is_all() const { return formula.empty() && sample.empty(); }
+};
+
+Wanted wanted_of(const std::vector<std::string>& arguments)
+{
+    if (arguments.empty()) return {};
+    if (arguments[0] != "--sample" && arguments.size() == 1) return {arguments[0], "", {}};
+    if (arguments[0] != "--sample" || arguments.size() < 3)
+        throw std::invalid_argument("expected a tag or formula, or --sample SEED MISTAKE...");
+    return {"", arguments[1], {arguments.begin() + 2, arguments.end()}};
+}
+
+std::vector<Mistake> find_mistakes()
 {
     std::vector<Mistake> mistakes;
     for (const auto& entry : fs::recursive_directory_iterator(RIGOR_MISTAKES_DIR)) {
         const fs::path& file = entry.path();
         if (file.extension() != ".cpp" || file.parent_path() == RIGOR_MISTAKES_DIR) continue;
         const Formula& formula = formula_of(file);
-        if (!wanted.empty() && wanted != formula.tag && wanted != formula.name) continue;
         const std::string name = file.stem();
         const fs::path worker =
             fs::path(RIGOR_MISTAKE_WORKERS) /
@@ -60,6 +77,28 @@ std::vector<Mistake> find_mistakes(const std::string& wanted)
     return mistakes;
 }
 
+// TOPIC/FORMULA/MISTAKE
+std::string path_of(const Mistake& mistake)
+{
+    return fmt::format("{}/{}/{}", mistake.formula->topic, mistake.formula->name, mistake.name);
+}
+
+std::vector<Mistake> chosen(const std::vector<Mistake>& all, const Wanted& wanted)
+{
+    std::vector<Mistake> result;
+    for (const Mistake& mistake : all) {
+        const bool is_drawn = std::find(wanted.sample.begin(), wanted.sample.end(),
+                                        path_of(mistake)) != wanted.sample.end(),
+                   is_asked = wanted.formula == mistake.formula->tag ||
+                              wanted.formula == mistake.formula->name;
+        if (wanted.is_all() || is_drawn || is_asked) result.push_back(mistake);
+    }
+    if (!wanted.sample.empty() && result.size() != wanted.sample.size())
+        throw std::invalid_argument(fmt::format("expected {} mistakes by name, found {} of them",
+                                                wanted.sample.size(), result.size()));
+    return result;
+}
+
 bool catches(Status status)
 {
     return status == Status::failed || status == Status::not_finite ||
@@ -68,6 +107,10 @@ bool catches(Status status)
 
 void judge(Mistake& mistake, const std::vector<Assignment>& assignments, const GradingRun& run)
 {
+    if (!fs::exists(mistake.worker)) { // every test of it would fail, and seem to catch the mistake
+        mistake.fault = mistake.worker.string() + " is missing: it was not built";
+        return;
+    }
     const std::string tag(mistake.formula->tag);
     for (const Assignment& assignment : assignments) {
         if (!assignment.task(tag)) continue;
@@ -112,15 +155,19 @@ int report(const std::vector<Mistake>& mistakes, bool all)
     return failed == 0 && passed > 0 ? 0 : 1;
 }
 
-int run(const std::string& wanted)
+int run(const Wanted& wanted)
 {
-    std::vector<Mistake> mistakes = find_mistakes(wanted);
+    const std::vector<Mistake> all = find_mistakes();
+    std::vector<Mistake> mistakes = chosen(all, wanted);
     const std::vector<Assignment> assignments = load_assignments(RIGOR_ASSIGNMENTS_DIR);
     GradingRun grading;
     grading.test_program = RIGOR_GRADED_TESTS;
 
     testing::judge_all(mistakes, [&](Mistake& mistake) { judge(mistake, assignments, grading); });
-    return report(mistakes, wanted.empty());
+    const int status = report(mistakes, wanted.is_all());
+    if (!wanted.sample.empty())
+        fmt::print("a sample: {} of {}, seed {}\n", mistakes.size(), all.size(), wanted.seed);
+    return status;
 }
 
 } // namespace
@@ -128,7 +175,7 @@ int run(const std::string& wanted)
 int main(int count, char** arguments)
 {
     try {
-        return run(count > 1 ? arguments[1] : "");
+        return run(wanted_of({arguments + 1, arguments + count}));
     } catch (const std::exception& error) {
         std::fprintf(stderr, "check_mistakes: %s\n", error.what());
         return 2;

@@ -66,18 +66,12 @@ void check_out(const std::string& out, const std::vector<std::string>& names)
 
 void run_benchmark(const std::string& name, const BenchOptions& options)
 {
-    Command command;
-    command.arguments = {places().program(("bench_" + name).c_str()).string()};
-    if (draws(name)) {
-        command.arguments.emplace_back("--out");
-        command.arguments.push_back(plots_of(name, options));
-    }
-    if (options.json) command.arguments.emplace_back("--json");
-    const Ended ended = run(command, [](std::string_view line) {
-        fmt::print("{}\n", line);
-        std::fflush(stdout);
-    });
-    if (!ended.ok()) throw std::runtime_error("bench " + name + " did not end as it should");
+    std::vector<std::string> arguments = {places().program(("bench_" + name).c_str()).string()};
+    if (draws(name)) arguments.insert(arguments.end(), {"--out", plots_of(name, options)});
+    if (options.json) arguments.emplace_back("--json");
+    const int status = run_program(arguments);
+    if (status != 0)
+        throw std::runtime_error(fmt::format("bench {} ended with status {}", name, status));
 }
 
 int bench(const BenchOptions& options)

@@ -98,7 +98,7 @@ int check(const CheckOptions& options)
     for (const Selection& selection : selections)
         if (!options.what.empty()) require_own_file(selection, implementation);
     say_what_was_built(implementation);
-    GradingRun run = own_grading_run();
+    GradingRun run = prepared_grading_run();
     run.seed = options.seed;
     std::vector<Result> results;
     for (const Selection& selection : selections) {

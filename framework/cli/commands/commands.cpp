@@ -16,7 +16,7 @@ std::span<const CommandEntry> commands()
 {
     static constexpr CommandEntry all[] = {
         {"demo", "Render the showcase scenes and grade the sample submissions", declare_demo},
-        {"test", "Run everything that CI runs", declare_test},
+        {"test", "Check this tree in minutes, or all that CI checks", declare_test},
         {"list", "Show assignments, tasks, points and scenes", declare_list},
         {"check", "Grade your own files: the loop to live in", declare_check},
         {"simulate", "Run a scene and store its trajectory", declare_simulate},

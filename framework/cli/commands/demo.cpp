@@ -16,7 +16,10 @@
 #include "scene/keys/scene_keys.hpp"
 
 #include <algorithm>
+#include <atomic>
+#include <chrono>
 #include <fmt/format.h>
+#include <future>
 #include <map>
 #include <unistd.h>
 
@@ -50,12 +53,33 @@ std::vector<Graded> to_grade()
             {"a2-inertia", {"complete", "half_done", "crashing"}}};
 }
 
-void render_scenes(const fs::path& out, const std::string& size)
+// The graded tests, built while the scenes are drawn.
+class GradedTests {
+public:
+    GradedTests()
+        : run_(std::async(std::launch::async, [this] {
+              return own_grading_run([this](int done, int total, const std::string&) {
+                  built_ = static_cast<double>(done) / total;
+              });
+          }))
+    {
+    }
+
+    GradingRun wait()
+    {
+        Progress progress("building");
+        while (run_.wait_for(std::chrono::milliseconds(100)) != std::future_status::ready)
+            progress.update(built_, "graded tests");
+        return run_.get();
+    }
+
+private:
+    std::atomic<double> built_ = 0; // how much of them is
+    std::future<GradingRun> run_;
+};
+
+void render_scenes(const Implementation& reference, const fs::path& out, DrawOptions draw)
 {
-    DrawOptions draw;
-    draw.size = size;
-    check_drawing(draw);
-    const Implementation reference = working_implementation("reference");
     draw.video = is_installed("ffmpeg");
     for (const char* name : scenes) {
         const Scene scene = load_scene(find_scene(name));
@@ -67,13 +91,13 @@ void render_scenes(const fs::path& out, const std::string& size)
     }
 }
 
-Result grade_one(const std::string& name, const fs::path& out, const Selection& selection)
+Result grade_one(const std::string& name, const fs::path& out, const Selection& selection,
+                 GradingRun run)
 {
     const fs::path folder = places().source / "tests/samples" / name;
     Implementation implementation =
         prepared_implementation(fs::is_directory(folder) ? folder.string() : name);
     implementation.name = name; // the folder is nobody's concern
-    GradingRun run = own_grading_run();
     Progress progress(name);
     run.on_task = [&](int begun, int tasks, const std::string& tag) {
         progress.update((begun - 1.0) / tasks, tag);
@@ -119,13 +143,19 @@ int demo(const DemoOptions& options)
     if (!places().has_reference())
         throw InputError("this tree has no reference/, and the demo shows it");
     const fs::path out = options.out;
-    render_scenes(out, options.size);
+    DrawOptions draw;
+    draw.size = options.size;
+    check_drawing(draw);
+    const Implementation reference = working_implementation("reference");
+    GradedTests graded_tests;
+    render_scenes(reference, out, draw);
+    const GradingRun run = graded_tests.wait();
     for (const auto& [assignment, submissions] : to_grade()) {
         const std::vector<Selection> selection =
             select_tasks(load_assignments(places().assignments()), {assignment});
         std::vector<Result> results;
         for (const std::string& name : submissions)
-            results.push_back(grade_one(name, out / "graded", selection.at(0)));
+            results.push_back(grade_one(name, out / "graded", selection.at(0), run));
         print_points(assignment, results);
         std::fflush(stdout);
     }

@@ -6,11 +6,9 @@
 #include "cli/test_run.hpp"
 #include "errors/input_error.hpp"
 #include "grading/places.hpp"
-#include "grading/process.hpp"
 #include "report/terminal.hpp"
 
 #include <algorithm>
-#include <cstdio>
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -20,7 +18,7 @@ namespace {
 
 struct TestOptions {
     std::vector<std::string> presets;
-    bool mistakes = false, quick = false, stress = false, json = false;
+    bool all = false, mistakes = false, stress = false, quick = false, json = false;
     std::string out;
 };
 
@@ -28,12 +26,10 @@ struct TestOptions {
 int list_mistakes()
 {
     prepare_targets({"mistakes"});
-    Command command;
-    command.arguments = {places().program("check_mistakes").string()};
-    const Ended ended = run(command, [](std::string_view line) { fmt::print("{}\n", line); });
-    if (ended.signal || ended.status > 1)
-        throw std::runtime_error("check_mistakes did not end as it should");
-    return ended.status == 0 ? exit_done : exit_wrong;
+    const int status = run_program({places().program("check_mistakes").string()});
+    if (status > exit_wrong)
+        throw std::runtime_error(fmt::format("check_mistakes ended with status {}", status));
+    return status;
 }
 
 // Every case that breaks engines, on ours, with its limits.
@@ -42,47 +38,61 @@ int stress(const TestOptions& options)
     if (!places().has_reference())
         throw InputError("the stress suite runs the reference's formulas, which this tree lacks");
     prepare_targets({"stress_tests"});
-    Command command;
-    command.arguments = {places().program("stress_tests").string()};
-    if (options.quick) command.arguments.emplace_back("--quick");
-    if (options.json) command.arguments.emplace_back("--json");
-    if (!options.out.empty())
-        command.arguments.insert(command.arguments.end(), {"--out", options.out});
-    const Ended ended = run(command, [](std::string_view line) {
-        fmt::print("{}\n", line);
-        std::fflush(stdout);
-    });
-    if (ended.signal || ended.status > 2)
-        throw std::runtime_error("stress_tests did not end as it should");
-    return ended.status;
+    std::vector<std::string> arguments = {places().program("stress_tests").string()};
+    if (options.quick) arguments.emplace_back("--quick");
+    if (options.json) arguments.emplace_back("--json");
+    if (!options.out.empty()) arguments.insert(arguments.end(), {"--out", options.out});
+    const int status = run_program(arguments);
+    if (status > exit_input)
+        throw std::runtime_error(fmt::format("stress_tests ended with status {}", status));
+    return status;
 }
 
 constexpr std::string_view known_presets[] = {"release", "debug", "clang"};
 
-int test(const TestOptions& options)
+// @throws InputError for options that mean nothing together, and a build that is none of ours
+void check_usage(const TestOptions& options)
 {
-    if (options.mistakes) return list_mistakes();
-    if (options.stress) return stress(options);
-    if (options.json || !options.out.empty()) throw InputError("--json and --out go with --stress");
-    std::vector<std::string> presets = options.presets;
-    for (const std::string& preset : presets)
+    const bool of_suites = options.all || !options.presets.empty();
+    if (options.mistakes + options.stress + of_suites > 1)
+        throw InputError("expected one of --mistakes, --stress, and PRESET or --all");
+    if (!options.stress && (options.quick || options.json || !options.out.empty()))
+        throw InputError("--quick, --json and --out go with --stress");
+    for (const std::string& preset : options.presets)
         if (std::find(std::begin(known_presets), std::end(known_presets), preset) ==
             std::end(known_presets))
             throw InputError(fmt::format("expected a build, one of {}, found '{}'",
                                          fmt::join(known_presets, ", "), preset));
-    if (presets.empty()) presets = {"release", "clang"};
-    if (options.quick) presets = {"release"};
+}
 
-    const bool color = wants_color(STDOUT_FILENO);
+// The sources' format, then every suite of every build that is asked for.
+std::vector<SuiteResult> run_suites(const TestOptions& options)
+{
     std::vector<SuiteResult> results = {check_format()};
     const auto run = [&](const std::string& preset) {
-        const std::vector<SuiteResult> of_preset = run_preset(preset);
-        results.insert(results.end(), of_preset.begin(), of_preset.end());
-        return of_preset.front().verdict;
+        const std::vector<SuiteResult> suites =
+            run_preset(preset, options.all ? SuiteSize::all : SuiteSize::sample);
+        results.insert(results.end(), suites.begin(), suites.end());
+        return suites.front().verdict;
     };
-    for (const std::string& preset : presets)
-        if (run(preset) == SuiteResult::skipped && options.presets.empty())
-            run("debug"); // the same sanitizers, by the compiler that is there
+    for (const std::string& preset : options.presets)
+        run(preset);
+    if (!options.presets.empty()) return results;
+
+    run("release");
+    if (options.all && run("clang") == SuiteResult::skipped)
+        run("debug"); // the same sanitizers, by the compiler that is there
+    return results;
+}
+
+int test(const TestOptions& options)
+{
+    check_usage(options);
+    if (options.mistakes) return list_mistakes();
+    if (options.stress) return stress(options);
+    const std::vector<SuiteResult> results = run_suites(options);
+
+    const bool color = wants_color(STDOUT_FILENO);
     fmt::print("\n");
     const auto count = [&](SuiteResult::Verdict verdict) {
         return std::count_if(results.begin(), results.end(),
@@ -93,6 +103,7 @@ int test(const TestOptions& options)
         if (result.verdict == SuiteResult::failed)
             fmt::print("{} {}\n", colored("failed", Color::red, color), result.name);
     fmt::print("{} passed, {} failed, {} skipped\n", count(SuiteResult::passed), failed, skipped);
+    if (!options.all) fmt::print("./rigor test --all runs everything that CI runs\n");
     return failed == 0 ? exit_done : exit_wrong;
 }
 
@@ -103,18 +114,20 @@ Action declare_test(Options& options)
     const auto chosen = std::make_shared<TestOptions>();
     options.words("PRESET", chosen->presets,
                   "Builds to test: release, clang (with address and undefined-behaviour "
-                  "sanitizers), debug (the same by the default compiler); without one, the first "
-                  "two, and debug where clang is not installed");
-    options.flag("--quick", chosen->quick,
-                 "The release build only; with --stress, the short cases");
+                  "sanitizers), debug (the same by the default compiler); without one, release, "
+                  "and with --all also clang, or debug where clang is not installed");
+    options.flag("--all", chosen->all,
+                 "Run everything that CI runs: every mistake instead of a sample, other "
+                 "solutions, sanitizers, stress");
     options.flag("--mistakes", chosen->mistakes,
                  "Print each plausible mistake and the test that caught it");
     options.flag("--stress", chosen->stress,
                  "Run the stress suite: what breaks engines, each case with its limits");
+    options.flag("--quick", chosen->quick, "With --stress: run the short cases only");
     options.flag("--json", chosen->json, "With --stress: print JSON");
     options.option("--out", "FILE", chosen->out, "With --stress: also write the JSON here");
-    options.examples({"test            all that must hold",
-                      "test --quick    the same, without sanitizers and clang", "test --mistakes",
+    options.examples({"test            in minutes: is this tree sound?",
+                      "test --all      everything that CI runs", "test --mistakes",
                       "test --stress   what breaks simulators, case by case"});
     return [chosen] { return test(*chosen); };
 }

@@ -16,10 +16,12 @@ struct Run {
 };
 
 /// @param arguments  after the program's name
-inline Run rigor(const std::vector<std::string>& arguments)
+/// @param only_stdout  what it writes to stderr is not taken
+inline Run rigor(const std::vector<std::string>& arguments, bool only_stdout = false)
 {
     Run result;
     Command command;
+    command.shares_stderr = only_stdout;
     command.arguments = {std::string(RIGOR_BINARY_DIR) + "/bin/rigor"};
     command.arguments.insert(command.arguments.end(), arguments.begin(), arguments.end());
     const Ended ended =

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: MIT
 // The program as its users meet it: exit statuses and one clear line for whatever is wrong.
 #include "command.hpp"
+#include "grading/places.hpp"
 #include "report/terminal.hpp"
 #include "support/temporary_folder.hpp"
 
 #include <nlohmann/json.hpp>
+
+#include <chrono>
+#include <optional>
+#include <thread>
 
 namespace rigor::testing {
 
@@ -45,7 +50,24 @@ TEST_CASE("command line: bad usage is one line and status 2", "[cli]")
     require_one_line({"bench", "spim"}, "no benchmark 'spim'");
     require_one_line({"bench", "accuracy", "--out", "/dev/null"}, "expected a folder for plots");
     require_one_line({"bench", "spin", "--out", "plots"}, "expected a benchmark that draws");
-    require_one_line({"test", "fast"}, "fast");
+    require_one_line({"test", "fast"}, "one of release, debug, clang, found 'fast'");
+    require_one_line({"test", "--quick"}, "go with --stress");
+    require_one_line({"test", "--all", "--stress"}, "expected one of");
+    require_one_line({"demo", "--size", "big"}, "WIDTHxHEIGHT");
+}
+
+TEST_CASE("command line: an unknown build is one line and status 2 and leaves no folder", "[cli]")
+{
+    Run result;
+    Command launcher;
+    launcher.arguments = {std::string(RIGOR_SOURCE_DIR) + "/rigor", "list"};
+    launcher.environment = {"RIGOR_PRESET=relaese"};
+    const Ended ended =
+        run(launcher, [&](std::string_view line) { result.output += std::string(line) + "\n"; });
+    REQUIRE(ended.status == 2);
+    REQUIRE(result.output ==
+            "rigor: RIGOR_PRESET: expected one of release, debug, clang, found 'relaese'\n");
+    REQUIRE_FALSE(std::filesystem::exists(places().source / "build/relaese"));
 }
 
 TEST_CASE("command line: no command shows the help", "[cli]")
@@ -80,6 +102,19 @@ TEST_CASE("command line: the list is readable by programs", "[cli]")
     REQUIRE(value.size() >= 5);
     REQUIRE(value[0]["assignment"] == "a0-pipeline");
     REQUIRE(value[0]["tasks"][0]["formula"] == "kinetic_energy");
+}
+
+TEST_CASE("command line: JSON is alone on stdout while another rigor builds", "[cli]")
+{
+    const char* who = places().has_reference() ? "reference" : "student";
+    std::optional<BuildLock> other(std::in_place);
+    const std::jthread release([&] {
+        std::this_thread::sleep_for(std::chrono::seconds(1));
+        other.reset();
+    });
+    const Run result = rigor({"check", "pipeline", "--with", who, "--json"}, true);
+    CAPTURE(result.output);
+    REQUIRE(nlohmann::json::parse(result.output)["assignment"] == "a0-pipeline");
 }
 
 TEST_CASE("command line: a broken scene is named with its line", "[cli]")

@@ -40,6 +40,16 @@ TEST_CASE("process: output and messages come apart and whole", "[process]")
     REQUIRE_FALSE(result.ended.ok());
 }
 
+TEST_CASE("process: a shared stderr is no part of the output", "[process]")
+{
+    Command command;
+    command.arguments = {"sh", "-c", "echo '[]'; echo 'expected on the terminal' >&2"};
+    command.shares_stderr = true;
+    Lines output;
+    REQUIRE(run(command, [&](std::string_view line) { output.emplace_back(line); }).ok());
+    REQUIRE(output == Lines{"[]"});
+}
+
 TEST_CASE("process: a signal and a silence are told apart", "[process]")
 {
     const Heard killed = heard("kill -9 $$");
