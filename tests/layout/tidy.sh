@@ -1,0 +1,106 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# Runs clang-tidy over the framework, the reference and the tests' support, by the list in
+# .clang-tidy.
+#
+#   tests/layout/tidy.sh           the sources that differ from the last commit
+#   tests/layout/tidy.sh --all     all of them
+#
+# Eigen takes longer to read than our own code. So the sources go into two files, one a processor,
+# that include them one after the other. A source that the compiler refuses there, since a helper in
+# it has the name of another's helper, waits for the next round.
+# Ends with 0 if all is well, 1 if something was found, 77 if clang-tidy is not installed.
+set -euo pipefail
+
+root=$(cd "$(dirname -- "${BASH_SOURCE[0]}")/../.." && pwd)
+cd "$root"
+for program in clang-tidy clang++; do
+    if ! command -v "$program" >/dev/null; then
+        echo "skipped: $program is not installed"
+        exit 77
+    fi
+done
+
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+options=(-std=c++20 -w -ferror-limit=0 "-I$root/framework" "-I$root/tests"
+         -isystem /usr/include/eigen3)
+for text in SOURCE_DIR BINARY_DIR MODULE_DIR GL FONT VERSION COMPILER; do
+    options+=("-DRIGOR_$text=\"\"") # what CMake fills in
+done
+
+folders=()
+for folder in framework reference tests/support; do
+    [[ ! -d $folder ]] || folders+=("$folder")
+done
+
+# A changed header is looked at through the sources that include it.
+changed_sources() {
+    local file
+    git diff --name-only --diff-filter=d HEAD -- "${folders[@]}" >"$work/changed"
+    git ls-files --others --exclude-standard -- "${folders[@]}" >>"$work/changed"
+    while read -r file; do
+        case $file in
+        *.cpp) echo "$file" ;;
+        *.hpp) grep -rlF --include='*.cpp' "\"${file#*/}\"" "${folders[@]}" || true ;;
+        esac
+    done <"$work/changed" | sort -u
+}
+
+all_sources() {
+    find "${folders[@]}" -name '*.cpp' | sort
+}
+
+including() {
+    sed "s|.*|#include \"$root/&\"|" "$1"
+}
+
+# The sources of a lot that the compiler refuses in its unit. It tells for each error by which line
+# of the unit the file at fault was included.
+refused() {
+    { clang++ -fsyntax-only "${options[@]}" "$2" 2>&1 || true; } |
+        awk -v unit="$2" '
+            index($0, "In file included from " unit ":") == 1 {
+                n = split($0, part, ":")
+                line = part[n - 1]
+            }
+            / error: / && line { print line }' |
+        sort -nu | while read -r line; do sed -n "${line}p" "$1"; done
+}
+
+# One lot of sources, in rounds. What is found goes to LOT.found.
+check_lot() {
+    local lot=$1 unit
+    unit=$lot.cpp
+    touch "$lot.found"
+    while [[ -s $lot ]]; do
+        including "$lot" >"$unit"
+        refused "$lot" "$unit" >"$lot.refused"
+        grep -vxFf "$lot.refused" "$lot" >"$lot.taken" || head -n 1 "$lot" >"$lot.taken"
+        including "$lot.taken" >"$unit"
+        clang-tidy --quiet --config-file="$root/.clang-tidy" "$unit" -- "${options[@]}" \
+            >>"$lot.found" 2>"$lot.log" || true
+        grep -vxFf "$lot.taken" "$lot" >"$lot.left" || true
+        mv "$lot.left" "$lot"
+    done
+}
+
+if [[ ${1:-} == --all ]]; then all_sources; else changed_sources; fi >"$work/sources"
+if [[ ! -s $work/sources ]]; then
+    [[ ${1:-} != --all ]] || { echo "no sources found in $root"; exit 1; }
+    echo "no source was changed since the last commit"
+    exit 0
+fi
+
+split -n "r/$(nproc)" "$work/sources" "$work/lot_"
+for lot in "$work"/lot_??; do
+    check_lot "$lot" &
+done
+wait
+
+# A finding in a header is told by every unit that includes it.
+cat "$work"/lot_??.found | sed -nE "s|^$root/(.*: (warning\|error): .*)|\1|p" | sort -u >"$work/found"
+sed 's/^/  /' "$work/found"
+echo "$(wc -l <"$work/sources") sources, $(wc -l <"$work/found") findings"
+[[ ! -s $work/found ]]
