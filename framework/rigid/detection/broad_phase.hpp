@@ -3,6 +3,7 @@
 #pragma once
 
 #include "geometry/bounds/bounds.hpp"
+#include "geometry/shapes/pose.hpp"
 #include "rigid/bodies/world.hpp"
 
 namespace rigor {
