@@ -5,6 +5,7 @@
 // the length.
 #include "rigid/step/adaptive_substeps.hpp"
 
+#include "geometry/shapes/shape_bounds.hpp"
 #include "geometry/bounds/bounds.hpp"
 
 #include <algorithm>

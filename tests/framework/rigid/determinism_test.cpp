@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The same world gives the same bits: whatever the number of threads, and as often as it is asked.
+#include "rigid/step/step.hpp"
 #include "worlds.hpp"
 
 #include <cstring>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Steps that one normal a contact does not do for.
+#include "rigid/step/step.hpp"
 #include "support/depth.hpp"
 #include "worlds.hpp"
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Bodies that springs and applied forces pull at.
+#include "rigid/step/step.hpp"
 #include "support/free_rotor.hpp"
 #include "worlds.hpp"
 

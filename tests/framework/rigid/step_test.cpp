@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What holds for any step: conservation, determinism, order, and that what is skipped changes nothing.
+#include "rigid/step/step.hpp"
 #include "rigid/bodies/non_finite.hpp"
 #include "worlds.hpp"
 

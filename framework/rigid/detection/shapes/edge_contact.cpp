@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "rigid/detection/shapes/edge_contact.hpp"
 
+#include "geometry/shapes/pose.hpp"
 #include "geometry/shapes/solid_mesh.hpp"
 
 #include <cmath>
