@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "parts.hpp"
 #include "deformable/elasticity/element.hpp"
 #include "deformable/elasticity/elements.hpp"
 #include "support/bench/plot.hpp"

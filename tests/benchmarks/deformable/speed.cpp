@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "parts.hpp"
 #include "deformable/fracture/fracture.hpp"
 #include "deformable/motion/workspace.hpp"
 

@@ -35,7 +35,6 @@ public:
         static const OdeLibrary library;
         dSetMessageHandler([](int, const char*, va_list) {}); // it repeats itself every step
         dRandSetSeed(0);                                      // quick_step shuffles its rows
-        dRandSetSeed(0);                                      // quick_step shuffles its rows
         world_ = dWorldCreate();
         space_ = dHashSpaceCreate(nullptr);
         contacts_ = dJointGroupCreate(0);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "run.hpp"
 #include "nonconvex.hpp"
 
 #include "rigid/step/step.hpp"
@@ -92,15 +93,13 @@ struct Phases {
 };
 
 // Each phase again by itself, on the world as it is; what is left of the step is the solution.
-void look_into(const World& world, double whole, Phases& phases)
+void look_into(World world, double whole, Phases& phases)
 {
-    Counters counters;
-    PairCache memory;
     ThreadPool alone;
     std::vector<RigidState> flown;
     const std::vector<bool> pulled = pulled_bodies(world, pile_step);
     const double flight =
-        seconds([&] { flown = fly_all(world, pulled, pile_step, counters, alone); });
+        seconds([&] { flown = fly_all(world, pulled, pile_step, alone); });
     std::vector<Pose> poses;
     std::vector<Bounds> bounds;
     for (const RigidBody& body : world.bodies) {
@@ -109,9 +108,9 @@ void look_into(const World& world, double whole, Phases& phases)
         bounds.push_back(bounds_of(part.shape, part_pose(poses.back(), part)));
         if (!body.is_static) bounds.back().grow(bounding_radius(part) / 2);
     }
-    const double broad = seconds([&] { near_pairs(world, poses, bounds, counters); });
+    const double broad = seconds([&] { near_pairs(world, poses, bounds, alone); });
     const double near =
-        seconds([&] { contact_candidates(world, flown, pile_step, memory, counters, alone); });
+        seconds([&] { contact_candidates(world, flown, pile_step, alone); });
     phases.flight.push_back(flight);
     phases.broad.push_back(broad);
     phases.narrow.push_back(std::max(0.0, near - broad)); // differences of noisy times

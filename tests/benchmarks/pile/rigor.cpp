@@ -16,7 +16,6 @@ World pile_world(const PileStart& start, const PileOptions& options)
     world.settings.contact_method = ContactMethod::simultaneous;
     world.settings.formulas_are_reference = true;
     world.settings.skips.sleep = options.sleep;
-    world.settings.formulas_are_reference = true;
     world.pool = ThreadPool(options.threads);
     const auto add = [&world](const Vector3d& size, const Vector3d& X, const Quaternion& q,
                               bool is_static) {

@@ -5,7 +5,6 @@
 
 #include "geometry/shapes/pose.hpp"
 #include "rigid/bodies/world.hpp"
-#include "rigid/bodies/world.hpp"
 
 #include <functional>
 #include <string>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "run.hpp"
 #include "geometry/shapes/shape_bounds.hpp"
 #include "rigid/bodies/mass.hpp"
 #include "rigid/detection/broad_phase.hpp"
@@ -154,10 +155,10 @@ SkipCase broad_phase()
     const Scattered cubes = scattered_cubes();
     const auto found = [=] {
         std::vector<BodyPair> pairs;
-        Counters counters;
+        ThreadPool alone;
         SkipRun run;
         run.seconds =
-            seconds([&] { pairs = near_pairs(cubes.world, cubes.poses, cubes.bounds, counters); });
+            seconds([&] { pairs = near_pairs(cubes.world, cubes.poses, cubes.bounds, alone); });
         add(pairs, run.result);
         run.counter = static_cast<double>(pairs.size());
         return run;
@@ -191,19 +192,17 @@ SkipCase remembered_pairs()
     for (int i = 0; i < many; ++i)
         ways.push_back(0.005 * random.vector());
     const auto steps = [=](bool remembers) {
-        const World& world = cubes.world;
+        World world = cubes.world;
         const std::vector<Pose>& poses = cubes.poses;
-        const std::vector<double> spare(cubes.bounds.size(), 0.1);
+        const std::vector<double> margins(cubes.bounds.size(), 0.1);
         std::vector<Bounds> moved = cubes.bounds;
-        PairCache memory;
-        Counters counters;
         ThreadPool alone;
         SkipRun run;
         for (int k = 0; k < 20; ++k) {
             std::vector<BodyPair> pairs;
             run.seconds += seconds([&] {
-                pairs = remembers ? near_pairs(world, poses, moved, spare, memory, counters, alone)
-                                  : near_pairs(world, poses, moved, counters, alone);
+                pairs = remembers ? cached_near_pairs(world, poses, moved, margins, alone)
+                                  : near_pairs(world, poses, moved, alone);
             });
             add(pairs, run.result);
             for (std::size_t i = 0; i < moved.size(); ++i) {
@@ -211,10 +210,10 @@ SkipCase remembered_pairs()
                 moved[i].high += ways[i];
             }
         }
-        run.counter = static_cast<double>(counters.pair_searches_saved);
+        run.counter = static_cast<double>(world.counters.pair_searches_saved);
         return run;
     };
-    return {"a search for pairs while bodies stay in their rooms",
+    return {"a search for pairs while bodies stay in their fat bounds",
             "1000 cubes that move by up to 5 mm a step",
             "pair searches saved",
             [=] { return steps(true); },

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "run.hpp"
 #include "geometry/meshes/generators.hpp"
 #include "geometry/shapes/solid_mesh.hpp"
 #include "stress/scenes.hpp"

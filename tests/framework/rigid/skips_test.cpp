@@ -185,6 +185,7 @@ TEST_CASE("skips: a contact that carries nothing leaves its neighbour's impulse 
     world.memory.warm_contacts = {{0, 1, loaded, force}};
     std::vector<ContactConstraint> contacts(2);
     for (ContactConstraint& c : contacts) {
+        c.body1 = 0;
         c.body2 = 1;
         c.normal = {0, -1, 0};
         c.radius = 1;

@@ -20,9 +20,9 @@ struct VisitedContact {
 
 struct ContactsAtOnce {
     std::function<std::vector<int>(const Contacts& contacts)> order = [](const Contacts& contacts) {
-        std::vector<int> order(contacts.size());
-        std::iota(order.begin(), order.end(), 0);
-        return order;
+        std::vector<int> indices(contacts.size());
+        std::iota(indices.begin(), indices.end(), 0);
+        return indices;
     };
     /// The impulse that a contact starts from, applied to its bodies.
     std::function<Vector3d(Bodies& bodies, const BodyContact& c)> start = [](Bodies& bodies,
@@ -42,7 +42,7 @@ struct ContactsAtOnce {
     };
     /// The change of the tangential impulse, before it is shortened.
     std::function<Vector3d(const Vector3d& v_T, double lambda)> friction =
-        [](const Vector3d& v_T, double lambda) -> Vector3d { return -v_T / lambda; };
+        [](const Vector3d& v_T, double l) -> Vector3d { return -v_T / l; };
     std::function<Vector3d(const Vector3d& j_T, double j_n, const VisitedContact& c)> shorten =
         [](const Vector3d& j_T, double j_n, const VisitedContact& c) -> Vector3d {
         const double most = c.contact.friction * j_n;
