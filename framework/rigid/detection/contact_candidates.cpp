@@ -63,8 +63,8 @@ double speed_transfer(const Partner& i, const Partner& j)
 // Everything that the search for contacts of a pair needs to know.
 struct Search {
     const World& world;
-    std::vector<Bounds> bounds;   // of each body, swept over the step
-    std::vector<double> travels;  // of each body [m]
+    std::vector<Bounds> bounds;   // one for each body, swept over the step
+    std::vector<double> travels;  // one for each body [m]
     ContactCandidates candidates; // poses and radii are there, margins come next, contacts last
     double time_step = 0;         // [s]
 };
@@ -93,8 +93,8 @@ struct PossibleTravel {
 // that moved farther in the round before give to their neighbours.
 struct ImpulsePropagation {
     const std::vector<Partner>& bodies;
-    std::vector<double> farthest;  // of each body, so far [m]
-    std::vector<char> has_changed; // of each body: whether the round before changed `farthest`
+    std::vector<double> farthest;  // one for each body; the farthest so far [m]
+    std::vector<char> has_changed; // one for each body: changed in the last round
 
     std::vector<PossibleTravel> round(const Search& search, std::span<const BodyPair> pairs) const
     {
@@ -105,11 +105,10 @@ struct ImpulsePropagation {
             if (farthest[slower] > farthest[faster]) std::swap(slower, faster);
             if (farthest[faster] <= farthest[slower]) continue; // nothing is passed on
             if (bodies[slower].is_still || bodies[faster].is_still) continue;
-            const double passed =
-                speed_transfer(bodies[slower], bodies[faster]) * farthest[faster];
+            const double passed = speed_transfer(bodies[slower], bodies[faster]) * farthest[faster];
             if (passed <= farthest[slower]) continue;
-            const double reach = margin(search, slower, farthest[slower]) +
-                                 margin(search, faster, farthest[faster]);
+            const double reach =
+                margin(search, slower, farthest[slower]) + margin(search, faster, farthest[faster]);
             if (come_near(search, pair, reach)) farther.push_back({slower, passed});
         }
         return farther;
@@ -134,7 +133,7 @@ std::vector<double> margins_of(const Search& search, const std::vector<BodyPair>
     bodies.reserve(all.size());
     for (const RigidBody& body : all)
         bodies.push_back(partner(body));
-    constexpr int most_rounds = 8;          // bodies that an impulse passes through in a step
+    constexpr int most_rounds = 8;           // bodies that an impulse passes through in a step
     constexpr std::size_t grain_size = 1024; // pairs
     ImpulsePropagation propagation{bodies, search.travels, std::vector<char>(bodies.size(), true)};
     bool any = true;
@@ -204,8 +203,8 @@ Found narrow_phase(const Search& search, std::span<const BodyPair> pairs)
         ++found.counters.pairs_tested;
         const double path = search.travels[i] + search.travels[j];
         const std::size_t first = found.contacts.size();
-        find_contacts(search.world, search.candidates.poses, i, j, path + margin, found.contacts, found.counters,
-                      search.time_step);
+        find_contacts(search.world, search.candidates.poses, i, j, path + margin, found.contacts,
+                      found.counters, search.time_step);
         bool may_meet = false;
         for (std::size_t k = first; k < found.contacts.size(); ++k)
             may_meet |= found.contacts[k].gap < path;
@@ -221,7 +220,7 @@ Found narrow_phase(const Search& search, std::span<const BodyPair> pairs)
 
 // Where the bodies are and where they fly to.
 Search search_of(const World& world, std::span<const RigidState> flown, double time_step,
-                          ThreadPool& pool)
+                 ThreadPool& pool)
 {
     constexpr std::size_t grain_size = 32; // bodies
     const std::size_t n = flown.size();
@@ -249,9 +248,8 @@ ContactCandidates contact_candidates(World& world, std::span<const RigidState> f
 {
     Search search = search_of(world, flown, time_step, pool);
     ContactCandidates& candidates = search.candidates;
-    const std::vector<BodyPair> pairs =
-        cached_near_pairs(world, candidates.poses, bounds_with_impulses(search, pool),
-                          fat_margins(search), pool);
+    const std::vector<BodyPair> pairs = cached_near_pairs(
+        world, candidates.poses, bounds_with_impulses(search, pool), fat_margins(search), pool);
     if (pairs.empty()) return std::move(candidates);
     candidates.margins = margins_of(search, pairs, pool);
 
