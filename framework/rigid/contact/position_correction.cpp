@@ -16,7 +16,7 @@ namespace rigor {
 
 namespace {
 
-constexpr double corrected_fraction = 0.2; // of the excess overlap, in one step
+constexpr double corrected_fraction = 0.2; // share of the excess overlap per step
 constexpr double correction_rate = 1;      // limit, in radii of the smaller body per second [1/s]
 // Overlap that is left, as a fraction of the radius. In a stack it has the size of rounding errors;
 // in a heap it is the slop that lets the heap come to rest.

@@ -14,7 +14,7 @@ namespace rigor {
 
 namespace {
 
-constexpr double near_fraction = 0.1; // of the radius; farther contacts do not match
+constexpr double near_fraction = 0.1; // largest distance of a match, in radii
 
 template <class C> std::pair<int, int> bodies_of(const C& contact)
 {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Contact candidates of a step: all pairs of points that may touch before it ends. The bounds of each
-// body are swept over its free flight; the broad phase pairs them; impulses that pass from body to body
-// widen the margins; the narrow phase looks for contacts within path and margin. Sleeping bodies that
-// another may touch are named, since they have to wake before the step goes on.
+// Contact candidates of a step: all pairs of points that may touch before it ends. The bounds of
+// each body are swept over its free flight, and the broad phase finds the pairs whose bounds
+// overlap. Impulses that pass from body to body widen the margins; the narrow phase then looks for
+// contacts within path and margin. It also lists sleeping bodies that another body may touch, since
+// they have to wake before the step goes on.
 #include "rigid/detection/contact_candidates.hpp"
 
 #include "rigid/bodies/orientation.hpp"
@@ -32,9 +33,9 @@ Bounds body_bounds(const RigidBody& body, const Pose& pose)
     return bounds;
 }
 
-// How far the points of a body move at most in the step, along its path or with its last velocity [m].
-// A turn by the angle α moves a quaternion by about α/2; a quarter more than α covers the chord and an
-// axis that tumbles.
+// The largest distance that a point of a body moves in the step, along its path or with its last
+// velocity [m]. A rotation by the angle α changes the quaternion by about α/2. The factor allows
+// for a quarter more than α, which covers the chord and an axis that tumbles.
 double travel(const RigidState& from, const RigidState& to, double radius, double time_step)
 {
     const double moved = (to.position - from.position).norm();
@@ -53,7 +54,8 @@ Partner partner(const RigidBody& body)
     return {body.mass, body.material.restitution, body.is_still()};
 }
 
-// The share of body j's speed that body i gets when j hits it: (1 + ε) m_j / (m_i + m_j), at most 1.
+// The share of body j's speed that body i gets when j hits it: (1 + ε) m_j / (m_i + m_j), at most
+// 1.
 double speed_transfer(const Partner& i, const Partner& j)
 {
     const double restitution = std::min(i.restitution, j.restitution);
@@ -115,8 +117,8 @@ struct ImpulsePropagation {
     }
 };
 
-// The margins of all bodies. A body at rest may be hit in this step and then move on with the share of
-// the speed that the impulse leaves it.
+// The margins of all bodies. A body at rest may be hit in this step and then move on with the share
+// of the speed that the impulse leaves it.
 std::vector<double> margins_of(const Search& search, const std::vector<BodyPair>& pairs,
                                ThreadPool& pool)
 {
@@ -176,8 +178,8 @@ std::vector<Bounds> bounds_with_impulses(const Search& search, ThreadPool& pool)
     return wide;
 }
 
-// The margins of the fat bounds in the pair cache: a tenth of the radius and three steps of travel, so
-// that a body that slows down or is held stays within its fat bounds for long.
+// The margins of the fat bounds in the pair cache: a tenth of the radius and three steps of travel,
+// so that a body that slows down or is held stays within its fat bounds for long.
 std::vector<double> fat_margins(const Search& search)
 {
     std::vector<double> margins(search.travels.size());

@@ -2,18 +2,18 @@
 // The time step of rigid bodies, in the order of Guendelman, Bridson and Fedkiw (2003, "Nonconvex
 // rigid bodies with stacking", ACM Trans. Graph. 22). Each stage is one call in step.cpp:
 //
-//   stage                  reads                     writes                   where
-//   1 free flight          states, forces            flown states             motion/free_flight
-//   2 find contacts        states, flown states      contact candidates       detection/contact_candidates
-//     make the problem     candidates, memory        contacts in islands      contact/make_problem
-//   3 collisions           velocities before forces  velocities               contact/collisions
-//   4 velocities           flown states              velocities               here, `apply_forces`
-//   5 contact              velocities, gaps          velocities, impulses     contact/resting_contact
-//   6 position correction  gaps, velocities          displacements            contact/position_correction
-//   7 positions            velocities, displacements states                   step/position_update
-//   8 refine               states, contacts          states, records          step/impact,
-//                                                                             step/adaptive_substeps
-//   9 sleep                states, islands           memory, states           step/sleep
+// stage                 reads                     writes               where
+// 1 free flight         states, forces            flown states         motion/free_flight
+// 2 find contacts       states, flown states      contact candidates   detection/contact_candidates
+//   make the problem    candidates, memory        contacts in islands  contact/make_problem
+// 3 collisions          velocities before forces  velocities           contact/collisions
+// 4 velocities          flown states              velocities           here, `apply_forces`
+// 5 contact             velocities, gaps          velocities, impulses contact/resting_contact
+// 6 position correction gaps, velocities          displacements        contact/position_correction
+// 7 positions           velocities, displacements states               step/position_update
+// 8 refine              states, contacts          states, records      step/impact,
+//                                                                      step/adaptive_substeps
+// 9 sleep               states, islands           memory, states       step/sleep
 //
 // Papers of the stages: 1 Buss (2000), Blanes and Moan (2002), Munthe-Kaas (1999), see
 // free_flight.hpp; 2 Verlet (1967) for the pair cache, Gottschalk et al. (1996) for boxes, the 2003

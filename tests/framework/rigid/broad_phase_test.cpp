@@ -36,7 +36,7 @@ Crowd crowd(unsigned seed, int bodies, double spread)
     return crowd;
 }
 
-// Half-space against box, by the box's corner that lies deepest.
+// Whether a half-space meets a box, tested at the deepest corner of the box.
 bool meets_plane(const Pose& plane, const Bounds& b)
 {
     for (int i = 0; i < 8; ++i) {
