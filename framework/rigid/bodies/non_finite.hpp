@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Checks of what formulas return: any value may come from them.
+// Checks that results of formulas are finite, since formulas may return any value.
 #pragma once
 
 #include "rigid/bodies/world.hpp"

@@ -41,8 +41,7 @@ struct World {
 
     StepMemory memory;
     Counters counters;
-    ThreadPool
-        pool; // for the parallel parts; the results are bitwise the same for any number of threads
+    ThreadPool pool; // any number of threads gives bitwise the same results
 };
 
 } // namespace rigor

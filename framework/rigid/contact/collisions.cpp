@@ -65,9 +65,8 @@ int checked(int index, std::size_t size)
 Vector3d without_gain(const Matrix3d& K, const Vector3d& v, const Vector3d& j)
 {
     const double work = j.dot(v), stored = j.dot(optimised::product(K, j)) / 2;
-    constexpr double rounding = 1e-12; // as a fraction of the energy
-    if (!(work + stored > rounding * stored))
-        return j; // a NaN is returned as it is and reported later
+    constexpr double rounding = 1e-12;                  // as a fraction of the energy
+    if (!(work + stored > rounding * stored)) return j; // a NaN is reported later
     return std::max(0.0, -work / stored) * j;
 }
 

@@ -51,8 +51,7 @@ struct Island {
     // A large island is split into blocks for several threads, see `split_into_blocks`. Any other
     // island has a single block, or none before it is prepared.
     std::vector<IndexRange> blocks; // ranges of `pairs`
-    std::vector<IndexRange>
-        colors; // ranges of `blocks`; the blocks of a color share no moving body
+    std::vector<IndexRange> colors; // ranges of `blocks`; the blocks of each share no moving body
 };
 
 std::size_t contact_count(std::span<const ContactPair> pairs);

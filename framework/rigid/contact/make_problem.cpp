@@ -125,8 +125,7 @@ void prepare(ContactProblem& problem, Island& island)
 {
     constexpr std::size_t grain_size = 64; // pairs
     const std::span<const ContactPair> pairs = island.pairs;
-    std::vector<ContactPair>
-        replaced; // keeps alive what `pairs` refers to until all threads are done
+    std::vector<ContactPair> replaced; // keeps `pairs` valid until all threads are done
     problem.pool->for_each_range_beside(
         [&] { replaced = split_into_blocks(problem, island); }, pairs.size(), grain_size,
         [&](std::size_t first, std::size_t last) {

@@ -5,7 +5,7 @@
 
 namespace rigor {
 
-/// A small motion of a body that has no velocity.
+/// A small change of a body's pose that leaves its velocity unchanged.
 struct Displacement {
     Vector3d shift = Vector3d::Zero(); // motion of the center of mass [m]
     Vector3d turn = Vector3d::Zero();  // rotation axis times angle [rad]

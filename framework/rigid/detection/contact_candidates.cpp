@@ -43,7 +43,7 @@ double travel(const RigidState& from, const RigidState& to, double radius, doubl
            2.5 * orientation_distance(from.orientation, to.orientation) * radius;
 }
 
-// What the propagation of impulses needs of a body.
+// Data of a body that the propagation of impulses needs.
 struct Partner {
     double mass = 0, restitution = 0;
     bool is_still = false;
@@ -62,12 +62,12 @@ double speed_transfer(const Partner& i, const Partner& j)
     return std::min(1.0, (1 + restitution) * j.mass / (i.mass + j.mass));
 }
 
-// Everything that the search for contacts of a pair needs to know.
+// Data for the search for contacts.
 struct Search {
     const World& world;
     std::vector<Bounds> bounds;   // one for each body, swept over the step
     std::vector<double> travels;  // one for each body [m]
-    ContactCandidates candidates; // poses and radii are there, margins come next, contacts last
+    ContactCandidates candidates; // filled in this order: poses and radii, margins, contacts
     double time_step = 0;         // [s]
 };
 
@@ -91,8 +91,8 @@ struct PossibleTravel {
     double distance = 0; // [m]
 };
 
-// Impulses pass from body to body within a step, as along a row of balls. A round finds what bodies
-// that moved farther in the round before give to their neighbours.
+// Impulses pass from body to body within a step, as along a row of balls. A round computes how far
+// each body whose distance grew in the previous round may push its neighbours.
 struct ImpulsePropagation {
     const std::vector<Partner>& bodies;
     std::vector<double> farthest;  // one for each body; the farthest so far [m]
@@ -129,7 +129,7 @@ std::vector<double> margins_of(const Search& search, const std::vector<BodyPair>
     if (std::all_of(pairs.begin(), pairs.end(), [&](const BodyPair& pair) {
             return all[pair.body1].is_still() || all[pair.body2].is_still();
         }))
-        return margins; // no body is hit that moves
+        return margins; // no two moving bodies are near each other
 
     std::vector<Partner> bodies;
     bodies.reserve(all.size());
@@ -158,8 +158,8 @@ std::vector<double> margins_of(const Search& search, const std::vector<BodyPair>
     return margins;
 }
 
-// The swept bounds with what an impulse may add to a body's motion. No body is faster than the
-// fastest, nor heavier than the heaviest, so this bounds every propagation.
+// The swept bounds, enlarged by the motion that impulses may add. No body is faster than the
+// fastest or heavier than the heaviest one, so this bounds every propagation.
 std::vector<Bounds> bounds_with_impulses(const Search& search, ThreadPool& pool)
 {
     const double fastest = *std::max_element(search.travels.begin(), search.travels.end());
@@ -220,7 +220,7 @@ Found narrow_phase(const Search& search, std::span<const BodyPair> pairs)
     return found;
 }
 
-// Where the bodies are and where they fly to.
+// The poses, radii, swept bounds and travel of all bodies.
 Search search_of(const World& world, std::span<const RigidState> flown, double time_step,
                  ThreadPool& pool)
 {
@@ -263,7 +263,7 @@ ContactCandidates contact_candidates(World& world, std::span<const RigidState> f
     const std::size_t contacts = std::accumulate(
         all.begin(), all.end(), std::size_t{0},
         [](std::size_t sum, const Found& found) { return sum + found.contacts.size(); });
-    candidates.contacts = std::move(all[0].contacts); // which is empty then
+    candidates.contacts = std::move(all[0].contacts); // empty at this point
     candidates.contacts.reserve(contacts);
     bool any_may_meet = false;
     Counters& counters = world.counters;

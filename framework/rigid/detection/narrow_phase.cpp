@@ -40,8 +40,8 @@ void find_sphere_contacts(const PlacedSphere& a, const PlacedSphere& b, double r
     contacts.push_back({b.center + (b.radius + gap / 2) * n, n, gap});
 }
 
-// The way out of a box, from its point nearest to a sphere: the normal, and the distance of the
-// sphere.
+// The way out of a box for a sphere: the normal at the point of the box that is nearest to the
+// sphere, and the gap along it.
 struct OutOfBox {
     Vector3d n = Vector3d::Zero();
     double gap = 0;

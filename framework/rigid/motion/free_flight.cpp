@@ -54,7 +54,7 @@ RigidState one_step(Integrator integrator, const RigidBody& body, const RigidSta
     return euler_step(integrator, body, state, wrench, h);
 }
 
-// The number of equal substeps of which none turns the body by more than a quarter turn.
+// The number of equal substeps that rotate the body by at most a quarter turn each.
 int substeps_for(Integrator integrator, const RigidBody& body, const RigidState& state, double h)
 {
     if (integrator == Integrator::matrix) return 1;
@@ -106,7 +106,7 @@ void fly_together(const World& world, AppliedWrenches& wrenches, std::span<const
         states[together[k]] = Scheme::to(tracks[k].stage, states[together[k]]);
 }
 
-// Kicks and free flights in turns, by the method of Blanes and Moan; see the header.
+// Kicks and free flights alternate, by the method of Blanes and Moan; see the header.
 void fly_by_kicks(const World& world, AppliedWrenches& wrenches, std::span<const int> together,
                   std::vector<RigidState>& states, double h, double middle)
 {

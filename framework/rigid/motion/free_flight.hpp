@@ -34,13 +34,12 @@ namespace rigor {
 
 enum class Gravity { acts, left_out };
 
-/// The state of one body after a time step in which nothing but gravity acts on it, or nothing at
-/// all.
+/// The state of one body after a time step in which gravity alone or nothing acts on it.
 ///
-/// A body that would turn by more than a quarter turn takes equal substeps that do not
-/// (`max_time_step`). Three kinds of flight need no substeps: an isotropic body with an integrator
-/// that turns it exactly, a body of revolution with the default integrator, and the integrator
-/// `matrix`, whose assignment comes before that formula's.
+/// If a body would rotate by more than a quarter turn, the step is divided into equal substeps of
+/// at most a quarter turn (`max_time_step`). Three kinds of flight need no substeps: an isotropic
+/// body with an integrator that rotates it exactly, a body of revolution with the default
+/// integrator, and the integrator `matrix`, whose assignment comes before that formula's.
 RigidState fly(const Settings& settings, const RigidBody& body, RigidState state, double time_step,
                Counters& counters, Gravity gravity = Gravity::acts);
 
@@ -64,9 +63,9 @@ void fly_in_parallel(ThreadPool& pool, std::size_t count, Counters& counters, co
     }
 }
 
-/// The states of all bodies after a time step without contacts. Bodies that springs or applied
-/// forces pull at fly together, all others one by one. Static bodies stay. Changes the counters
-/// alone.
+/// The states of all bodies after a time step without contacts. Bodies on which springs or applied
+/// forces pull fly together, all others one by one. Static bodies keep their state. Only the
+/// counters of the world are changed.
 ///
 /// @param pulled  see `pulled_bodies`
 std::vector<RigidState> fly_all(World& world, const std::vector<bool>& pulled, double time_step,

@@ -91,7 +91,7 @@ Meeting meeting_at(const World& world, const ContactConstraint& c, double time, 
 
 // Lets the pair bounce at its impact. The states are changed only if it returns contacts.
 // @return the contacts with their impulses, an empty list if the bodies do not meet in this step
-//   after all, or nothing if the impact is not a single bounce within the step
+//         after all, or nothing if the impact is not a single bounce within the step
 std::optional<std::vector<ContactRecord>> bounce_at_impact(const World& world,
                                                            const ContactProblem& problem,
                                                            const ContactPair& pair,

@@ -25,7 +25,7 @@ void collect_contacts(World& world, const ContactProblem& problem,
 /// Gives the world its new states and memory, and advances its time.
 ///
 /// @return the records, without those of bodies that fell asleep in this step but with the contacts
-///   that hold sleeping bodies
+///         that hold sleeping bodies
 std::vector<ContactRecord> finish_step(World& world, double time_step, StepResult result);
 
 } // namespace rigor

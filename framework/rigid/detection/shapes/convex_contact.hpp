@@ -7,7 +7,7 @@
 
 namespace rigor {
 
-/// Appends the contacts of two convex shapes (geometry/convex.hpp) that are closer than `reach`.
+/// Appends the contacts of two convex shapes (`is_convex_solid`) that are closer than `reach`.
 ///
 /// All contacts have the same normal: the direction in which the shapes are closest, or, if they
 /// overlap, in which they separate soonest. If both shapes turn a face or a line to each other, one

@@ -139,8 +139,9 @@ private:
     std::vector<Contact>& contacts_;
 };
 
-// The contacts of a ball on a ring (torus). The circle of the ring is the core, and three points on
-// it, 120° apart, are used, so that a ball over the hole rests on three points.
+// The contacts of a ball on a ring (torus). The circle of the ring is the core. Three points on it
+// are tested, 120° apart with one of them nearest to the ball, so that a ball over the hole rests
+// on three points.
 void touch_ring(const Sphere& sphere, const Vector3d& center, const Torus& torus, const Pose& pose,
                 double reach, std::vector<Contact>& contacts)
 {
