@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/deformed_surfaces.hpp"
 
+#include "deformable/surface/surface.hpp"
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -2,6 +2,7 @@
 // The surfaces of deforming solids as triangles to draw.
 #pragma once
 
+#include "deformable/surface/surface.hpp"
 #include "render/picture.hpp"
 #include "scene/trajectory/trajectory.hpp"
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "render/overlays.hpp"
 
+#include "geometry/shapes/shape_bounds.hpp"
+#include "geometry/shapes/pose.hpp"
 #include "geometry/bounds/bounds.hpp"
 #include "render/colors.hpp"
 

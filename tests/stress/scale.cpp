@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The same scenes in very small and very large sizes, and far from the origin.
+#include "rigid/step/step.hpp"
 #include "stress/scenes.hpp"
 #include "stress/watch.hpp"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "stress/watch.hpp"
 
+#include "rigid/step/step.hpp"
 #include "geometry/shapes/pose.hpp"
 #include "geometry/shapes/shape_bounds.hpp"
 #include "geometry/shapes/solid_mesh.hpp"

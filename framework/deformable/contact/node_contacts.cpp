@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "deformable/contact/node_contacts.hpp"
 
+#include "geometry/shapes/shape_bounds.hpp"
 #include "geometry/bounds/bounds.hpp"
 
 #include <algorithm>

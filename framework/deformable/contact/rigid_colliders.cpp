@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "deformable/contact/rigid_colliders.hpp"
 
+#include "rigid/bodies/orientation.hpp"
 #include "formulas/collision.hpp"
 #include "rigid/motion/free_flight.hpp"
 #include "rigid/step/sleep.hpp"

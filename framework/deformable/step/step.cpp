@@ -4,6 +4,7 @@
 // step of the rigid bodies, with the velocities that the solids gave them.
 #include "deformable/step/step.hpp"
 
+#include "rigid/step/step.hpp"
 #include "deformable/elasticity/flow.hpp"
 #include "deformable/fracture/fracture.hpp"
 #include "deformable/fracture/inverted_elements.hpp"

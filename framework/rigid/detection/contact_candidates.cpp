@@ -6,6 +6,7 @@
 // they have to wake before the step goes on.
 #include "rigid/detection/contact_candidates.hpp"
 
+#include "geometry/shapes/shape_bounds.hpp"
 #include "rigid/bodies/orientation.hpp"
 #include "rigid/detection/broad_phase.hpp"
 

@@ -3,6 +3,8 @@
 
 #include "errors/quotes.hpp"
 #include "geometry/meshes/mesh_checks.hpp"
+#include "geometry/tetrahedra/tetrahedra_checks.hpp"
+#include "geometry/mesh_files/obj.hpp"
 #include "geometry/mesh_files/tetrahedra_files.hpp"
 
 #include <fmt/format.h>

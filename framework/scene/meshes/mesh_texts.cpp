@@ -3,8 +3,10 @@
 
 #include "errors/input_error.hpp"
 #include "errors/quotes.hpp"
+#include "geometry/mesh_files/obj.hpp"
 #include "geometry/mesh_files/tetrahedra_files.hpp"
 #include "geometry/meshes/mesh_checks.hpp"
+#include "geometry/tetrahedra/tetrahedra_checks.hpp"
 #include "scene/language/keys.hpp"
 
 #include <fmt/format.h>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "scene/run/record_solid.hpp"
 
+#include "deformable/elasticity/totals.hpp"
 #include "deformable/elasticity/element.hpp"
 #include "deformable/solid/pieces.hpp"
 #include "rigid/bodies/non_finite.hpp"

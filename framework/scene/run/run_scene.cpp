@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "rigid/step/step.hpp"
 #include "deformable/step/step.hpp"
 #include "scene/run/record_solid.hpp"
 #include "scene/run/run_scene.hpp"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "scene/trajectory/solid_records.hpp"
 
+#include "deformable/elasticity/totals.hpp"
+#include "deformable/surface/surface.hpp"
 namespace rigor {
 
 namespace {

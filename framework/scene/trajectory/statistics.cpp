@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "scene/trajectory/statistics.hpp"
 
+#include "deformable/elasticity/totals.hpp"
 #include "geometry/shapes/pose.hpp"
 
 #include <algorithm>

@@ -3,6 +3,7 @@
 // of an assignment is called, so that a wrong one cannot hide.
 #pragma once
 
+#include "deformable/elasticity/totals.hpp"
 #include "scene/trajectory/trajectory.hpp"
 
 namespace rigor {

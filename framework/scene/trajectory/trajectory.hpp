@@ -22,6 +22,8 @@
 // A file that stops before 'E' holds the run up to there.
 #pragma once
 
+#include "deformable/elasticity/totals.hpp"
+#include "deformable/surface/surface.hpp"
 #include "scene/description/scene.hpp"
 
 #include <array>

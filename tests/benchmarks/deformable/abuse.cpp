@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "deformable/elasticity/totals.hpp"
 #include "deformable/fracture/remesh.hpp"
 #include "deformable/solid/pieces.hpp"
 #include "formulas/fracture.hpp"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Our own engine as a contestant, and the list of all.
+#include "rigid/step/step.hpp"
 #include "rigid/bodies/mass.hpp"
 
 namespace rigor {

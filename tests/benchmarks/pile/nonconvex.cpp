@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "nonconvex.hpp"
 
+#include "rigid/step/step.hpp"
 #include "geometry/meshes/generators.hpp"
 #include "geometry/shapes/shape_bounds.hpp"
 #include "geometry/shapes/solid_mesh.hpp"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "rigid/step/step.hpp"
 #include "run.hpp"
 
 #include "rigid/bodies/mass.hpp"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Run time against attitude error of a free rigid body, for every integrator and, where they are
 // installed, for Bullet and ODE.
+#include "rigid/step/step.hpp"
 #include "rigid/bodies/mass.hpp"
 #include "rigid/bodies/world.hpp"
 #include "support/bench/bench.hpp"

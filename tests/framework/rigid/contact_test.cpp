@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Resting, sliding and rolling, compared with results computed by hand.
+#include "rigid/step/step.hpp"
 #include "worlds.hpp"
 
 using namespace rigor;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The same world gives bitwise the same results, for any number of threads and any number of runs.
+#include "rigid/step/step.hpp"
 #include "worlds.hpp"
 
 #include <cstring>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "rigid/step/step.hpp"
 #include "support/free_rotor.hpp"
 #include "worlds.hpp"
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Steps for which one normal for each contact is not enough.
+#include "rigid/step/step.hpp"
 #include "support/depth.hpp"
 #include "worlds.hpp"
 

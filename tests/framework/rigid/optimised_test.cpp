@@ -4,9 +4,9 @@
 
 #include "formulas/collision.hpp"
 #include "formulas/contact.hpp"
+#include "rigid/contact/active_contacts.hpp"
 #include "rigid/contact/blocks.hpp"
-#include "rigid/contact/resting_contact.hpp"
-#include "rigid/contact/solvers/sweeps.hpp"
+#include "rigid/contact/solvers/optimised_sweeps.hpp"
 #include "support/catch.hpp"
 #include "support/seeds.hpp"
 #include "worlds.hpp"
@@ -49,7 +49,7 @@ struct Heap {
         problem.pool = &alone;
         problem.optimised = true;
         problem.time_step = 0.01;
-        problem.gravity = {0, -g, 0};
+        problem.settings.gravity = {0, -g, 0};
         problem.bodies.emplace_back(); // the static body
         for (int i = 1; i < 7; ++i) {
             problem.bodies.push_back(random_body(random));
@@ -64,17 +64,17 @@ struct Heap {
             c.normal = random.unit_vector();
             c.gap = random.uniform(-0.01, 0.01);
             c.friction = random.uniform(0, 1);
-            c.guess = 0.1 * c.normal;
+            c.initial_impulse = 0.1 * c.normal;
             problem.set_impulse_matrix(c);
             const int at = static_cast<int>(problem.contacts.size());
             island.pairs.push_back({at, at + 1});
             problem.contacts.push_back(c);
         }
         split_into_blocks(problem, island);
-        for (const Held& h : held_contacts(problem, island)) {
-            const ContactConstraint& c = problem.contacts[h.contact];
-            contacts.push_back(
-                {c.body1, c.body2, c.point, c.normal, -c.gap, c.friction, h.target, c.guess});
+        for (int i : activate_contacts(problem, island)) {
+            const ContactConstraint& c = problem.contacts[i];
+            contacts.push_back({c.body1, c.body2, c.point, c.normal, -c.gap, c.friction,
+                                c.target_speed, c.initial_impulse});
         }
     }
 };
@@ -108,17 +108,17 @@ TEST_CASE("optimised: the sweeps are those of resolve_simultaneously", "[rigid]"
             REQUIRE(heap.contacts.size() > 8);
             const ContactResult expected =
                 resolve_simultaneously(heap.problem.bodies, heap.contacts, sweeps);
-            const UninitializedVector<Held> held = held_contacts(heap.problem, heap.island);
-            const auto fast = optimised_sweeps(heap.problem, heap.island, held);
-            std::vector<Vector3d> steps(held.size());
+            const UninitializedVector<int> active = activate_contacts(heap.problem, heap.island);
+            const auto fast = optimised_sweeps(heap.problem, heap.island, active);
+            std::vector<Vector3d> steps(active.size());
             for (int i = 0; i < sweeps; ++i)
                 fast->sweep(steps);
             fast->finish();
             // Each sweep adds some rounding error of velocities up to 10 m/s and impulses up to 10
             // N s.
             const Tolerance rounding = Rounding(1000.0 * (sweeps + 1), 10);
-            for (std::size_t k = 0; k < held.size(); ++k)
-                CHECK_THAT(heap.problem.contacts[held[k].contact].holding,
+            for (std::size_t k = 0; k < active.size(); ++k)
+                CHECK_THAT(heap.problem.contacts[active[k]].contact_impulse,
                            IsClose(expected.impulses[k], rounding));
             for (int i : heap.island.bodies)
                 CHECK_THAT(heap.problem.bodies[i], IsClose(expected.bodies[i], rounding));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Bodies on which springs and applied forces pull.
+#include "rigid/step/step.hpp"
 #include "support/free_rotor.hpp"
 #include "worlds.hpp"
 

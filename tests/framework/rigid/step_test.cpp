@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Laws that hold for any step: conservation, determinism, order of accuracy, and that skipped work
 // changes nothing.
+#include "rigid/step/step.hpp"
 #include "rigid/bodies/non_finite.hpp"
 #include "worlds.hpp"
 

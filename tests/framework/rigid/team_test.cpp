@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Threads that share the work of a step.
+#include "rigid/step/step.hpp"
 #include "rigid/parallel/thread_pool.hpp"
 
 #include "rigid/contact/blocks.hpp"
@@ -37,7 +38,7 @@ World large_heap()
 ContactProblem chain(int bodies, Island& island)
 {
     ContactProblem problem;
-    problem.gravity = {0, -g, 0};
+    problem.settings.gravity = {0, -g, 0};
     problem.bodies.emplace_back(); // the static body
     for (int i = 1; i <= bodies; ++i) {
         Body& body = problem.bodies.emplace_back();
@@ -99,7 +100,7 @@ TEST_CASE("team: of several that throw the first is heard and work goes on", "[r
     }
 }
 
-TEST_CASE("team: blocks of one stage share no body and no pair is lost", "[rigid]")
+TEST_CASE("team: blocks of one color share no body and no pair is lost", "[rigid]")
 {
     for (int bodies : {50, 400, 2000}) {
         CAPTURE(bodies);
@@ -108,9 +109,9 @@ TEST_CASE("team: blocks of one stage share no body and no pair is lost", "[rigid
         split_into_blocks(problem, island);
         std::set<int> seen;
         int last = 0;
-        for (const IslandStretch& stage : island.stages) {
+        for (const IndexRange& color : island.colors) {
             std::set<int> taken;
-            for (int k = stage.first; k < stage.last; ++k) {
+            for (int k = color.first; k < color.last; ++k) {
                 REQUIRE(island.blocks[k].first == last);
                 last = island.blocks[k].last;
                 std::set<int> own;
@@ -125,7 +126,7 @@ TEST_CASE("team: blocks of one stage share no body and no pair is lost", "[rigid
             }
         }
         REQUIRE(last == bodies);
-        REQUIRE((island.stages.size() > 1) == (bodies > 200));
+        REQUIRE((island.colors.size() > 1) == (bodies > 200));
     }
 }
 

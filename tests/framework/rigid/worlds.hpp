@@ -5,7 +5,7 @@
 #include "geometry/shapes/pose.hpp"
 #include "rigid/bodies/mass.hpp"
 #include "rigid/bodies/world.hpp"
-#include "rigid/bodies/world.hpp"
+#include "rigid/step/step.hpp"
 #include "support/close.hpp"
 #include "support/random.hpp"
 

@@ -4,6 +4,7 @@
 // on both edges and the normal lies between the normals of the faces at each edge.
 #include "rigid/detection/shapes/edge_contact.hpp"
 
+#include "geometry/shapes/pose.hpp"
 #include "geometry/shapes/solid_mesh.hpp"
 
 #include <cmath>

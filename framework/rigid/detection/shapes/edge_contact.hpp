@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "geometry/shapes/pose.hpp"
 #include "geometry/meshes/mesh_surface.hpp"
 #include "rigid/detection/contact.hpp"
 
