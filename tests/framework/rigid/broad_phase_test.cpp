@@ -76,9 +76,8 @@ TEST_CASE("broad phase: it finds what comparing all pairs finds", "[rigid]")
 static std::uint64_t pairs_possible(const World& world)
 {
     const auto n = static_cast<std::uint64_t>(world.bodies.size());
-    const auto fixed =
-        static_cast<std::uint64_t>(std::count_if(world.bodies.begin(), world.bodies.end(),
-                                                 [](const RigidBody& b) { return b.is_static; }));
+    const auto fixed = static_cast<std::uint64_t>(std::count_if(
+        world.bodies.begin(), world.bodies.end(), [](const RigidBody& b) { return b.is_static; }));
     return n * (n - 1) / 2 - fixed * (fixed - 1) / 2;
 }
 
