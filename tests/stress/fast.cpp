@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Steps in which bodies travel farther than what is in their way is thick.
+// Steps in which bodies travel farther than the thickness of the obstacles in their way.
 #include "stress/scenes.hpp"
 #include "stress/watch.hpp"
 
@@ -13,7 +13,8 @@ namespace {
 
 constexpr double wall_thickness = 0.01, size = 0.1; // [m]
 
-// A body shot along +x at a wall from half a step's travel and a bit away. It must stay in front.
+// A body is shot at a wall from a distance of 0.47 times its travel in a step plus its size. It
+// must stay in front of the wall.
 void shoot(Record& record, RigidBody body, double speed, const Vector3d& direction)
 {
     body.state.position = -(0.47 * speed * frame + size) * direction;
@@ -52,7 +53,7 @@ void add_walls(Suite& suite)
         }
 }
 
-// Two small bodies shot at each other: neither may come out behind the other.
+// Two small bodies are shot at each other. Neither may pass through the other.
 void meet(Record& record, const Shape& shape, double speed)
 {
     RigidBody left = body_of(shape, {-0.3 * speed * frame - size, 0, 0}), right = left;
@@ -84,8 +85,9 @@ void fly_ten_seconds(Record& record)
                        64 * 10 * std::numeric_limits<double>::epsilon(), 'R');
 }
 
-// Whatever the step, nothing may end on the far side of what it lands on. (A millionth of the way that
-// gravity makes in such a step is 1 mm: so the bound is not that of resting bodies.)
+// For any time step, no body may end on the far side of the body on which it lands. The bound for
+// resting bodies does not apply: a millionth of the distance that gravity covers in such a step is
+// already 1 mm.
 void land_in_ten_seconds(Record& record, World world, double edge)
 {
     const double scale = std::max(lifting_energy(world, edge), total_energy(world));

@@ -65,7 +65,7 @@ double steps_per_second(const Record& record)
     return record.seconds > 0 ? static_cast<double>(record.steps) / record.seconds : 0;
 }
 
-// A cell of at least `width` characters, as a terminal counts them.
+// Prints a cell that is at least `width` characters wide on a terminal.
 void print_cell(const std::string& text, int width)
 {
     const auto shown =
@@ -110,7 +110,7 @@ Json json_of(const Case& test, const Record& r)
             {"met", r.met()}};
 }
 
-// A case that throws has met nothing.
+// Runs a case. A case that throws has not met its limits.
 Record record_of(const Case& test)
 {
     Record record;

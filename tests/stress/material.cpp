@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Friction from none to a million, restitution none and full.
+// Friction from zero to a million, and restitution 0 and 1.
 #include "stress/scenes.hpp"
 #include "stress/watch.hpp"
 
@@ -24,8 +24,8 @@ std::string text_of(double x)
     return text;
 }
 
-// A block on an incline of 30°, from rest: x = a t²/2 with a = g (sin θ - μ cos θ), or no motion at
-// all if μ > tan θ.
+// A block on an incline of 30°, at first at rest. Expected is x = a t²/2 with a = g (sin θ - μ cos
+// θ), or no motion if μ > tan θ.
 void slide(Record& record, double friction, double restitution)
 {
     constexpr int steps = 120;
@@ -47,7 +47,7 @@ void slide(Record& record, double friction, double restitution)
     watch.limit_energy(64 * steps * eps);
 }
 
-// A spinning ball that rubs on the ground, and a pile: whatever μ, energy is only lost.
+// A spinning ball that rubs on the ground, and a pile. For any μ, energy may only be lost.
 void rub(Record& record, double friction)
 {
     const Material material{0.5, friction};
@@ -72,8 +72,8 @@ void pile_up(Record& record, const Material& material)
     watch.limit_energy(allowed_depth);
 }
 
-// A ball falls 1 m and bounces for 10 s: never higher than before, and with ε = 1 no lower than what
-// the steps lose.
+// A ball falls 1 m and bounces for 10 s. It must never rise higher than before; for ε = 1 the
+// energy that the steps lose is recorded as drift.
 void bounce(Record& record, double restitution, const Shape& shape)
 {
     const Material material{restitution, 0.5};
@@ -86,7 +86,7 @@ void bounce(Record& record, double restitution, const Shape& shape)
         lowest =
             std::min(lowest, (total_energy(watch.world()) - total_energy(watch.start())) / scale);
     });
-    if (restitution == 1) record.drift = -lowest; // what the steps lose
+    if (restitution == 1) record.drift = -lowest; // energy that the steps lose
     watch.limit_energy(64 * 2400 * eps);
     watch.limit_penetration(allowed_depth);
     if (restitution == 0)
@@ -94,8 +94,8 @@ void bounce(Record& record, double restitution, const Shape& shape)
                      64 * 2400 * eps * g, 'R');
 }
 
-// Equal spheres in a row, the first with speed 1. Collisions one after the other: the last leaves
-// with it. (With the gaps that are left between them.)
+// Equal spheres in a row, with gaps between them. The first one has speed 1, and since the
+// collisions happen one after the other, the last one leaves with that speed.
 void cradle(Record& record, int n)
 {
     std::vector<RigidBody> bodies;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Bodies that start inside each other.
+// Bodies that overlap at the start.
 #include "stress/scenes.hpp"
 #include "stress/watch.hpp"
 
@@ -9,8 +9,8 @@ namespace rigor::stress {
 
 namespace {
 
-// The energy that parting may bring in: that of lifting everything by `lift` in the mean, and of a
-// speed of one edge a second.
+// The energy that the separation may add: the energy of lifting all bodies by `lift` on average,
+// and that of a speed of one edge per second.
 double parting_energy(const World& world, double lift, double edge)
 {
     double mass = 0;
@@ -19,7 +19,7 @@ double parting_energy(const World& world, double lift, double edge)
     return lifting_energy(world, lift) + mass * edge * edge / 2;
 }
 
-// Ten seconds to part without an explosion.
+// The bodies have ten seconds to separate and must not fly apart.
 void part(Record& record, World world, double lift, bool completely = true)
 {
     const double edge = 1, scale = parting_energy(world, lift, edge);

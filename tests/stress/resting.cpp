@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What has to stand: stacks, heavy bodies on light ones, whatever the order of the bodies.
+// Scenes that must stay standing: stacks, and heavy bodies on light ones, for any order of the
+// bodies.
 #include "stress/scenes.hpp"
 #include "stress/watch.hpp"
 #include "support/random.hpp"
@@ -10,9 +11,9 @@ namespace rigor::stress {
 
 namespace {
 
-constexpr int ten_seconds = 600; // at `frame`
+constexpr int ten_seconds = 600; // steps of length `frame`
 
-// Runs 10 s and asks that everything stands.
+// Runs 10 s and checks that all bodies stay standing.
 void stand(Record& record, World world, double edge, int every = 10)
 {
     const double scale = lifting_energy(world, edge);
@@ -49,7 +50,7 @@ void add_heavy(Suite& suite)
     }
 }
 
-// A wall of cubes, 5 at its foot and each row one shorter.
+// A wall of cubes with 5 in the lowest row and one fewer in each row above.
 World pyramid()
 {
     std::vector<RigidBody> bodies = {ground()};
@@ -59,7 +60,8 @@ World pyramid()
     return world_of(std::move(bodies));
 }
 
-// Bricks 2 × 1 × 1 in bond, eight in a row: the ends of every other row stand over by half a brick.
+// A wall of bricks 2 × 1 × 1, eight in a row. Every other row is offset by half a brick, so its
+// ends overhang.
 World brick_wall()
 {
     std::vector<RigidBody> bodies = {ground()};
@@ -69,7 +71,7 @@ World brick_wall()
     return world_of(std::move(bodies));
 }
 
-// Where each body of `world` went, for every numbering of the bodies.
+// The place of each body of `world` at the end, if the bodies are numbered in the given order.
 std::vector<Vector3d> places_after(const World& world, const std::vector<int>& order,
                                    Record& record)
 {

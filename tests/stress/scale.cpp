@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The same scenes as small as dust and as large as mountains, and far from the origin.
+// The same scenes in very small and very large sizes, and far from the origin.
 #include "rigid/step/step.hpp"
 #include "stress/scenes.hpp"
 #include "stress/watch.hpp"
@@ -14,7 +14,7 @@ namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
-// Three cubes and a ball that fall askew, everything s times as large.
+// Three cubes and a ball that fall in tilted poses, with all lengths multiplied by s.
 World falling_scene(double s)
 {
     std::vector<RigidBody> bodies = {ground({0.3, 0.5})};
@@ -25,8 +25,8 @@ World falling_scene(double s)
     return world_of(std::move(bodies));
 }
 
-// With lengths s = 4ᵏ and times √s = 2ᵏ, every number of the scene is the same up to a power of two: so
-// is the motion, bit for bit, unless something in the engine has a size of its own.
+// With lengths scaled by s = 4ᵏ and times by √s = 2ᵏ, every number of the scene changes only by a
+// power of two. So the motion is bitwise the same, unless the engine contains an absolute length.
 void resemble(Record& record, int k)
 {
     const double s = std::ldexp(1.0, 2 * k), time = std::ldexp(1.0, k);
@@ -57,8 +57,8 @@ void stand(Record& record, double edge, const Vector3d& foot)
     watch.limit_energy(allowed_depth + rounding / edge);
 }
 
-// What moves 1e6 m from the origin moves as at the origin, up to the rounding of its places; a free fall
-// and a slide have nothing that magnifies it.
+// A scene 1e6 m from the origin moves as it does at the origin, up to the rounding of its
+// positions. In a free fall and in sliding, nothing amplifies this rounding.
 void move_far(Record& record, const Vector3d& origin)
 {
     const auto scene = [](const Vector3d& at) {

@@ -57,7 +57,8 @@ Box cube(double edge)
     return {Vector3d::Constant(edge)};
 }
 
-// A box's surface as a grid of points (i, j, k) of its hull, each face in n × n squares but for the sides, n × 1.
+// The surface of a box as a grid of vertices (i, k, top). The top and the bottom are divided into n
+// × n squares, the sides into n × 1.
 Mesh slab(int n, double width)
 {
     TriangleMesh mesh;

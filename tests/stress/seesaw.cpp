@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A big and a small block on a plank, against its twin without contact.
+// A large and a small block on a plank, compared with the same motion computed without contacts.
 #include "stress/scenes.hpp"
 #include "stress/watch.hpp"
 
@@ -15,7 +15,7 @@ namespace {
 constexpr double until = 0.3; // [s]
 constexpr double angle_error_limit = 0.02;
 
-// The plank first; it balances on the edge of a box at the origin.
+// The plank comes first. It balances on the edge of a box at the origin.
 std::vector<RigidBody> loaded_plank()
 {
     const Material sticky{0, 1};
@@ -24,8 +24,8 @@ std::vector<RigidBody> loaded_plank()
             body_of(cube(0.5), {1.5, 0.35, 0}, sticky, {}, 800)};
 }
 
-// The plank and its blocks as one rigid body about the origin: θ̈ = -g Σ m x(θ) / Σ (I + m r²), by
-// Runge–Kutta 4 in steps that leave no error to see.
+// The angle of the plank and its blocks as one rigid body about the origin: θ̈ = -g Σ m x(θ) / Σ (I
+// + m r²), by Runge–Kutta 4 with steps so short that the error is negligible.
 double angle_of_twin()
 {
     const std::vector<RigidBody> bodies = loaded_plank();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A million steps of spinning, and inertias that are hardly bodies any more.
+// A million steps of spinning, and inertias at the limits of what a body can have.
 #include "rigid/bodies/mass.hpp"
 #include "stress/scenes.hpp"
 #include "stress/watch.hpp"
@@ -27,7 +27,7 @@ double length_error(const Quaternion& q)
     return std::abs(std::sqrt(q.s * q.s + q.v.squaredNorm()) - 1);
 }
 
-// Spins that last: |q| = 1 after every step, L never changes.
+// Long spins: |q| = 1 after every step, and L never changes.
 void spin_long(Record& record, Integrator integrator, int steps, const Vector3d& moments,
                const Vector3d& angular_velocity)
 {
@@ -68,10 +68,10 @@ void add_spins(Suite& suite)
          }});
 }
 
-// A free tumble of a body that could be (no moment above the sum of the others). L stays; the energy is
-// between L²/2I of the largest and the smallest moment whatever the step (I), and changes by what a
-// method of fourth order leaves (O): n (|ω|h)⁵ where the steps resolve the spin; where they do not, it
-// must at least not blow up.
+// Free rotation of a body with a physically possible inertia (no moment above the sum of the
+// others). L does not change. For any time step, the energy lies between L²/2I of the largest and
+// of the smallest moment (I). If the steps resolve the spin, it changes only by the error of a
+// fourth-order method (O), n (|ω|h)⁵; if not, it must not grow without bound.
 void tumble(Record& record, const Vector3d& moments, const Vector3d& angular_velocity)
 {
     constexpr int steps = 1000;
@@ -101,7 +101,7 @@ void tumble(Record& record, const Vector3d& moments, const Vector3d& angular_vel
                  (L.squaredNorm() / (2 * moments.maxCoeff())) / least - 1, 64 * steps * eps, 'I');
 }
 
-// Falls on the ground askew and has to come to lie there.
+// A body falls on the ground in a tilted pose and has to come to rest there.
 void drop(Record& record, const Shape& shape, double thickness, const Vector3d* moments)
 {
     RigidBody body = body_of(shape, {0, 1, 0}, rough, turn({1, 2, 3}, 0.4));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Cases that break engines, each with stated limits.
+// Cases that are difficult for physics engines, each with stated limits.
 #pragma once
 
 #include <cstdint>
@@ -9,23 +9,23 @@
 
 namespace rigor::stress {
 
-/// A figure and the most it may be. Classes: R rounding, O order, I invariant, B bracket.
+/// A measured value and its upper limit. Classes: R rounding, O order, I invariant, B bracket.
 struct Check {
     std::string what;
     double figure = 0, limit = 0;
     char tolerance_class = 'I';
 
-    bool met() const { return figure <= limit; } // a figure that is not a number keeps no limit
+    bool met() const { return figure <= limit; } // false for a value that is not a number
 };
 
-/// What every case records, and what it asks for.
+/// The values that every case records, and its limits.
 struct Record {
-    double penetration = 0; // the largest [m]
-    double energy_gain = 0; // over the start, in units of the case's energy scale
-    double drift = 0;       // of what should have stayed, in the units of its check
-    int not_finite = 0;     // states that were not numbers
+    double penetration = 0; // the largest one [m]
+    double energy_gain = 0; // since the start, in units of the case's energy scale
+    double drift = 0;       // change of what must stay constant, in the units of its check
+    int not_finite = 0;     // number of states that were not finite
     std::int64_t steps = 0;
-    double seconds = 0; // of the steps alone
+    double seconds = 0; // time of the steps alone
     std::vector<Check> checks;
 
     void limit(const std::string& what, double figure, double most, char tolerance_class)
@@ -41,9 +41,9 @@ struct Record {
 };
 
 struct Case {
-    std::string line; // what it stresses: cases of one line print together
+    std::string line; // the topic; cases with the same one are printed together
     std::string name;
-    bool is_quick = false; // also run by the tests of every build
+    bool is_quick = false; // whether the tests of every build run it too
     std::function<void(Record&)> run;
 };
 
@@ -59,14 +59,16 @@ void add_material(Suite& suite);
 void add_scale(Suite& suite);
 void add_weightless(Suite& suite);
 
-/// How much two bodies may overlap while they rest or slide, as a share of the smaller one's edge;
-/// class I. It is also the energy that a scene may gain, as the weight lifted by it.
+/// Largest overlap of two bodies that rest or slide, as a fraction of the smaller one's edge; class
+/// I. It is also the energy that a scene may gain, as the energy of lifting the bodies by this
+/// height.
 inline constexpr double allowed_depth = 0.01;
 
-/// The same while they hit each other, many at once.
+/// The same limit while many bodies hit each other at once.
 inline constexpr double allowed_impact_depth = 0.1;
 
-/// Something stands if nothing of it is farther from its place than this share of its edge; class B.
+/// A scene counts as standing if no body is farther from its place than this fraction of its edge;
+/// class B.
 inline constexpr double standing = 0.5;
 
 } // namespace rigor::stress

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Contacts that have no best answer: faces in one plane, edges along each other, bodies hardly
-// thicker than a rounding, floors of many pieces.
+// Contacts without a single best solution: faces in one plane, parallel edges, bodies of almost
+// zero thickness, floors made of many pieces.
 #include "stress/scenes.hpp"
 #include "stress/watch.hpp"
 
@@ -18,7 +18,7 @@ namespace {
 constexpr double eps = std::numeric_limits<double>::epsilon();
 constexpr double quarter = std::numbers::pi / 4;
 
-// A floor of nx × nz boxes whose tops are one plane, y = 0.
+// A floor of nx × nz boxes whose tops all lie at y = 0.
 std::vector<RigidBody> tiles(int nx, int nz, double width, const Material& material)
 {
     std::vector<RigidBody> bodies;
@@ -31,7 +31,7 @@ std::vector<RigidBody> tiles(int nx, int nz, double width, const Material& mater
     return bodies;
 }
 
-// A floor 20 m wide with its top at y = 0, of boxes or of triangles.
+// A floor 20 m wide with its top at y = 0, made of boxes or of triangles.
 struct Floor {
     std::string name;
     std::vector<RigidBody> (*bodies)(const Material&);
@@ -51,8 +51,8 @@ const Floor floors[] = {
     {"8192 triangles on top", [](const Material& m) { return mesh_floor(64, m); }, false},
 };
 
-// Something slides over the seams of a floor without friction: it goes on as if there were none.
-// n steps of rounding.
+// A body slides over the seams of a floor without friction. It must move on as if there were no
+// seams, up to the rounding errors of n steps.
 void cross_seams(Record& record, RigidBody body, std::vector<RigidBody> bodies)
 {
     constexpr int steps = 120;
@@ -71,7 +71,7 @@ void cross_seams(Record& record, RigidBody body, std::vector<RigidBody> bodies)
     watch.limit_energy(64 * steps * eps);
 }
 
-// A stack stands on a floor of pieces.
+// A stack that stands on a floor made of pieces.
 void rest_on_pieces(Record& record, std::vector<RigidBody> bodies)
 {
     for (int i = 0; i < 5; ++i)
@@ -103,7 +103,7 @@ void add_floors(Suite& suite)
     }
 }
 
-// Falls onto something fixed, or lies on it; must neither sink in nor gain energy.
+// A body falls onto a static body or lies on it. It must neither sink in nor gain energy.
 void fall_on(Record& record, const RigidBody& fixed_body, const RigidBody& body, double size,
              bool is_touching)
 {
@@ -119,7 +119,7 @@ void fall_on(Record& record, const RigidBody& fixed_body, const RigidBody& body,
 
 void add_edges(Suite& suite)
 {
-    const double top = std::sqrt(0.5); // of a unit cube that stands on an edge
+    const double top = std::sqrt(0.5); // a unit cube that stands on an edge
     const RigidBody edge_up = fixed(cube(1), {0, 0, 0}, rough, turn({0, 0, 1}, quarter));
     for (const double height : {0.0, 0.5}) {
         const std::string how = height > 0 ? ", falling 0.5 m" : ", touching";
@@ -144,7 +144,7 @@ void add_edges(Suite& suite)
     }
 }
 
-// A pile of plates keeps its order: none falls through another or the floor.
+// A pile of plates keeps its order: no plate falls through another one or through the floor.
 void lay_plates(Record& record, double thickness)
 {
     std::vector<RigidBody> bodies = {ground()};

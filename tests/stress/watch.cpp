@@ -16,7 +16,7 @@ namespace rigor::stress {
 
 namespace {
 
-// A slab of triangles is a box to the measure, about the middle of its bounds.
+// A slab of triangles is measured as a box about the middle of its bounds.
 Part measured(const Part& part)
 {
     const Mesh* mesh = std::get_if<Mesh>(&part.shape);
@@ -96,7 +96,7 @@ double deepest_overlap(const World& world)
     for (std::size_t i = 0; i < n; ++i)
         for (std::size_t j = 0; j < n; ++j) {
             const RigidBody &a = world.bodies[i], &b = world.bodies[j];
-            if (a.is_static || (!b.is_static && j <= i)) continue; // each pair once
+            if (a.is_static || (!b.is_static && j <= i)) continue; // count each pair once
             const double distance = (a.state.position - b.state.position).norm();
             if (distance < radii[i] + radii[j]) depth = std::max(depth, depth_of(a, b));
         }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Runs a world and records what a case asks for.
+// Runs a world and records the values that a case has limits for.
 #pragma once
 
 #include "rigid/bodies/world.hpp"
@@ -11,11 +11,11 @@ namespace rigor::stress {
 double kinetic_energy(const World& world);
 double total_energy(const World& world);
 
-/// Sum over the moving bodies of mass times |g| times `height`: the energy of lifting all of them.
+/// The energy of lifting all moving bodies: the sum over them of mass times |g| times `height`.
 double lifting_energy(const World& world, double height);
 
-/// The largest overlap of any two bodies, not both static [m]. Meshes are measured as the boxes that
-/// bound them: here they are slabs.
+/// The largest overlap of any two bodies of which at least one can move [m]. Meshes are measured as
+/// their bounding boxes, since the meshes of these scenes are slabs.
 double deepest_overlap(const World& world);
 
 class Watch {
@@ -23,14 +23,16 @@ public:
     /// @param energy_scale  unit of the energy gain [J]; if 0, the kinetic energy at the start
     Watch(World world, Record& record, double energy_scale);
 
-    /// Steps on; the overlap is measured after every `every` steps and after the last. Stops at a state
-    /// that is not a number. @param each  called after every step
+    /// Takes steps. The overlap is measured every `every` steps and after the last step. Stops at a
+    /// state that is not finite.
+    ///
+    /// @param each  called after every step
     void run(int steps, double time_step, int every = 1, const std::function<void()>& each = {});
 
     void limit_penetration(double most);
     void limit_energy(double most, char tolerance_class = 'I');
 
-    /// How far the farthest moving body is from where it started [m].
+    /// The largest distance of a moving body from its place at the start [m].
     double farthest_moved() const;
 
     const World& world() const { return world_; }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A pile without gravity: momentum and angular momentum stay, kinetic energy never rises.
+// A pile without gravity: momentum and angular momentum do not change, and kinetic energy never
+// rises.
 #include "stress/scenes.hpp"
 #include "stress/watch.hpp"
 
@@ -16,7 +17,7 @@ constexpr double eps = std::numeric_limits<double>::epsilon();
 
 struct Momenta {
     Vector3d P = Vector3d::Zero(), L = Vector3d::Zero();
-    double scale_P = 0, scale_L = 0; // sums of the magnitudes of what is added up
+    double scale_P = 0, scale_L = 0; // sums of the magnitudes of the terms
 };
 
 Momenta momenta(const World& world)
@@ -33,7 +34,7 @@ Momenta momenta(const World& world)
     return sum;
 }
 
-// n³ bodies that drift together, each its own way.
+// n³ bodies that drift towards each other, each with a random velocity and rotation.
 World cloud(int n, bool spheres, const Material& material)
 {
     testing::Random random(7);

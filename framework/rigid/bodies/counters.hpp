@@ -5,8 +5,8 @@
 
 namespace rigor {
 
-/// The work that was done since the start, and the work that was left out because the scene did not
-/// need it.
+/// Counts of the work that was done since the start, and of the work that was skipped because the
+/// scene did not need it.
 struct Counters {
     std::uint64_t steps = 0, substeps = 0;
     std::uint64_t pairs_possible = 0, pairs_tested = 0, pair_searches_saved = 0, contacts = 0;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The order in which contacts and bodies are visited where the result depends on an order. The points
-// of a face lie at one height although rounding makes their heights differ. Heights that differ by
-// rounding alone count as equal here, so that the order is the same for every correct implementation
-// of the formulas.
+// The order in which contacts and bodies are visited where the result depends on the order. The
+// corners of a horizontal face should have the same height, but rounding makes their heights
+// differ. Heights that differ only by rounding count as equal here, so the order is the same for
+// every correct implementation of the formulas.
 #pragma once
 
 #include "formulas/types.hpp"
@@ -12,7 +12,7 @@
 
 namespace rigor {
 
-/// The unit vector against gravity; y without gravity.
+/// The unit vector opposite to gravity, or y without gravity.
 inline Vector3d up_direction(const Vector3d& gravity)
 {
     const double g = gravity.norm();
@@ -23,7 +23,7 @@ inline Vector3d up_direction(const Vector3d& gravity)
 class RoundedLength {
 public:
     /// @param points  the points whose lengths will be rounded [m]
-    /// @param at      gives the coordinates of one of them
+    /// @param at      returns the coordinates of one point
     template <typename Points, typename At> RoundedLength(const Points& points, At at)
     {
         double largest = 0;
@@ -32,14 +32,16 @@ public:
         shift_ = std::ldexp(1.5, 16 + (std::isnormal(largest) ? std::ilogb(largest) : 0));
     }
 
-    /// Adding the shift leaves no binary digit below the 36th, since 16 + 36 are all that a double has.
+    /// With 2^e the power of two below the largest coordinate, the shift is 1.5 · 2^(e + 16). A sum
+    /// of that size has 52 binary digits after the first one, so digits below 2^(e - 36) are
+    /// rounded away.
     double operator()(double x) const { return (x + shift_) - shift_; }
 
 private:
     double shift_;
 };
 
-/// Orders places from the lowest up, and places of one height by x, then by z.
+/// Orders places by height, lowest first, then by x, then by z.
 class HeightOrder {
 public:
     struct Place {

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Mass properties of a body from its parts. Each part's shape has a closed form or a formula of
+// topic `inertia`; the parts are rotated and moved to their places and combined. Then the inverse
+// inertia follows through the principal axes, and with it the axis of symmetry.
 #include "rigid/bodies/mass.hpp"
 
 #include "formulas/inertia.hpp"
@@ -13,7 +16,8 @@ namespace rigor {
 
 namespace {
 
-// Half a ball, its flat side towards -direction y, about its own center of mass.
+// Mass properties of half a ball, about its own center of mass. Its flat side lies at y = direction
+// · flat_side and it extends from there in the direction of ±y, where `direction` is 1 or -1.
 MassProperties half_ball(double density, double radius, double direction, double flat_side)
 {
     const double m = density * 2.0 / 3 * std::numbers::pi * radius * radius * radius;
@@ -97,7 +101,8 @@ bool is_isotropic(const Matrix3d& inertia)
 
 namespace {
 
-// a, where two of the principal moments are the same to rounding.
+// The axis a of a body of revolution: the one whose moment differs, if the other two are equal to
+// rounding.
 Vector3d symmetry_axis_of(const PrincipalAxes& axes)
 {
     const Vector3d& m = axes.moments; // ascending
@@ -107,8 +112,8 @@ Vector3d symmetry_axis_of(const PrincipalAxes& axes)
     return Vector3d::Zero();
 }
 
-// I_body⁻¹ = Q diag(1/m) Qᵀ, by `principal_axes` and `invert_moments`. An isotropic inertia takes the
-// short way, 1/i δ, and no formula is called.
+// I_body⁻¹ = Q diag(1/m) Qᵀ, by `principal_axes` and `invert_moments`. An isotropic inertia has the
+// inverse 1/i δ, for which no formula is called.
 void invert_inertia(RigidBody& body)
 {
     body.is_isotropic = is_isotropic(body.inertia);

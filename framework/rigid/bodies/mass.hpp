@@ -1,32 +1,36 @@
 // SPDX-License-Identifier: MIT
-// From the parts of a body to its mass, inertia and inverse inertia: once a body, never in a step.
+// Mass, inertia and inverse inertia of a body from its parts: computed once for a body, never in a
+// step.
 #pragma once
 
 #include "rigid/bodies/world.hpp"
 
 namespace rigor {
 
-/// Mass properties of parts, each of its own density, in the frame they are written in.
+/// Mass properties of parts, each with its own density, in the frame in which their places are
+/// given.
 ///
-/// Calls the formula of each part's shape (a cone and a torus have none: theirs is the closed form),
-/// `world_inertia` only for a part whose inertia a rotation changes, and `combine` only for a capsule
-/// and for several parts.
+/// Calls the formula for each part's shape; cones and tori have no such formula, so their closed
+/// form is used. `world_inertia` is called only for a part whose inertia changes with its rotation,
+/// and `combine` only for a capsule and for several parts.
 MassProperties mass_properties(const std::vector<Part>& parts);
 
-/// Whether I = i δ, to 64 roundings: cubes and spheres are, however they are turned. Zero is.
+/// Whether I = i δ up to 64 times the machine epsilon. This holds for spheres and cubes in any
+/// orientation, and for a zero matrix.
 bool is_isotropic(const Matrix3d& inertia);
 
-/// Gives a body its mass from its parts' densities, and moves the parts so that object space has its
-/// origin at the center of mass. A static body is left alone: its origin stays.
+/// Sets the mass of a body from its parts' densities, and moves the parts so that the origin of
+/// object space is the center of mass. The parts of a static body stay in place, and its mass is 0.
 ///
-/// @return  the center of mass in the frame the parts were written in [m]
-/// @throws NonFiniteState if a formula did not return a number
+/// @return  the center of mass in the frame in which the parts were given [m]
+/// @throws NonFiniteState if a formula returned a value that is not finite
 Vector3d set_mass_from_parts(RigidBody& body);
 
-/// Gives a body this mass and inertia about the origin of object space, its center of mass, and what
-/// follows from them: 1/M, I_body⁻¹ through its principal axes, and how far it is symmetric.
+/// Sets the mass of a body and its inertia about the center of mass, which is the origin of object
+/// space. Computes what follows from them: 1/M, I_body⁻¹ through the principal axes, and the
+/// symmetries of the inertia.
 ///
-/// @throws NonFiniteState if a formula did not return a number
+/// @throws NonFiniteState if a formula returned a value that is not finite
 void set_mass(RigidBody& body, double mass, const Matrix3d& inertia);
 
 } // namespace rigor

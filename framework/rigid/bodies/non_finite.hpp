@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The guard at the engine's boundary: a formula may return anything.
+// Checks that results of formulas are finite, since formulas may return any value.
 #pragma once
 
 #include "rigid/bodies/world.hpp"
@@ -8,16 +8,16 @@
 
 namespace rigor {
 
-/// A body's state is not a number any more, or is infinite. Says which body, which quantity and
-/// when.
+/// A body's state contains a value that is infinite or not a number. Names the body, the quantity
+/// and the time.
 struct NonFiniteState : std::runtime_error {
     NonFiniteState(std::string body_name, std::string quantity_name, double at_time);
 
-    std::string body, quantity; // "V", or "inertia"
+    std::string body, quantity; // for example "V" or "inertia"
     double time = 0;            // [s]
 };
 
-/// @throws NonFiniteState naming the first of X, q, V, L that is not finite
+/// @throws NonFiniteState that names the first of X, q, V, L that is not finite
 void require_finite(const RigidBody& body, const RigidState& state, double time);
 
 } // namespace rigor

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: MIT
-// What formulas of topic `collision` give, in a form that the compiler can inline: for the reference
-// only, and equal to it (a test says so).
+// Formulas of topic `collision` in a form that the compiler can inline. They replace only the
+// reference's formulas, and a test checks that both give the same.
 #pragma once
 
 #include "formulas/types.hpp"
 
 namespace rigor::optimised {
 
-/// A x, column by column: Eigen's own product is not inlined.
+/// A x as a sum over columns, since Eigen's own product is not inlined.
 [[gnu::always_inline]] inline Vector3d product(const Matrix3d& A, const Vector3d& x)
 {
     return x.x() * A.col(0) + x.y() * A.col(1) + x.z() * A.col(2);
 }
 
-/// `relative_velocity`
+/// Inlined form of `relative_velocity`.
 [[gnu::always_inline]] inline Vector3d relative_velocity(const Body& body1, const Body& body2,
                                                          const Vector3d& x)
 {
@@ -21,7 +21,7 @@ namespace rigor::optimised {
            body2.angular_velocity.cross(x - body2.position);
 }
 
-/// `impulse_matrix`: (x - X)*ᵀ I⁻¹ (x - X)* by columns, (I⁻¹ (r × eᵢ)) × r.
+/// Inlined form of `impulse_matrix`: (x - X)*ᵀ I⁻¹ (x - X)* by columns, (I⁻¹ (r × eᵢ)) × r.
 [[gnu::always_inline]] inline Matrix3d impulse_matrix(const Body& body, const Vector3d& x)
 {
     const Vector3d r = x - body.position;
@@ -34,7 +34,7 @@ namespace rigor::optimised {
     return K;
 }
 
-/// `apply_impulse`
+/// Inlined form of `apply_impulse`.
 inline void apply_impulse(Body& body, const Vector3d& x, const Vector3d& j)
 {
     const Vector3d torque = (x - body.position).cross(j);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What follows from a body's orientation: its rotation matrix and its inertia in world space.
+// Quantities that follow from a body's orientation: rotation matrix and inertia in world space.
 #pragma once
 
 #include "rigid/bodies/body.hpp"
@@ -7,18 +7,19 @@
 
 namespace rigor {
 
-/// Rotation matrix of a body: by `to_matrix`, but by Eigen for the integrator `matrix`, whose
+/// Rotation matrix of a body, by `to_matrix`. The integrator `matrix` uses Eigen instead, since its
 /// assignment comes before that formula's.
 Matrix3d body_rotation(Integrator integrator, const RigidState& state);
 
-/// I(t)⁻¹ = R I_body⁻¹ Rᵀ by `world_inverse_inertia`; an isotropic body's needs no R.
+/// I(t)⁻¹ = R I_body⁻¹ Rᵀ by `world_inverse_inertia`. For an isotropic body it does not depend on
+/// R.
 Matrix3d inverse_inertia(Integrator integrator, const RigidBody& body, const RigidState& state);
 
 /// ω = I(t)⁻¹ L [rad/s]
 Vector3d angular_velocity(Integrator integrator, const RigidBody& body, const RigidState& state);
 
-/// min(|p - q|, |p + q|): half the angle [rad] between two orientations, if it is small. Both signs of a
-/// quaternion are the same orientation.
+/// min(|p - q|, |p + q|): half the angle [rad] between two orientations, if it is small. The
+/// minimum is taken because q and -q are the same orientation.
 double orientation_distance(const Quaternion& p, const Quaternion& q);
 
 } // namespace rigor

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The pairs of bodies that may meet, remembered from step to step.
+// Cache of the pairs of bodies that may meet, kept from step to step.
 #pragma once
 
 #include "geometry/bounds/bounds.hpp"
@@ -8,7 +8,7 @@
 
 namespace rigor {
 
-/// Two bodies, body1 < body2, at least one of which moves: it is neither static nor asleep.
+/// Two bodies with body1 < body2. At least one of them moves, so it is neither static nor asleep.
 struct BodyPair {
     int body1 = 0, body2 = 0;
 
@@ -16,9 +16,10 @@ struct BodyPair {
     auto operator<=>(const BodyPair&) const = default;
 };
 
-/// The pairs of bodies that may come near each other during some steps. Each body has fat bounds, its
-/// bounds with a margin around them. Until a body leaves its fat bounds, only pairs whose fat bounds
-/// overlap can meet (Verlet 1967, "Computer \"experiments\" on classical fluids", Phys. Rev. 159).
+/// The pairs of bodies that may come near each other during the next steps. Each body has fat
+/// bounds: its bounds enlarged by a margin. As long as every body stays within its fat bounds, only
+/// pairs whose fat bounds overlap can meet (Verlet 1967, "Computer \"experiments\" on classical
+/// fluids", Phys. Rev. 159).
 struct PairCache {
     enum class Kind : char {
         moving,
@@ -26,9 +27,9 @@ struct PairCache {
         unbounded, // has a plane
     };
 
-    std::vector<Bounds> fat_bounds; // of each body; empty: the cache holds nothing
-    std::vector<Kind> kinds;        // of each body, when the fat bounds were made
-    std::vector<BodyPair> pairs;    // with overlapping fat bounds, in ascending order
+    std::vector<Bounds> fat_bounds; // one for each body; empty if the cache is empty
+    std::vector<Kind> kinds;        // one for each body, at the time when the fat bounds were made
+    std::vector<BodyPair> pairs;    // pairs with overlapping fat bounds, in ascending order
 };
 
 } // namespace rigor

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How a world is simulated: what stays the same from step to step.
+// Settings of a simulation, which stay the same from step to step.
 #pragma once
 
 #include "formulas/types.hpp"
@@ -8,7 +8,7 @@ namespace rigor {
 
 /// How free flight is integrated.
 enum class Integrator {
-    matrix, ///< Runge–Kutta 4 on (X, R, V, L) through `equations_of_motion`; R becomes a rotation
+    matrix, ///< Runge–Kutta 4 on (X, R, V, L) through `equations_of_motion`; R is made a rotation
             ///< again after each step
     linear, ///< `step_symplectic_euler`
     exponential, ///< symplectic Euler with `advance_exact`
@@ -18,22 +18,22 @@ enum class Integrator {
 
 /// How the contact stage of a step resolves contacts.
 enum class ContactMethod {
-    built_in,          ///< all at once, by the formulas of topic `collision` alone, the default
+    built_in, ///< all contacts at once, by the formulas of topic `collision` alone, the default
     one_at_a_time,     ///< `resolve_contacts`
     shock_propagation, ///< `resolve_contacts`, then `shock_propagation`
     simultaneous,      ///< `resolve_simultaneously`
 };
 
-/// Ways to leave out work that a scene does not need; true: the way is taken. Each can be turned off,
-/// to see that nothing else changes and what it saves.
+/// Optimisations that leave out work that a scene does not need. Each is used if true, and can be
+/// turned off to check that the result stays the same and to measure the time it saves.
 struct Skips {
-    bool islands = true;      ///< solves bodies that touch apart from those that they don't touch
-    bool sleep = true;        ///< leaves bodies alone that have come to rest
-    bool warm_start = true;   ///< starts from the impulses of the step before
-    bool early_exit = true;   ///< ends the sweeps once nothing changes any more
+    bool islands = true;      ///< solves each group of touching bodies on its own
+    bool sleep = true;        ///< skips bodies that have come to rest
+    bool warm_start = true;   ///< starts from the impulses of the previous step
+    bool early_exit = true;   ///< ends the sweeps as soon as the impulses no longer change
     bool stress_bound = true; ///< computes eigenvalues of a stress only where a bound is too high
-    /// Runs the reference's formulas in a faster form, proved equal. Other implementations of the
-    /// formulas are always called as they are written.
+    /// Runs faster forms of the reference's formulas, which give the same results. Formulas of
+    /// other implementations are always called as they are written.
     bool optimised_formulas = true;
 };
 

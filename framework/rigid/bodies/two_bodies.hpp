@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
-// Arithmetic on a quantity of body 1 and the same quantity of body 2 at once: what a contact does to the
-// one, it does to the other.
+// SIMD arithmetic on a quantity of body 1 and the same quantity of body 2. A contact acts on both
+// bodies in the same way, so one instruction can update both.
 #pragma once
 
 #include "formulas/types.hpp"
 
 namespace rigor::optimised {
 
-/// A number of body 1 and one of body 2, side by side in a register.
+/// A number of body 1 and a number of body 2, side by side in a register.
 using Two [[gnu::vector_size(16)]] = double;
 
-/// A vector of body 1 and one of body 2.
+/// A vector of body 1 and a vector of body 2.
 struct TwoVectors {
     Two x, y, z;
 
@@ -26,7 +26,7 @@ struct TwoVectors {
     return {Two{a[0], b[0]}, Two{a[1], b[1]}, Two{a[2], b[2]}};
 }
 
-/// That of body 1, and that of body 2.
+/// The vector of body 1, and the vector of body 2.
 inline Vector3d of_first(const TwoVectors& a)
 {
     return {a.x[0], a.y[0], a.z[0]};
@@ -42,25 +42,26 @@ inline Vector3d of_second(const TwoVectors& a)
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-/// The same vector for both.
+/// The same vector for both bodies.
 [[gnu::always_inline]] inline TwoVectors twice(const Vector3d& a)
 {
     return {Two{a[0], a[0]}, Two{a[1], a[1]}, Two{a[2], a[2]}};
 }
 
-/// That of body 1 minus that of body 2.
+/// The vector of body 1 minus the vector of body 2.
 [[gnu::always_inline]] inline Vector3d difference(const TwoVectors& a)
 {
     return {a.x[0] - a.x[1], a.y[0] - a.y[1], a.z[0] - a.z[1]};
 }
 
-/// a·b of each.
+/// a·b for each body.
 [[gnu::always_inline]] inline Two dot(const TwoVectors& a, const TwoVectors& b)
 {
     return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
-/// What j at a contact does to body 1 and -j to body 2: 1/M₁ beside -1/M₂, I₁⁻¹ beside -I₂⁻¹.
+/// Inverse masses and inertias of both bodies, with the signs for an impulse j on body 1 and -j on
+/// body 2: 1/M₁ beside -1/M₂, I₁⁻¹ beside -I₂⁻¹.
 struct TwoMasses {
     Two inverse_mass, xx, yy, zz, xy, xz, yz;
 
@@ -78,18 +79,18 @@ struct TwoMasses {
     }
 };
 
-/// I⁻¹ t of each.
+/// I⁻¹ t for each body.
 [[gnu::always_inline]] inline TwoVectors turned_by(const TwoMasses& of, const TwoVectors& t)
 {
     return {of.xx * t.x + of.xy * t.y + of.xz * t.z, of.xy * t.x + of.yy * t.y + of.yz * t.z,
             of.xz * t.x + of.yz * t.y + of.zz * t.z};
 }
 
-/// V and ω of both, in registers while the contacts between them are visited.
+/// V and ω of both bodies, in registers while the contacts between them are visited.
 struct TwoMotions {
     TwoVectors V, w;
 
-    /// v₁ - v₂ where the lever arms end.
+    /// v₁ - v₂ at the contact point, which the lever arms r point to.
     [[gnu::always_inline]] Vector3d relative_velocity(const TwoVectors& r) const
     {
         TwoVectors v = cross(w, r);
@@ -97,7 +98,7 @@ struct TwoMotions {
         return difference(v);
     }
 
-    /// `apply_impulse`, j on body 1 and -j on body 2.
+    /// Inlined form of `apply_impulse`: j acts on body 1 and -j on body 2.
     [[gnu::always_inline]] void apply(const TwoMasses& of, const TwoVectors& r, const Vector3d& j)
     {
         const TwoVectors p = twice(j);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A world: the bodies and what pulls at them, how they are simulated, and what the last step left.
+// The simulated world: bodies, forces, settings, and the memory of the last step.
 #pragma once
 
 #include "rigid/bodies/body.hpp"
@@ -12,7 +12,7 @@
 
 namespace rigor {
 
-/// A spring between two points, fixed in bodies or (body = -1) in the world.
+/// A spring between two points, each attached to a body or, for body = -1, fixed in the world.
 struct Spring {
     int body1 = -1, body2 = -1;
     Vector3d point1 = Vector3d::Zero(),
@@ -41,7 +41,7 @@ struct World {
 
     StepMemory memory;
     Counters counters;
-    ThreadPool pool; // for the parallel parts; any number of threads gives the same bits
+    ThreadPool pool; // any number of threads gives bitwise the same results
 };
 
 } // namespace rigor

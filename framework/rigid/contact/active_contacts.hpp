@@ -5,9 +5,11 @@
 
 namespace rigor {
 
-/// The contacts of an island that an impulse can move, in the order of its pairs, from the lowest up:
-/// their indices in the problem. Sets their target speeds: -gap/h where there is a gap, so that bodies
-/// touch at the end of the step and not before; else what `correction_speed` asks for.
+/// The contacts of an island that an impulse can change, as indices in the problem. They are in the
+/// order of the island's pairs and, within a pair, from the lowest up.
+///
+/// Sets their target speeds. For a contact with a gap it is -gap/h, so that the bodies touch at the
+/// end of the step and not before. For any other contact it is `correction_speed`.
 UninitializedVector<int> activate_contacts(ContactProblem& problem, const Island& island);
 
 } // namespace rigor

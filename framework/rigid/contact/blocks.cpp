@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// Division of a large island into blocks for several threads. First it sorts the moving bodies into
+// upright slabs along the island's longest horizontal extent; then it groups the pairs by the slabs
+// of their bodies: within one slab, between two neighbouring slabs, or farther apart. Blocks that
+// share no moving body get the same color (graph coloring) and can be swept at the same time.
 #include "rigid/contact/blocks.hpp"
 
 #include <algorithm>
@@ -10,13 +14,15 @@ namespace rigor {
 
 namespace {
 
-// Four slabs or eight, of which one is in halves at the two ends: two threads or four share them evenly, and the places
-// where neighbours meet as well, every other one at a time.
-constexpr std::size_t bodies_of_a_slab = 48;
-constexpr int most_fours = 2;
+// A large island is divided into 4 or 8 slabs with the same number of bodies, one of which is split
+// into halves that lie at the two ends. So two or four threads share the slabs evenly, and also the
+// borders between neighbouring slabs, first every second border and then the others.
+constexpr std::size_t bodies_of_a_slab = 48; // least number of bodies in a slab
+constexpr int most_fours = 2;                // at most this many times four slabs
 
-// In which slab each body of an island is. They stand side by side along its longest horizontal extent, and have
-// the same number of bodies, the first and the last half of it.
+// The slab of each body of an island. The slabs lie side by side along the longest horizontal
+// extent of the island. All have the same number of bodies, except the first and the last, which
+// have half of it.
 class Slabs {
 public:
     Slabs(const ContactProblem& problem, std::span<const int> bodies, int fours)
@@ -31,7 +37,7 @@ public:
         divide(0, halves_);
     }
 
-    // Of a body that does not move: -1.
+    // The slab of a body; -1 if the body does not move.
     int of(int body) const { return slab_of_[body]; }
 
 private:
@@ -46,6 +52,7 @@ private:
         }
     };
 
+    // The axis of the longest horizontal extent.
     static int longest(const ContactProblem& problem, std::span<const int> bodies)
     {
         Vector3d low = problem.bodies[bodies[0]].position, high = low;
@@ -61,7 +68,7 @@ private:
         return axis;
     }
 
-    // Puts the places of half slabs [first, last) in order, half slab by half slab.
+    // Sorts the places into the half slabs [first, last).
     void divide(int first, int last)
     {
         const auto at = [&](int half) {
@@ -95,7 +102,8 @@ std::vector<ContactPair> split_into_blocks(const ContactProblem& problem, Island
     island.colors = {{0, 1}};
     if (fours == 0) return {};
 
-    // Blocks: the slabs; pairs of slabs 2i and 2i + 1; of 2i + 1 and 2i + 2; what reaches farther.
+    // Blocks, in this order: pairs within one slab; pairs between slabs 2i and 2i + 1; pairs
+    // between slabs 2i + 1 and 2i + 2; all other pairs.
     const Slabs slabs(problem, island.bodies, fours);
     const int count = 4 * fours + 1, even = count, odd = even + count / 2, far = odd + count / 2;
     const auto block_of = [&](const ContactPair& pair) {

@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: MIT
-// A large island in blocks, so that several threads can sweep it at the same time.
+// Division of a large island into blocks, so that several threads can sweep it at the same time.
 #pragma once
 
 #include "rigid/contact/contact_problem.hpp"
 
 namespace rigor {
 
-/// Splits an island of many bodies into blocks. Its bodies are divided into upright slabs; a block holds
-/// the pairs within a slab or between two neighbouring slabs. Blocks of one color share no body that
-/// moves (graph coloring). Within a block the pairs keep their order.
+/// Splits an island of many bodies into blocks. The bodies are divided into upright slabs; a block
+/// holds the pairs within a slab or between two neighbouring slabs. Blocks of the same color share
+/// no moving body (graph coloring). Within a block the pairs keep their order.
 ///
-/// @return the pairs that were replaced, if any
+/// @return the pairs as they were before, if the island was split
 std::vector<ContactPair> split_into_blocks(const ContactProblem& problem, Island& island);
 
-/// Calls work(k) for each block: color after color, the blocks of a color by several threads.
+/// Calls work(k) for each block, one color after the other. The blocks of a color are shared by
+/// several threads.
 template <class Work> void visit_blocks(const Island& island, ThreadPool& pool, const Work& work)
 {
     for (const IndexRange& color : island.colors)

@@ -14,10 +14,11 @@ namespace rigor {
 
 namespace {
 
-constexpr int most_sweeps = 10; // over the pairs of an island; what still approaches then, rests
-constexpr int most_rounds = 4;  // bounces of one pair in a sweep
+// Sweeps over the pairs of an island. Contacts that still approach are left to the contact stage.
+constexpr int most_sweeps = 10;
+constexpr int most_rounds = 4;       // bounces of one pair in a sweep
 constexpr double equally_deep = 0.9; // as a fraction of the deepest point's depth
-constexpr double same_normal = 1e-9; // 1 - n·n' of points that count as one face
+constexpr double same_normal = 1e-9; // largest 1 - n·n' of two points on one face
 
 // The points of a pair at which a collision may happen now.
 struct Candidates {
@@ -33,13 +34,14 @@ void collect(const ContactProblem& problem, const ContactPair& pair, Candidates&
     candidates.any_approaches = false;
     for (int i = pair.first; i < pair.last; ++i) {
         const ContactConstraint& c = problem.contacts[i];
-        if (c.restitution == 0 && problem.settings.contact_method == ContactMethod::simultaneous) continue;
+        if (c.restitution == 0 && problem.settings.contact_method == ContactMethod::simultaneous)
+            continue;
         const Vector3d v = problem.velocity_at(c, c.point);
         const double v_n = v.dot(c.normal);
         const double depth = -problem.predicted_gap(c, v_n + c.force_speed);
         if (!(depth > 0)) continue;
-        // Thrown up with -v_n against the acceleration force_speed/h, it is back after 2 v_n/force_speed
-        // steps.
+        // After a bounce the contact opens with at most -v_n against the acceleration
+        // force_speed/h, so it closes again after at most 2 v_n/force_speed steps.
         const bool is_over_in_the_step = v_n < 0 && 2 * v_n > c.force_speed;
         if (is_over_in_the_step) continue;
         candidates.points.push_back({c.point, c.normal, depth, v});
@@ -48,7 +50,7 @@ void collect(const ContactProblem& problem, const ContactPair& pair, Candidates&
     }
 }
 
-// The index that the formula chose, if it is one.
+// The index that the formula chose. Throws std::out_of_range if it is not valid.
 int checked(int index, std::size_t size)
 {
     if (index < 0 || static_cast<std::size_t>(index) >= size)
@@ -57,19 +59,20 @@ int checked(int index, std::size_t size)
     return index;
 }
 
-// The impulse, shortened where it would give energy. With restitution and friction together, Newton's
-// law may give a body more energy than it had (Kane and Levinson 1985, "Dynamics: theory and
+// The impulse, scaled down if it would increase the energy. With restitution and friction together,
+// Newton's law of restitution may do so (Kane and Levinson 1985, "Dynamics: theory and
 // applications"): ΔE = j·v + ½ jᵀKj.
 Vector3d without_gain(const Matrix3d& K, const Vector3d& v, const Vector3d& j)
 {
     const double work = j.dot(v), stored = j.dot(optimised::product(K, j)) / 2;
-    constexpr double rounding = 1e-12; // of the energy
-    if (!(work + stored > rounding * stored)) return j; // a NaN passes and is reported later
+    constexpr double rounding = 1e-12;                  // as a fraction of the energy
+    if (!(work + stored > rounding * stored)) return j; // a NaN is reported later
     return std::max(0.0, -work / stored) * j;
 }
 
-// Bounces the pair once, at its deepest approaching point and the points equally deep.
-// @return whether it did
+// Lets the pair bounce once, at its deepest approaching point together with the equally deep
+// points.
+// @return whether the pair bounced
 bool bounce(ContactProblem& problem, const Candidates& candidates)
 {
     const std::optional<int> deepest = deepest_approaching_point(candidates.points);

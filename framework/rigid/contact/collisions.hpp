@@ -5,15 +5,17 @@
 
 namespace rigor {
 
-/// The collision stage of the 2003 time step: bodies that would penetrate bounce, with the velocities
-/// they had before this step's forces, so that what rests does not bounce on its own weight.
+/// The collision stage of the time step by Guendelman, Bridson and Fedkiw (2003). Bodies that would
+/// penetrate bounce off each other. The stage uses the velocities before this step's forces, so
+/// that resting bodies do not bounce because of their own weight.
 ///
-/// Island by island, pair by pair from the lowest up, sweep after sweep until no pair approaches. Of a
-/// pair, the deepest point that still approaches comes first (`deepest_approaching_point`), with its
-/// depth at the predicted position. Points that are equally deep, to a tenth, touch at the same time as
-/// far as this step can tell: their impulse acts in their middle, so that a box that lands flat does
-/// not start to spin. A bounce that would be over within the step is left to the contact stage. No
-/// bounce gives energy: with restitution and friction together, an impulse that would is shortened.
+/// It visits islands one after the other, and the pairs of an island from the lowest up, in sweeps
+/// until no pair approaches. In a pair, the deepest point that still approaches is handled first
+/// (`deepest_approaching_point`); its depth is the one at the predicted positions. Points whose
+/// depths differ by less than a tenth count as touching at the same time, and their impulse acts at
+/// their mean point, so that a box that lands flat does not start to spin. A bounce that would be
+/// over within the step is left to the contact stage. No bounce may increase the energy: with
+/// restitution and friction together, an impulse that would do so is scaled down.
 void process_collisions(ContactProblem& problem);
 
 } // namespace rigor

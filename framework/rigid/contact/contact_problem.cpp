@@ -11,8 +11,8 @@ namespace rigor {
 
 namespace {
 
-// The larger eigenvalue of K across n. The sum of the two is tr K - nᵀKn, and the sum of their squares
-// is |K|² - 2 |K n|² + (nᵀKn)².
+// The larger eigenvalue of K in the tangent plane of n. The sum of both is tr K - nᵀKn, and the sum
+// of their squares is |K|² - 2 |K n|² + (nᵀKn)².
 double tangential_eigenvalue(const Matrix3d& K, const Vector3d& n)
 {
     const Vector3d Kn = optimised::product(K, n);
@@ -33,8 +33,8 @@ std::size_t contact_count(std::span<const ContactPair> pairs)
 
 bool is_heap(const Island& island)
 {
-    // A stack has one pair of touching bodies for each body. Up to 8 bodies any island is cheap to
-    // solve as a stack; above 256 none is.
+    // A stack has about one pair of touching bodies for each body. An island of up to 8 bodies is
+    // always cheap enough to be solved like a stack, and one of more than 256 never is.
     constexpr std::size_t few_bodies = 8, many_bodies = 256;
     const std::size_t bodies = island.bodies.size(), pairs = island.pairs.size();
     return bodies > few_bodies && (bodies > many_bodies || 4 * pairs > 5 * bodies + 8);

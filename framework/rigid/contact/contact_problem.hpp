@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The bodies and contacts of one time step, on which the stages of contact work.
+// The bodies and contacts of one time step, which all stages of contact work on.
 #pragma once
 
 #include "formulas/collision.hpp"
@@ -13,19 +13,20 @@
 
 namespace rigor {
 
-/// A contact while a step is being solved. All of it belongs to the poses at the step's start. Lever
-/// arms and positions then agree, and momentum and angular momentum are kept to rounding.
+/// A contact while a step is being solved. Its data belong to the poses at the start of the step,
+/// so lever arms and positions agree, and momentum and angular momentum are conserved up to
+/// rounding.
 struct ContactConstraint : Contact {
     double restitution = 0, friction = 0;
-    double radius = 0;             // of the smaller body that can move [m]
-    double force_speed = 0;        // what forces add to v·n in this step [m/s]
-    double free_speed = 0;         // v·n after the forces, without any impulse [m/s]
-    double target_speed = 0;       // v·n that the contact stage asks for [m/s]
+    double radius = 0;             // radius of the smaller body that can move [m]
+    double force_speed = 0;        // change of v·n by the forces in this step [m/s]
+    double free_speed = 0;         // v·n after the forces without any impulse [m/s]
+    double target_speed = 0;       // v·n after the contact stage [m/s]
     Matrix3d K = Matrix3d::Zero(); // K₁ + K₂ [1/kg]
     double normal_K = 0;           // nᵀKn [1/kg]
-    double tangential_K = 0;       // λ, the larger eigenvalue of K across n [1/kg]
-    // Impulses on body 1 [N s]: of the collision stage, of the contact stage, and where the sweeps of
-    // the contact stage start from.
+    double tangential_K = 0;       // λ, the larger eigenvalue of K in the tangent plane [1/kg]
+    // Impulses on body 1 [N s]: from the collision stage, from the contact stage, and the initial
+    // guess for the sweeps of the contact stage.
     Vector3d collision_impulse = Vector3d::Zero();
     Vector3d contact_impulse = Vector3d::Zero();
     Vector3d initial_impulse = Vector3d::Zero();
@@ -38,19 +39,19 @@ struct ContactPair {
     std::size_t count() const { return static_cast<std::size_t>(last - first); }
 };
 
-/// Elements [first, last) of a list.
+/// The elements [first, last) of a list.
 struct IndexRange {
     int first = 0, last = 0;
 };
 
-/// Bodies that contacts connect, directly or through other bodies that can move.
+/// Bodies that are connected by contacts, directly or through other bodies that can move.
 struct Island {
     std::vector<int> bodies;
-    std::vector<ContactPair> pairs; // block after block; in each block from the lowest up
-    // A large island is split for several threads, see `split_into_blocks`. Others have one block, or
-    // none as long as they have not been prepared.
+    std::vector<ContactPair> pairs; // block after block; within a block from the lowest up
+    // A large island is split into blocks for several threads, see `split_into_blocks`. Any other
+    // island has a single block, or none before it is prepared.
     std::vector<IndexRange> blocks; // ranges of `pairs`
-    std::vector<IndexRange> colors; // ranges of `blocks`; those of one color share no moving body
+    std::vector<IndexRange> colors; // ranges of `blocks`; the blocks of each share no moving body
 };
 
 std::size_t contact_count(std::span<const ContactPair> pairs);
@@ -58,24 +59,24 @@ std::size_t contact_count(std::span<const ContactPair> pairs);
 /// Whether the island is a heap rather than a stack: many bodies with many contacts between them.
 bool is_heap(const Island& island);
 
-/// Everything the stages of contact work on.
+/// Everything that the stages of contact work on.
 struct ContactProblem {
-    std::vector<Body> bodies; // one for each body of the world; those without contacts stay empty
+    std::vector<Body> bodies; // one for each body of the world; empty for bodies without contacts
     UninitializedVector<ContactConstraint> contacts;
-    std::vector<Island> islands; // those in which two bodies would penetrate
+    std::vector<Island> islands; // only those in which two bodies would penetrate
     double time_step = 0;        // [s]
     Settings settings;
-    bool optimised = false; // whether the faster forms of the formulas run
+    bool optimised = false; // whether the faster forms of the formulas are used
     Counters* counters = nullptr;
     ThreadPool* pool = nullptr;
 
-    /// The unit vector against gravity; y without gravity.
+    /// The unit vector opposite to gravity, or y without gravity.
     Vector3d up() const;
 
-    /// Copies of the bodies of an island, in its order.
+    /// Copies of the bodies of an island, in the order of `island.bodies`.
     std::vector<Body> bodies_of(const Island& island) const;
 
-    /// Gap at the end of the step if v·n stays [m].
+    /// The gap at the end of the step if v·n does not change [m].
     double predicted_gap(const ContactConstraint& contact, double v_n) const
     {
         return contact.gap + time_step * v_n;
@@ -85,7 +86,7 @@ struct ContactProblem {
     {
         return velocity_between(bodies, contact, x);
     }
-    /// The same for bodies in another state.
+    /// v₁ - v₂ at a point, for other states of the bodies [m/s].
     Vector3d velocity_between(std::span<const Body> states, const Contact& contact,
                               const Vector3d& x) const
     {
@@ -95,7 +96,7 @@ struct ContactProblem {
     }
     /// K₁ + K₂ at a point [1/kg].
     Matrix3d impulse_matrix_at(const ContactConstraint& contact, const Vector3d& x) const;
-    /// Sets K of a contact and what follows from it.
+    /// Computes K of a contact and the numbers that follow from it.
     void set_impulse_matrix(ContactConstraint& contact) const;
     /// Applies j to body 1 and -j to body 2.
     void apply(const ContactConstraint& contact, const Vector3d& x, const Vector3d& j);

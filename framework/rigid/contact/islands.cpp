@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// Islands: groups of bodies connected by contacts, found by union–find over the pairs of moving
+// bodies. The contacts are first grouped into pairs of bodies, and the pairs are sorted by height.
+// Then each pair joins the island of its moving body, and islands in which nothing would penetrate
+// are left out.
 #include "rigid/contact/islands.hpp"
 
 #include "rigid/bodies/height_order.hpp"
@@ -12,6 +16,7 @@ namespace rigor {
 
 namespace {
 
+// A body of the contact that is not static.
 int moving_of(const World& world, const Contact& c)
 {
     return world.bodies[c.body1].is_static ? c.body2 : c.body1;
@@ -62,7 +67,7 @@ std::vector<Island> islands_of(const World& world, const ContactProblem& problem
         if (!world.bodies[c.body1].is_static && !world.bodies[c.body2].is_static)
             groups.unite(c.body1, c.body2);
     }
-    if (!world.settings.skips.islands) // all in one
+    if (!world.settings.skips.islands) // all bodies with contacts form one island
         for (const ContactConstraint& c : problem.contacts)
             for (int i : {c.body1, c.body2})
                 if (!world.bodies[i].is_static)

@@ -6,14 +6,14 @@
 
 namespace rigor {
 
-/// Contacts of the same two bodies, one after the other.
+/// Groups the contacts of the same two bodies, which must follow each other in the list.
 std::vector<ContactPair> pairs_of(std::span<const ContactConstraint> contacts);
 
-/// Puts pairs in order by their lowest contacts, the first of each: an order that does not depend on how the
-/// bodies are numbered.
+/// Sorts pairs by the height of their lowest contact, which is the first of each pair. The order
+/// does not depend on how the bodies are numbered.
 void sort_by_height(const ContactProblem& problem, std::vector<ContactPair>& pairs);
 
-/// The islands in which two bodies would penetrate, in the order of their first pairs.
+/// The islands in which at least two bodies would penetrate, in the order of their first pairs.
 std::vector<Island> islands_of(const World& world, const ContactProblem& problem,
                                const std::vector<ContactPair>& pairs);
 

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// A first estimate of the impulses of an island that rests on static bodies. First it finds which
+// body rests on which one. Then it visits the bodies from the highest to the lowest; each passes
+// its own weight and the load on it to its supports in equal parts.
 #include "rigid/contact/load_estimate.hpp"
 
 #include <algorithm>
@@ -8,10 +11,10 @@ namespace rigor {
 
 namespace {
 
-constexpr double steepest = 0.3;  // contacts whose normal is flatter than this carry no weight
-constexpr double touching = 1e-6; // of the radius: what falls together keeps its gap to rounding
+constexpr double steepest = 0.3;  // least |n·up| of a contact that carries weight
+constexpr double touching = 1e-6; // largest gap of touching bodies, in radii; allows for rounding
 
-// A body, one that it stands on, and the contact between them.
+// A body, the body that it rests on, and the contact between them.
 struct Support {
     int upper = 0, lower = 0, contact = 0;
 };
@@ -33,6 +36,8 @@ std::vector<Support> supports_of(const ContactProblem& problem, std::span<const 
     return supports;
 }
 
+// Sets the initial impulse of a contact to a push on the upper body, without its tangential part if
+// friction cannot hold that.
 void support(ContactProblem& problem, const Support& by, const Vector3d& push)
 {
     ContactConstraint& c = problem.contacts[by.contact];

@@ -5,15 +5,16 @@
 
 namespace rigor {
 
-/// A first guess at the impulses of an island that lies on something static: weight flows down.
+/// A first estimate of the impulses of an island that rests on something static.
 ///
-/// From the highest body to the lowest, each hands its own weight's impulse M |g| h and what lies on
-/// it to the contacts below it in equal parts: upright where friction can hold that, else along the
-/// normal. For a stack that is the answer; for a pile it saves the iteration most of its way, which
-/// would carry weight down by one body a sweep. It is a guess only: the iteration corrects it.
-/// Without gravity, or where nothing below is static: no guess.
+/// From the highest body to the lowest, each body passes the impulse of its own weight, M |g| h,
+/// and the load on it to the contacts below it in equal parts. The push is vertical where friction
+/// can hold that, and along the normal elsewhere. For a stack this is already the solution. For a
+/// pile it saves most of the iterations, since a sweep carries weight down by only one body. The
+/// iteration corrects the estimate. Without gravity, or if no body rests on a static one, nothing
+/// is estimated.
 ///
-/// @param held  contacts of the island; those that carry weight get their `guess`
+/// @param active  contacts of the island; those that carry weight get their `initial_impulse`
 void estimate_loads(ContactProblem& problem, const Island& island, std::span<const int> active);
 
 } // namespace rigor

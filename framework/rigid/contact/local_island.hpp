@@ -6,19 +6,20 @@
 
 namespace rigor {
 
-/// An island as the formulas of topic `contact` see it: bodies and contacts with indices of their own.
+/// An island as input for the formulas of topic `contact`: a list of bodies and contacts between
+/// them, which are numbered from 0.
 struct LocalIsland {
-    std::vector<int> indices; // of the bodies, in the world
-    std::vector<Body> bodies; // with the static ones that are touched
+    std::vector<int> indices; // indices of the bodies in the world
+    std::vector<Body> bodies; // the island's bodies and the static bodies that they touch
     std::vector<BodyContact> contacts;
 };
 
-/// @param active  indices of the contacts in the problem, in the order that they shall have
+/// @param active  indices of the contacts in the problem, in the order of the result
 LocalIsland local_island(const ContactProblem& problem, std::span<const int> active);
 
-/// Puts the result of a formula back into the problem.
+/// Stores the result of a formula in the problem.
 ///
-/// @param formula  its name, for the message
+/// @param formula  the name of the formula, for the error message
 /// @throws std::out_of_range if the result has another number of bodies or contacts
 void take_result(ContactProblem& problem, const LocalIsland& local, std::span<const int> active,
                  const ContactResult& result, const char* formula);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// From contact candidates to a contact problem. First it takes the bodies that have contacts, then the
-// contacts that may close in this step; it groups them by pairs of bodies and into islands, beside that
-// starts them warm, and last it computes their impulse matrices and the blocks of large islands.
+// The contact problem of a step, made from the contact candidates. First it takes the bodies that
+// have contacts, then the contacts that may close in this step. It groups them into pairs of bodies
+// and islands, and at the same time sets their warm-start impulses. Last, it computes their impulse
+// matrices and splits large islands into blocks.
 #include "rigid/contact/make_problem.hpp"
 
 #include "rigid/bodies/orientation.hpp"
@@ -31,7 +32,7 @@ Body body_in_world(Integrator integrator, const RigidBody& rigid)
     return body;
 }
 
-// The bodies that have contacts, as they are and as the step's forces would leave them.
+// Copies the bodies that have contacts, as they are now and as the step's forces would leave them.
 void take_bodies(const World& world, std::span<const RigidState> flown,
                  std::span<const Contact> contacts, ContactProblem& problem,
                  UninitializedVector<Body>& after_forces)
@@ -55,7 +56,7 @@ void take_bodies(const World& world, std::span<const RigidState> flown,
         });
 }
 
-// Decides which candidates are solved.
+// Decides which candidates become contacts of the problem.
 struct Filter {
     const World& world;
     const ContactProblem& problem;
@@ -67,8 +68,7 @@ struct Filter {
     {
         const Vector3d &n = contact.normal, &x = contact.point;
         const double free_speed = problem.velocity_between(after_forces, contact, x).dot(n);
-        const double margin =
-            candidates.margins[contact.body1] + candidates.margins[contact.body2];
+        const double margin = candidates.margins[contact.body1] + candidates.margins[contact.body2];
         if (contact.gap + problem.time_step * free_speed >= margin) return;
 
         ContactConstraint& c = taken.emplace_back(ContactConstraint{contact});
@@ -86,18 +86,17 @@ void take_contacts(const Filter& filter, ContactProblem& problem)
 {
     const std::vector<Contact>& contacts = filter.candidates.contacts;
     constexpr std::size_t grain_size = 256; // contacts
-    problem.contacts =
-        concatenate_ranges(*problem.pool, contacts.size(), grain_size,
-                           [&](std::size_t first, std::size_t last) {
-                               UninitializedVector<ContactConstraint> taken;
-                               taken.reserve(last - first);
-                               for (std::size_t i = first; i < last; ++i)
-                                   filter.take(contacts[i], taken);
-                               return taken;
-                           });
+    problem.contacts = concatenate_ranges(*problem.pool, contacts.size(), grain_size,
+                                          [&](std::size_t first, std::size_t last) {
+                                              UninitializedVector<ContactConstraint> taken;
+                                              taken.reserve(last - first);
+                                              for (std::size_t i = first; i < last; ++i)
+                                                  filter.take(contacts[i], taken);
+                                              return taken;
+                                          });
 }
 
-// Islands and, beside them, the impulses that iterative methods start from.
+// Finds the islands and, at the same time, the impulses from which iterative methods start.
 void find_islands(const World& world, const ContactCandidates& candidates, ContactProblem& problem)
 {
     const std::vector<ContactPair> pairs = pairs_of(problem.contacts);
@@ -121,12 +120,12 @@ void find_islands(const World& world, const ContactCandidates& candidates, Conta
     problem.counters->warm_starts += started;
 }
 
-// Impulse matrices and, beside them, blocks.
+// Computes the impulse matrices and, at the same time, splits the island into blocks.
 void prepare(ContactProblem& problem, Island& island)
 {
     constexpr std::size_t grain_size = 64; // pairs
     const std::span<const ContactPair> pairs = island.pairs;
-    std::vector<ContactPair> replaced; // keeps what `pairs` shows until all threads are done
+    std::vector<ContactPair> replaced; // keeps `pairs` valid until all threads are done
     problem.pool->for_each_range_beside(
         [&] { replaced = split_into_blocks(problem, island); }, pairs.size(), grain_size,
         [&](std::size_t first, std::size_t last) {
@@ -149,8 +148,7 @@ Body with_forces(Body body, const RigidState& start, const RigidState& flown)
 }
 
 ContactProblem make_problem(World& world, std::span<const RigidState> flown,
-                            const ContactCandidates& candidates, double time_step,
-                            ThreadPool& pool)
+                            const ContactCandidates& candidates, double time_step, ThreadPool& pool)
 {
     ContactProblem problem;
     problem.time_step = time_step;
@@ -158,7 +156,7 @@ ContactProblem make_problem(World& world, std::span<const RigidState> flown,
     problem.optimised = world.settings.uses_optimised_formulas();
     problem.counters = &world.counters;
     problem.pool = &pool;
-    UninitializedVector<Body> after_forces; // of the bodies that have contacts
+    UninitializedVector<Body> after_forces; // set for the bodies that have contacts
     take_bodies(world, flown, candidates.contacts, problem, after_forces);
     take_contacts({world, problem, candidates, after_forces}, problem);
     find_islands(world, candidates, problem);

@@ -6,18 +6,19 @@
 
 namespace rigor {
 
-/// The contact problem of a step: the contacts that are near enough to matter, in islands, with their
-/// impulse matrices and the impulses that their sweeps start from. Reads the world's bodies, settings
-/// and memory; changes its counters.
+/// The contact problem of a step: the contacts that may close in it, grouped into islands, with
+/// their impulse matrices and the impulses from which their sweeps start. Reads the world's bodies,
+/// settings and memory, and changes its counters.
 ///
-/// @param flown       the states after free flight: what the bodies would do without contacts
-/// @param candidates  contacts that stay farther apart in free flight than the margins of both bodies
-///                    together are left out
+/// @param flown       the states after free flight, as if there were no contacts
+/// @param candidates  a contact is left out if its gap after free flight is at least the sum of
+///                    both bodies' margins
 ContactProblem make_problem(World& world, std::span<const RigidState> flown,
                             const ContactCandidates& candidates, double time_step,
                             ThreadPool& pool);
 
-/// The body after a free flight's change of momentum, still at its place at the step's start.
+/// The body with the change of momentum that free flight gave it, still at its place at the start
+/// of the step.
 Body with_forces(Body body, const RigidState& start, const RigidState& flown);
 
 } // namespace rigor

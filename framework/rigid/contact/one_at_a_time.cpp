@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Contacts one point at a time, by the formulas of topic `contact` (Guendelman, Bridson and Fedkiw
-// 2003). `resolve_contacts` goes first; with shock propagation, the contact graph is then cut into
-// levels, and each level holds what lies on it.
+// Contacts resolved one point at a time, by the formulas of topic `contact` (Guendelman, Bridson
+// and Fedkiw 2003). First `resolve_contacts` runs. With shock propagation, the contact graph is
+// then divided into levels, and each level is resolved with the levels below it held fixed.
 #include "rigid/contact/one_at_a_time.hpp"
 
 #include "formulas/contact.hpp"
@@ -14,16 +14,16 @@ namespace rigor {
 
 namespace {
 
-constexpr int iterations = 10; // of each of the two formulas, as in the paper
-// The load of a heavy body passes through a light one in small parts. So before shock propagation the
-// number of iterations grows by `growth` until contacts approach no faster than `enough_share` of their
-// first speed, as long as no more than `most_visits` contacts are visited. Ten iterations alone passed
-// half of a heavy body's weight through the plank of a seesaw.
+constexpr int iterations = 10; // for each of the two formulas, as in the paper
+// The load of a heavy body passes through a light one in small parts. Before shock propagation the
+// number of iterations is therefore multiplied by `growth` until contacts approach at no more than
+// `enough_share` of their first speed, as long as no more than `most_visits` contacts are visited.
+// With ten iterations alone, a seesaw's plank passed on only half of a heavy body's weight.
 constexpr double enough_share = 0.02;
 constexpr int growth = 4, most_visits = 4000;
-constexpr double least_slope = 0.3; // n·up of a contact that carries weight
+constexpr double least_slope = 0.3; // least n·up of a contact that carries weight
 
-// For each body, the bodies it rests on: a contact pushes it away from them, against gravity.
+// For each body, the bodies on which it rests: those whose contacts push it upwards.
 std::vector<std::vector<int>> supports(const ContactProblem& problem, const LocalIsland& local)
 {
     std::vector<std::vector<int>> rests_on(local.bodies.size());
@@ -35,7 +35,7 @@ std::vector<std::vector<int>> supports(const ContactProblem& problem, const Loca
     return rests_on;
 }
 
-// The fastest that bodies still approach at a contact [m/s].
+// The highest remaining approach speed of all contacts [m/s].
 double fastest_approach(const std::vector<Body>& bodies, const std::vector<BodyContact>& contacts)
 {
     double fastest = 0;

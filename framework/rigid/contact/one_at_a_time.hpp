@@ -5,8 +5,8 @@
 
 namespace rigor {
 
-/// Resolves the active contacts by `resolve_contacts`, and with `shock` then by `contact_levels` and
-/// `shock_propagation`.
+/// Resolves the active contacts by `resolve_contacts`. If `shock` is true, `contact_levels` and
+/// `shock_propagation` follow.
 void resolve_one_at_a_time(ContactProblem& problem, std::span<const int> active, bool shock);
 
 } // namespace rigor

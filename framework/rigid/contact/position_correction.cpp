@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Position correction: projected Gauss–Seidel on displacements, with the impulse matrices of the step.
-// For each island it makes a row for each contact that is, or could come, into penetration, and sweeps
-// over the rows as the contact solver does, with displacements in the place of velocities.
+// Position correction: projected Gauss–Seidel on displacements, with the impulse matrices of the
+// step. For each island it makes a row for each contact that penetrates or could come to penetrate.
+// It then sweeps over the rows as the contact solver does, with displacements in place of
+// velocities.
 #include "rigid/contact/position_correction.hpp"
 
 #include "rigid/contact/blocks.hpp"
@@ -15,19 +16,19 @@ namespace rigor {
 
 namespace {
 
-constexpr double corrected_fraction = 0.2; // of the excess overlap, in a step
-constexpr double correction_rate = 1;      // at most so many radii of the smaller body a second [1/s]
-// Overlap that is kept, as a fraction of the radius: what rounding makes, and in a heap the slop that
-// lets it come to rest.
+constexpr double corrected_fraction = 0.2; // share of the excess overlap per step
+constexpr double correction_rate = 1;      // limit, in radii of the smaller body per second [1/s]
+// Overlap that is left, as a fraction of the radius. In a stack it has the size of rounding errors;
+// in a heap it is the slop that lets the heap come to rest.
 constexpr double rounding_slop = 1e-6, heap_slop = 1e-4;
-constexpr double weightless_slop = 1e-3; // without gravity, where a correction costs energy
-// Sweeps: as many as visit most_visits rows, within these bounds.
+constexpr double weightless_slop = 1e-3; // without gravity, where a correction adds energy
+// The number of sweeps visits about most_visits rows in all, within these bounds.
 constexpr int most_visits = 2000, fewest_sweeps = 4, most_sweeps = 20;
 
 using namespace optimised;
 
-// A contact: its normal, how far its bodies have to move apart along it, and what a unit of correction
-// does to them.
+// A contact in the position correction: its normal, the distance by which its bodies have to move
+// apart along the normal, and the displacements that a unit of correction causes.
 struct CorrectionRow {
     int body1 = 0, body2 = 0;
     Vector3d n;
@@ -35,19 +36,19 @@ struct CorrectionRow {
     TwoVectors torque;           // r × n
     TwoVectors turn;             // I⁻¹ (r × n)
     double inverse_normal_K = 0; // 1/(nᵀKn)
-    double distance = 0;         // to move apart; negative: they may come so much nearer [m]
-    double correction = 0;       // the sum so far, ≥ 0 [kg m]
+    double distance = 0;         // least change of the gap; negative where it may shrink [m]
+    double correction = 0;       // sum of the corrections so far, ≥ 0 [kg m]
 };
 
-// The rows of the contacts of a block.
+// The rows for the contacts of a block.
 struct Rows {
     std::vector<CorrectionRow> all;
     std::uint64_t penetrating = 0;
-    bool needs_correction = false; // any of them
+    bool needs_correction = false; // whether any contact does
 };
 
-CorrectionRow row_of(const ContactProblem& problem, const ContactConstraint& c, const TwoMasses& masses,
-           double distance)
+CorrectionRow row_of(const ContactProblem& problem, const ContactConstraint& c,
+                     const TwoMasses& masses, double distance)
 {
     const Body &body1 = problem.bodies[c.body1], &body2 = problem.bodies[c.body2];
     const TwoVectors levers = side_by_side(c.point - body1.position, c.point - body2.position);
@@ -75,14 +76,16 @@ Rows rows_of(const ContactProblem& problem, const Island& island, const IndexRan
             const double v_n = problem.velocity_at(c, c.point).dot(c.normal);
             const double gap = problem.predicted_gap(c, v_n);
             const double radius = c.radius;
-            if (gap > correction_rate * radius * h) continue; // nothing could close it
+            if (gap > correction_rate * radius * h) continue; // no correction can close it
             double distance = -gap;
             if (gap < 0) {
                 const double excess = -gap - slop * radius;
-                const bool is_corrected = excess > slop * radius; // so that the correction ends
+                // Overlap below twice the slop is left alone, so that the correction ends.
+                const bool is_corrected = excess > slop * radius;
                 rows.needs_correction |= is_corrected;
-                distance =
-                    is_corrected ? std::min(corrected_fraction * excess, correction_rate * radius * h) : 0;
+                distance = is_corrected
+                               ? std::min(corrected_fraction * excess, correction_rate * radius * h)
+                               : 0;
                 ++rows.penetrating;
             }
             rows.all.push_back(row_of(problem, c, masses, distance));
@@ -91,7 +94,8 @@ Rows rows_of(const ContactProblem& problem, const Island& island, const IndexRan
     return rows;
 }
 
-// The law of one contact with all others as they are. Displacements stand where velocities do.
+// Applies the law of one contact while all others are kept as they are. Displacements take the
+// place of velocities.
 [[gnu::always_inline]] inline void correct(CorrectionRow& row, TwoMotions& d)
 {
     const TwoVectors n = twice(row.n);

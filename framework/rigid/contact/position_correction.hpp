@@ -5,31 +5,33 @@
 
 namespace rigor {
 
-/// A small motion without velocity.
+/// A small change of a body's pose that leaves its velocity unchanged.
 struct Displacement {
-    Vector3d shift = Vector3d::Zero(); // of the center of mass [m]
-    Vector3d turn = Vector3d::Zero();  // axis times angle [rad]
+    Vector3d shift = Vector3d::Zero(); // motion of the center of mass [m]
+    Vector3d turn = Vector3d::Zero();  // rotation axis times angle [rad]
 };
 
-/// How far the bodies move apart in the step besides their velocities, so that penetration vanishes: by
-/// a fifth a step, no faster than one radius of the smaller body a second, and without bringing other
-/// contacts into penetration (projected Gauss–Seidel on the contacts' normals, as in "pseudo
-/// velocities" or "split impulses"). These motions carry no velocity, so the correction gives no kinetic
-/// energy and nothing jumps.
+/// Displacements that reduce the penetration of bodies without changing their velocities. In each
+/// step they remove a fifth of it, no faster than one radius of the smaller body per second, and
+/// without bringing other contacts into penetration. The method is projected Gauss–Seidel on the
+/// contacts' normals, as in "pseudo velocities" or "split impulses". Since the velocities stay the
+/// same, the correction adds no kinetic energy and bodies do not jump.
 ///
-/// Every penetration above rounding is corrected: a stack whose contacts kept theirs would lean by the
-/// sum. In a heap, overlap below 1e-4 of the radius is kept, and below twice that it is left alone: each
-/// contact that is corrected disturbs others, and without any slop a heap would never come to rest.
+/// In a stack, every penetration above rounding is corrected; otherwise the errors of its contacts
+/// would add up and the stack would lean. In a heap, a slop of 1e-4 of the radius is kept and
+/// overlap below twice the slop is left alone, because each correction disturbs other contacts and
+/// the heap would never come to rest.
 ///
-/// Without gravity nothing is corrected here: a motion without velocity does not keep angular momentum,
-/// so `correction_speed` does it.
+/// Without gravity nothing is corrected here, since a displacement does not conserve angular
+/// momentum. There, `correction_speed` corrects penetration.
 ///
-/// @return one for each body of the world; empty if nothing needs correction
+/// @return one displacement for each body of the world; empty if nothing needs correction
 std::vector<Displacement> correct_positions(const ContactProblem& problem);
 
-/// The velocity v·n that corrects the penetration of a contact without gravity [m/s]: a fifth a step, no
-/// faster than one radius a second, and nothing within a thousandth of the radius, since it gives
-/// energy. It keeps all momenta. With gravity: 0.
+/// The velocity v·n that corrects the penetration of a contact in a world without gravity [m/s]. It
+/// removes a fifth of the penetration in each step, no faster than one radius per second.
+/// Penetration within a thousandth of the radius is left alone, since the correction adds energy.
+/// Momentum and angular momentum are conserved. With gravity the velocity is 0.
 double correction_speed(const ContactProblem& problem, const ContactConstraint& contact);
 
 } // namespace rigor

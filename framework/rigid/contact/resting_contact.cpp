@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The contact stage of an island: its active contacts are solved by the world's contact method. Where
-// penetration is corrected by a speed, the energy decides whether the result may stand; if not, the
-// island is solved again without that correction.
+// The contact stage of an island. Its active contacts are solved by the world's contact method. If
+// penetration is corrected by a speed, the change of the kinetic energy decides whether the result
+// is kept; if not, the island is solved again without that correction.
 #include "rigid/contact/resting_contact.hpp"
 
 #include "rigid/contact/active_contacts.hpp"
@@ -34,7 +34,8 @@ void solve(ContactProblem& problem, const Island& island, std::span<const int> a
     solve_island(problem, island, active);
 }
 
-// Kinetic energy of an island, and the part of it in the motion of the bodies against each other [J].
+// Kinetic energy of an island, and the part of it that belongs to the motion relative to the center
+// of mass [J].
 struct Energy {
     double all = 0, inner = 0;
 };
@@ -57,13 +58,14 @@ void resolve(ContactProblem& problem, const Island& island)
 {
     const UninitializedVector<int> active = activate_contacts(problem, island);
     if (active.empty()) return;
-    const bool corrects = std::any_of(active.begin(), active.end(), [&](int i) {
-        return problem.contacts[i].target_speed > 0;
-    });
+    const bool corrects = std::any_of(active.begin(), active.end(),
+                                      [&](int i) { return problem.contacts[i].target_speed > 0; });
     if (!corrects) return solve(problem, island, active);
 
-    // A correction by a speed takes its energy from what the contacts take away in this step, or it
-    // waits. Bodies that hardly move against each other get it for nothing.
+    // A correction by a speed adds energy. It is accepted if the contacts take away at least as
+    // much in this step, or if the added energy is larger than the kinetic energy of the bodies'
+    // relative motion, so that bodies which hardly move relative to each other are corrected at
+    // once. Otherwise it is left to a later step.
     constexpr double rounding = 2 * std::numeric_limits<double>::epsilon();
     const std::vector<Body> bodies = problem.bodies_of(island);
     const Energy before = kinetic_energy(problem, island);

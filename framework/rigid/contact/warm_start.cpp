@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Warm start of the contacts by the impulses of the previous step. For each pair of bodies it
+// computes the distances between old and new contacts in world space, and matches the nearest ones
+// first. A matched contact starts from the old impulse, projected onto its own friction cone.
 #include "rigid/contact/warm_start.hpp"
 
 #include "geometry/shapes/pose.hpp"
@@ -11,14 +14,15 @@ namespace rigor {
 
 namespace {
 
-constexpr double near_fraction = 0.1; // of the radius
+constexpr double near_fraction = 0.1; // largest distance of a match, in radii
 
 template <class C> std::pair<int, int> bodies_of(const C& contact)
 {
     return {contact.body1, contact.body2};
 }
 
-// As a push along n and a friction within the cone.
+// The impulse projected onto the friction cone of c: its normal part, and its tangential part
+// shortened to the friction limit.
 Vector3d turned_to(const ContactConstraint& c, const Vector3d& impulse)
 {
     const Vector3d& n = c.normal;
@@ -30,12 +34,14 @@ Vector3d turned_to(const ContactConstraint& c, const Vector3d& impulse)
     return j_n * n + j_T;
 }
 
-// Those of the step before, pair of bodies by pair of bodies in ascending order.
+// The warm contacts of the previous step, which are sorted by their pairs of bodies. Pairs must be
+// asked for in ascending order.
 class WarmPairs {
 public:
     explicit WarmPairs(std::span<const WarmContact> all) : rest_(all) {}
 
-    // Those between the bodies of this contact. The first search halves, each other one goes on from there.
+    // The warm contacts between the bodies of this contact. The first call uses binary search,
+    // later ones go on from where the previous one ended.
     std::span<const WarmContact> between_bodies_of(const ContactConstraint& c)
     {
         const std::pair pair = bodies_of(c);
@@ -54,7 +60,7 @@ private:
     bool is_first_ = true;
 };
 
-// A contact, one of the step before, and how far they are apart.
+// A contact, a contact of the previous step, and the distance between them.
 struct Match {
     double distance = 0; // squared [m²]
     std::size_t contact = 0, before = 0;
@@ -62,12 +68,12 @@ struct Match {
     auto operator<=>(const Match&) const = default;
 };
 
-// The nearest find each other first: else a contact that carries nothing takes what holds its neighbour.
-// @param matches  memory; those made come first in it
-// @return how many there are
-std::uint64_t start_pair_warm(std::span<const WarmContact> before,
-                              const std::vector<Pose>& poses, double time_step,
-                              std::span<ContactConstraint> contacts,
+// Gives the contacts of one pair of bodies their initial impulses. The nearest contacts are matched
+// first; otherwise a contact that carries nothing could take the impulse of its neighbour.
+// @param matches  reused memory; afterwards it begins with the matches that were made
+// @return the number of matches
+std::uint64_t start_pair_warm(std::span<const WarmContact> before, const std::vector<Pose>& poses,
+                              double time_step, std::span<ContactConstraint> contacts,
                               std::vector<Match>& matches)
 {
     if (before.empty()) return 0;
@@ -106,22 +112,23 @@ std::uint64_t start_warm(std::span<const WarmContact> before, const std::vector<
     WarmPairs warm(before);
     for (const ContactPair& pair : pairs) {
         const std::span<ContactConstraint> of_pair = contacts.subspan(pair.first, pair.count());
-        count +=
-            start_pair_warm(warm.between_bodies_of(of_pair.front()), poses, time_step, of_pair, matches);
+        count += start_pair_warm(warm.between_bodies_of(of_pair.front()), poses, time_step, of_pair,
+                                 matches);
     }
     return count;
 }
 
 std::vector<WarmContact> warm_contacts(const std::vector<Pose>& poses,
-                                       std::span<const ContactConstraint> contacts, double time_step)
+                                       std::span<const ContactConstraint> contacts,
+                                       double time_step)
 {
     std::vector<WarmContact> warm;
     warm.reserve(contacts.size());
     for (const ContactConstraint& c : contacts) {
         if (c.contact_impulse.isZero(0)) continue;
         const auto& [R, X] = poses[c.body1];
-        warm.push_back(
-            {c.body1, c.body2, R.transpose() * Vector3d(c.point - X), c.contact_impulse / time_step});
+        warm.push_back({c.body1, c.body2, R.transpose() * Vector3d(c.point - X),
+                        c.contact_impulse / time_step});
     }
     return warm;
 }

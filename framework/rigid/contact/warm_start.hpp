@@ -7,19 +7,22 @@
 
 namespace rigor {
 
-/// Gives contacts the impulses that held them in the step before. A contact takes the impulse of the
-/// nearest one of the same two bodies within a tenth of the smaller body's radius, turned to its own
-/// normal and shortened to its friction cone.
+/// Gives contacts the impulses of the previous step as initial impulses. A contact takes the
+/// impulse of the nearest old contact of the same two bodies within a tenth of the smaller body's
+/// radius. The impulse's tangential part is shortened to the contact's own friction cone, and an
+/// impulse that would pull becomes zero.
 ///
-/// @param before  the contacts of the step before, in the order of their bodies
-/// @param poses   of all bodies, at the start of the step
+/// @param before  the contacts of the previous step, sorted by their bodies
+/// @param poses   the poses of all bodies at the start of the step
 /// @param pairs   pairs of contacts, in ascending order of their bodies
-/// @return how many contacts got an impulse
+/// @return the number of contacts that got an impulse
 std::uint64_t start_warm(std::span<const WarmContact> before, const std::vector<Pose>& poses,
                          double time_step, std::span<const ContactPair> pairs,
                          std::span<ContactConstraint> contacts);
 
-/// What the next step can start from. @param contacts  grouped by bodies, in ascending order
+/// The impulses of this step's contacts, from which the next step can start.
+///
+/// @param contacts  grouped by pairs of bodies, in ascending order
 std::vector<WarmContact> warm_contacts(const std::vector<Pose>& poses,
                                        std::span<const ContactConstraint> contacts,
                                        double time_step);

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// The broad phase. Few bodies are compared pair by pair; for many, a tree of the moving bodies'
+// bounds is searched for overlaps, by several threads. Bodies with a plane are compared with all
+// moving bodies. A cache of fat bounds (Verlet 1967) keeps the pairs valid over several steps.
 #include "rigid/detection/broad_phase.hpp"
 
 #include "geometry/bounds/overlap_tree.hpp"
@@ -12,7 +15,7 @@ namespace rigor {
 
 namespace {
 
-// Whether any part of a body without bounds comes near `bounds`.
+// Whether any part of a body without finite bounds overlaps `bounds`.
 bool reaches(const RigidBody& unbounded, const Pose& pose, const Bounds& bounds)
 {
     const Vector3d center = (bounds.low + bounds.high) / 2;
@@ -25,14 +28,15 @@ bool reaches(const RigidBody& unbounded, const Pose& pose, const Bounds& bounds)
     });
 }
 
-constexpr std::size_t few = 12; // up to here comparing all is faster than a tree or a counting sort
+// Up to so many bodies or pairs, comparing all is faster than a tree or a counting sort.
+constexpr std::size_t few = 12;
 
 BodyPair pair_of(int i, int j)
 {
     return {std::min(i, j), std::max(i, j)};
 }
 
-// The pairs in ascending order, by a counting sort on body 1.
+// Sorts the pairs in ascending order, by a counting sort on body 1.
 std::vector<BodyPair> in_order(std::vector<BodyPair> pairs, std::size_t bodies)
 {
     if (pairs.size() <= few) {
@@ -54,13 +58,13 @@ std::vector<BodyPair> in_order(std::vector<BodyPair> pairs, std::size_t bodies)
     return sorted;
 }
 
-// The pairs in an order that depends on the number of threads; `in_order` sorts them later.
+// Finds the pairs, in an order that depends on the number of threads; `in_order` sorts them later.
 std::vector<BodyPair> overlapping(const OverlapTree& tree, std::size_t members, ThreadPool& pool)
 {
     constexpr std::size_t grain_size = 128; // members
     const int ranges = pool.range_count(members, grain_size);
     if (ranges == 0) return {};
-    constexpr std::size_t parts_per_range = 4; // parts of the tree differ in size
+    constexpr std::size_t parts_per_range = 4; // since parts of the tree differ in size
     const std::vector<OverlapTree::NodePair> parts =
         tree.parts(ranges < 2 ? 1 : parts_per_range * static_cast<std::size_t>(ranges));
     std::vector<std::vector<BodyPair>> found(ranges);
@@ -76,12 +80,13 @@ std::vector<BodyPair> overlapping(const OverlapTree& tree, std::size_t members, 
 }
 
 std::vector<BodyPair> search_tree(const std::vector<Bounds>& bounds, const std::vector<int>& moving,
-                                const std::vector<int>& still, ThreadPool& pool)
+                                  const std::vector<int>& still, ThreadPool& pool)
 {
     constexpr std::size_t grain_size = 256; // members
     const auto parts = static_cast<std::size_t>(pool.range_count(moving.size(), grain_size));
-    const OverlapTree tree(bounds, moving, parts,
-                       [&pool](int tasks, const auto& build) { pool.for_each_task(tasks, build); });
+    const OverlapTree tree(bounds, moving, parts, [&pool](int tasks, const auto& build) {
+        pool.for_each_task(tasks, build);
+    });
     std::vector<BodyPair> pairs = overlapping(tree, moving.size(), pool);
     for (int i : still)
         tree.for_each_overlap(bounds[i], [&](int j) { pairs.push_back(pair_of(i, j)); });
@@ -109,7 +114,7 @@ Kind kind_of(const RigidBody& body, const Bounds& bounds)
     return body.is_still() ? Kind::still : Kind::moving;
 }
 
-// The number of pairs of which at least one body is not static.
+// The number of pairs in which at least one body is not static.
 std::uint64_t pairs_possible(const World& world)
 {
     const auto among = [](std::uint64_t bodies) {
@@ -120,7 +125,7 @@ std::uint64_t pairs_possible(const World& world)
     return among(world.bodies.size()) - among(static_cast<std::uint64_t>(fixed));
 }
 
-// Whether each body is of the kind that it was, and within its fat bounds.
+// Whether each body has the same kind as before and is still within its fat bounds.
 bool is_valid(const PairCache& cache, const World& world, const std::vector<Bounds>& bounds)
 {
     if (cache.fat_bounds.size() != bounds.size()) return false;
@@ -137,7 +142,7 @@ bool is_valid(const PairCache& cache, const World& world, const std::vector<Boun
 std::vector<BodyPair> near_pairs(const World& world, const std::vector<Pose>& poses,
                                  const std::vector<Bounds>& bounds, ThreadPool& pool)
 {
-    std::array<std::vector<int>, 3> members; // of each kind
+    std::array<std::vector<int>, 3> members; // one list for each kind
     for (int i = 0; i < static_cast<int>(world.bodies.size()); ++i)
         members[static_cast<int>(kind_of(world.bodies[i], bounds[i]))].push_back(i);
 
@@ -154,7 +159,7 @@ std::vector<BodyPair> cached_near_pairs(World& world, const std::vector<Pose>& p
                                         const std::vector<Bounds>& bounds,
                                         const std::vector<double>& margins, ThreadPool& pool)
 {
-    constexpr std::size_t worth_caching = 64; // bodies; below, a search costs less than the check
+    constexpr std::size_t worth_caching = 64; // fewer bodies are searched faster than checked
     world.counters.pairs_possible += pairs_possible(world);
     if (bounds.size() < worth_caching) return near_pairs(world, poses, bounds, pool);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The broad phase: which pairs of bodies are near enough for the narrow phase.
+// The broad phase: finds the pairs of bodies that are near enough for the narrow phase.
 #pragma once
 
 #include "geometry/bounds/bounds.hpp"
@@ -8,19 +8,19 @@
 
 namespace rigor {
 
-/// Pairs of bodies whose bounds overlap, in ascending order, by a search among all bodies: a tree of
-/// the moving bodies' boxes (overlap_tree.hpp) makes it n log n. Bodies with a plane have no bounds; the
-/// distance from the plane to each moving body decides.
+/// Pairs of bodies whose bounds overlap, in ascending order, found by a search among all bodies. A
+/// tree of the moving bodies' bounds (overlap_tree.hpp) makes the cost n log n. Bodies with a plane
+/// have no finite bounds; for them the distance from the plane to each moving body is tested.
 ///
-/// @param poses   of all bodies
-/// @param bounds  of all bodies over the step; infinite for those with a plane
+/// @param poses   the poses of all bodies
+/// @param bounds  the bounds of all bodies over the step; infinite for bodies with a plane
 std::vector<BodyPair> near_pairs(const World& world, const std::vector<Pose>& poses,
                                  const std::vector<Bounds>& bounds, ThreadPool& pool);
 
-/// The same pairs, found among those in the world's pair cache as long as each body stays within its
-/// fat bounds there. Changes the cache and the counters.
+/// The same pairs, found among those in the world's pair cache as long as each body stays within
+/// its fat bounds. Changes the cache and the counters.
 ///
-/// @param margins  for each moving body, how much its fat bounds are larger than its bounds [m]
+/// @param margins  for each moving body, by how much its fat bounds exceed its bounds [m]
 std::vector<BodyPair> cached_near_pairs(World& world, const std::vector<Pose>& poses,
                                         const std::vector<Bounds>& bounds,
                                         const std::vector<double>& margins, ThreadPool& pool);

@@ -5,12 +5,12 @@
 
 namespace rigor {
 
-/// A pair of close points of two shapes, or of two bodies of a world.
+/// A contact: a pair of close points of two shapes, or of two bodies of a world.
 struct Contact {
-    Vector3d point = Vector3d::Zero();   // between them [m]
+    Vector3d point = Vector3d::Zero();   // in the middle between them [m]
     Vector3d normal = Vector3d::UnitY(); // unit, from shape 2 to shape 1
-    double gap = 0;                      // along the normal; negative where they overlap [m]
-    int body1 = -1, body2 = -1;          // indices in the world; -1 as long as only shapes are known
+    double gap = 0;                      // distance along the normal; negative if they overlap [m]
+    int body1 = -1, body2 = -1;          // indices in the world; -1 for shapes without a body
 };
 
 } // namespace rigor

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Contact candidates of a step: all pairs of points that may touch before it ends. The bounds of each
-// body are swept over its free flight; the broad phase pairs them; impulses that pass from body to body
-// widen the margins; the narrow phase looks for contacts within path and margin. Sleeping bodies that
-// another may touch are named, since they have to wake before the step goes on.
+// Contact candidates of a step: all pairs of points that may touch before it ends. The bounds of
+// each body are swept over its free flight, and the broad phase finds the pairs whose bounds
+// overlap. Impulses that pass from body to body widen the margins; the narrow phase then looks for
+// contacts within path and margin. It also lists sleeping bodies that another body may touch, since
+// they have to wake before the step goes on.
 #include "rigid/detection/contact_candidates.hpp"
 
 #include "geometry/shapes/shape_bounds.hpp"
@@ -33,9 +34,9 @@ Bounds body_bounds(const RigidBody& body, const Pose& pose)
     return bounds;
 }
 
-// How far the points of a body move at most in the step, along its path or with its last velocity [m].
-// A turn by the angle α moves a quaternion by about α/2; a quarter more than α covers the chord and an
-// axis that tumbles.
+// The largest distance that a point of a body moves in the step, along its path or with its last
+// velocity [m]. A rotation by the angle α changes the quaternion by about α/2. The factor allows
+// for a quarter more than α, which covers the chord and an axis that tumbles.
 double travel(const RigidState& from, const RigidState& to, double radius, double time_step)
 {
     const double moved = (to.position - from.position).norm();
@@ -43,7 +44,7 @@ double travel(const RigidState& from, const RigidState& to, double radius, doubl
            2.5 * orientation_distance(from.orientation, to.orientation) * radius;
 }
 
-// What the propagation of impulses needs of a body.
+// Data of a body that the propagation of impulses needs.
 struct Partner {
     double mass = 0, restitution = 0;
     bool is_still = false;
@@ -54,19 +55,20 @@ Partner partner(const RigidBody& body)
     return {body.mass, body.material.restitution, body.is_still()};
 }
 
-// The share of body j's speed that body i gets when j hits it: (1 + ε) m_j / (m_i + m_j), at most 1.
+// The share of body j's speed that body i gets when j hits it: (1 + ε) m_j / (m_i + m_j), at most
+// 1.
 double speed_transfer(const Partner& i, const Partner& j)
 {
     const double restitution = std::min(i.restitution, j.restitution);
     return std::min(1.0, (1 + restitution) * j.mass / (i.mass + j.mass));
 }
 
-// Everything that the search for contacts of a pair needs to know.
+// Data for the search for contacts.
 struct Search {
     const World& world;
-    std::vector<Bounds> bounds;   // of each body, swept over the step
-    std::vector<double> travels;  // of each body [m]
-    ContactCandidates candidates; // poses and radii are there, margins come next, contacts last
+    std::vector<Bounds> bounds;   // one for each body, swept over the step
+    std::vector<double> travels;  // one for each body [m]
+    ContactCandidates candidates; // filled in this order: poses and radii, margins, contacts
     double time_step = 0;         // [s]
 };
 
@@ -90,12 +92,12 @@ struct PossibleTravel {
     double distance = 0; // [m]
 };
 
-// Impulses pass from body to body within a step, as along a row of balls. A round finds what bodies
-// that moved farther in the round before give to their neighbours.
+// Impulses pass from body to body within a step, as along a row of balls. A round computes how far
+// each body whose distance grew in the previous round may push its neighbours.
 struct ImpulsePropagation {
     const std::vector<Partner>& bodies;
-    std::vector<double> farthest;  // of each body, so far [m]
-    std::vector<char> has_changed; // of each body: whether the round before changed `farthest`
+    std::vector<double> farthest;  // one for each body; the farthest so far [m]
+    std::vector<char> has_changed; // one for each body: changed in the last round
 
     std::vector<PossibleTravel> round(const Search& search, std::span<const BodyPair> pairs) const
     {
@@ -106,19 +108,18 @@ struct ImpulsePropagation {
             if (farthest[slower] > farthest[faster]) std::swap(slower, faster);
             if (farthest[faster] <= farthest[slower]) continue; // nothing is passed on
             if (bodies[slower].is_still || bodies[faster].is_still) continue;
-            const double passed =
-                speed_transfer(bodies[slower], bodies[faster]) * farthest[faster];
+            const double passed = speed_transfer(bodies[slower], bodies[faster]) * farthest[faster];
             if (passed <= farthest[slower]) continue;
-            const double reach = margin(search, slower, farthest[slower]) +
-                                 margin(search, faster, farthest[faster]);
+            const double reach =
+                margin(search, slower, farthest[slower]) + margin(search, faster, farthest[faster]);
             if (come_near(search, pair, reach)) farther.push_back({slower, passed});
         }
         return farther;
     }
 };
 
-// The margins of all bodies. A body at rest may be hit in this step and then move on with the share of
-// the speed that the impulse leaves it.
+// The margins of all bodies. A body at rest may be hit in this step and then move on with the share
+// of the speed that the impulse leaves it.
 std::vector<double> margins_of(const Search& search, const std::vector<BodyPair>& pairs,
                                ThreadPool& pool)
 {
@@ -129,13 +130,13 @@ std::vector<double> margins_of(const Search& search, const std::vector<BodyPair>
     if (std::all_of(pairs.begin(), pairs.end(), [&](const BodyPair& pair) {
             return all[pair.body1].is_still() || all[pair.body2].is_still();
         }))
-        return margins; // no body is hit that moves
+        return margins; // no two moving bodies are near each other
 
     std::vector<Partner> bodies;
     bodies.reserve(all.size());
     for (const RigidBody& body : all)
         bodies.push_back(partner(body));
-    constexpr int most_rounds = 8;          // bodies that an impulse passes through in a step
+    constexpr int most_rounds = 8;           // bodies that an impulse passes through in a step
     constexpr std::size_t grain_size = 1024; // pairs
     ImpulsePropagation propagation{bodies, search.travels, std::vector<char>(bodies.size(), true)};
     bool any = true;
@@ -158,8 +159,8 @@ std::vector<double> margins_of(const Search& search, const std::vector<BodyPair>
     return margins;
 }
 
-// The swept bounds with what an impulse may add to a body's motion. No body is faster than the
-// fastest, nor heavier than the heaviest, so this bounds every propagation.
+// The swept bounds, enlarged by the motion that impulses may add. No body is faster than the
+// fastest or heavier than the heaviest one, so this bounds every propagation.
 std::vector<Bounds> bounds_with_impulses(const Search& search, ThreadPool& pool)
 {
     const double fastest = *std::max_element(search.travels.begin(), search.travels.end());
@@ -178,8 +179,8 @@ std::vector<Bounds> bounds_with_impulses(const Search& search, ThreadPool& pool)
     return wide;
 }
 
-// The margins of the fat bounds in the pair cache: a tenth of the radius and three steps of travel, so
-// that a body that slows down or is held stays within its fat bounds for long.
+// The margins of the fat bounds in the pair cache: a tenth of the radius and three steps of travel,
+// so that a body that slows down or is held stays within its fat bounds for long.
 std::vector<double> fat_margins(const Search& search)
 {
     std::vector<double> margins(search.travels.size());
@@ -205,8 +206,8 @@ Found narrow_phase(const Search& search, std::span<const BodyPair> pairs)
         ++found.counters.pairs_tested;
         const double path = search.travels[i] + search.travels[j];
         const std::size_t first = found.contacts.size();
-        find_contacts(search.world, search.candidates.poses, i, j, path + margin, found.contacts, found.counters,
-                      search.time_step);
+        find_contacts(search.world, search.candidates.poses, i, j, path + margin, found.contacts,
+                      found.counters, search.time_step);
         bool may_meet = false;
         for (std::size_t k = first; k < found.contacts.size(); ++k)
             may_meet |= found.contacts[k].gap < path;
@@ -220,9 +221,9 @@ Found narrow_phase(const Search& search, std::span<const BodyPair> pairs)
     return found;
 }
 
-// Where the bodies are and where they fly to.
+// The poses, radii, swept bounds and travel of all bodies.
 Search search_of(const World& world, std::span<const RigidState> flown, double time_step,
-                          ThreadPool& pool)
+                 ThreadPool& pool)
 {
     constexpr std::size_t grain_size = 32; // bodies
     const std::size_t n = flown.size();
@@ -250,9 +251,8 @@ ContactCandidates contact_candidates(World& world, std::span<const RigidState> f
 {
     Search search = search_of(world, flown, time_step, pool);
     ContactCandidates& candidates = search.candidates;
-    const std::vector<BodyPair> pairs =
-        cached_near_pairs(world, candidates.poses, bounds_with_impulses(search, pool),
-                          fat_margins(search), pool);
+    const std::vector<BodyPair> pairs = cached_near_pairs(
+        world, candidates.poses, bounds_with_impulses(search, pool), fat_margins(search), pool);
     if (pairs.empty()) return std::move(candidates);
     candidates.margins = margins_of(search, pairs, pool);
 
@@ -264,7 +264,7 @@ ContactCandidates contact_candidates(World& world, std::span<const RigidState> f
     const std::size_t contacts = std::accumulate(
         all.begin(), all.end(), std::size_t{0},
         [](std::size_t sum, const Found& found) { return sum + found.contacts.size(); });
-    candidates.contacts = std::move(all[0].contacts); // which is empty then
+    candidates.contacts = std::move(all[0].contacts); // empty at this point
     candidates.contacts.reserve(contacts);
     bool any_may_meet = false;
     Counters& counters = world.counters;

@@ -8,16 +8,16 @@
 
 namespace rigor {
 
-/// The contacts that may matter in a step, and what is known of each body on the way to them.
+/// The contacts that may matter in a step, and data about each body that was computed to find them.
 struct ContactCandidates {
     std::vector<Contact> contacts; // empty if no bodies are near enough to meet in this step
-    std::vector<Pose> poses;       // of each body, at the start of the step
-    std::vector<double> margins;   // of each body: contacts farther apart cannot matter [m]
-    std::vector<double> radii;     // of each body, about its center of mass; 0 if static [m]
-    std::vector<int> disturbed;    // sleeping bodies that another may touch: they have to wake first
+    std::vector<Pose> poses;       // one for each body, at the start of the step
+    std::vector<double> margins;   // one for each body; contacts farther apart cannot matter [m]
+    std::vector<double> radii;     // one for each body, about its center of mass; 0 if static [m]
+    std::vector<int> disturbed; // sleeping bodies that have to wake, since another may touch them
 };
 
-/// The broad phase, the margins that impulses may need, and the narrow phase.
+/// Finds contact candidates by the broad phase, the margins for impulses, and the narrow phase.
 ///
 /// @param flown  the states after free flight
 ContactCandidates contact_candidates(World& world, std::span<const RigidState> flown,

@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// The narrow phase: contacts of two bodies, part by part. Each pair of shapes is put in a fixed
+// order and handed to the method for its kinds of shapes. Spheres and boxes are tested here, with a
+// look ahead to the end of the step; all other methods are in shapes/. Last, the contacts are
+// sorted by height.
 #include "rigid/detection/narrow_phase.hpp"
 
 #include "geometry/distance/support.hpp"
@@ -25,7 +29,8 @@ struct PlacedSphere {
 
 using Contacts = std::vector<Contact>;
 
-void find_sphere_contacts(const PlacedSphere& a, const PlacedSphere& b, double reach, Contacts& contacts)
+void find_sphere_contacts(const PlacedSphere& a, const PlacedSphere& b, double reach,
+                          Contacts& contacts)
 {
     const Vector3d d = a.center - b.center;
     const double distance = d.norm();
@@ -35,14 +40,15 @@ void find_sphere_contacts(const PlacedSphere& a, const PlacedSphere& b, double r
     contacts.push_back({b.center + (b.radius + gap / 2) * n, n, gap});
 }
 
-// Out of a box, from the point of it that is nearest to a sphere: normal, and distance from there.
+// The way out of a box for a sphere: the normal at the point of the box that is nearest to the
+// sphere, and the gap along it.
 struct OutOfBox {
     Vector3d n = Vector3d::Zero();
     double gap = 0;
-    bool is_inside = false; // the sphere's center is: out through the nearest face
+    bool is_inside = false; // whether the center is inside; then through the nearest face
 };
 
-// @param c  the sphere's center, in the frame of the box
+// @param c  the sphere's center in the frame of the box
 OutOfBox out_of_box(const Vector3d& half, const Vector3d& c, double radius)
 {
     OutOfBox out;
@@ -61,19 +67,20 @@ OutOfBox out_of_box(const Vector3d& half, const Vector3d& c, double radius)
     return out;
 }
 
-// A normal along which a sphere at c and a box are apart now, and how far they will be after the move d.
+// A normal along which a sphere at c and a box are apart: their distance now and after the move d.
 struct ApartAhead {
     Vector3d n;
     double now, then;
 };
 
-// Of the normal at the move's end, if they do not meet there, and those of the faces: the one that has them
-// overlap least then. So a sphere that rolls over the joint of two boxes, or falls there, doesn't run into
-// the edge of the next.
+// Finds the normal along which the sphere and the box overlap least after the move. It is one of
+// the faces' normals, or the normal at the end of the move if they do not meet there. So a sphere
+// that rolls over the joint between two boxes, or falls there, does not run into the edge of the
+// second one.
 void look_ahead(const Vector3d& half, const Vector3d& c, const Vector3d& d, double radius,
                 ApartAhead& best)
 {
-    constexpr double slop = 1e-4; // of the radius
+    constexpr double slop = 1e-4; // in radii
     const auto consider = [&](const Vector3d& n) {
         const double now = n.dot(c) - n.cwiseAbs().dot(half) - radius, then = now + n.dot(d);
         if (now > -slop * radius && then > best.then) best = {n, now, then};
@@ -84,8 +91,8 @@ void look_ahead(const Vector3d& half, const Vector3d& c, const Vector3d& d, doub
     if (!end.is_inside && end.gap > -slop * radius) consider(end.n);
 }
 
-void find_sphere_contacts(const PlacedSphere& sphere, const Box& box, const Pose& pose, const Vector3d& move,
-           double reach, Contacts& contacts)
+void find_sphere_contacts(const PlacedSphere& sphere, const Box& box, const Pose& pose,
+                          const Vector3d& move, double reach, Contacts& contacts)
 {
     const Vector3d half = box.size / 2;
     const Vector3d c = pose.R.transpose() * (sphere.center - pose.X);
@@ -98,8 +105,8 @@ void find_sphere_contacts(const PlacedSphere& sphere, const Box& box, const Pose
     contacts.push_back({sphere.center - sphere.radius * n, n, best.now});
 }
 
-// In the order of the variant, with what has a core first and planes last: half of the pairs are the other
-// half, seen from the other side.
+// Whether the shapes are in the order of the variant, where shapes with a core come first and
+// planes last. For the other half of the pairs, the shapes are exchanged.
 bool is_in_order(const Shape& a, const Shape& b)
 {
     return a.index() <= b.index();
@@ -111,7 +118,7 @@ bool has_core(const Shape& shape)
            std::holds_alternative<Torus>(shape);
 }
 
-// @param move  of shape 1, against shape 2, in the step to come
+// @param move  displacement of shape 1 relative to shape 2 in this step
 void find_ordered(const Shape& shape1, const Pose& pose1, const Shape& shape2, const Pose& pose2,
                   const Vector3d& move, double reach, Counters& counters, Contacts& contacts)
 {
@@ -121,10 +128,12 @@ void find_ordered(const Shape& shape1, const Pose& pose1, const Shape& shape2, c
     if (const Sphere* sphere = std::get_if<Sphere>(&shape1)) {
         const PlacedSphere placed{sphere->radius, pose1.X};
         if (const Sphere* other = std::get_if<Sphere>(&shape2))
-            return find_sphere_contacts(placed, PlacedSphere{other->radius, pose2.X}, reach, contacts);
+            return find_sphere_contacts(placed, PlacedSphere{other->radius, pose2.X}, reach,
+                                        contacts);
         if (box2) return find_sphere_contacts(placed, *box2, pose2, move, reach, contacts);
     }
-    if (has_core(shape1)) return find_core_contacts(shape1, pose1, shape2, pose2, reach, counters, contacts);
+    if (has_core(shape1))
+        return find_core_contacts(shape1, pose1, shape2, pose2, reach, counters, contacts);
     if (const Box* box1 = std::get_if<Box>(&shape1); box1 && box2)
         return find_box_contacts(*box1, pose1, *box2, pose2, move, reach, contacts);
     if (is_convex_solid(shape1) && is_convex_solid(shape2))
@@ -149,7 +158,7 @@ Vector3d velocity_of(const RigidBody& body)
     return body.is_still() ? Vector3d(0, 0, 0) : body.state.velocity;
 }
 
-// The body that has the shape: its level set was asked.
+// The name of the body that has the shape, whose level set was sampled.
 const std::string& owner(const RigidBody& body1, const RigidBody& body2, const Shape* shape)
 {
     for (const Part& part : body1.parts)
@@ -159,8 +168,8 @@ const std::string& owner(const RigidBody& body1, const RigidBody& body2, const S
 
 } // namespace
 
-void find_shape_contacts(const Shape& shape1, const Pose& pose1, const Shape& shape2, const Pose& pose2,
-                  double reach, Contacts& contacts)
+void find_shape_contacts(const Shape& shape1, const Pose& pose1, const Shape& shape2,
+                         const Pose& pose2, double reach, Contacts& contacts)
 {
     Counters counters;
     find_in_any_order(shape1, pose1, shape2, pose2, {0, 0, 0}, reach, counters, contacts);
@@ -203,7 +212,7 @@ void find_contacts(const World& world, const std::vector<Pose>& poses, int body1
     }
     if (found.size() > 1) {
         const HeightOrder place_of(world.settings.gravity, found,
-                                  [](const Contact& t) -> const Vector3d& { return t.point; });
+                                   [](const Contact& t) -> const Vector3d& { return t.point; });
         std::sort(found.begin(), found.end(), [&](const Contact& a, const Contact& b) {
             return place_of(a.point) < place_of(b.point);
         });

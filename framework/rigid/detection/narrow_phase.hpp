@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where two shapes touch, or are about to.
+// The narrow phase: finds where two shapes touch, or are about to touch.
 #pragma once
 
 #include "geometry/shapes/pose.hpp"
@@ -9,28 +9,30 @@
 
 namespace rigor {
 
-/// Appends where shape 1 and shape 2 are closer than `reach`.
+/// Appends the contacts of two shapes that are closer than `reach`.
 ///
-/// A sphere has one touch, on its surface (between two spheres, in the middle of the gap), with the
-/// normal through its center: so an impulse without friction never spins it. Against a plane, see
-/// plane_contact.hpp; a capsule and a torus, core_contact.hpp; two boxes, box_box.hpp; two other
-/// convex shapes, convex_contact.hpp; a mesh with a dent, mesh_contact.hpp. Two planes never touch.
-void find_shape_contacts(const Shape& shape1, const Pose& pose1, const Shape& shape2, const Pose& pose2,
-                  double reach, std::vector<Contact>& contacts);
+/// A sphere has one contact, on its surface or, for two spheres, in the middle of the gap. Its
+/// normal passes through the center of the sphere, so an impulse without friction never spins it.
+/// The methods for other shapes are in plane_contact.hpp, core_contact.hpp (capsules and tori),
+/// box_box.hpp, convex_contact.hpp (two other convex shapes) and mesh_contact.hpp (a mesh that is
+/// not convex). Two planes never touch.
+void find_shape_contacts(const Shape& shape1, const Pose& pose1, const Shape& shape2,
+                         const Pose& pose2, double reach, std::vector<Contact>& contacts);
 
-/// Appends the contacts of bodies 1 and 2, from the lowest up: an order that does not depend on how bodies
-/// and parts are numbered.
+/// Appends the contacts of bodies 1 and 2, from the lowest up. The order does not depend on how
+/// bodies and parts are numbered.
 ///
-/// @param poses     of all bodies
-/// @param counters  level sets built and samples taken of them are added to it
-/// @param time_step  with the velocities of that long, spheres and boxes look for a normal along which
-///                   they are apart now and will not meet (box_box.hpp); 0: the poses alone count [s]
-/// @throws NonFiniteState if a level set's distance or normal is no number
+/// @param poses      the poses of all bodies
+/// @param counters   the numbers of level sets built and sampled are added to it
+/// @param time_step  spheres and boxes look ahead by this time along their velocities, for a normal
+///                   along which they are apart now and will not meet (box_box.hpp); with 0 only
+///                   the poses are used [s]
+/// @throws NonFiniteState if the distance or normal of a level set is not finite
 void find_contacts(const World& world, const std::vector<Pose>& poses, int body1, int body2,
                    double reach, std::vector<Contact>& contacts, Counters& counters,
                    double time_step = 0);
 
-/// The same, uncounted.
+/// The same, without counters.
 void find_contacts(const World& world, const std::vector<Pose>& poses, int body1, int body2,
                    double reach, std::vector<Contact>& contacts);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One step under a constant wrench, by Buss's augmented fourth-order method (2000). It computes ω and
-// its derivatives, then the mean angular velocity Ω, then turns by Ω h at once.
+// One step under a constant wrench, by Buss's augmented fourth-order method (2000). It computes ω
+// and its derivatives, then the mean angular velocity Ω, and then one rotation by Ω h.
 #include "rigid/motion/constant_wrench_step.hpp"
 
 #include "formulas/rotation.hpp"
@@ -32,7 +32,7 @@ Vector3d mean_angular_velocity(const Matrix3d& J, const Vector3d& L, const Vecto
            h * h * h / 24 * w2.cross(w);
 }
 
-// Two turns, see the header.
+// Two rotations, see the header.
 Quaternion turned_symmetric(const RigidBody& body, const RigidState& state, double h)
 {
     const Matrix3d& J_body = body.inverse.inverse_inertia;
@@ -46,7 +46,7 @@ Quaternion turned_symmetric(const RigidBody& body, const RigidState& state, doub
 } // namespace
 
 RigidState constant_wrench_step(const RigidBody& body, const RigidState& state,
-                                      const Wrench& wrench, double time_step)
+                                const Wrench& wrench, double time_step)
 {
     const double h = time_step;
     const Vector3d A = body.inverse.inverse_mass * wrench.force;

@@ -13,17 +13,18 @@ namespace rigor {
 ///     Ω = ω + h/2 ω̇ + h²/6 ω̈ + h³/24 ω⃛ + h²/12 ω̇ × ω + h³/24 ω̈ × ω
 ///     q' = advance_exact(q, Ω, h)    L' = L + h τ    V' = V + h F/M    X' = X + h V + h²/2 F/M
 ///
-/// The cross products are there because rotations do not commute (Magnus 1954, "On the exponential
-/// solution of differential equations for a linear operator", Comm. Pure Appl. Math. 7). A step calls
-/// `to_matrix`, `world_inverse_inertia` and `advance_exact` once each. Of the methods measured it is
-/// the most accurate for its time: 3 times closer than Munthe-Kaas's at 0.4 of its cost
-/// (`bench spin`). An isotropic body without torque turns exactly, by any angle, without a matrix.
+/// The cross products appear because rotations do not commute (Magnus 1954, "On the exponential
+/// solution of differential equations for a linear operator", Comm. Pure Appl. Math. 7). A step
+/// calls `to_matrix`, `world_inverse_inertia` and `advance_exact` once each. Of the methods
+/// measured it is the most accurate for its time: its error is a third of that of Munthe-Kaas's
+/// method at 0.4 of the cost (`bench spin`). An isotropic body without torque rotates exactly, by
+/// any angle, without a matrix.
 ///
-/// A body of revolution about the axis a, without torque, is exact too, by two turns: it spins about a
-/// while a goes around L. With J = i δ + k a aᵀ, a in world space:
+/// A body of revolution about the axis a, without torque, is exact too: it rotates about a while a
+/// rotates about L. With J = i δ + k a aᵀ and a in world space:
 ///
 ///     q' = exp(h i L) exp(h k (L·a) a) q
 RigidState constant_wrench_step(const RigidBody& body, const RigidState& state,
-                                      const Wrench& wrench, double time_step);
+                                const Wrench& wrench, double time_step);
 
 } // namespace rigor

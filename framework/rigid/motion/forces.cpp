@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Wrenches of gravity, springs and applied forces at one time. First it computes the motion of each
+// body and of the points of attachment, then it collects the point forces on each body, and last it
+// adds them up by `net_wrench`.
 #include "rigid/motion/forces.hpp"
 
 #include "formulas/kinematics.hpp"
@@ -65,7 +68,7 @@ Wrench gravity_on(const Settings& settings, const RigidBody& body, const Vector3
 AppliedWrenches::AppliedWrenches(const World& world, std::span<const int> bodies)
     : world_(world), bodies_(bodies),
       any_spring_damps_(std::any_of(world.springs.begin(), world.springs.end(),
-                             [](const Spring& spring) { return spring.damping != 0; })),
+                                    [](const Spring& spring) { return spring.damping != 0; })),
       motions_(world.bodies.size()), forces_(world.bodies.size()), net_(bodies.size())
 {
     for (const Spring& spring : world.springs)
@@ -101,7 +104,8 @@ void AppliedWrenches::add_spring(const Spring& spring)
 const std::vector<Wrench>& AppliedWrenches::at(std::span<const RigidState> states, double middle)
 {
     for (int i : bodies_) {
-        motions_[i] = motion_of(world_.settings.integrator, world_.bodies[i], states[i], any_spring_damps_);
+        motions_[i] =
+            motion_of(world_.settings.integrator, world_.bodies[i], states[i], any_spring_damps_);
         forces_[i].clear();
     }
     for (const Spring& spring : world_.springs)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The forces on bodies between contacts: gravity, springs, applied forces.
+// Forces on bodies apart from contacts: gravity, springs, applied forces.
 #pragma once
 
 #include "rigid/bodies/world.hpp"
@@ -16,30 +16,32 @@ struct Motion {
     Vector3d omega = Vector3d::Zero(); // [rad/s]
 };
 
-/// For each body, whether springs or applied forces pull at it at some time in [time, time + step].
-/// Static bodies: false.
+/// For each body, whether springs or applied forces pull on it at some time in [time, time + step].
+/// False for static bodies.
 std::vector<bool> pulled_bodies(const World& world, double time_step);
 
-/// Gravity alone. For the integrator `matrix` it is a point force at the center of mass, through
-/// `net_wrench`; for the others it is `gravity_wrench`. Without gravity no formula is called.
+/// The wrench of gravity alone. For the integrator `matrix` it is a point force at the center of
+/// mass, through `net_wrench`; for the others it is `gravity_wrench`. Without gravity no formula is
+/// called.
 Wrench gravity_on(const Settings& settings, const RigidBody& body, const Vector3d& X);
 
-/// The wrenches of springs, applied forces and gravity at one moment after the other. Its lists are kept
-/// between the moments, so that a step allocates them once.
+/// The wrenches of springs, applied forces and gravity, computed for one time after another. The
+/// lists are kept between the calls, so a step allocates them only once.
 class AppliedWrenches {
 public:
-    /// @param bodies  indices of those that springs or applied forces pull at, ascending
+    /// @param bodies  indices of the bodies on which springs or applied forces pull, in ascending
+    ///                order
     AppliedWrenches(const World& world, std::span<const int> bodies);
 
-    /// Net force and torque on each of those bodies, in their order.
+    /// Net force and torque on each of those bodies, in the same order.
     ///
-    /// Points of attachment are placed by `world_point` and, if any spring damps, moved by
-    /// `point_velocity`. For a body that nothing pulls at, no formula is called.
+    /// The points of attachment are computed by `world_point` and, if any spring damps, their
+    /// velocities by `point_velocity`. For a body on which nothing pulls, no formula is called.
     ///
     /// @param states  the states of all bodies of the world
-    /// @param middle  the time in the middle of the step [s]. A force that acts then acts during the
-    ///                whole step, so that a force from the start of one step to the start of another
-    ///                gives its whole impulse
+    /// @param middle  the time in the middle of the step [s]. A force that acts then acts during
+    ///                the whole step, so that a force from the start of one step to the start of
+    ///                another one gives its full impulse.
     const std::vector<Wrench>& at(std::span<const RigidState> states, double middle);
 
     /// Whether any spring damps. If none does, the wrenches depend on positions alone.

@@ -21,8 +21,8 @@ namespace rigor {
 namespace {
 
 constexpr double quarter_turn = std::numbers::pi / 2;
-// A body that needs more substeps makes over 250 turns in a step: no result is of use there, and the
-// limit keeps the run from standing still.
+// A body that needs more substeps makes over 250 rotations in a step. No result is useful then, and
+// the limit keeps the step from taking very long.
 constexpr double most_substeps = 1000;
 
 // A step of the methods that take one wrench for the whole step.
@@ -50,18 +50,17 @@ RigidState one_step(Integrator integrator, const RigidBody& body, const RigidSta
         runge_kutta_4(std::span(&track, 1), h, [] {});
         return MatrixScheme::to(track.stage, state);
     }
-    if (integrator == Integrator::runge_kutta)
-        return constant_wrench_step(body, state, wrench, h);
+    if (integrator == Integrator::runge_kutta) return constant_wrench_step(body, state, wrench, h);
     return euler_step(integrator, body, state, wrench, h);
 }
 
-// The number of equal substeps of which none turns the body by more than a quarter turn.
+// The number of equal substeps that rotate the body by at most a quarter turn each.
 int substeps_for(Integrator integrator, const RigidBody& body, const RigidState& state, double h)
 {
     if (integrator == Integrator::matrix) return 1;
     if (body.is_isotropic && integrator != Integrator::linear) return 1;
-    // |ω| ≤ |I⁻¹| |L| shows for most bodies, without their ω, that they are slow enough. A NaN passes
-    // here; it is reported with its quantity at the end of the step.
+    // The bound |ω| ≤ |I⁻¹| |L| shows without computing ω that most bodies are slow enough. A NaN
+    // passes here and is reported with its quantity at the end of the step.
     const double bound = body.inverse.inverse_inertia.norm() * state.angular_momentum.norm();
     if (!(bound * h > quarter_turn)) return 1;
     const double limit = max_time_step(angular_velocity(integrator, body, state));
@@ -107,7 +106,7 @@ void fly_together(const World& world, AppliedWrenches& wrenches, std::span<const
         states[together[k]] = Scheme::to(tracks[k].stage, states[together[k]]);
 }
 
-// Kicks and free flights in turns, by the method of Blanes and Moan; see the header.
+// Kicks and free flights alternate, by the method of Blanes and Moan; see the header.
 void fly_by_kicks(const World& world, AppliedWrenches& wrenches, std::span<const int> together,
                   std::vector<RigidState>& states, double h, double middle)
 {
@@ -179,15 +178,15 @@ std::vector<RigidState> fly_all(World& world, const std::vector<bool>& pulled, d
         n = std::max(n, substeps_for(world.settings.integrator, body, body.state, time_step));
         if (body.is_isotropic) ++counters.isotropic_shortcuts;
     }
-    fly_in_parallel(pool, states.size(), counters,
-                  [&](std::size_t first, std::size_t last, Counters& counted) {
-                      for (std::size_t i = first; i < last; ++i) {
-                          const RigidBody& body = world.bodies[i];
-                          states[i] = body.is_still() || pulled[i]
-                                          ? body.state
-                                          : fly(world.settings, body, body.state, time_step, counted);
-                      }
-                  });
+    fly_in_parallel(
+        pool, states.size(), counters, [&](std::size_t first, std::size_t last, Counters& counted) {
+            for (std::size_t i = first; i < last; ++i) {
+                const RigidBody& body = world.bodies[i];
+                states[i] = body.is_still() || pulled[i]
+                                ? body.state
+                                : fly(world.settings, body, body.state, time_step, counted);
+            }
+        });
     if (together.empty()) return states;
 
     count_substeps(n, counters);

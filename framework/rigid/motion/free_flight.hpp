@@ -1,26 +1,26 @@
 // SPDX-License-Identifier: MIT
 // Free flight: how bodies move between contacts, by the world's integrator.
 //
-// The default integrator, `runge_kutta`, has three methods of fourth order. A body that gravity alone
-// acts on takes the method of constant_wrench_step.hpp.
+// The default integrator, `runge_kutta`, has three methods of fourth order. A body that gravity
+// alone acts on takes the method of constant_wrench_step.hpp.
 //
-// Bodies that springs or applied forces pull at take kicks and free flights in turns, the symplectic
-// Runge–Kutta–Nyström method SRKN6b of Blanes and Moan (2002, "Practical symplectic partitioned
-// Runge–Kutta and Runge–Kutta–Nyström methods", J. Comput. Appl. Math. 142):
+// Bodies on which springs or applied forces pull take kicks and free flights in turns: the
+// symplectic Runge–Kutta–Nyström method SRKN6b of Blanes and Moan (2002, "Practical symplectic
+// partitioned Runge–Kutta and Runge–Kutta–Nyström methods", J. Comput. Appl. Math. 142).
 //
 //     kick by bᵢ:    V += bᵢ h F/M,  L += bᵢ h τ
 //     flight by aᵢ:  the free flight without a wrench that takes aᵢ h
 //     order:         b₁ a₁ b₂ a₂ b₃ a₃ b₄ a₃ b₃ a₂ b₂ a₁ b₁
 //
-// On a pendulum it is as accurate as Runge–Kutta 4 with steps a sixth as long, it keeps the energy for
-// any number of swings, and on a spring it is stable up to √(k/M) h = 5, where Runge–Kutta 4 ends at
-// 2.8. It needs forces that depend on positions alone.
+// On a pendulum it is as accurate as Runge–Kutta 4 with steps a sixth as long, it keeps the energy
+// for any number of swings, and on a spring it is stable up to √(k/M) h = 5, where Runge–Kutta 4
+// ends at 2.8. It needs forces that depend on positions alone.
 //
-// If any spring damps, all pulled bodies take the Runge–Kutta method of Munthe-Kaas (1999, "High order
-// Runge–Kutta methods on manifolds", Appl. Numer. Math. 29) with the two commutators of Munthe-Kaas
-// and Owren (1999, "Computations in a free Lie algebra", Phil. Trans. R. Soc. A 357). The orientation
-// changes by `advance_exact` alone, so it stays a rotation, and a steady spin is exact. With ωᵢ at
-// stage i and exp(u) = advance_exact(q, u, h):
+// If any spring damps, all pulled bodies take the Runge–Kutta method of Munthe-Kaas (1999, "High
+// order Runge–Kutta methods on manifolds", Appl. Numer. Math. 29) with the two commutators of
+// Munthe-Kaas and Owren (1999, "Computations in a free Lie algebra", Phil. Trans. R. Soc. A 357).
+// The orientation changes by `advance_exact` alone, so it stays a rotation, and a steady spin is
+// exact. With ωᵢ at stage i and exp(u) = advance_exact(q, u, h):
 //
 //     stage 2 at exp(½ω₁)   stage 3 at exp(½ω₂ - ⅛h ω₁×ω₂)   stage 4 at exp(ω₃)
 //     q' = exp((ω₁ + 2ω₂ + 2ω₃ + ω₄)/6 - h/12 ω₁×ω₄)
@@ -34,12 +34,12 @@ namespace rigor {
 
 enum class Gravity { acts, left_out };
 
-/// The state of one body after a time step in which nothing but gravity acts on it, or nothing at all.
+/// The state of one body after a time step in which gravity alone or nothing acts on it.
 ///
-/// A body that would turn by more than a quarter turn takes equal substeps that do not
-/// (`max_time_step`). Three kinds of flight need no substeps: an isotropic body with an integrator that
-/// turns it exactly, a body of revolution with the default integrator, and the integrator `matrix`,
-/// whose assignment comes before that formula's.
+/// If a body would rotate by more than a quarter turn, the step is divided into equal substeps of
+/// at most a quarter turn (`max_time_step`). Three kinds of flight need no substeps: an isotropic
+/// body with an integrator that rotates it exactly, a body of revolution with the default
+/// integrator, and the integrator `matrix`, whose assignment comes before that formula's.
 RigidState fly(const Settings& settings, const RigidBody& body, RigidState state, double time_step,
                Counters& counters, Gravity gravity = Gravity::acts);
 
@@ -63,8 +63,9 @@ void fly_in_parallel(ThreadPool& pool, std::size_t count, Counters& counters, co
     }
 }
 
-/// The states of all bodies after a time step without contacts. Bodies that springs or applied forces
-/// pull at fly together, all others one by one. Static bodies stay. Changes the counters alone.
+/// The states of all bodies after a time step without contacts. Bodies on which springs or applied
+/// forces pull fly together, all others one by one. Static bodies keep their state. Only the
+/// counters of the world are changed.
 ///
 /// @param pulled  see `pulled_bodies`
 std::vector<RigidState> fly_all(World& world, const std::vector<bool>& pulled, double time_step,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Runge–Kutta 4 on rigid bodies, written once for both ways to store an orientation: as a matrix, and
-// as a quaternion by the method of Munthe-Kaas (1999, see free_flight.hpp).
+// Runge–Kutta 4 for rigid bodies, written once for both representations of an orientation: as a
+// matrix, and as a quaternion by the method of Munthe-Kaas (1999, see free_flight.hpp).
 #pragma once
 
 #include "formulas/inertia.hpp"
@@ -14,7 +14,7 @@
 
 namespace rigor {
 
-/// A body as it goes through the stages of a step.
+/// A body during the stages of a step.
 template <class Scheme> struct Track {
     Track(const RigidBody& moving, const typename Scheme::State& from, const Wrench& pull)
         : body(&moving), start(from), stage(from), wrench(pull)
@@ -23,13 +23,14 @@ template <class Scheme> struct Track {
 
     const RigidBody* body;
     typename Scheme::State start, stage;
-    Wrench wrench;                              // at the stage
-    std::array<typename Scheme::Rate, 4> rates; // of the stages so far
+    Wrench wrench;                              // at the current stage
+    std::array<typename Scheme::Rate, 4> rates; // one for each stage so far
 };
 
-/// Advances all tracks by h at once, so that they may pull at each other.
+/// Advances all tracks by h together, since their bodies may pull on each other.
 ///
-/// @param update_wrenches  called at each stage; sets the tracks' wrenches if they change
+/// @param update_wrenches  called at each stage; sets the tracks' wrenches if they depend on the
+///                         stage
 template <class Scheme, class Update>
 void runge_kutta_4(std::span<Track<Scheme>> tracks, double h, Update&& update_wrenches)
 {
@@ -46,7 +47,7 @@ void runge_kutta_4(std::span<Track<Scheme>> tracks, double h, Update&& update_wr
         t.stage = Scheme::advance(t.start, Scheme::slope(t.rates, 4, h), h);
 }
 
-/// On (X, R, V, L): classical, through `equations_of_motion`.
+/// Classical Runge–Kutta 4 on (X, R, V, L), through `equations_of_motion`.
 struct MatrixScheme {
     using State = MatrixState;
     using Rate = MatrixStateRate;
@@ -56,7 +57,8 @@ struct MatrixScheme {
         return {s.position, rotation_matrix(s.orientation), s.velocity, s.angular_momentum};
     }
 
-    /// R becomes a rotation again. Of its two quaternions the one nearer to the previous is taken.
+    /// R becomes a rotation again. Of its two quaternions, the one nearer to the previous one is
+    /// taken.
     static RigidState to(const State& s, const RigidState& previous)
     {
         Quaternion q = quaternion_of(s.rotation);
@@ -90,7 +92,7 @@ struct MatrixScheme {
     }
 };
 
-/// On (X, q, V, L): the method of Munthe-Kaas, see free_flight.hpp.
+/// The method of Munthe-Kaas on (X, q, V, L), see free_flight.hpp.
 struct LieScheme {
     using State = RigidState;
     struct Rate {
@@ -118,7 +120,7 @@ struct LieScheme {
                     mean(&Rate::A), mean(&Rate::torque)};
         }
         Rate slope = k[stage - 1];
-        // the stage advances by h/2 along this slope, so the commutator's ⅛ is a ¼ here
+        // The stage advances by h/2 along this slope, so the ⅛ of the commutator becomes a ¼ here.
         if (stage == 2) slope.omega -= h / 4 * k[0].omega.cross(k[1].omega);
         return slope;
     }

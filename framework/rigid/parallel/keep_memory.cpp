@@ -12,7 +12,7 @@ namespace rigor {
 void keep_freed_memory()
 {
 #ifdef __GLIBC__
-    constexpr int kept = 1 << 30;          // [byte]
+    constexpr int kept = 1 << 30;           // [byte]
     constexpr int largest_block = 32 << 20; // [byte]; the largest that mallopt accepts
     mallopt(M_TRIM_THRESHOLD, kept);
     mallopt(M_MMAP_THRESHOLD, largest_block);

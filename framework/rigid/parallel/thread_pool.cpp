@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The pool hands out task numbers through one atomic word, without a lock. The caller takes tasks
-// from the first on and the workers from the last on, so that tasks which come again and again, such
-// as the sweeps of a step, find most of their data in the same processor's cache. Threads that find
-// no work look again for a few microseconds before they sleep.
+// from the first on and the workers from the last on, so that tasks which come again and again,
+// such as the sweeps of a step, find most of their data in the same processor's cache. Threads that
+// find no work look again for a few microseconds before they sleep.
 #include "rigid/parallel/thread_pool.hpp"
 
 #include <algorithm>
@@ -20,7 +20,8 @@ namespace rigor {
 namespace {
 
 // Waits until `value` is as wanted, and returns it. The next work of a step comes within
-// microseconds, so a thread first looks again and again, then lets others run, and only then sleeps.
+// microseconds, so a thread first looks again and again, then lets others run, and only then
+// sleeps.
 template <class T, class IsWanted> T wait_for(std::atomic<T>& value, const IsWanted& is_wanted)
 {
     constexpr int spins = 1000, yields = 4000; // looks before a thread yields, and before it sleeps
@@ -115,8 +116,8 @@ ThreadPool::Workers::~Workers()
 
 void ThreadPool::Workers::run(int workers, int tasks, const void* what, Call call)
 {
-    // While the work is being changed, none of its tasks can be taken: a worker that comes late finds
-    // none left, or its compare-and-exchange fails because the work's number has changed.
+    // While the work is being changed, none of its tasks can be taken: a worker that comes late
+    // finds none left, or its compare-and-exchange fails because the work's number has changed.
     const std::uint32_t work = taken_.load().work;
     taken_.store({work + 1, most_tasks, 0});
     what_.store(what);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Vectors that several threads fill.
+// Vectors whose elements are written by several threads.
 #pragma once
 
 #include "rigid/parallel/thread_pool.hpp"

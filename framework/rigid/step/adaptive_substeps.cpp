@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Adaptive substeps of single islands. For each pair of bodies it first bounds the new overlap by their
-// turn and by what the solver left, and only where the bound is too large it looks for contacts again. An
-// island that overlaps anew gets a world of its own, with what is fixed near it, and two steps of half
-// the length.
+// Adaptive substeps of single islands. For each pair of bodies a bound on the new overlap is
+// computed first, from the bodies' rotation and from the remaining approach speed; contacts are
+// searched again only where the bound is too large. An island with too much new overlap is copied
+// into a world of its own, with the static bodies near it, and takes two steps of half the length.
 #include "rigid/step/adaptive_substeps.hpp"
 
 #include "geometry/shapes/shape_bounds.hpp"
@@ -17,12 +17,13 @@ namespace rigor {
 
 namespace {
 
-constexpr std::size_t most_bodies = 32; // of a refined island: more cost too much
-// New overlap that is allowed, as a part of the thinner body's thickness: where bodies turn into each
-// other, and where the solver left some speed.
+// Largest island that may be refined; larger ones cost too much.
+constexpr std::size_t most_bodies = 32;
+// Allowed new overlap, as a fraction of the thinner body's thickness: where bodies rotate into each
+// other, and where the solver left some approach speed.
 constexpr double overlap_by_turn = 0.005, overlap_by_speed = 0.05;
 
-// The least extent of a body's thinnest part [m].
+// The smallest extent of a body's thinnest part [m].
 double thickness(const RigidBody& body)
 {
     double least = std::numeric_limits<double>::infinity();
@@ -38,13 +39,13 @@ double thickness(const RigidBody& body)
     return least;
 }
 
-// A ball covers the same space however it turns.
+// A ball occupies the same space in every orientation.
 bool is_ball(const RigidBody& body)
 {
     return body.parts.size() == 1 && std::holds_alternative<Sphere>(body.parts[0].shape);
 }
 
-// How far a body's turn may take it from the planes of its contacts [m].
+// How far the rotation of a body may move its points off the planes of its contacts [m].
 double departure(const World& world, const ContactProblem& problem, int i, double radius)
 {
     const RigidBody& body = world.bodies[i];
@@ -53,7 +54,7 @@ double departure(const World& world, const ContactProblem& problem, int i, doubl
     return angle * angle / 2 * radius;
 }
 
-// The largest depth [m].
+// The largest depth of the contacts, at least 0 [m].
 double deepest(const std::vector<Contact>& contacts)
 {
     double depth = 0;
@@ -62,12 +63,13 @@ double deepest(const std::vector<Contact>& contacts)
     return depth;
 }
 
-// The bodies of an island in a world of their own, with what is fixed near them.
+// The bodies of an island in a world of their own, with the static bodies near them.
 struct IslandWorld {
     World world;
     std::vector<int> bodies; // their indices in the whole world, ascending
 };
 
+// Copies an island and the static bodies that contacts in `near` connect with it.
 IslandWorld part_of(const World& world, const Island& island, const std::vector<Contact>& near)
 {
     IslandWorld part;
@@ -100,7 +102,7 @@ IslandWorld part_of(const World& world, const Island& island, const std::vector<
     return part;
 }
 
-// Whether the two bodies of a pair overlap after the step by more than is allowed.
+// Checks whether the two bodies of a pair overlap after the step by more than is allowed.
 class OverlapCheck {
 public:
     OverlapCheck(const World& world, const ContactProblem& problem,
@@ -114,7 +116,7 @@ public:
         const ContactConstraint& first = problem_.contacts[pair.first];
         const int i = first.body1, j = first.body2;
         const double thinner = std::min(thickness(world_.bodies[i]), thickness(world_.bodies[j]));
-        double before = 0, predicted = 0; // depth [m]
+        double before = 0, predicted = 0; // largest depths [m]
         for (int k = pair.first; k < pair.last; ++k) {
             const ContactConstraint& c = problem_.contacts[k];
             const double v_n = problem_.velocity_at(c, c.point).dot(c.normal);
@@ -144,7 +146,7 @@ private:
     const ContactProblem& problem_;
     const ContactCandidates& candidates_;
     const std::vector<RigidState>& states_;
-    std::vector<Pose> poses_; // after the step, set for the pair that is looked at
+    std::vector<Pose> poses_; // poses after the step, set only for the pair that is checked
 };
 
 void take_substeps(IslandWorld& part, const Step& step, double time_step, Refinement& refined)
@@ -165,8 +167,7 @@ void take_substeps(IslandWorld& part, const Step& step, double time_step, Refine
 } // namespace
 
 Refinement refine_by_substeps(World& world, ContactProblem& problem,
-                              const std::vector<bool>& pulled,
-                              const ContactCandidates& candidates,
+                              const std::vector<bool>& pulled, const ContactCandidates& candidates,
                               std::vector<RigidState>& states, const Step& step)
 {
     Refinement refined;
@@ -183,7 +184,8 @@ Refinement refine_by_substeps(World& world, ContactProblem& problem,
         for (std::size_t k = 0; k < part.bodies.size(); ++k)
             if (!part.world.bodies[k].is_static)
                 states[part.bodies[k]] = part.world.bodies[k].state;
-        const std::uint64_t steps = world.counters.steps; // the halves are no steps of this world
+        // The halves do not count as steps of this world.
+        const std::uint64_t steps = world.counters.steps;
         world.counters = part.world.counters;
         world.counters.steps = steps;
         for (const ContactPair& pair : island.pairs)

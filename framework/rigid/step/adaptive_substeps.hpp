@@ -9,31 +9,30 @@
 
 namespace rigor {
 
-/// The contacts of the islands whose step was done again.
+/// The contacts of the islands whose step was repeated.
 struct Refinement {
     std::vector<ContactRecord> records;
     std::vector<WarmContact> warm_contacts;
 };
 
-/// A step of a world. @return its contacts
+/// Does a step of a world and returns its contacts.
 using Step = std::function<std::vector<ContactRecord>(World& world, double time_step)>;
 
-inline constexpr int most_halvings = 10; // of a step, one inside the other
+inline constexpr int most_halvings = 10; // how often a step may be halved again and again
 
-/// Does the step of an island again in two halves where it left two bodies in each other.
+/// Repeats the step of an island in two halves if it left two bodies overlapping.
 ///
-/// A contact holds along one normal during the whole step. Bodies may slide any distance along it, but a
-/// body that turns by θ leaves it by up to θ² r/2; and sweeps that ended early leave some speed. Where
-/// that makes two bodies overlap anew, by more than 1/200 of the thinner one if they turn, else by more
-/// than 1/20, the island's step is done again. Only islands of up to 32 bodies that nothing but gravity
-/// pulls at are refined.
+/// During a step, a contact acts along one fixed normal. Bodies may slide any distance across it,
+/// but a body that rotates by θ leaves its contact plane by up to θ² r/2, and sweeps that ended
+/// early leave some approach speed. The island's step is repeated if two bodies overlap anew
+/// because of this: by more than 1/200 of the thinner one's thickness if they rotate, otherwise by
+/// more than 1/20. Only islands of up to 32 bodies on which nothing but gravity pulls are refined.
 ///
-/// @param problem  the impulses of islands that are done again are taken out of it
-/// @param states   after the step; those of such islands are replaced
-/// @param step     does one of the halves, and may refine it again
+/// @param problem  the impulses of repeated islands are removed from it
+/// @param states   the states after the step; those of repeated islands are replaced
+/// @param step     does one of the halves, and may refine it in turn
 Refinement refine_by_substeps(World& world, ContactProblem& problem,
-                              const std::vector<bool>& pulled,
-                              const ContactCandidates& candidates,
+                              const std::vector<bool>& pulled, const ContactCandidates& candidates,
                               std::vector<RigidState>& states, const Step& step);
 
 } // namespace rigor

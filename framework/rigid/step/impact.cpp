@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The moment of impact of two bodies that only bounce. A quadratic prediction from gap, speed and
-// acceleration of the contact that closes first starts a secant iteration on the gap; the collision
-// stage then runs on a world of these two bodies alone, at that moment.
+// The time of impact of two bodies that only bounce off each other. A quadratic prediction from the
+// gap, speed and acceleration of the contact that closes first starts a secant iteration on the
+// gap. The collision stage then runs at that time, in a world of these two bodies alone.
 #include "rigid/step/impact.hpp"
 
 #include "geometry/shapes/pose.hpp"
@@ -19,23 +19,23 @@ namespace rigor {
 
 namespace {
 
-constexpr int most_iterations = 8; // of the secant method; it converges in three or four
-constexpr double touching = 1e-10; // a gap of this part of the radius is none
-constexpr double met = 1e-6;       // a gap at which the iteration has found the impact
+constexpr int most_iterations = 8; // secant method; it converges in three or four
+constexpr double touching = 1e-10; // a gap up to this fraction of the radius counts as contact
+constexpr double met = 1e-6; // largest gap at the end of the iteration, as a fraction of the radius
 
-// The two bodies alone, at some moment of the step.
+// The two bodies alone, at some time of the step.
 struct Meeting {
     World world;
     double time = 0; // since the start of the step [s]
-    double gap = 0;  // the smallest [m]
+    double gap = 0;  // the smallest gap [m]
     std::vector<Contact> contacts;
 };
 
-// How the contact of a pair that closes first does so: gap [m], v·n [m/s] and its rate [m/s²].
+// The contact of a pair that closes first: its gap [m], v·n [m/s] and the rate of v·n [m/s²].
 struct Approach {
     double gap = 0, speed = 0, rate = 0;
 
-    // When the gap closes, gap + speed t + ½ rate t² = 0.
+    // The time when the gap closes: gap + speed t + ½ rate t² = 0.
     double closes() const
     {
         if (gap <= 0) return 0;
@@ -68,6 +68,7 @@ Approach first_to_close(const World& world, const ContactProblem& problem, const
     return first;
 }
 
+// The two bodies after a flight of `time`, with their contacts up to the distance `reach`.
 Meeting meeting_at(const World& world, const ContactConstraint& c, double time, double reach)
 {
     Meeting meeting;
@@ -77,8 +78,8 @@ Meeting meeting_at(const World& world, const ContactConstraint& c, double time, 
     std::vector<Pose> poses;
     for (int i : {c.body1, c.body2}) {
         RigidBody& body = meeting.world.bodies.emplace_back(world.bodies[i]);
-        if (!body.is_static && time > 0) body.state =
-                fly(world.settings, body, body.state, time, meeting.world.counters);
+        if (!body.is_static && time > 0)
+            body.state = fly(world.settings, body, body.state, time, meeting.world.counters);
         poses.push_back(pose_of(body.state));
     }
     find_contacts(meeting.world, poses, 0, 1, reach, meeting.contacts);
@@ -88,8 +89,9 @@ Meeting meeting_at(const World& world, const ContactConstraint& c, double time, 
     return meeting;
 }
 
-// Lets the pair bounce at its impact. @return  the contacts with their impulses, none if the bodies do not
-// meet in this step after all; empty if it is no such bounce, and then the states are as they were
+// Lets the pair bounce at its impact. The states are changed only if it returns contacts.
+// @return the contacts with their impulses, an empty list if the bodies do not meet in this step
+//         after all, or nothing if the impact is not a single bounce within the step
 std::optional<std::vector<ContactRecord>> bounce_at_impact(const World& world,
                                                            const ContactProblem& problem,
                                                            const ContactPair& pair,
@@ -108,7 +110,7 @@ std::optional<std::vector<ContactRecord>> bounce_at_impact(const World& world,
         return std::vector<ContactRecord>();
     }
 
-    // secant steps towards gap = 0
+    // Secant steps towards gap = 0.
     const double reach = 2 * std::abs(approach.gap) + c.radius;
     double time = predicted, before = 0, gap_before = approach.gap;
     Meeting meeting = meeting_at(world, c, time, reach);
@@ -123,7 +125,7 @@ std::optional<std::vector<ContactRecord>> bounce_at_impact(const World& world,
     }
     if (std::abs(meeting.gap) > met * c.radius) return std::nullopt;
 
-    // the collision there, of the points that close within the rest of the step
+    // The collision at that time, with the contacts that close within the rest of the step.
     World& pair_world = meeting.world;
     const double rest = h - time;
     std::vector<RigidState> flown;
@@ -135,11 +137,11 @@ std::optional<std::vector<ContactRecord>> bounce_at_impact(const World& world,
         const RigidBody& body = pair_world.bodies[k];
         near.poses.push_back(pose_of(body.state));
         if (body.is_static) near.radii[k] = 0;
-        flown.push_back(body.is_static ? body.state
-                                       : fly(pair_world.settings, body, body.state, rest,
-                                             pair_world.counters));
+        flown.push_back(
+            body.is_static ? body.state
+                           : fly(pair_world.settings, body, body.state, rest, pair_world.counters));
     }
-    // The counters of the pair's world are dropped: the bounce was counted already.
+    // The counters of the pair's world are dropped, since the bounce was counted already.
     ContactProblem impact = make_problem(pair_world, flown, near, rest, pair_world.pool);
     if (impact.islands.size() != 1) return std::nullopt;
     process_collisions(impact);
@@ -148,9 +150,10 @@ std::optional<std::vector<ContactRecord>> bounce_at_impact(const World& world,
     for (const ContactConstraint& hit : impact.contacts) {
         const double v_n = impact.velocity_at(hit, hit.point).dot(hit.normal) + hit.force_speed;
         if (impact.predicted_gap(hit, v_n) < -touching * c.radius)
-            return std::nullopt; // meets again
+            return std::nullopt; // they meet again
         if (!hit.collision_impulse.isZero(0))
-            records.push_back({c.body1, c.body2, hit.point, hit.normal, -hit.gap, hit.collision_impulse});
+            records.push_back(
+                {c.body1, c.body2, hit.point, hit.normal, -hit.gap, hit.collision_impulse});
     }
     if (records.empty()) return std::nullopt;
     for (std::size_t k = 0; k < 2; ++k) {
@@ -159,12 +162,13 @@ std::optional<std::vector<ContactRecord>> bounce_at_impact(const World& world,
         RigidState state = body.state;
         state.velocity = impact.bodies[k].velocity;
         state.angular_momentum = impact.bodies[k].angular_momentum;
-        states[k == 0 ? c.body1 : c.body2] = fly(pair_world.settings, body, state, rest, pair_world.counters);
+        states[k == 0 ? c.body1 : c.body2] =
+            fly(pair_world.settings, body, state, rest, pair_world.counters);
     }
     return records;
 }
 
-// The only pair of an island that bounced, if the island did nothing else.
+// The only pair of an island that bounced; null if another pair did too or if any contact was held.
 const ContactPair* lone_bounce(const ContactProblem& problem, const Island& island)
 {
     const ContactPair* lone = nullptr;

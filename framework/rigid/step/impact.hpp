@@ -7,16 +7,16 @@
 
 namespace rigor {
 
-/// Lets two bodies that did nothing in this step but bounce off each other do so where they meet: they
-/// fly to the moment of impact, bounce there, and fly on for the rest of the step. So a bounce keeps the
-/// order of free flight, and without loss (ε = 1) its energy.
+/// For two bodies that only bounced off each other in this step, moves the bounce to the time of
+/// impact: they fly until they meet, bounce there, and fly on for the rest of the step. A bounce
+/// then keeps the order of accuracy of free flight and, without loss (ε = 1), the energy.
 ///
-/// The moment of impact is found by the gaps along the flight itself, by the secant method from a
-/// prediction. A bounce is left as it was if the bodies would meet again within the step, touched
-/// before it, or if springs, applied forces or a position correction move one of them.
+/// The time of impact is found from the gaps along the flight, by the secant method from a
+/// prediction. The bounce stays as it was if the bodies would meet again within the step, if they
+/// touched at its start, or if springs, applied forces or a position correction move one of them.
 ///
-/// @param states  of all bodies; those of such pairs are replaced
-/// @return the contacts of those bounces with their impulses; they are taken out of the problem
+/// @param states  the states of all bodies; those of such pairs are replaced
+/// @return the contacts of these bounces with their impulses, which are removed from the problem
 std::vector<ContactRecord> bounce_at_impacts(const World& world, ContactProblem& problem,
                                              const std::vector<bool>& pulled,
                                              const std::vector<Displacement>& displacements,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The position update: each body flies once more, by the integrator of free flight, with the velocity
-// that the stages of contact left it. Displacements of the position correction come last.
+// The position update. Each body flies once more, by the integrator of free flight, with the
+// velocity after the contact stages. The displacements of the position correction are added last.
 #include "rigid/step/position_update.hpp"
 
 #include "formulas/rotation.hpp"
@@ -13,7 +13,7 @@ namespace rigor {
 
 namespace {
 
-// Which stages gave a body an impulse.
+// Whether the collision stage and the contact stage gave a body an impulse.
 struct Impulses {
     bool has_bounced = false, is_held = false;
 };
@@ -35,19 +35,20 @@ void displace(RigidState& state, const Displacement& by)
     if (!by.turn.isZero(0)) state.orientation = advance_exact(state.orientation, by.turn, 1);
 }
 
-// Whether positions after a free flight converge at an order above the first. Bodies that contacts hold
-// shall not converge more slowly.
+// Whether positions after free flight converge with an order above the first. Then bodies held by
+// contacts should converge as fast.
 bool is_of_higher_order(Integrator integrator)
 {
     return integrator == Integrator::runge_kutta || integrator == Integrator::matrix;
 }
 
-// Whether contacts hold an island along the same normals during the whole step, as on an incline. On the
-// wall of a bowl the normals change, and there the mean of two velocities would bring in energy.
+// Whether the contacts of an island act along the same normals during the whole step, as on an
+// incline. On the wall of a bowl the normals change, and the mean of two velocities would add
+// energy.
 bool is_held_evenly(const ContactProblem& problem, const Island& island,
                     const std::vector<Body>& before)
 {
-    // A normal velocity of this part of the speed means that the contact opens or closes.
+    // A normal velocity above this fraction of the speed means that the contact opens or closes.
     constexpr double opens = 1e-9;
     for (const ContactPair& pair : island.pairs)
         for (int i = pair.first; i < pair.last; ++i) {
@@ -76,7 +77,7 @@ void update_positions(World& world, const ContactProblem& problem, const std::ve
     const auto move = [&](int i, bool evenly, Counters& counted) {
         const bool is_displaced = !displacements.empty() && !displacements[i].shift.isZero(0);
         const auto [has_bounced, is_held] = impulses[i];
-        if (!has_bounced && !is_held) { // its free flight was its motion
+        if (!has_bounced && !is_held) { // the state after free flight is right
             if (is_displaced) displace(states[i], displacements[i]);
             ++counted.free_flights;
             return;
@@ -101,13 +102,13 @@ void update_positions(World& world, const ContactProblem& problem, const std::ve
         if (is_displaced) displace(states[i], displacements[i]);
     };
     for (const Island& island : problem.islands) {
-        const bool evenly =
-            is_of_higher_order(world.settings.integrator) && is_held_evenly(problem, island, after_collisions);
+        const bool evenly = is_of_higher_order(world.settings.integrator) &&
+                            is_held_evenly(problem, island, after_collisions);
         fly_in_parallel(*problem.pool, island.bodies.size(), counters,
-                      [&](std::size_t first, std::size_t last, Counters& counted) {
-                          for (std::size_t at = first; at < last; ++at)
-                              move(island.bodies[at], evenly, counted);
-                      });
+                        [&](std::size_t first, std::size_t last, Counters& counted) {
+                            for (std::size_t at = first; at < last; ++at)
+                                move(island.bodies[at], evenly, counted);
+                        });
         counters.free_flights -= island.bodies.size();
     }
 }

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Sleep of islands at rest. For each island it adds up how long every body has stayed in its place.
+// If all have done so for long enough, the bodies become a sleeping group without velocity, and
+// their contacts are kept. A group wakes as a whole.
 #include "rigid/step/sleep.hpp"
 
 #include "rigid/bodies/orientation.hpp"
@@ -9,8 +12,9 @@ namespace rigor {
 
 namespace {
 
-constexpr double needed_rest = 0.5;    // [s]
-constexpr double rest_fraction = 1e-4; // a move of this part of the radius, or a turn [rad], is rest
+constexpr double needed_rest = 0.5; // least time at rest before a body sleeps [s]
+// Largest move, in radii, and largest rotation [rad] of a body at rest.
+constexpr double rest_fraction = 1e-4;
 
 bool is_near(const RigidState& a, const RigidState& b, double radius)
 {
@@ -19,8 +23,8 @@ bool is_near(const RigidState& a, const RigidState& b, double radius)
     return moved <= rest_fraction * radius && turned <= rest_fraction;
 }
 
-// Counts how long each body of the island has been at rest.
-// @return whether all have been for long enough
+// Adds up how long each body of the island has been at rest.
+// @return whether all bodies have been at rest for long enough
 bool has_rested(World& world, const Island& island, const std::vector<double>& radii,
                 const std::vector<bool>& pulled, const std::vector<RigidState>& states,
                 double time_step)
@@ -46,7 +50,7 @@ void fall_asleep(World& world, const ContactProblem& problem, const std::vector<
                  const std::vector<ContactRecord>& records)
 {
     if (!world.settings.skips.sleep || world.settings.gravity.isZero(0)) return;
-    std::vector<bool> fell; // of each body; empty as long as none fell asleep
+    std::vector<bool> fell; // one for each body; empty if no body fell asleep
     for (const Island& island : problem.islands) {
         if (!has_rested(world, island, radii, pulled, states, problem.time_step)) continue;
         fell.resize(world.bodies.size());
@@ -60,12 +64,13 @@ void fall_asleep(World& world, const ContactProblem& problem, const std::vector<
     }
     if (fell.empty()) return;
     for (const ContactRecord& record : records)
-        if (fell[record.body1] || fell[record.body2]) world.memory.sleeping_contacts.push_back(record);
+        if (fell[record.body1] || fell[record.body2])
+            world.memory.sleeping_contacts.push_back(record);
 }
 
 void wake(World& world, const std::vector<int>& bodies)
 {
-    std::vector<bool> wakes(world.bodies.size(), false); // of each group
+    std::vector<bool> wakes(world.bodies.size(), false); // one for each group
     for (int i : bodies)
         wakes[world.bodies[i].rest.group] = true;
     const auto is_woken = [&](int i) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Bodies that have come to rest are left alone until something could move them.
+// Sleep: bodies that have come to rest are skipped until something could move them.
 #pragma once
 
 #include "rigid/bodies/world.hpp"
@@ -7,23 +7,23 @@
 
 namespace rigor {
 
-/// Puts to sleep every island that stayed where it was: with gravity, bodies in contact of which none
-/// moved by more than 1e-4 of its radius, nor turned by more than 1e-4 radians, for half a second. They
-/// lose the speed they have left, and stay in that place.
+/// Puts to sleep every island that stayed in its place: in a world with gravity, no body of the
+/// island moved by more than 1e-4 of its radius or rotated by more than 1e-4 radians for half a
+/// second. The bodies lose their remaining velocity and keep their place.
 ///
-/// @param radii    of all bodies [m]
-/// @param pulled   for each body, whether springs or applied forces pull at it: such a body stays awake,
-///                 and its island with it
-/// @param states   of all bodies after the step
-/// @param records  the contacts of the step; those of a sleeping island stay as they are
+/// @param radii    radius of each body [m]
+/// @param pulled   for each body, whether springs or applied forces pull on it; such a body stays
+///                 awake, and its island with it
+/// @param states   the states of all bodies after the step
+/// @param records  the contacts of the step; those of a sleeping island are kept
 void fall_asleep(World& world, const ContactProblem& problem, const std::vector<double>& radii,
                  const std::vector<bool>& pulled, std::vector<RigidState>& states,
                  const std::vector<ContactRecord>& records);
 
-/// Wakes these bodies, and all that fell asleep with them.
+/// Wakes these bodies and all bodies that fell asleep together with them.
 void wake(World& world, const std::vector<int>& bodies);
 
-/// Wakes the sleeping bodies that springs or applied forces pull at.
+/// Wakes the sleeping bodies on which springs or applied forces pull.
 void wake_pulled(World& world, const std::vector<bool>& pulled);
 
 } // namespace rigor

@@ -30,7 +30,7 @@ std::vector<RigidState> free_flight(World& world, const std::vector<bool>& pulle
     return flown;
 }
 
-// The forces change the bodies' momentum as they did in free flight.
+// Adds the changes of momentum by the forces, as computed in free flight.
 void apply_forces(ContactProblem& problem, const World& world, const std::vector<RigidState>& flown)
 {
     for (const Island& island : problem.islands)
@@ -38,10 +38,11 @@ void apply_forces(ContactProblem& problem, const World& world, const std::vector
             problem.bodies[i] = with_forces(problem.bodies[i], world.bodies[i].state, flown[i]);
 }
 
-// @param depth  how often the step was halved that this one is a part of
+// @param depth  how often the original step was halved to get this one
 std::vector<ContactRecord> step(World& world, double time_step, int depth)
 {
-    ThreadPool alone; // formulas of others than the reference may not be called by several threads
+    // Formulas other than the reference's may not be thread-safe and run on one thread.
+    ThreadPool alone;
     ThreadPool& pool = world.settings.formulas_are_reference ? world.pool : alone;
     const std::vector<bool> pulled = pulled_bodies(world, time_step);
     wake_pulled(world, pulled);
@@ -53,7 +54,7 @@ std::vector<ContactRecord> step(World& world, double time_step, int depth)
         if (world.bodies.size() < 2) break;
         candidates = contact_candidates(world, flown, time_step, pool);
         if (candidates.disturbed.empty()) break;
-        wake(world, candidates.disturbed); // and start again, now that they move
+        wake(world, candidates.disturbed); // the woken bodies move, so the search starts again
     }
     if (candidates.contacts.empty())
         return finish_step(world, time_step, {std::move(flown), {}, {}});

@@ -1,34 +1,35 @@
 // SPDX-License-Identifier: MIT
-// The time step of rigid bodies, in the order of Guendelman, Bridson and Fedkiw (2003, "Nonconvex rigid
-// bodies with stacking", ACM Trans. Graph. 22). Each stage is one call in step.cpp:
+// The time step of rigid bodies, in the order of Guendelman, Bridson and Fedkiw (2003, "Nonconvex
+// rigid bodies with stacking", ACM Trans. Graph. 22). Each stage is one call in step.cpp:
 //
-//   stage                  reads                     writes                   where
-//   1 free flight          states, forces            flown states             motion/free_flight
-//   2 find contacts        states, flown states      contact candidates       detection/contact_candidates
-//     make the problem     candidates, memory        contacts in islands      contact/make_problem
-//   3 collisions           velocities before forces  velocities               contact/collisions
-//   4 velocities           flown states              velocities               here, `apply_forces`
-//   5 contact              velocities, gaps          velocities, impulses     contact/resting_contact
-//   6 position correction  gaps, velocities          displacements            contact/position_correction
-//   7 positions            velocities, displacements states                   step/position_update
-//   8 refine               states, contacts          states, records          step/impact,
-//                                                                             step/adaptive_substeps
-//   9 sleep                states, islands           memory, states           step/sleep
+// stage                 reads                     writes               where
+// 1 free flight         states, forces            flown states         motion/free_flight
+// 2 find contacts       states, flown states      contact candidates   detection/contact_candidates
+//   make the problem    candidates, memory        contacts in islands  contact/make_problem
+// 3 collisions          velocities before forces  velocities           contact/collisions
+// 4 velocities          flown states              velocities           here, `apply_forces`
+// 5 contact             velocities, gaps          velocities, impulses contact/resting_contact
+// 6 position correction gaps, velocities          displacements        contact/position_correction
+// 7 positions           velocities, displacements states               step/position_update
+// 8 refine              states, contacts          states, records      step/impact,
+//                                                                      step/adaptive_substeps
+// 9 sleep               states, islands           memory, states       step/sleep
 //
-// Papers of the stages: 1 Buss (2000), Blanes and Moan (2002), Munthe-Kaas (1999), see free_flight.hpp;
-// 2 Verlet (1967) for the pair cache, Gottschalk et al. (1996) for boxes, level sets by the 2003 paper;
-// 3 the 2003 paper; 5 the 2003 paper, Silcowitz-Hansen et al. (2010), Alart and Curnier (1991).
+// Papers of the stages: 1 Buss (2000), Blanes and Moan (2002), Munthe-Kaas (1999), see
+// free_flight.hpp; 2 Verlet (1967) for the pair cache, Gottschalk et al. (1996) for boxes, the 2003
+// paper for level sets; 3 the 2003 paper; 5 the 2003 paper, Silcowitz-Hansen et al. (2010), Alart
+// and Curnier (1991).
 #pragma once
 
 #include "rigid/bodies/world.hpp"
 
 namespace rigor {
 
-/// Advances a world by one time step. A pure function of (world, time_step): no state is hidden
-/// elsewhere. Without warm start and sleep the result depends on the bodies' states alone.
+/// Advances a world by one time step. The result depends only on (world, time_step), since no other
+/// state is kept elsewhere. Without warm start and sleep it depends only on the bodies' states.
 ///
-/// @return the contacts that got an impulse, with those that hold sleeping bodies
-/// @throws NonFiniteState if a state is not a number any more
+/// @return the contacts that got an impulse, and those that hold sleeping bodies
+/// @throws NonFiniteState if a state is infinite or not a number
 std::vector<ContactRecord> step(World& world, double time_step);
 
 } // namespace rigor

@@ -67,7 +67,8 @@ void collect_contacts(World& world, const ContactProblem& problem,
 
 std::vector<ContactRecord> finish_step(World& world, double time_step, StepResult result)
 {
-    std::erase_if(result.records, [&](const ContactRecord& r) { // these are remembered as sleeping
+    // Contacts of sleeping bodies are remembered as sleeping contacts.
+    std::erase_if(result.records, [&](const ContactRecord& r) {
         return world.bodies[r.body1].rest.is_asleep() || world.bodies[r.body2].rest.is_asleep();
     });
     for (std::size_t i = 0; i < result.states.size(); ++i)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The end of a step: what its stages leave, and how that becomes the world's next state.
+// The end of a step: the results of its stages, and how they become the world's next state.
 #pragma once
 
 #include "rigid/contact/contact_problem.hpp"
@@ -9,22 +9,22 @@
 namespace rigor {
 
 struct StepResult {
-    std::vector<RigidState> states;         // of all bodies
+    std::vector<RigidState> states;         // one for each body
     std::vector<ContactRecord> records;     // contacts that got an impulse
-    std::vector<WarmContact> warm_contacts; // for the next step, in the order of their bodies
+    std::vector<WarmContact> warm_contacts; // for the next step, sorted by their bodies
 };
 
-/// Adds the contacts of the problem and of the refined islands to the result. Counts contacts and
-/// islands.
+/// Adds the contacts of the problem and of the refined islands to the result, and counts contacts
+/// and islands.
 ///
-/// @throws NonFiniteState if a state of the result is not a number
+/// @throws NonFiniteState if a state of the result is infinite or not a number
 void collect_contacts(World& world, const ContactProblem& problem,
                       const ContactCandidates& candidates, const Refinement& refined,
                       StepResult& result);
 
-/// Gives the world its new states and memory, and moves its time on.
+/// Gives the world its new states and memory, and advances its time.
 ///
-/// @return the records, without those of bodies that fell asleep in this step, and with the contacts
+/// @return the records, without those of bodies that fell asleep in this step but with the contacts
 ///         that hold sleeping bodies
 std::vector<ContactRecord> finish_step(World& world, double time_step, StepResult result);
 

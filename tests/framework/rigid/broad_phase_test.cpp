@@ -36,7 +36,7 @@ Crowd crowd(unsigned seed, int bodies, double spread)
     return crowd;
 }
 
-// Half-space against box, by the box's corner that lies deepest.
+// Whether a half-space meets a box, tested at the deepest corner of the box.
 bool meets_plane(const Pose& plane, const Bounds& b)
 {
     for (int i = 0; i < 8; ++i) {
@@ -76,9 +76,8 @@ TEST_CASE("broad phase: it finds what comparing all pairs finds", "[rigid]")
 static std::uint64_t pairs_possible(const World& world)
 {
     const auto n = static_cast<std::uint64_t>(world.bodies.size());
-    const auto fixed =
-        static_cast<std::uint64_t>(std::count_if(world.bodies.begin(), world.bodies.end(),
-                                                 [](const RigidBody& b) { return b.is_static; }));
+    const auto fixed = static_cast<std::uint64_t>(std::count_if(
+        world.bodies.begin(), world.bodies.end(), [](const RigidBody& b) { return b.is_static; }));
     return n * (n - 1) / 2 - fixed * (fixed - 1) / 2;
 }
 

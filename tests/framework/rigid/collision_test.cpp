@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The collision stage of a step, against answers by hand.
+// The collision stage of a step, compared with results computed by hand.
 #include "rigid/step/step.hpp"
 #include "worlds.hpp"
 
@@ -15,7 +15,7 @@ Material material(double restitution, double friction)
     return {restitution, friction};
 }
 
-// A body whose only part is a point at `tip`.
+// A body whose only part is a single point at `tip`.
 RigidBody rod(const Vector3d& tip, double restitution)
 {
     RigidBody body = body_of(Sphere{1}, {0, 0, 0}, {restitution, 0});
@@ -38,7 +38,7 @@ TEST_CASE("collision: the tip of a rod hits a frictionless floor", "[rigid]")
 
     REQUIRE(contacts.size() == 1);
     const RigidBody& after = world.bodies[1];
-    // the plane is body 1: the impulse on it points down
+    // The plane is body 1, so the impulse on it points down.
     CHECK_THAT(contacts[0].impulse, IsClose(Vector3d(0, -0.6, 0), Rounding(32)));
     CHECK_THAT(after.state.velocity, IsClose(Vector3d(0, -0.4, 0), Rounding(32)));
     CHECK_THAT(std::abs(after.state.angular_momentum.z()) * 12,
@@ -61,7 +61,7 @@ TEST_CASE(
     CHECK_THAT(angular_velocity(sticks), IsClose(Vector3d(0, 0, -150. / 7), Rounding(32)));
     CHECK_THAT(slides.state.velocity, IsClose(Vector3d(2.7, 1, 0), Rounding(32)));
     CHECK_THAT(angular_velocity(slides), IsClose(Vector3d(0, 0, -7.5), Rounding(32)));
-    CHECK(after(2. / 7 * 0.999999).state.velocity.x() > 15. / 7); // still slides, by a hair
+    CHECK(after(2. / 7 * 0.999999).state.velocity.x() > 15. / 7); // is just still sliding
 }
 
 TEST_CASE("collision: between two walls every bounce costs the factor of restitution", "[rigid]")
@@ -103,10 +103,11 @@ TEST_CASE("collision: a ball bounces to the square of its restitution", "[rigid]
             rises = s.velocity.y() > 0;
             before = height;
         }
-        CHECK(expected < 0.1); // six bounces
+        CHECK(expected < 0.1); // at least six bounces
         worst.push_back(error);
     }
-    // a bounce happens up to a step early, v h above the floor: first order
+    // A bounce happens up to a step too early, at most v h above the floor, so the error is of
+    // first order.
     CHECK(worst[0] < 4.43 * 4e-4);
     CHECK(worst[1] < 4.43 * 1e-4);
 }
@@ -151,13 +152,14 @@ TEST_CASE("collision: a box that lands flat does not start to spin", "[rigid]")
         REQUIRE_THAT(angular_velocity(world.bodies[1]),
                      IsClose(Vector3d(0, 0, 0), Rounding(64, 10)));
     }
-    CHECK(top > 0.15); // it did bounce
+    CHECK(top > 0.15); // the block did bounce
 }
 
 TEST_CASE("collision: a rocking block keeps seven tenths of its spin at a plastic impact",
           "[rigid]")
 {
-    // upright, width 1, height 2; it turns about its left edge and comes down on its right one
+    // An upright block of width 1 and height 2. It rotates about its left edge and lands on its
+    // right one.
     const double omega = 0.3;
     RigidBody block = body_of(Box{{1, 2, 1}}, {0, 1, 0}, material(0, 1e6));
     block.state.velocity = Vector3d(0, 0, -omega).cross(Vector3d(0.5, 1, 0));
@@ -196,7 +198,7 @@ TEST_CASE("collision: a fast ball does not pass through a thin wall", "[rigid]")
     RigidBody ball = body_of(Sphere{0.05}, {-1, 0, 0}, material(1, 0));
     ball.state.velocity = {100, 0, 0};
     World world = world_of({fixed(Box{{0.01, 2, 2}}, material(1, 0)), ball}, no_gravity);
-    run(world, 3, 0.02); // two meters a step
+    run(world, 3, 0.02); // two meters per step
     CHECK_THAT(world.bodies[1].state.velocity, IsClose(Vector3d(-100, 0, 0), Rounding(16)));
     CHECK(world.bodies[1].state.position.x() < 0);
 }
@@ -216,11 +218,11 @@ TEST_CASE("collision: a ball bounces where it meets the floor whatever the step"
         if (before >= 0 || ball.velocity.y() <= 0) continue;
         ++bounces;
         expected *= epsilon * epsilon;
-        // height of the parabola that the ball is on now
+        // Height of the top of the ball's current parabola.
         const double top =
             ball.position.y() - 0.1 + ball.velocity.y() * ball.velocity.y() / (2 * g);
         CAPTURE(epsilon, time_step, bounces);
-        CHECK_THAT(top, IsClose(expected, Order(1e-8))); // the moment of impact is found to 1e-10 m
+        CHECK_THAT(top, IsClose(expected, Order(1e-8))); // the time of impact is exact to 1e-10 m
     }
     CHECK(bounces == 3);
 }

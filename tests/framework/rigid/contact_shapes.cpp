@@ -8,9 +8,9 @@ namespace rigor::testing {
 namespace {
 
 constexpr double pixel = 0.004; // [m]
-constexpr int side = 512;       // covers 2 m
+constexpr int side = 512;       // the map covers 2 m
 
-// The highest point of a mesh over each point of the plane of x and y.
+// The highest point of a mesh above each point of the xy plane.
 class HeightMap {
 public:
     HeightMap() : heights_(static_cast<std::size_t>(side) * side, -1e300) {}
@@ -33,7 +33,7 @@ public:
             }
     }
 
-    // The largest sum of two maps' heights.
+    // The largest sum of the heights of two maps.
     double meeting(const HeightMap& other) const
     {
         double most = -1e300;
@@ -93,9 +93,9 @@ double meeting_distance(const Shape& first, const Pose& pose, const Shape& secon
                         const Matrix3d& R, const Vector3d& away)
 {
     const Vector3d u = away.unitOrthogonal();
-    Matrix3d view; // away along z
+    Matrix3d view; // frame with `away` as its z axis
     view << u, away.cross(u), away;
-    // the upper side of the first, and the lower side of the second from below
+    // The upper side of the first shape, and the lower side of the second one seen from below.
     const auto draw = [&](const Shape& shape, const Matrix3d& rotation, double up) {
         const TriangleMesh triangles = fine_mesh(shape);
         HeightMap map;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Shapes of every kind, and what is known of them without the narrow phase.
+// Shapes of every kind, and properties of them that are computed without the narrow phase.
 #pragma once
 
 #include "geometry/distance/signed_distance.hpp"
@@ -13,7 +13,7 @@
 namespace rigor::testing {
 
 inline std::vector<Contact> touches_of(const Shape& a, const Pose& pose_a, const Shape& b,
-                                     const Pose& pose_b, double reach = 1e9)
+                                       const Pose& pose_b, double reach = 1e9)
 {
     std::vector<Contact> touches;
     find_shape_contacts(a, pose_a, b, pose_b, reach, touches);
@@ -36,7 +36,7 @@ inline Shape mesh(const TriangleMesh& triangles)
 struct NamedShape {
     std::string name;
     Shape shape;
-    double accuracy = 0; // of its touches, half a percent of the size unless it is exact [m]
+    double accuracy = 0; // error of its contacts: half a percent of the size, or 0 if exact [m]
 };
 
 inline const std::vector<NamedShape>& all_shapes()
@@ -59,7 +59,7 @@ inline const std::vector<NamedShape>& all_shapes()
     return all;
 }
 
-/// How far a shape reaches along a unit direction from its origin [m].
+/// The largest extent of a shape from its origin along a unit direction [m].
 inline double reach_along(const Shape& shape, const Vector3d& d)
 {
     if (const Sphere* s = std::get_if<Sphere>(&shape)) return s->radius;
@@ -76,11 +76,11 @@ inline double reach_along(const Shape& shape, const Vector3d& d)
     return d.dot(support(shape, d));
 }
 
-/// A fine triangle mesh of any shape.
+/// A fine triangle mesh of a shape of any kind.
 TriangleMesh fine_mesh(const Shape& shape);
 
-/// How far along `away` the second shape must be for the fine meshes of both to just meet, coming from
-/// outside [m].
+/// The distance along `away` from the first shape at which the second shape, coming from outside,
+/// just touches it, measured with fine meshes of both [m].
 double meeting_distance(const Shape& first, const Pose& pose, const Shape& second,
                         const Matrix3d& R, const Vector3d& away);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Resting, sliding and rolling, against answers by hand.
+// Resting, sliding and rolling, compared with results computed by hand.
 #include "rigid/step/step.hpp"
 #include "worlds.hpp"
 
@@ -8,7 +8,7 @@ using namespace rigor::testing;
 
 namespace {
 
-// A block on an incline about z, and the incline's own directions.
+// A block on an incline, which is rotated about z, and the directions of the incline.
 struct Incline {
     World world;
     Vector3d down, normal;
@@ -79,7 +79,7 @@ TEST_CASE("contact: what swings on a smooth ground keeps its energy", "[rigid]")
     spring.point2 = {0, 0.1, 0};
     spring.stiffness = 30 * block.mass; // ω² [1/s²]
     world.springs = {spring};
-    double fastest = 0; // of the last swings
+    double fastest = 0; // highest speed of the last swings
     for (int n = 0; n < 6000; ++n) {
         step(world, 1.0 / 120);
         if (n >= 5700) fastest = std::max(fastest, world.bodies[1].state.velocity.norm());
@@ -91,7 +91,7 @@ TEST_CASE("contact: what rocks on a smooth ground gains no energy", "[rigid]")
 {
     RigidBody lens = body_of(Ellipsoid{{0.6, 0.2, 0.6}}, {0, 0.3, 0}, {0, 0}, turn({0, 0, 1}, 0.3));
     World world = world_of({fixed(Plane{}, {0, 0}), lens});
-    double first = 0, last = 0; // the fastest of the early and of the late steps
+    double first = 0, last = 0; // highest speeds of the early and of the late steps
     for (int n = 0; n < 6000; ++n) {
         step(world, 1.0 / 120);
         const double speed = angular_velocity(world.bodies[1]).norm();
@@ -105,7 +105,7 @@ TEST_CASE("contact: what rocks on a smooth ground gains no energy", "[rigid]")
 TEST_CASE("contact: what lands does not go into the ground", "[rigid]")
 {
     World world = world_of({fixed(Plane{}, {0, 0}), body_of(Box{{1, 1, 1}}, {0, 1.5, 0}, {0, 0})});
-    world.settings.contact_method = ContactMethod::simultaneous; // takes the impact as a contact
+    world.settings.contact_method = ContactMethod::simultaneous; // resolves the impact as a contact
     for (int n = 0; n < 60; ++n) {
         step(world, 1.0 / 60);
         REQUIRE(world.bodies[1].state.position.y() > 0.5 - 1e-12);

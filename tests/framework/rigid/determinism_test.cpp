@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The same world gives the same bits: whatever the number of threads, and as often as it is asked.
+// The same world gives bitwise the same results, for any number of threads and any number of runs.
 #include "rigid/step/step.hpp"
 #include "worlds.hpp"
 
@@ -11,7 +11,8 @@ using namespace rigor::testing;
 
 namespace {
 
-// A heap that falls together, a stack and a few lone bodies: several islands, some of them at rest.
+// A heap that falls together, a stack and a few single bodies: several islands, some of them at
+// rest.
 World busy_world(ContactMethod method)
 {
     Random random(3);
@@ -30,7 +31,8 @@ World busy_world(ContactMethod method)
     return world;
 }
 
-// Every bit that a run leaves, step by step: compared whole, so that no hash can hide a difference.
+// All bits of the results of a run, step by step. They are compared directly, so that no hash can
+// hide a difference.
 std::vector<double> run_bits(World world, int steps)
 {
     std::vector<double> bits;
@@ -85,7 +87,7 @@ TEST_CASE("determinism: a second run in the same process is the same", "[rigid]"
         CAPTURE(static_cast<int>(method));
         const World world = busy_world(method);
         const std::vector<double> first = run_bits(world, one_second);
-        // something else in between, so that memory is not as it was
+        // Another run in between, so that the memory has different contents.
         run_bits(busy_world(ContactMethod::built_in), 7);
         REQUIRE(same_bits(run_bits(world, one_second), first));
     }
@@ -98,7 +100,7 @@ TEST_CASE("determinism: a copy of a world in the middle of a run goes on as it d
         World world = busy_world(method);
         run(world, 30, 1.0 / 60);
         const World copy = world;
-        run(world, 1, 1.0 / 60); // what it does to itself, it must not do to the copy
+        run(world, 1, 1.0 / 60); // a change of the world must not change its copy
         World again = copy;
         run(again, 1, 1.0 / 60);
         REQUIRE(same_bits(run_bits(again, 30), run_bits(world, 30)));

@@ -54,7 +54,8 @@ TEST_CASE("flight: the default integrator beats the errors of its rivals", "[rig
 {
     CHECK(attitude_error(Integrator::runge_kutta, {1, 2, 3}, 10, 100) < 3.1e-4);
     CHECK(attitude_error(Integrator::runge_kutta, {1, 2, 3}, 10, 400) < 9.1e-7);
-    CHECK(attitude_error(Integrator::runge_kutta, {0.1, 2, 0.1}, 20, 8000) < 1e-8); // two flips
+    // The body flips over twice.
+    CHECK(attitude_error(Integrator::runge_kutta, {0.1, 2, 0.1}, 20, 8000) < 1e-8);
 }
 
 TEST_CASE("flight: an isotropic body takes one exact step of any size", "[rigid]")
@@ -100,7 +101,7 @@ TEST_CASE("flight: what is symmetric about an axis flies exactly in one step of 
         spin(coarse.bodies[0], {1, -2, 0.5});
         REQUIRE(coarse.bodies[0].is_symmetric());
         World fine = coarse;
-        fine.bodies[0].symmetry_axis.setZero(); // the method of fourth order
+        fine.bodies[0].symmetry_axis.setZero(); // use the method of fourth order
         step(coarse, 2);
         run(fine, 20000, 1e-4);
         CHECK(coarse.counters.substeps == 0);
@@ -108,7 +109,8 @@ TEST_CASE("flight: what is symmetric about an axis flies exactly in one step of 
                              eigen(fine.bodies[0].state.orientation)) < 1e-11);
     }
     CHECK_FALSE(body_of(Box{{1, 2, 3}}, {0, 0, 0}).is_symmetric());
-    CHECK_FALSE(body_of(Box{{1, 1, 1}}, {0, 0, 0}).is_symmetric()); // isotropic
+    // A cube is isotropic and has no axis of symmetry.
+    CHECK_FALSE(body_of(Box{{1, 1, 1}}, {0, 0, 0}).is_symmetric());
 }
 
 TEST_CASE("flight: a rod that spins fast about itself keeps its energy", "[rigid]")
@@ -119,7 +121,8 @@ TEST_CASE("flight: a rod that spins fast about itself keeps its energy", "[rigid
     spin(world.bodies[0], {1, 1, 1000});
     const double energy = totals(world).kinetic_energy;
     run(world, 1000, 1.0 / 60);
-    // |L| is 1400 times L along the axis, so a rounding of q counts that much in the spin
+    // |L| is 1400 times the component of L along the axis, so a rounding error of q is 1400 times
+    // as large in the spin.
     CHECK_THAT(totals(world).kinetic_energy, IsClose(energy, Rounding(1000, 1400 * energy)));
 }
 
@@ -138,7 +141,7 @@ TEST_CASE("flight: a body that turns by ten radians a step takes seven substeps"
     World world = world_of({free_box({0, 0, 10})}, {0, 0, 0});
     step(world, 1);
     CHECK(world.counters.substeps == 7);
-    step(world, 0.157); // just below a quarter turn
+    step(world, 0.157); // slightly less than a quarter turn
     CHECK(world.counters.substeps == 7);
 }
 

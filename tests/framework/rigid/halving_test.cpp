@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Steps that one normal a contact does not do for.
+// Steps for which one normal for each contact is not enough.
 #include "rigid/step/step.hpp"
 #include "support/depth.hpp"
 #include "worlds.hpp"
@@ -12,7 +12,7 @@ namespace {
 constexpr double h = 1.0 / 60;
 const Material plastic{0, 0.5}, smooth{0, 0};
 
-// How deep body 1 is in body 0 [m].
+// The depth of body 1 in body 0 [m].
 double overlap(const World& world)
 {
     const auto pose = [&](int i) { return pose_of(world.bodies[i].state); };
@@ -20,7 +20,7 @@ double overlap(const World& world)
                          pose(1));
 }
 
-// Two boxes with one top, y = 0, that meet at x = 0.
+// Two boxes that meet at x = 0, whose tops both lie at y = 0.
 World joint(const RigidBody& body)
 {
     const Box tile{{10, 1, 10}};
@@ -42,13 +42,13 @@ TEST_CASE("halving: a corner that hits a wall turns the cube, but not into the w
             const Vector3d before = totals(world).momentum;
             Vector3d impulse(0, 0, 0);
             for (const ContactRecord& c : step(world, h)) {
-                REQUIRE((c.body1 == 0 && c.body2 == 1)); // as the whole world names them
+                REQUIRE((c.body1 == 0 && c.body2 == 1)); // indices of the whole world
                 impulse -= c.impulse;
             }
             const Totals now = totals(world);
-            CHECK(overlap(world) <= 0.01 * 0.1); // 0.005 is let pass; class I
+            CHECK(overlap(world) <= 0.01 * 0.1); // 0.005 is tolerated; class I
             CHECK_THAT(now.momentum - before, IsClose(impulse, Rounding(1024, before.norm())));
-            CHECK(now.kinetic_energy <= energy * (1 + 1e-12)); // rounding
+            CHECK(now.kinetic_energy <= energy * (1 + 1e-12)); // up to rounding
             energy = now.kinetic_energy;
         }
         CHECK(world.counters.steps == 5);
@@ -68,7 +68,7 @@ TEST_CASE("halving: thin plates that slap on each other keep their order", "[rig
     double below = -5e-4;
     for (int i = 1; i <= 3; ++i) {
         const double y = world.bodies[i].state.position.y();
-        CHECK(y - below >= 0.9e-3); // a tenth of the thickness; class I
+        CHECK(y - below >= 0.9e-3); // within a tenth of the thickness; class I
         below = y;
     }
 }
@@ -93,13 +93,13 @@ TEST_CASE("a box that slides over a joint does not run into it, however slowly",
 TEST_CASE("a box that lands at a joint keeps its speed along it", "[rigid]")
 {
     for (int i = 0; i < 20; ++i) {
-        const double x = -0.5 - 0.1 + 0.01 * i; // of its center; the front edge around the joint
+        const double x = -0.5 - 0.1 + 0.01 * i; // its center; the front edge is around the joint
         RigidBody box = body_of(Box{{1, 1, 1}}, {x, 0.51, 0}, smooth);
         box.state.velocity = {3, -1, 0};
         World world = joint(box);
         run(world, 5, h);
         CAPTURE(x);
-        // its corners do not land at once: what it tips by is class I
+        // The corners do not land at the same time, and the tilt that this causes is of class I.
         CHECK(std::abs(world.bodies[2].state.velocity.x() - 3) <= 0.01);
     }
 }

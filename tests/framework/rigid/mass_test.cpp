@@ -50,7 +50,7 @@ TEST_CASE("mass: spheres and cubes are isotropic however they are turned", "[rig
 
 TEST_CASE("mass: object space has its origin at the center of mass", "[rigid]")
 {
-    RigidBody dumbbell; // two balls, one three times as heavy
+    RigidBody dumbbell; // two balls, one three times as heavy as the other
     dumbbell.parts = {part_of(Sphere{0.1}, {1, 2, 0}, 1000), part_of(Sphere{0.1}, {5, 2, 0}, 3000)};
     const Vector3d center = set_mass_from_parts(dumbbell);
 
@@ -103,7 +103,8 @@ TEST_CASE("mass: round shapes have their textbook moments", "[rigid]")
     has(Ellipsoid{{1, 2, 3}}, ellipsoid, ellipsoid / 5 * Vector3d(13, 10, 5));
     const double torus = rho * 9.86960440108936; // R = 2, a = 0.5: I/M = 4.1875 and 2.15625
     has(Torus{2, 0.5}, torus, torus * Vector3d(2.15625, 4.1875, 2.15625));
-    // a cylinder, and a ball whose halves lie apart: each half's center is 3/8 r from its flat side
+    // A cylinder, and the two halves of a ball at its ends. The center of each half is 3/8 r from
+    // its flat side.
     const double ball = rho * 4 / 3 * pi * 0.125, r = 0.5, h = 2;
     const double across =
         cylinder * (0.75 + 4) / 12 + ball * (0.4 * r * r + h * h / 4 + 0.375 * r * h);
@@ -177,6 +178,6 @@ TEST_CASE("mass: what is not a number is reported by body and quantity", "[rigid
         CHECK(e.body == "pebble");
         CHECK(e.quantity == "mass");
     }
-    body.parts = {part_of(Sphere{0}, {0, 0, 0}, 1)}; // no mass at all
+    body.parts = {part_of(Sphere{0}, {0, 0, 0}, 1)}; // a ball without mass
     CHECK_THROWS_AS(set_mass_from_parts(body), NonFiniteState);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Contacts through level sets, one case at a time.
+// Contacts by level sets, one case at a time.
 #include "contact_shapes.hpp"
 #include "formulas/collision.hpp"
 #include "geometry/level_sets/level_set.hpp"
@@ -16,7 +16,8 @@ Pose turned(const Vector3d& axis, double degrees, const Vector3d& X)
     return {rotation_matrix(turn(axis, degrees * std::numbers::pi / 180)), X};
 }
 
-// A dent that leaves the outside as it is: then a box goes by its level set.
+// A box with a dent in its top, which leaves its other surfaces unchanged. A dented box is handled
+// by its level set.
 TriangleMesh dented_box(const Vector3d& size)
 {
     TriangleMesh box = box_mesh(size);
@@ -54,10 +55,11 @@ TEST_CASE("level set: a ball sampled on a grid of spacing h is off by h²/4 at m
             worst = std::max(worst, std::abs(sample_level_set(grid, p) - (p.norm() - 1)));
         }
         CAPTURE(cells, worst);
-        // the curvature of |p| is 1/|p| across: three axes of h²/8 · 2/(3·0.9) each, and some
+        // The curvature of |p| is 1/|p| perpendicular to p: three axes with h²/8 · 2/(3·0.9) each,
+        // and a margin.
         CHECK(worst <= h * h / 4 / 0.9);
-        CHECK(worst > h * h / 8);                  // and as large as that somewhere
-        const TriangleMesh ball = icosphere(1, 5); // its own error 1 - cos(angle of half an edge)
+        CHECK(worst > h * h / 8);                  // and somewhere it is that large
+        const TriangleMesh ball = icosphere(1, 5); // its error is 1 - cos(angle of half an edge)
         const LevelSet by_mesh = make_level_set(ball, cells);
         for (int n = 0; n < 1000; ++n) {
             const Vector3d p = random.uniform(0.9, 1.1) * random.unit_vector();
@@ -84,15 +86,17 @@ TEST_CASE("level set: it is made when bodies first come near and for those that 
         find_contacts(world, poses, i, j, 0.01, contacts, counters);
         return counters;
     };
-    CHECK(counters_of(0, 1, {0, 0.12, 0}).level_sets_built == 0); // a plane: points
-    CHECK(counters_of(4, 5, {0, 0.6, 0}).level_sets_built == 0);  // no dent in either
+    // Against a plane only points are tested.
+    CHECK(counters_of(0, 1, {0, 0.12, 0}).level_sets_built == 0);
+    CHECK(counters_of(4, 5, {0, 0.6, 0}).level_sets_built == 0); // neither has a dent
     CHECK(counters_of(4, 6, {0, 0.3, 0}).level_sets_built == 0);
-    CHECK(counters_of(1, 2, {5, 0, 0}).level_sets_built == 0); // far
+    CHECK(counters_of(1, 2, {5, 0, 0}).level_sets_built == 0); // too far apart
     const Counters first = counters_of(1, 2, {0, 0.25, 0});
-    CHECK(first.level_sets_built == 1); // one for both
+    CHECK(first.level_sets_built == 1); // one for both bodies
     CHECK(first.level_set_samples > 0);
-    CHECK(counters_of(1, 2, {0, 0.25, 0}).level_sets_built == 0); // it is there already
-    CHECK(counters_of(3, 5, {0, 0.9, 0}).level_sets_built == 1);  // the cross; the box needs none
+    CHECK(counters_of(1, 2, {0, 0.25, 0}).level_sets_built == 0); // it exists already
+    // Only the cross needs a level set, not the box.
+    CHECK(counters_of(3, 5, {0, 0.9, 0}).level_sets_built == 1);
 }
 
 TEST_CASE("mesh contact: crossed cubes that touch at edges only have their contact there",
@@ -102,7 +106,7 @@ TEST_CASE("mesh contact: crossed cubes that touch at edges only have their conta
     const Pose lower = turned({1, 0, 0}, 45, {0, 0, 0});
     const Pose upper = turned({0, 0, 1}, 45, {0, 2 * half - overlap, 0});
     const TriangleMesh cube = dented_box({1, 1, 1});
-    for (const Vector3d& v : cube.vertices) { // no vertex sees it
+    for (const Vector3d& v : cube.vertices) { // no vertex of one box lies in the other
         const Vector3d p = lower.R.transpose() * (upper * v - lower.X);
         REQUIRE(signed_distance(Box{{1, 1, 1}}, p).distance > 0);
     }
@@ -134,7 +138,7 @@ TEST_CASE("mesh contact: bars that cross flat touch at the corners of their cros
     }
     CHECK_THAT(high.z(), IsClose(0.15, Order(1e-9)));
     CHECK_THAT(low.z(), IsClose(-0.15, Order(1e-9)));
-    // the bar's sides meet the arm's at x = 0.5 ± 0.15/cos 30° ± 0.15 tan 30°
+    // The sides of the bar meet those of the arm at x = 0.5 ± 0.15/cos 30° ± 0.15 tan 30°.
     const double outer =
         0.15 / std::cos(std::numbers::pi / 6) + 0.15 * std::tan(std::numbers::pi / 6);
     CHECK_THAT(high.x(), IsClose(0.5 + outer, Order(1e-9)));
@@ -160,7 +164,7 @@ TEST_CASE("mesh contact: a ring on a peg keeps contacts on all sides", "[rigid]"
         for (const Contact& t : touches) {
             CHECK(std::abs(t.normal.y()) < 1e-6);
             CHECK(std::abs(t.gap - 0.005) <
-                  0.003); // polygons of 48 sides: up to 0.3 (1 - cos 3.75°) less
+                  0.003); // polygons with 48 sides are smaller by up to 0.3 (1 - cos 3.75°)
         }
     }
 }
@@ -172,7 +176,8 @@ TEST_CASE("mesh contact: an aligned block on a block of its size is held along t
     const auto touches = touches_of(mesh(cube), above, mesh(box_mesh({1, 1, 1})), {}, 0.01);
     REQUIRE(touches.size() >= 4);
     Vector3d low = Vector3d::Constant(1e9), high = -low;
-    for (const Contact& t : touches) { // corners on edges, where the gradient looks askew
+    // Corners lie on edges here, where the gradient is not along a face's normal.
+    for (const Contact& t : touches) {
         CHECK_THAT(t.normal, IsClose(Vector3d(0, 1, 0), Order(1e-6)));
         low = low.cwiseMin(t.point);
         high = high.cwiseMax(t.point);
@@ -185,11 +190,11 @@ TEST_CASE("mesh contact: an aligned block on a block of its size is held along t
 
 TEST_CASE("mesh contact: tubes that cross touch where no vertex is near", "[rigid]")
 {
-    const Shape tube = mesh(ring_mesh(0.2, 0.3, 3, 48)); // vertices at its ends only
+    const Shape tube = mesh(ring_mesh(0.2, 0.3, 3, 48)); // has vertices only at its ends
     const Pose across = turned({0, 0, 1}, 90, {0, 0.1, 0.6 - 1e-3});
     const auto touches = touches_of(tube, {}, tube, across, 0.01);
     REQUIRE(!touches.empty());
-    // facets: between (0.3 + 0.3) cos 3.75° and 0.6
+    // The distance of facets lies between (0.3 + 0.3) cos 3.75° and 0.6.
     CHECK(deepest(touches) < 0.6 * (1 - std::cos(3.75 * std::numbers::pi / 180)));
     CHECK(deepest(touches) > -2e-3);
 }
@@ -216,7 +221,7 @@ TEST_CASE("mesh contact: a level set that is no number is told by the body and w
 
 TEST_CASE("mesh contact: a ball in a corner touches both walls", "[rigid]")
 {
-    const Shape corner = mesh(angle_mesh({2, 2, 2}, 0.3)); // inside corner at (-0.7, -0.7)
+    const Shape corner = mesh(angle_mesh({2, 2, 2}, 0.3)); // its inside corner is at (-0.7, -0.7)
     const double r = 0.5;
     const auto touches =
         touches_of(Sphere{r}, {Matrix3d::Identity(), {-0.7 + r, -0.7 + r, 0.1}}, corner, {}, 0.01);
@@ -261,7 +266,7 @@ TEST_CASE("contact: a cylinder touches a box with its face or its line or its ri
         CHECK_THAT(t.gap, IsClose(-1e-3, Rounding(16, 2)));
         CHECK_THAT(std::abs(t.point.x()), IsClose(0.6, Rounding(16)));
     }
-    // over the edge of the table the line ends with it
+    // Beyond the edge of the table, the line of contact ends at the edge.
     const auto overhanging = touches_of(drum, turned({0, 0, 1}, 90, {2, 1, 0}), table, {}, 0.01);
     REQUIRE(overhanging.size() == 2);
     CHECK_THAT(std::max(overhanging[0].point.x(), overhanging[1].point.x()),
@@ -279,7 +284,7 @@ TEST_CASE("contact: of many touches eight stay that span them and one of them is
     for (unsigned seed = 0; seed < 30; ++seed) {
         CAPTURE(seed);
         Random random(seed);
-        std::vector<Contact> touches(1, Contact{{9, 9, 9}, {0, 1, 0}, -1}); // not to be looked at
+        std::vector<Contact> touches(1, Contact{{9, 9, 9}, {0, 1, 0}, -1}); // must be left alone
         double least = 1;
         for (int i = 0; i < 200; ++i) {
             const Vector3d p = random.vector();
@@ -292,11 +297,11 @@ TEST_CASE("contact: of many touches eight stay that span them and one of them is
         touches.erase(touches.begin());
         REQUIRE(deepest(touches) <= least + 1e-4);
         for (const double x : {-1.0, 1.0})
-            for (const double z : {-1.0, 1.0}) { // something is kept near each corner
+            for (const double z : {-1.0, 1.0}) { // some contact is kept near each corner
                 double nearest = 1e9;
                 for (const Contact& t : touches)
                     nearest = std::min(nearest, (t.point - Vector3d(x, 0, z)).norm());
-                REQUIRE(nearest < 1.2); // of a square of side 2
+                REQUIRE(nearest < 1.2); // the square has side 2
             }
     }
 }

@@ -10,7 +10,7 @@ namespace {
 constexpr double anything = 1e9;
 
 std::vector<Contact> touches_of(const Shape& a, const Pose& pose_a, const Shape& b,
-                              const Pose& pose_b, double reach = anything)
+                                const Pose& pose_b, double reach = anything)
 {
     std::vector<Contact> touches;
     find_shape_contacts(a, pose_a, b, pose_b, reach, touches);
@@ -32,7 +32,7 @@ std::vector<Vector3d> corners(const Box& box, const Pose& pose)
     return all;
 }
 
-// Distance between two boxes along an axis, by projecting all corners.
+// The distance between two boxes along an axis, by projection of all corners.
 double separation_along(const std::vector<Vector3d>& a, const std::vector<Vector3d>& b,
                         const Vector3d& n)
 {
@@ -48,7 +48,7 @@ double separation_along(const std::vector<Vector3d>& a, const std::vector<Vector
     return std::max(low_a - high_b, low_b - high_a);
 }
 
-// The largest separation over the 15 axes, by brute force.
+// The largest separation over the 15 axes, by testing all of them.
 double separation(const Box& a, const Pose& pose_a, const Box& b, const Pose& pose_b)
 {
     std::vector<Vector3d> axes;
@@ -66,7 +66,7 @@ double separation(const Box& a, const Pose& pose_a, const Box& b, const Pose& po
     return best;
 }
 
-// Distance from a point to the surface of a box, by a fine walk over its faces.
+// The distance from a point to the surface of a box, by testing a fine grid of points on its faces.
 double distance_to_surface(const Box& box, const Vector3d& p, int n)
 {
     double best = 1e300;
@@ -118,10 +118,10 @@ TEST_CASE("narrow phase: a sphere touches a box where the box is nearest", "[rig
         const auto touches = touches_of(Sphere{0.25}, {Matrix3d::Identity(), pose * c}, box, pose);
         REQUIRE(touches.size() == 1);
         const Contact& t = touches[0];
-        const double distance = t.gap + 0.25; // signed, to the center
+        const double distance = t.gap + 0.25; // signed distance of the center
         REQUIRE((distance < 0) == is_inside);
         REQUIRE(std::abs(std::abs(distance) - distance_to_surface(box, c, 200)) < 0.01);
-        // the center moved along the normal by the distance lies on the surface
+        // The center, moved along the normal by the distance, lies on the surface.
         const Vector3d on = pose.R.transpose() * (pose * c - distance * t.normal - pose.X);
         REQUIRE_THAT((on.cwiseAbs() - box.size / 2).maxCoeff(), IsClose(0.0, Rounding(32, 6)));
         REQUIRE_THAT(t.normal.norm(), IsClose(1.0, Rounding(8)));
@@ -180,16 +180,18 @@ TEST_CASE("narrow phase: boxes overlap by what the fifteen axes say", "[rigid]")
         for (const Contact& t : touches) {
             deepest = std::min(deepest, t.gap);
             REQUIRE_THAT(t.normal.norm(), IsClose(1.0, Rounding(16)));
-            // in the middle of the overlap, so within half of it of both boxes
+            // The contact lies in the middle of the overlap, so at most half the overlap deep in
+            // each box.
             REQUIRE(((pose_a.R.transpose() * (t.point - pose_a.X)).cwiseAbs() - a.size / 2)
                         .maxCoeff() <= -t.gap / 2 + 1e-9);
             REQUIRE(((pose_b.R.transpose() * (t.point - pose_b.X)).cwiseAbs() - b.size / 2)
                         .maxCoeff() <= -t.gap / 2 + 1e-9);
         }
-        // a face may be preferred that overlaps a little more: by one percent of half the least edge
+        // A face may be preferred if it overlaps only a little more: one percent of half the
+        // shortest edge.
         REQUIRE(deepest <= exact + 1e-12);
         REQUIRE(deepest >= exact - 0.0041 - 1e-12);
-        // moved apart by that much along the normal, they no longer overlap
+        // Moved apart by that distance along the normal, the boxes no longer overlap.
         const Pose apart{pose_a.R, pose_a.X - (deepest - 1e-9) * touches[0].normal};
         REQUIRE(separation(a, apart, b, pose_b) >= 0);
         (touches.size() == 1 ? edges : faces) += 1;
@@ -224,13 +226,14 @@ TEST_CASE("narrow phase: seen from the other side the contacts are the same", "[
 TEST_CASE("narrow phase: crossed cubes that touch at edges only have their contact there",
           "[rigid]")
 {
-    // each stands on an edge along its own axis, the upper one a hair into the lower
+    // Each cube stands on an edge along its own axis, and the upper one overlaps the lower one
+    // slightly.
     const double half = std::sqrt(0.5), overlap = 1e-3;
     const Pose lower{rotation_matrix(turn({1, 0, 0}, std::numbers::pi / 4)), {0, 0, 0}};
     const Pose upper{rotation_matrix(turn({0, 0, 1}, std::numbers::pi / 4)),
                      {0, 2 * half - overlap, 0}};
     const Box cube{{1, 1, 1}};
-    for (const Vector3d& corner : corners(cube, upper)) // no vertex sees it
+    for (const Vector3d& corner : corners(cube, upper)) // no vertex lies in the other cube
         REQUIRE(((lower.R.transpose() * corner).cwiseAbs().array() > 0.5).any());
     const auto touches = touches_of(cube, upper, cube, lower, 0);
     REQUIRE(touches.size() == 1);
@@ -267,7 +270,7 @@ TEST_CASE("narrow phase: a compound body touches with the part that is there", "
     find_contacts(world, poses, 0, 1, 0, contacts);
     REQUIRE(contacts.size() == 2);
     CHECK_THAT(contacts[0].normal,
-               IsExactly(Vector3d(0, -1, 0))); // from body 2 to body 1: the plane
+               IsExactly(Vector3d(0, -1, 0))); // from body 2 to body 1, which is the plane
     find_contacts(world, poses, 1, 2, 0, contacts);
     REQUIRE(contacts.size() == 3);
     CHECK_THAT(contacts[2].point, IsClose(Vector3d(2, 0.9, 0), Rounding(8)));
@@ -288,7 +291,7 @@ TEST_CASE("narrow phase: no rounding decides which contact comes first", "[rigid
                                          pose_of(world.bodies[1].state)};
         std::vector<Contact> contacts;
         find_contacts(world, poses, 0, 1, 0.1, contacts);
-        REQUIRE(contacts.size() == 4); // all at one height but for roundings
+        REQUIRE(contacts.size() == 4); // all at the same height up to rounding
         for (int k = 0; k < 3; ++k)
             REQUIRE(contacts[k].point.x() <= contacts[k + 1].point.x());
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The engine's faster forms give what the reference's formulas give.
+// The engine's faster forms give the same results as the reference's formulas.
 #include "rigid/bodies/optimised_forms.hpp"
 
 #include "formulas/collision.hpp"
@@ -33,7 +33,8 @@ Body random_body(Random& random)
     return body;
 }
 
-// Bodies that touch each other and the ground, at random: a problem, and the same for the formula.
+// Random bodies that touch each other and the ground, as a contact problem and as input for the
+// formula.
 struct Heap {
     ContactProblem problem;
     Island island;
@@ -49,7 +50,7 @@ struct Heap {
         problem.optimised = true;
         problem.time_step = 0.01;
         problem.settings.gravity = {0, -g, 0};
-        problem.bodies.emplace_back(); // static
+        problem.bodies.emplace_back(); // the static body
         for (int i = 1; i < 7; ++i) {
             problem.bodies.push_back(random_body(random));
             island.bodies.push_back(i);
@@ -113,7 +114,8 @@ TEST_CASE("optimised: the sweeps are those of resolve_simultaneously", "[rigid]"
             for (int i = 0; i < sweeps; ++i)
                 fast->sweep(steps);
             fast->finish();
-            // each sweep adds some rounding of velocities up to 10 m/s and impulses up to 10 N s
+            // Each sweep adds some rounding error of velocities up to 10 m/s and impulses up to 10
+            // N s.
             const Tolerance rounding = Rounding(1000.0 * (sweeps + 1), 10);
             for (std::size_t k = 0; k < active.size(); ++k)
                 CHECK_THAT(heap.problem.contacts[active[k]].contact_impulse,

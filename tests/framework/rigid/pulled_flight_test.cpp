@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Bodies that springs and applied forces pull at.
+// Bodies on which springs and applied forces pull.
 #include "rigid/step/step.hpp"
 #include "support/free_rotor.hpp"
 #include "worlds.hpp"
@@ -11,7 +11,7 @@ using namespace rigor::testing;
 
 namespace {
 
-// A box on a spring along x that is loose at the origin, where its other end is fixed.
+// A box on a spring along x whose other end is fixed at the origin and whose rest length is 0.
 World oscillator(double stiffness, double damping = 0)
 {
     World world = world_of({free_box()}, {0, 0, 0});
@@ -20,7 +20,7 @@ World oscillator(double stiffness, double damping = 0)
     return world;
 }
 
-// A box that hangs off its center on a spring, swings and turns.
+// A box that hangs on a spring by a point off its center, swings and rotates.
 World swing()
 {
     World world = world_of({free_box({0.3, -0.2, 0.5})});
@@ -54,7 +54,7 @@ TEST_CASE("pulled: a spring between two bodies keeps their momentum and its peri
             World world = world_of({a, b}, {0, 0, 0});
             world.settings.integrator = integrator;
             world.springs.push_back({0, 1, {0, 0, 0}, {0, 0, 0}, k, 0, 1});
-            const double omega = std::sqrt(k / 3); // reduced mass 12·4/16
+            const double omega = std::sqrt(k / 3); // the reduced mass is 12·4/16
             const double end = 3 / omega;
             run(world, n, end / n);
             const double distance =

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pairs of all shapes: what must hold for each of them.
+// Laws that must hold for each pair of shapes.
 #include "contact_shapes.hpp"
 
 using namespace rigor;
@@ -19,8 +19,8 @@ TEST_CASE("contact: on a plane the deepest touch of a shape is its lowest point"
             const auto touches = touches_of(named.shape, pose, Plane{}, plane);
             REQUIRE(!touches.empty());
             REQUIRE(touches.size() <= 18);
-            REQUIRE_THAT(deepest(touches),
-                         IsClose(lowest, Order(3e-5))); // of eight the deepest, or as deep
+            // Of eight contacts that were kept, the deepest is as deep as the lowest point.
+            REQUIRE_THAT(deepest(touches), IsClose(lowest, Order(3e-5)));
             for (const Contact& t : touches) {
                 REQUIRE_THAT(t.normal, IsExactly(n));
                 REQUIRE_THAT(n.dot(t.point - plane.X), IsClose(t.gap, Rounding(64, 8)));
@@ -48,7 +48,8 @@ TEST_CASE("contact: seen from the other side every pair has the same touches", "
                 }
                 const bool are_meshes = std::holds_alternative<Mesh>(first.shape) &&
                                         std::holds_alternative<Mesh>(second.shape);
-                if (are_meshes || first.name == second.name) continue; // which is first may matter
+                // The order of the two may matter.
+                if (are_meshes || first.name == second.name) continue;
                 REQUIRE(there.size() == back.size());
                 for (std::size_t i = 0; i < there.size(); ++i) {
                     REQUIRE_THAT(back[i].gap, IsClose(there[i].gap, Rounding(64, 4)));
@@ -59,8 +60,8 @@ TEST_CASE("contact: seen from the other side every pair has the same touches", "
 
 TEST_CASE("contact: shapes that approach touch where they meet", "[rigid]")
 {
-    // From apart, along a line: the gap that is seen closes as they come nearer, and is zero when the
-    // finest sampling of the one first meets the other.
+    // The second shape is placed where the finest sampling of both shapes just meets along a random
+    // direction; there the gap must be zero.
     for (const NamedShape& first : all_shapes())
         for (const NamedShape& second : all_shapes())
             for (unsigned seed = 0; seed < 3; ++seed) {
@@ -130,6 +131,6 @@ TEST_CASE("contact: far from the origin of the world touches are the same", "[ri
                 touches_of(first.shape, {a.R, a.X + far}, second.shape, {b.R, b.X + far}, 0.1);
             if (here.empty()) continue;
             REQUIRE(!there.empty());
-            REQUIRE(std::abs(deepest(here) - deepest(there)) < 1e-8); // 1e6 eps, and some
+            REQUIRE(std::abs(deepest(here) - deepest(there)) < 1e-8); // 1e6 eps with a margin
         }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a step leaves out changes nothing, or no more than is said here.
+// Work that a step skips changes nothing, or no more than these tests allow.
 #include "rigid/step/step.hpp"
 #include "rigid/contact/warm_start.hpp"
 #include "support/catch.hpp"
@@ -32,7 +32,7 @@ World stacks(int count, int height)
     return world;
 }
 
-// Cubes that fall on each other as they happen to, into a room without a roof.
+// Randomly placed cubes that fall on each other in a room without a roof.
 World heap(int side)
 {
     const double w = 0.75 * side + 0.5;
@@ -81,7 +81,8 @@ TEST_CASE("skips: without islands warm start or early exit stacks stand as with 
     if (without == &Skips::islands) CHECK(other.counters.islands == 120);
     if (without == &Skips::warm_start) CHECK(other.counters.warm_starts == 0);
     if (without == &Skips::early_exit) CHECK(other.counters.early_exits == 0);
-    CHECK(largest_distance(with, other) < 1e-6); // both stand still to the tolerance of the sweeps
+    // Both stand still up to the tolerance of the sweeps.
+    CHECK(largest_distance(with, other) < 1e-6);
 }
 
 TEST_CASE("skips: bodies at rest sleep where they are and keep their contacts", "[rigid]")
@@ -94,9 +95,9 @@ TEST_CASE("skips: bodies at rest sleep where they are and keep their contacts", 
     CHECK(sleeping.counters.bodies_asleep > 8 * 60);
     for (std::size_t i = 1; i < sleeping.bodies.size(); ++i)
         CHECK(sleeping.bodies[i].rest.is_asleep());
-    CHECK(largest_distance(sleeping, awake) < 1e-4 * std::sqrt(3) / 2); // what counts as rest
+    CHECK(largest_distance(sleeping, awake) < 1e-4 * std::sqrt(3) / 2); // limit for a body at rest
 
-    // the ground still carries all of the weight
+    // The ground still carries the whole weight.
     double weight = 0, mass = 0;
     for (const ContactRecord& c : step(sleeping, h))
         if (sleeping.bodies[c.body1].is_static || sleeping.bodies[c.body2].is_static)
@@ -146,13 +147,13 @@ TEST_CASE("skips: a heap comes to rest and sleeps where it would lie awake", "[r
                            [](const RigidBody& body) { return body.is_still(); });
     };
     for (int i = 0; !all_sleep() && i < 1200; ++i) {
-        awake = sleeping; // a step behind
+        awake = sleeping; // one step behind
         step(sleeping, h);
     }
     REQUIRE(all_sleep());
     const std::uint64_t before = sleeping.counters.bodies_asleep;
 
-    // awake it would stay for the next half second where it was for the last
+    // Awake, the heap would stay in its place for the next half second as it did for the last one.
     awake.settings.skips.sleep = false;
     for (RigidBody& body : awake.bodies)
         body.rest = {};
@@ -160,22 +161,22 @@ TEST_CASE("skips: a heap comes to rest and sleeps where it would lie awake", "[r
     run(awake, 31, h);
     run(sleeping, 30, h);
     CHECK(sleeping.counters.bodies_asleep - before == 30 * 64);
-    CHECK(largest_distance(sleeping, awake) < 1e-4 * std::sqrt(3) / 2); // what counts as rest
+    CHECK(largest_distance(sleeping, awake) < 1e-4 * std::sqrt(3) / 2); // limit for a body at rest
 }
 
 TEST_CASE("skips: what moves slowly does not sleep", "[rigid]")
 {
-    // almost upright on an edge, and so about to fall
+    // Almost upright on an edge, and so about to fall.
     const Quaternion tilt = turn(Vector3d::UnitZ(), std::numbers::pi / 4 + 1e-3);
     RigidBody leaning = body_of(Box{{1, 1, 1}}, {0, std::sqrt(0.5), 0}, {0, 0.5}, tilt);
     RigidBody gliding = body_of(Box{{1, 1, 1}}, {5, 0.5, 0}, {0, 0});
-    gliding.state.velocity = {1e-3, 0, 0}; // a fifth of a millimetre in the time that counts
+    gliding.state.velocity = {1e-3, 0, 0}; // moves 0.2 mm in the time that is needed for sleep
     World world = world_of({fixed(Plane{}, {0, 0.5}), leaning, gliding});
     run(world, 60, h);
     CHECK(world.counters.bodies_asleep == 0);
     CHECK(world.bodies[2].state.position.x() > 5 + 0.9e-3);
     run(world, 120, h);
-    CHECK(world.bodies[1].state.position.y() < 0.55); // it fell
+    CHECK(world.bodies[1].state.position.y() < 0.55); // the leaning box fell
 }
 
 TEST_CASE("skips: a contact that carries nothing leaves its neighbour's impulse alone", "[rigid]")
@@ -190,7 +191,7 @@ TEST_CASE("skips: a contact that carries nothing leaves its neighbour's impulse 
         c.normal = {0, -1, 0};
         c.radius = 1;
     }
-    for (const bool is_first : {true, false}) { // whichever comes first
+    for (const bool is_first : {true, false}) { // whichever contact comes first
         CAPTURE(is_first);
         contacts[0].point = is_first ? empty : loaded;
         contacts[1].point = is_first ? loaded : empty;

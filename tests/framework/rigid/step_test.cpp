@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What holds for any step: conservation, determinism, order, and that what is skipped changes nothing.
+// Laws that hold for any step: conservation, determinism, order of accuracy, and that skipped work
+// changes nothing.
 #include "rigid/step/step.hpp"
 #include "rigid/bodies/non_finite.hpp"
 #include "worlds.hpp"
@@ -92,7 +93,7 @@ TEST_CASE("step: the same world gives the same bits", "[rigid]")
     World a = pile(3, 27), b = a;
     for (int i = 0; i < 120; ++i) {
         step(a, 0.01);
-        World fresh = b; // nothing is remembered but the world
+        World fresh = b; // nothing is remembered apart from the world
         fresh.counters = {};
         step(fresh, 0.01);
         b = fresh;
@@ -106,10 +107,11 @@ TEST_CASE("step: the order of the bodies does not matter", "[rigid]")
     World world = pile(3, 18), shuffled = world;
     std::vector<std::size_t> places(world.bodies.size());
     for (std::size_t i = 0; i < places.size(); ++i) {
-        places[i] = (7 * i + 4) % places.size(); // 19 bodies, so each place is taken once
+        places[i] = (7 * i + 4) % places.size(); // with 19 bodies, each place is taken once
         shuffled.bodies[places[i]] = world.bodies[i];
     }
-    run(world, 45, 0.01); // beyond the first impacts: chaos grows rounding slowly enough
+    // This is beyond the first impacts, but chaos has not yet amplified rounding too much.
+    run(world, 45, 0.01);
     run(shuffled, 45, 0.01);
     CHECK(world.counters.collision_impulses > 5);
     for (std::size_t i = 0; i < places.size(); ++i)
@@ -152,7 +154,7 @@ TEST_CASE("step: a pile settles calmly", "[rigid]")
         for (const ContactRecord& contact : step(world, 1.0 / 120))
             deepest = std::max(deepest, contact.depth);
     CHECK(deepest < 0.004);
-    double fastest = 0; // of the boxes: balls may roll away
+    double fastest = 0; // highest speed of the boxes, since balls may roll away
     for (const RigidBody& body : world.bodies) {
         CHECK(body.state.position.y() > -1e-3);
         if (std::holds_alternative<Box>(body.parts[0].shape))
@@ -189,10 +191,10 @@ TEST_CASE("step: what is not a number is reported by body quantity and time", "[
     CHECK(quantity_of(bad) == "q");
     bad = state;
     bad.angular_momentum.y() = nan;
-    CHECK(quantity_of(bad) == "q"); // turned by it, before L itself is looked at
+    CHECK(quantity_of(bad) == "q"); // q is rotated by L before L itself is checked
     bad = state;
     bad.velocity.z() = std::numeric_limits<double>::infinity();
-    CHECK(quantity_of(bad) == "X"); // it has carried the position away by the end of the step
+    CHECK(quantity_of(bad) == "X"); // V has changed the position by the end of the step
 }
 
 TEST_CASE("step: an empty world takes its steps", "[rigid]")

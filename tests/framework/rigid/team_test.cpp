@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Threads that share the work of a step, and what they share.
+// Threads that share the work of a step.
 #include "rigid/step/step.hpp"
 #include "rigid/parallel/thread_pool.hpp"
 
@@ -17,7 +17,7 @@ using namespace rigor::testing;
 
 namespace {
 
-// A layer of cubes that lie on the ground and touch each other, with more on top of them.
+// A layer of cubes that lie on the ground and touch each other, with more cubes on top of them.
 World large_heap()
 {
     Random random(5);
@@ -34,12 +34,12 @@ World large_heap()
     return world;
 }
 
-// A chain of contacts along x: body k against body k + 1, and the first against the ground.
+// A chain of contacts along x: body k touches body k + 1, and the first body touches the ground.
 ContactProblem chain(int bodies, Island& island)
 {
     ContactProblem problem;
     problem.settings.gravity = {0, -g, 0};
-    problem.bodies.emplace_back(); // static
+    problem.bodies.emplace_back(); // the static body
     for (int i = 1; i <= bodies; ++i) {
         Body& body = problem.bodies.emplace_back();
         body.inverse_mass = 1;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Bodies and worlds for the engine's tests.
+// Bodies and worlds for the tests of the engine.
 #pragma once
 
 #include "geometry/shapes/pose.hpp"
@@ -75,7 +75,7 @@ inline void spin(RigidBody& body, const Vector3d& omega)
 
 inline const Vector3d free_moments(13, 10, 5); // [kg m²]
 
-/// 12 kg, without a shape.
+/// A body of 12 kg without a shape.
 inline RigidBody free_box(const Vector3d& omega = {0, 0, 0})
 {
     RigidBody body;
@@ -90,7 +90,7 @@ inline Eigen::Quaterniond eigen(const Quaternion& q)
     return {q.s, q.v.x(), q.v.y(), q.v.z()};
 }
 
-/// Of all moving bodies together, about the origin.
+/// Sums over all moving bodies, about the origin.
 struct Totals {
     Vector3d momentum = Vector3d::Zero(), angular_momentum = Vector3d::Zero();
     double kinetic_energy = 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Projected Gauss–Seidel sweeps by `collision_impulse`: for each contact the velocity without its own
-// impulse, then the formula, then the change applied to both bodies.
+// Projected Gauss–Seidel sweeps by `collision_impulse`. For each contact the sweep computes the
+// velocity without the contact's own impulse, then the new impulse by the formula, and applies the
+// change to both bodies.
 #include "rigid/contact/solvers/collision_law_sweeps.hpp"
 
 #include "formulas/collision.hpp"
@@ -60,7 +61,8 @@ private:
         c.contact_impulse += change;
     }
 
-    // Corrects one contact's impulse. @return by how much
+    // Corrects the impulse of one contact.
+    // @return the change of the impulse
     Vector3d correct(ContactConstraint& c)
     {
         const Vector3d& n = c.normal;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The solver of an island: accelerated projected Gauss–Seidel sweeps (Silcowitz-Hansen, Niebe and
-// Erleben 2010), and Newton's method where they get nowhere. First it decides from the island's size and
-// speed how exact the answer must be; then it sweeps; then, for bodies at rest that the sweeps did not
-// settle, Newton's method goes on and a few sweeps judge what it found.
+// Erleben 2010), and Newton's method where the sweeps do not converge. First it derives the
+// tolerance from the island's size and speed, then it sweeps. If bodies at rest have not converged,
+// Newton's method continues, and a few more sweeps check its result.
 #include "rigid/contact/solvers/island_solver.hpp"
 
 #include "rigid/contact/solvers/collision_law_sweeps.hpp"
@@ -18,14 +18,16 @@ namespace rigor {
 
 namespace {
 
-constexpr int few_contacts = 16;           // an island of so few converges to rounding
-constexpr std::size_t few_bodies = 8;      // the same, if Newton's method may help
-constexpr std::size_t many_contacts = 1000; // sweeps of so many are not accelerated
+constexpr int few_contacts = 16; // islands with at most so many contacts converge to rounding
+// Islands with at most so many bodies do so too, if Newton's method may help.
+constexpr std::size_t few_bodies = 8;
+constexpr std::size_t many_contacts = 1000; // sweeps over more contacts are not accelerated
 
-// A larger island stops after its share of work, and what is left is corrected in the next steps. A
-// heap at rest gets more: what is left makes it creep, and it would never fall asleep.
-constexpr int most_visits = 4000; // contacts visited by all sweeps together
-constexpr int times_at_rest = 3;  // as much work for a heap at rest
+// A larger island stops after a limited amount of work, and the remaining error is corrected in the
+// next steps. A heap at rest gets more work, since the remaining error would let it creep and it
+// would never fall asleep.
+constexpr int most_visits = 4000; // contacts visited in all sweeps together
+constexpr int times_at_rest = 3;  // a heap at rest gets this many times the work
 constexpr int fewest_sweeps = 5, most_sweeps = 50;
 constexpr int last_sweeps = 20; // sweeps after Newton's method
 
@@ -45,12 +47,15 @@ double largest(const ContactProblem& problem, std::span<const int> active, const
         return found;
     };
     constexpr std::size_t grain_size = 512; // contacts
-    if (problem.pool->range_count(active.size(), grain_size) < 2) return largest_of(0, active.size());
-    const std::vector<double> found = problem.pool->collect_ranges(active.size(), grain_size, largest_of);
+    if (problem.pool->range_count(active.size(), grain_size) < 2)
+        return largest_of(0, active.size());
+    const std::vector<double> found =
+        problem.pool->collect_ranges(active.size(), grain_size, largest_of);
     return *std::max_element(found.begin(), found.end());
 }
 
-// The highest speed of a body at a contact [m/s]: smaller differences than its rounding are noise.
+// The highest speed of a body at a contact [m/s]. Velocity differences below its rounding error are
+// noise.
 double fastest(const ContactProblem& problem, const Island& island, std::span<const int> active)
 {
     std::vector<std::pair<double, double>> speeds(problem.bodies.size()); // |V|, |ω|
@@ -68,7 +73,7 @@ double fastest(const ContactProblem& problem, const Island& island, std::span<co
     });
 }
 
-// The highest speed of approach at a contact [m/s]: what the impulses have to take away.
+// The highest speed of approach at a contact [m/s], which the impulses have to remove.
 double fastest_approach(const ContactProblem& problem, std::span<const int> active)
 {
     return largest(problem, active, [&](const ContactConstraint& c) {
@@ -76,43 +81,47 @@ double fastest_approach(const ContactProblem& problem, std::span<const int> acti
     });
 }
 
-// The sweeps of the world's contact method.
+// The kind of sweeps that the world's contact method asks for.
 std::unique_ptr<Sweeps> sweeps_of(ContactProblem& problem, const Island& island,
                                   std::span<const int> active)
 {
     if (problem.optimised) return optimised_sweeps(problem, island, active);
-    if (problem.settings.contact_method == ContactMethod::simultaneous) return simultaneous_sweeps(problem, active);
+    if (problem.settings.contact_method == ContactMethod::simultaneous)
+        return simultaneous_sweeps(problem, active);
     return collision_law_sweeps(problem, active);
 }
 
-// When a run of sweeps ends.
+// Limits at which a run of sweeps ends.
 struct SweepLimits {
     int most_sweeps = 0;
     double negligible_change = 0; // [m/s]
 };
 
-// How far the sweeps are from the answer: the largest change of the first and of the last sweep [m/s].
+// Convergence of a run of sweeps: the largest change in the first and in the last sweep [m/s].
 struct Residuals {
     double first = 0, last = 0;
-    bool has_converged = false; // nothing changes any more
+    bool has_converged = false; // whether the last sweep changed nothing that matters
 };
 
-// Sweeps until nothing changes. After each sweep it also goes on in the direction of the sweeps before,
-// as long as that pays: directions = steps + β directions, impulses += β directions.
-Residuals run_sweeps(ContactProblem& problem, Sweeps& sweeps, std::size_t count, const SweepLimits& limits)
+// Sweeps until the changes are negligible or the limit is reached. After each sweep the impulses
+// also move on in the direction of the previous sweeps, as long as this helps (nonlinear conjugate
+// gradients): directions = steps + β directions, impulses += β directions.
+Residuals run_sweeps(ContactProblem& problem, Sweeps& sweeps, std::size_t count,
+                     const SweepLimits& limits)
 {
     Residuals residuals;
     double before = 0, smallest = std::numeric_limits<double>::infinity();
-    const bool is_large = count > many_contacts; // then plain sweeps gain more in the same time
+    const bool is_large = count > many_contacts; // plain sweeps then gain more in the same time
     std::vector<Vector3d> steps(count, Vector3d::Zero());
-    std::vector<Vector3d> directions; // from the second sweep on
-    bool diverges = false;            // whether going on has made the residual worse
+    std::vector<Vector3d> directions; // set from the second sweep on
+    bool diverges = false;            // whether the acceleration has made the residual larger
     for (int i = 1; i <= limits.most_sweeps; ++i) {
         const Progress progress = sweeps.sweep(steps);
         ++problem.counters->contact_sweeps;
         residuals.last = progress.change;
         if (i == 1) residuals.first = progress.change;
-        residuals.has_converged = progress.change <= rounding * progress.total + limits.negligible_change;
+        residuals.has_converged =
+            progress.change <= rounding * progress.total + limits.negligible_change;
         if (i == limits.most_sweeps) break;
         if (residuals.has_converged && problem.settings.skips.early_exit) {
             ++problem.counters->early_exits;
@@ -122,7 +131,8 @@ Residuals run_sweeps(ContactProblem& problem, Sweeps& sweeps, std::size_t count,
         smallest = std::min(smallest, progress.change);
         if (is_large) continue;
         const bool slows_down = before > 0 && progress.squared <= before && !diverges;
-        const double beta = slows_down ? progress.squared / before : 0; // 0: restart
+        // β = 0 restarts the directions.
+        const double beta = slows_down ? progress.squared / before : 0;
         before = progress.squared;
         directions.resize(count, Vector3d::Zero());
         for (std::size_t k = 0; k < count; ++k) {
@@ -135,7 +145,7 @@ Residuals run_sweeps(ContactProblem& problem, Sweeps& sweeps, std::size_t count,
     return residuals;
 }
 
-// Brings the sweeps to these impulses.
+// Changes the impulses of the sweeps to the given ones.
 void set_impulses(Sweeps& sweeps, std::vector<Vector3d> impulses)
 {
     const std::vector<Vector3d> here = sweeps.impulses();
@@ -144,7 +154,7 @@ void set_impulses(Sweeps& sweeps, std::vector<Vector3d> impulses)
     sweeps.add(impulses);
 }
 
-// Whether bodies have hardly more velocity than the weight of this step has given them.
+// Whether bodies have little more velocity than gravity has given them in this step.
 bool is_at_rest(const ContactProblem& problem, double fastest)
 {
     return fastest <= 2 * problem.settings.gravity.norm() * problem.time_step;
@@ -166,8 +176,8 @@ void solve_island(ContactProblem& problem, const Island& island, std::span<const
     const double speed = fastest(problem, island, active);
     const bool rests = is_at_rest(problem, speed);
     const std::size_t bodies = island.bodies.size();
-    const bool is_on_joint = bodies == 1 && island.pairs.size() > 1; // sweeps are slow there
-    // The matrix of a heap would fill up.
+    const bool is_on_joint = bodies == 1 && island.pairs.size() > 1; // sweeps converge slowly there
+    // Not for a heap: the factors of its sparse matrix would have too many entries (fill-in).
     const bool may_use_newton = (rests || is_on_joint) && !is_heap(island);
     const bool is_small = count <= few_contacts || (may_use_newton && bodies <= few_bodies);
     const double tolerance = is_small         ? to_rounding
@@ -178,17 +188,16 @@ void solve_island(ContactProblem& problem, const Island& island, std::span<const
     const SweepLimits limits{
         std::clamp(times * most_visits / count, times * fewest_sweeps, most_sweeps),
         rounding * speed + tolerance * fastest_approach(problem, active)};
-    const std::vector<Body> free =
-        may_use_newton ? problem.bodies_of(island) : std::vector<Body>();
+    const std::vector<Body> free = may_use_newton ? problem.bodies_of(island) : std::vector<Body>();
     const std::unique_ptr<Sweeps> sweeps = sweeps_of(problem, island, active);
     const Residuals swept = run_sweeps(problem, *sweeps, active.size(), limits);
     if (!swept.has_converged && may_use_newton) {
-        // Newton's method starts from the better end of the sweeps. Its impulses are kept if the sweeps
-        // after it change them by less than they changed before.
+        // Newton's method starts from the better of two sets of impulses: those after the sweeps or
+        // those before them. Its impulses are kept if the next sweeps change them by less than the
+        // earlier sweeps changed theirs.
         ++problem.counters->newton_solves;
-        const std::vector<Vector3d> start = swept.last <= swept.first
-                                                ? sweeps->impulses()
-                                                : initial_impulses(problem, active);
+        const std::vector<Vector3d> start =
+            swept.last <= swept.first ? sweeps->impulses() : initial_impulses(problem, active);
         std::vector<Vector3d> best = start;
         if (newton_impulses(problem, island, free, active, best)) set_impulses(*sweeps, best);
         const SweepLimits few{last_sweeps, limits.negligible_change};

@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// The augmented Lagrangian method of Alart and Curnier (1991) for the contacts of an island. In
+// each round, Newton's method with a line search finds the velocities that minimise a convex
+// function, with the friction limits held fixed. Then the impulses and friction limits are updated,
+// and the penalty weight grows, until the impulses no longer change.
 #include "rigid/contact/solvers/newton_contact.hpp"
 
 #include "rigid/bodies/height_order.hpp"
@@ -19,17 +23,21 @@ namespace {
 using namespace newton;
 using Eigen::VectorXd;
 
-// ρ of a contact is a weight over nᵀKn. A round leaves 1/weight of a velocity, but a large weight finds
-// what touches and what slides only from near the answer: so it grows from round to round.
+// The penalty ρ of a contact is a weight divided by nᵀKn. A round leaves 1/weight of a velocity
+// error, but with a large weight Newton's method finds which contacts touch and which slide only if
+// it starts close to the solution. So the weight grows from round to round.
 constexpr double first_weight = 1000, last_weight = 1e6, growth = 10;
 constexpr int most_rounds = 14, most_steps = 40, most_bisections = 30;
-constexpr double settled = 1e-13;    // a change of impulses, of their size
-constexpr double gain = 0.5;         // of a round: less, and more of them get nowhere
-constexpr double flat = 0.1;         // of the slope at the start: where a line search may end
-constexpr double converged = 1e-13;  // a Newton step, of the velocities' size
-constexpr double u_rounding = 1e-15; // of the fastest; λ - ρ u has weight times that
+constexpr double settled = 1e-13; // a change of the impulses, relative to their size
+// A round must reduce the change by this factor, or more rounds do not help.
+constexpr double gain = 0.5;
+constexpr double flat = 0.1;        // a line search ends at this fraction of its first slope
+constexpr double converged = 1e-13; // a Newton step, relative to the size of the velocities
+// Rounding error of a velocity, relative to the fastest body; for λ - ρ u, `weight` times that.
+constexpr double u_rounding = 1e-15;
 
-// Places in `island.bodies`, in an order that does not depend on how the bodies are numbered.
+// Places in `island.bodies`, sorted by height. The order does not depend on how the bodies are
+// numbered.
 std::vector<int> from_the_lowest(const ContactProblem& problem, const Island& island)
 {
     std::vector<int> places(island.bodies.size());
@@ -59,7 +67,8 @@ public:
         for (std::size_t i = 0; i < bodies_.size(); ++i) {
             v_free_.segment<3>(6 * i) = bodies_[i]->velocity;
             v_free_.segment<3>(6 * i + 3) = bodies_[i]->angular_velocity;
-            // a body that cannot turn about an axis gets a moment there that holds it
+            // If a body cannot rotate about an axis, its inverse inertia is singular. A tiny value
+            // on the diagonal stands for a very large moment of inertia about that axis.
             const Matrix3d& J = bodies_[i]->inverse_inertia;
             const bool can_turn = J.determinant() > 1e-12 * std::pow(J.norm(), 3);
             const double least = can_turn ? 0 : 1e-9 * J.norm() + 1e-300;
@@ -102,7 +111,8 @@ public:
             }
             const double rounding = u_rounding * weight * speed;
             if (change <= settled * total + rounding) break;
-            // Contacts that contradict each other keep a velocity, and their impulses grow for ever.
+            // If contacts contradict each other, a velocity remains and their impulses would grow
+            // in every round.
             if (weight == last_weight && change > gain * before) break;
             before = weight == last_weight ? change : std::numeric_limits<double>::infinity();
             weight = std::min(last_weight, growth * weight);
@@ -129,11 +139,13 @@ private:
         return change;
     }
 
-    // Along dv, Φ(v) = ½ (v - v_free)ᵀ M (v - v_free) + Σ φ(λ - ρ u(v)) falls as long as its slope
+    // Line search for the minimum of Φ(v) = ½ (v - v_free)ᵀ M (v - v_free) + Σ φ(λ - ρ u(v)) along
+    // dv. Its slope at v + t dv,
     //
     //     dvᵀ M (v + t dv - v_free) - Σ P(y - t ρ du)·du,   du = J dv
     //
-    // is negative; the slope only ever grows with t. @return t in [0, 1]
+    // never decreases with t, so bisection finds where it becomes zero.
+    // @return t in [0, 1]
     double lowest(const VectorXd& dv) const
     {
         double start = 0, growing = 0;
@@ -179,7 +191,8 @@ private:
                 diagonal[i] * (v_.segment<6>(6 * i) - v_free_.segment<6>(6 * i));
         }
         std::vector<Eigen::Triplet<double>> entries;
-        Matrix6d coupling = Matrix6d::Zero(); // of the rows of a pair, which follow each other
+        // Coupling block of a pair of bodies, whose rows follow each other.
+        Matrix6d coupling = Matrix6d::Zero();
         for (std::size_t k = 0; k < rows_.size(); ++k) {
             const NewtonRow& row = rows_[k];
             const auto [body1, body2] = std::pair(row.body1, row.body2);
@@ -197,7 +210,7 @@ private:
                 add_product(row.r2, D, row.r2, diagonal[body2]);
             }
             if (body1 < 0 || body2 < 0) continue;
-            const bool is_first_lower = body1 > body2; // of H the lower half is kept
+            const bool is_first_lower = body1 > body2; // only the lower half of H is stored
             add_product(is_first_lower ? row.r1 : row.r2, -D, is_first_lower ? row.r2 : row.r1,
                         coupling);
             const bool is_last =
@@ -220,7 +233,8 @@ private:
                 entries.emplace_back(6 * row + i, 6 * column + j, block(i, j));
     }
 
-    // sum += Jᵀ(r) D J(q), where J(r) = (δ, -r*) makes of (V, ω) the velocity at the lever arm's end
+    // sum += Jᵀ(r) D J(q), where J(r) = (δ, -r*) maps (V, ω) to the velocity at the end of the
+    // lever arm
     static void add_product(const Vector3d& r, const Matrix3d& D, const Vector3d& q, Matrix6d& sum)
     {
         Matrix3d Dq; // D q*
@@ -235,14 +249,14 @@ private:
         }
     }
 
-    // v of the round by Newton's method.
+    // Finds v of the round by Newton's method. Returns whether it converged.
     bool minimise()
     {
         VectorXd gradient;
         Eigen::SparseMatrix<double> H;
         for (int step = 0; step < most_steps; ++step) {
             linearise(gradient, H);
-            if (!is_analysed_) solver_.analyzePattern(H); // it stays the same
+            if (!is_analysed_) solver_.analyzePattern(H); // the pattern stays the same
             is_analysed_ = true;
             solver_.factorize(H);
             if (solver_.info() != Eigen::Success) return false;
@@ -259,9 +273,9 @@ private:
     }
 
     std::vector<const Body*> bodies_;
-    std::vector<Matrix3d> inertias_; // world space
+    std::vector<Matrix3d> inertias_; // in world space
     std::vector<NewtonRow> rows_;
-    VectorXd v_free_, v_; // V, ω of each body
+    VectorXd v_free_, v_; // V and ω for each body
     Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> solver_;
     bool is_analysed_ = false;
 };

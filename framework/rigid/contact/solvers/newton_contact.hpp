@@ -5,22 +5,24 @@
 
 namespace rigor {
 
-/// The impulses of a whole island at once, where sweeps get nowhere: tall stacks, heavy bodies on
-/// light ones, friction at its limit. The augmented Lagrangian method (Alart and Curnier 1991, "A mixed
-/// formulation for frictional contact problems prone to Newton like solution methods", Comput. Methods
-/// Appl. Mech. Eng. 92): with u = J v - s and a weight ρ for each contact,
+/// Computes the impulses of a whole island at once, where sweeps converge too slowly: tall stacks,
+/// heavy bodies on light ones, friction at its limit. The method is the augmented Lagrangian method
+/// (Alart and Curnier 1991, "A mixed formulation for frictional contact problems prone to Newton
+/// like solution methods", Comput. Methods Appl. Mech. Eng. 92). With u = J v - s and a penalty ρ
+/// for each contact it iterates
 ///
 ///     λ ← P(λ - ρ u(v))   where   M (v - v_free) = Jᵀ P(λ - ρ u(v))
 ///
-/// and P makes the normal part not negative and shortens the tangential one to μ λₙ. The equation for
-/// v is the minimum of a convex function as long as the friction's limit is held, and Newton's method
-/// with a line search finds it: a sparse system with 6 unknowns a body, which no chain of bodies and no
-/// ratio of masses makes hard. Whatever this gives, the sweeps go on from there and judge it.
+/// where P makes the normal part non-negative and shortens the tangential part to μ λₙ. As long as
+/// the friction limit is held fixed, the equation for v is the minimum of a convex function, which
+/// Newton's method with a line search finds. Its linear system is sparse with 6 unknowns for each
+/// body; long chains of bodies and large mass ratios do not make it harder. Whatever the result is,
+/// the sweeps continue from it and check it.
 ///
-/// @param free      the bodies of the island, in its order, without the impulses
+/// @param free      the bodies of the island without the impulses, in the order of the island
 /// @param active    indices of the contacts in the problem
-/// @param impulses  on body 1, of the active contacts: the start, and then the result [N s]
-/// @return  whether it got anywhere; if not, the impulses are as they were
+/// @param impulses  impulses on body 1 of the active contacts: the start, then the result [N s]
+/// @return  whether the method succeeded; if not, the impulses are unchanged
 bool newton_impulses(const ContactProblem& problem, const Island& island,
                      const std::vector<Body>& free, std::span<const int> active,
                      std::vector<Vector3d>& impulses);

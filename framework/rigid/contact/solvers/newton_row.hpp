@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A contact in `newton_impulses`: its velocity u, the projection P and its slope.
+// A contact in `newton_impulses`: its velocity u, the projection P and the derivative of P.
 #pragma once
 
 #include "formulas/types.hpp"
@@ -8,12 +8,13 @@
 
 namespace rigor::newton {
 
-// A contact as the method sees it: bodies by the index of their unknowns, or -1.
+// A contact in Newton's method. A body is given by the index of its unknowns, or -1 if it is
+// static.
 struct NewtonRow {
     int body1 = -1, body2 = -1;
-    Vector3d n, r1, r2, s; // s: the velocity asked for, s n
+    Vector3d n, r1, r2, s; // s: target velocity, target speed times n
     double friction = 0, normal_K = 0, rho = 0;
-    double limit = 0; // of the tangential part, held during a round: μ λₙ
+    double limit = 0; // friction limit μ λₙ, held fixed during a round
     Vector3d lambda = Vector3d::Zero();
 };
 
@@ -28,7 +29,7 @@ inline Split split(const NewtonRow& row, const Vector3d& y)
     return {normal, y - normal * row.n};
 }
 
-// Of a body's point at the lever arm r [m/s].
+// Velocity of the point of a body at the lever arm r [m/s].
 inline Vector3d velocity(const Eigen::VectorXd& v, int body, const Vector3d& r)
 {
     if (body < 0) return Vector3d::Zero();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Projected Gauss–Seidel sweeps in a form that the compiler can turn into SIMD code: body 1 and body 2
-// of a contact side by side in a register, the contacts of a pair one after the other. Blocks of one
-// color are swept by several threads at the same time.
+// Projected Gauss–Seidel sweeps in a form that the compiler can turn into SIMD code. The quantities
+// of body 1 and body 2 are side by side in a register while the contacts of a pair are visited one
+// after the other. The blocks of one color are swept by several threads at the same time.
 #include "rigid/contact/solvers/optimised_sweeps.hpp"
 
 #include "rigid/bodies/two_bodies.hpp"
@@ -16,7 +16,7 @@ namespace {
 
 using namespace optimised;
 
-// All that a visit to a contact needs.
+// Everything that a sweep needs for one contact.
 struct SweepRow {
     TwoVectors r; // lever arms x - Xᵢ [m]
     Vector3d n;   // normal
@@ -31,8 +31,9 @@ struct PairRows {
     TwoMasses masses;
 };
 
-// jₙ ← max(0, jₙ - (v·n - s)/(nᵀKn)),  j_T ← j_T - v_T/λ, shortened to |j_T| = μ jₙ where it is longer.
-// @return the change
+// The new impulse of a contact: jₙ ← max(0, jₙ - (v·n - s)/(nᵀKn)), j_T ← j_T - v_T/λ, shortened to
+// |j_T| = μ jₙ if it is longer.
+// @return the change of the impulse
 [[gnu::always_inline]] inline Vector3d law(const SweepRow& row, const Vector3d& v)
 {
     const double v_n = v.dot(row.n), old_n = row.j.dot(row.n);
@@ -111,14 +112,14 @@ public:
     }
 
 private:
-    // A range of the pairs, and what the last sweep did there.
+    // A range of the pairs, and the progress of the last sweep there.
     struct Block {
         IndexRange pairs;
         Progress progress;
         std::uint64_t impulses = 0;
     };
 
-    // The rows of each pair, and the pairs of each block.
+    // Finds the rows of each pair, and the pairs of each block.
     void find_pairs()
     {
         int k = 0;

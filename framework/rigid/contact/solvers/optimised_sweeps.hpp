@@ -5,9 +5,10 @@
 
 namespace rigor {
 
-/// The same sweeps as the reference's formulas make, of either kind, without calling them.
+/// Makes the same sweeps as the reference's formulas, for both methods that sweep, but without
+/// calling the formulas.
 ///
-/// @param island  with its blocks, which all threads of the problem's pool sweep
+/// @param island  must have its blocks, which the threads of the problem's pool share
 std::unique_ptr<Sweeps> optimised_sweeps(ContactProblem& problem, const Island& island,
                                          std::span<const int> active);
 

@@ -59,7 +59,7 @@ private:
     ContactProblem& problem_;
     std::span<const int> active_;
     LocalIsland local_;
-    ContactResult result_; // of the last sweep
+    ContactResult result_; // result of the last sweep
 };
 
 } // namespace

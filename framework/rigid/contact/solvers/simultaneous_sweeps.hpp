@@ -5,7 +5,7 @@
 
 namespace rigor {
 
-/// Sweeps by `resolve_simultaneously`, one of its iterations a sweep.
+/// Sweeps by `resolve_simultaneously`; each sweep is one iteration of that formula.
 std::unique_ptr<Sweeps> simultaneous_sweeps(ContactProblem& problem, std::span<const int> active);
 
 } // namespace rigor

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What all sweeps over an island's contacts have in common, whichever formulas compute the impulse of a
-// single contact. Sweeps are the projected Gauss–Seidel iteration: contact by contact, its law with all
-// others as they are.
+// Common interface of the sweeps over an island's contacts, which differ in the formulas for the
+// impulse of a single contact. A sweep is one iteration of projected Gauss–Seidel: it solves each
+// contact in turn while all others are kept as they are.
 #pragma once
 
 #include "rigid/contact/contact_problem.hpp"
@@ -10,26 +10,27 @@
 
 namespace rigor {
 
-/// What a sweep changed: the largest change and the largest impulse, as velocities [m/s], and the
-/// squared length of all changes.
+/// The changes of a sweep: the largest change and the largest impulse, both as velocities [m/s],
+/// and the squared length of all changes.
 struct Progress {
     double change = 0, total = 0, squared = 0;
 };
 
-/// One way to sweep. The impulses start from the contacts' `initial_impulse` and end as their
-/// `contact_impulse`. Lists of impulses are in the order of the active contacts, which the sweeps are
-/// made with (see active_contacts.hpp).
+/// One kind of sweep. The impulses start from the contacts' `initial_impulse` and end as their
+/// `contact_impulse`. Lists of impulses are in the order of the active contacts that were given
+/// when the sweeps were made (see active_contacts.hpp).
 class Sweeps {
 public:
     virtual ~Sweeps() = default;
 
-    /// Visits each contact once. @param steps  becomes the change of each contact's impulse
+    /// Visits each contact once.
+    /// @param steps  receives the change of each contact's impulse
     virtual Progress sweep(std::vector<Vector3d>& steps) = 0;
-    /// The impulses as they are now.
+    /// The current impulses.
     virtual std::vector<Vector3d> impulses() const = 0;
     /// Adds these changes to the impulses.
     virtual void add(const std::vector<Vector3d>& changes) = 0;
-    /// Leaves bodies and contacts as the impulses made them.
+    /// Stores the resulting velocities and impulses in the problem.
     virtual void finish() = 0;
 };
 

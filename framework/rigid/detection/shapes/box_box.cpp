@@ -1,4 +1,9 @@
 // SPDX-License-Identifier: MIT
+// Contacts of two boxes by the separating axis test of Gottschalk, Lin and Manocha (1996). First it
+// finds the best of the six faces and the nine pairs of edges; then, if the boxes are about to
+// meet, it looks for a face that separates them better at the end of the step. Last, it clips the
+// other box's nearest face against the chosen face (Sutherland and Hodgman 1974), or takes the
+// closest points of the two edges.
 #include "rigid/detection/shapes/box_box.hpp"
 
 #include "rigid/bodies/optimised_forms.hpp"
@@ -11,21 +16,21 @@ namespace rigor {
 
 namespace {
 
-// A box at its place; its axes are the columns of R.
+// A box in world space; its axes are the columns of R.
 struct Placed {
     Matrix3d R;
     Vector3d center, half;
 };
 
-// A separating axis, unit, pointing from box 1 to box 2, with the distance of the boxes along it.
+// A separating axis: a unit vector from box 1 to box 2, and the distance of the boxes along it.
 struct Axis {
     double separation = -std::numeric_limits<double>::infinity();
     int axis1 = 0, axis2 = 0;
     Vector3d direction = Vector3d::Zero();
 };
 
-// The two boxes in numbers that every axis needs: C = AᵀB, |C|, and the distance of the centers in the
-// frame of either.
+// Numbers that all axes need: C = AᵀB, |C|, and the vector between the centers in the frame of each
+// box.
 struct Relation {
     Matrix3d C, C_abs;
     Vector3d d_a, d_b;
@@ -48,7 +53,7 @@ Vector3d oriented(const Vector3d& axis, const Vector3d& towards)
     return axis.dot(towards) < 0 ? Vector3d(-axis) : axis;
 }
 
-// The best of the three faces of `a`; the direction points towards b.
+// The best of the three faces of `a`. The direction points towards b.
 Axis best_face(const Placed& a, const Placed& b, const Relation& of)
 {
     Axis best;
@@ -61,7 +66,8 @@ Axis best_face(const Placed& a, const Placed& b, const Relation& of)
     return best;
 }
 
-// The best of the three faces of `b`, its axis in `axis1`; the direction points towards a.
+// The best of the three faces of `b`, whose index is stored in `axis1`. The direction points
+// towards a.
 Axis best_other_face(const Placed& a, const Placed& b, const Relation& of)
 {
     Axis best;
@@ -74,8 +80,8 @@ Axis best_other_face(const Placed& a, const Placed& b, const Relation& of)
     return best;
 }
 
-// The best of the nine pairs of edges, by Gottschalk, Lin and Manocha (1996), if it is better than `least`.
-// Parallel edges separate no better than a face does.
+// The best of the nine pairs of edges (Gottschalk, Lin and Manocha 1996), if it is better than
+// `least`. Parallel edges are skipped, since they separate no better than a face does.
 Axis best_edges(const Placed& a, const Placed& b, const Relation& of, double least)
 {
     Axis best;
@@ -86,9 +92,9 @@ Axis best_edges(const Placed& a, const Placed& b, const Relation& of, double lea
             const double distance = std::abs(of.d_a[i2] * of.C(i1, j) - of.d_a[i1] * of.C(i2, j));
             const double reach = a.half[i1] * of.C_abs(i2, j) + a.half[i2] * of.C_abs(i1, j) +
                                  b.half[j1] * of.C_abs(i, j2) + b.half[j2] * of.C_abs(i, j1);
-            const double between = distance - reach; // times the length of the axis, at most 1
+            const double between = distance - reach; // times the axis length ≤ 1
             if (between <= std::min(best.separation, 0.0)) continue;
-            const double c = of.C(i, j), squared = 1 - c * c; // of the length of the axis
+            const double c = of.C(i, j), squared = 1 - c * c; // squared axis length
             if (squared < 1e-6) continue;
             const double separation = between / std::sqrt(squared);
             if (separation > best.separation) best = {separation, i, j, Vector3d::Zero()};
@@ -100,15 +106,16 @@ Axis best_edges(const Placed& a, const Placed& b, const Relation& of, double lea
     return best;
 }
 
-// A face that separates the boxes, and how far it will when they have moved on.
+// A face that separates the boxes now, and the separation along its normal after the move.
 struct Ahead {
     double separation = -std::numeric_limits<double>::infinity();
     Axis axis;
     bool is_of_first = true;
 };
 
-// Of the faces that separate the boxes now, to `slop`, the one that will have them overlap least.
-// @param move  of box 1, against box 2, in the step to come
+// The face with the largest separation after the move, among the faces that separate the boxes now
+// up to `slop`.
+// @param move  displacement of box 1 relative to box 2 in this step
 [[gnu::noinline]] Ahead best_face_ahead(const Placed& a, const Placed& b, const Relation& of,
                                         const Vector3d& move, double slop)
 {
@@ -128,7 +135,7 @@ struct Ahead {
     return best;
 }
 
-// A polygon with at most 8 vertices, in the frame of the reference face: the face is |x| ≤ half x,
+// A polygon with at most 8 vertices, in the frame of the reference face. The face is |x| ≤ half x,
 // |y| ≤ half y, and z is the height above it.
 struct Polygon {
     std::array<Vector3d, 8> vertices; // the first `size` are set
@@ -140,8 +147,8 @@ struct Polygon {
     }
 };
 
-// Keeps what lies on the inner side of sign x[axis] ≤ limit (Sutherland and Hodgman 1974). A vertex
-// within rounding of the border is inside: otherwise aligned boxes get chance vertices.
+// Clips the polygon to sign x[axis] ≤ limit (Sutherland and Hodgman 1974). A vertex on the border
+// up to rounding counts as inside; otherwise aligned boxes would get vertices by chance.
 void clip(Polygon& polygon, int axis, double sign, double limit)
 {
     const double border = limit * (1 + 1e-9);
@@ -160,10 +167,10 @@ void clip(Polygon& polygon, int axis, double sign, double limit)
     polygon = kept;
 }
 
-// The face of `box` that looks most against the third axis of the frame (R, origin), in that frame.
+// The face of `box` that faces most against the third axis of the frame (R, origin), in that frame.
 Polygon incident_face(const Placed& box, const Matrix3d& R, const Vector3d& origin)
 {
-    Matrix3d A; // Rᵀ R_box: the axes of the box in the frame
+    Matrix3d A; // Rᵀ R_box, the axes of the box in the frame
     for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j)
             A(i, j) = R.col(i).dot(box.R.col(j));
@@ -183,16 +190,16 @@ Polygon incident_face(const Placed& box, const Matrix3d& R, const Vector3d& orig
     return face;
 }
 
-// Clips the incident face of `other` against the face of `reference` that `axis` names, and against as
-// much beside it as `other` will come from.
-// @param normal  of the contact, from box 2 to box 1
-// @param move    of `other`, against `reference`, in the step to come
+// Clips the incident face of `other` against the face of `reference` that `axis` gives. That face
+// is extended by the way along which `other` will come.
+// @param normal  contact normal, from box 2 to box 1
+// @param move    displacement of `other` relative to `reference` in this step
 void touch_face(const Placed& reference, const Placed& other, const Axis& axis,
                 const Vector3d& normal, const Vector3d& move, double reach,
                 std::vector<Contact>& contacts)
 {
     const int k = axis.axis1, u = (k + 1) % 3, v = (k + 2) % 3;
-    Matrix3d R; // of the face: two edges and the outward normal
+    Matrix3d R; // frame of the face: two edges and the outward normal
     R.col(0) = reference.R.col(u);
     R.col(1) = reference.R.col(v);
     R.col(2) = axis.direction;
@@ -212,7 +219,7 @@ void touch_face(const Placed& reference, const Placed& other, const Axis& axis,
     }
 }
 
-// Middle of the edge of `box` along its axis `axis` that lies farthest in `direction`.
+// The middle of the edge of `box` along its axis `axis` that lies farthest in `direction`.
 Vector3d edge_middle(const Placed& box, int axis, const Vector3d& direction)
 {
     Vector3d middle = box.center;
@@ -223,21 +230,22 @@ Vector3d edge_middle(const Placed& box, int axis, const Vector3d& direction)
     return middle;
 }
 
+// The contact of two edges, at the closest points of both.
 void find_edge_contacts(const Placed& a, const Placed& b, const Axis& axis, double reach,
-                 std::vector<Contact>& contacts)
+                        std::vector<Contact>& contacts)
 {
     const Vector3d u = a.R.col(axis.axis1), v = b.R.col(axis.axis2);
     const Vector3d p = edge_middle(a, axis.axis1, axis.direction);
     const Vector3d q = edge_middle(b, axis.axis2, -axis.direction);
 
-    // closest points p + s u, q + t v of the two lines, held to the edges
+    // Closest points p + s u and q + t v of the two lines, clamped to the edges.
     const double c = u.dot(v), d_u = u.dot(q - p), d_v = v.dot(q - p);
     const double s = (d_u - c * d_v) / (1 - c * c);
     const double t = (c * d_u - d_v) / (1 - c * c);
     const double half_s = a.half[axis.axis1], half_t = b.half[axis.axis2];
     const Vector3d on_a = p + std::clamp(s, -half_s, half_s) * u;
     const Vector3d on_b = q + std::clamp(t, -half_t, half_t) * v;
-    if (axis.separation > 0 && (on_b - on_a).norm() >= reach) return; // they pass by each other
+    if (axis.separation > 0 && (on_b - on_a).norm() >= reach) return; // they pass each other
     contacts.push_back({(on_a + on_b) / 2, -axis.direction, axis.separation});
 }
 
@@ -249,7 +257,7 @@ double face_area(const Placed& box, int axis)
 } // namespace
 
 void find_box_contacts(const Box& box1, const Pose& pose1, const Box& box2, const Pose& pose2,
-                 const Vector3d& move, double reach, std::vector<Contact>& contacts)
+                       const Vector3d& move, double reach, std::vector<Contact>& contacts)
 {
     const Placed a{pose1.R, pose1.X, box1.size / 2}, b{pose2.R, pose2.X, box2.size / 2};
     const Relation relation(a, b);
@@ -271,7 +279,7 @@ void find_box_contacts(const Box& box1, const Pose& pose1, const Box& box2, cons
     const Axis& best = is_edges ? edges : face;
     const double then =
         best.separation - (is_edges || is_first ? 1 : -1) * move.dot(best.direction);
-    Vector3d comes = Vector3d::Zero(); // what does not have this face, against what has it
+    Vector3d comes = Vector3d::Zero(); // move of the other box relative to the face's
     if (best.separation > -slop && then < -slop) {
         const Ahead ahead = best_face_ahead(a, b, relation, move, slop);
         if (ahead.separation > then + slop) {

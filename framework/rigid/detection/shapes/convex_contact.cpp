@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// Contacts of two convex shapes. First it finds their closest points, or the direction in which
+// they separate soonest, and with it the contact normal. It then projects the features (a point, a
+// segment or a face) that both shapes turn to each other along the normal and clips one against the
+// other (Sutherland and Hodgman 1974). Each corner of the result is a contact with its own gap.
 #include "rigid/detection/shapes/convex_contact.hpp"
 
 #include "geometry/distance/separation.hpp"
@@ -14,7 +18,8 @@ namespace {
 
 using Eigen::Vector2d;
 
-// A feature seen along the normal: places across it, heights along it.
+// A feature projected along the contact normal: places in the tangent plane, and heights along the
+// normal.
 struct Outline {
     std::vector<Vector2d> places;
     std::vector<double> heights;
@@ -40,7 +45,7 @@ double signed_area(const Outline& o)
     return area;
 }
 
-// Axes across a normal, and the normal.
+// A frame of two axes perpendicular to the normal and the normal itself.
 Matrix3d frame_about(const Vector3d& n)
 {
     int least = 0;
@@ -51,7 +56,7 @@ Matrix3d frame_about(const Vector3d& n)
     return R;
 }
 
-// Counter-clockwise, in the frame.
+// Projects a feature into the frame. A polygon is made counter-clockwise.
 Outline outline(const Feature& feature, const Matrix3d& frame, const Vector3d& origin)
 {
     Outline o;
@@ -66,7 +71,7 @@ Outline outline(const Feature& feature, const Matrix3d& frame, const Vector3d& o
     return o;
 }
 
-// Height of the plane through an outline, or of the line through a segment, at a place.
+// The height at a place of the plane through an outline, or of the line through a segment.
 double height_at(const Outline& o, const Vector2d& place)
 {
     const Vector2d p = place - o.places[0];
@@ -74,7 +79,7 @@ double height_at(const Outline& o, const Vector2d& place)
         const Vector2d d = o.places[1] - o.places[0];
         return o.heights[0] + p.dot(d) / d.squaredNorm() * (o.heights[1] - o.heights[0]);
     }
-    // the widest of the triangles at the first corner spans the plane
+    // The largest of the triangles at the first corner spans the plane.
     int best = 1;
     double widest = 0;
     for (int i = 1; i + 1 < o.count(); ++i) {
@@ -89,8 +94,8 @@ double height_at(const Outline& o, const Vector2d& place)
            t * (o.heights[best + 1] - o.heights[0]);
 }
 
-// What of an outline lies to the left of the line from a to b. What lies on it to rounding is left of it:
-// otherwise aligned faces get chance corners.
+// The part of an outline to the left of the line from a to b. Points on the line up to rounding
+// count as left of it; otherwise aligned faces would get corners by chance.
 Outline left_of(const Outline& o, const Vector2d& a, const Vector2d& b)
 {
     const Vector2d d = (b - a).normalized();
@@ -109,7 +114,7 @@ Outline left_of(const Outline& o, const Vector2d& a, const Vector2d& b)
     return kept;
 }
 
-// What of outline 1 lies over outline 2, which is a polygon.
+// The part of an outline that lies inside the polygon `by`.
 Outline clipped(Outline o, const Outline& by)
 {
     for (int i = 0; i < by.count() && o.count() > 0; ++i)
@@ -117,7 +122,7 @@ Outline clipped(Outline o, const Outline& by)
     return o;
 }
 
-// What two nearly parallel segments have in common, along the first.
+// The common part of two nearly parallel segments, along the first one.
 Outline common(const Outline& a, const Outline& b)
 {
     const Vector2d d = a.places[1] - a.places[0], e = b.places[1] - b.places[0];
@@ -134,13 +139,14 @@ Outline common(const Outline& a, const Outline& b)
     return o;
 }
 
-// Where both features face each other: places and heights on feature 1. Empty: one touch will do.
+// The region where both features face each other, with heights on feature 1. It is empty if a
+// single contact is enough.
 Outline overlap(const Outline& a, const Outline& b)
 {
     if (a.count() < 2 || b.count() < 2) return {};
     if (a.count() == 2 && b.count() == 2) return common(a, b);
     if (b.count() > 2) return clipped(a, b);
-    Outline o = clipped(b, a); // a segment below a polygon: then its heights
+    Outline o = clipped(b, a); // a segment below a polygon
     for (int i = 0; i < o.count(); ++i)
         o.heights[i] = height_at(a, o.places[i]);
     return o;
@@ -148,10 +154,11 @@ Outline overlap(const Outline& a, const Outline& b)
 
 } // namespace
 
-void find_convex_contacts(const Shape& shape1, const Pose& pose1, const Shape& shape2, const Pose& pose2,
-                  double reach, std::vector<Contact>& contacts)
+void find_convex_contacts(const Shape& shape1, const Pose& pose1, const Shape& shape2,
+                          const Pose& pose2, double reach, std::vector<Contact>& contacts)
 {
-    // in the frame of shape 2: far from the origin of the world nothing cancels
+    // Computed in the frame of shape 2, so that no digits are lost far from the origin of the
+    // world.
     const Matrix3d to_2 = pose2.R.transpose();
     const Pose pose{to_2 * pose1.R, to_2 * (pose1.X - pose2.X)};
     const Separation nearest = separation(shape1, pose, shape2, reach);

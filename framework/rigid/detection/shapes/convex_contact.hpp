@@ -7,11 +7,12 @@
 
 namespace rigor {
 
-/// Appends where two convex shapes (geometry/convex.hpp) are nearer than `reach`.
+/// Appends the contacts of two convex shapes (`is_convex_solid`) that are closer than `reach`.
 ///
-/// All touches have the normal along which the shapes are nearest, or part soonest. Where both turn
-/// a face or a line to each other, one is clipped against the other (Sutherland and Hodgman 1974),
-/// and each corner of what is left has the gap at its place; else there is one touch.
+/// All contacts have the same normal: the direction in which the shapes are closest, or, if they
+/// overlap, in which they separate soonest. If both shapes turn a face or a line to each other, one
+/// is clipped against the other (Sutherland and Hodgman 1974), and each corner of the result is a
+/// contact with its own gap. Otherwise there is one contact.
 void find_convex_contacts(const Shape& shape1, const Pose& pose1, const Shape& shape2,
                           const Pose& pose2, double reach, std::vector<Contact>& contacts);
 

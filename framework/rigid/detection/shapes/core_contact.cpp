@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// Contacts of shapes that are a core curve with a radius: spheres, capsules and tori. It samples
+// the other shape's distance along the core and refines each minimum by golden section search
+// (Kiefer 1953). Balls on a torus or a mesh have methods of their own. Against a mesh, the points
+// of the mesh are added.
 #include "rigid/detection/shapes/core_contact.hpp"
 
 #include "geometry/shapes/solid_mesh.hpp"
@@ -14,14 +18,14 @@ namespace rigor {
 
 namespace {
 
-// A curve with a radius around it, in the frame of the other shape.
+// A core curve with a radius around it, in the frame of the other shape.
 struct Core {
     double radius = 0;
-    double length = 0; // of the parameter; 0: a point
+    double length = 0; // length of its parameter; 0 for a point
     int samples = 1;
     bool is_closed = false;
     Pose pose;
-    double circle = 0; // radius of the curve, if it is closed
+    double circle = 0; // radius of a closed curve
 
     Vector3d at(double s) const
     {
@@ -49,7 +53,8 @@ struct CoreOf {
     template <class Other> Core operator()(const Other&) const { return {}; }
 };
 
-// A local minimum of f between a and b (golden section; Kiefer 1953), to 1e-9 of the interval.
+// A local minimum of f between a and b by golden section search (Kiefer 1953), to 1e-9 of the
+// interval.
 template <class Function> double minimum(const Function& f, double a, double b)
 {
     constexpr double golden = 0.6180339887498949;
@@ -73,6 +78,7 @@ template <class Function> double minimum(const Function& f, double a, double b)
     return (a + b) / 2;
 }
 
+// Finds the contacts at samples of a core and at the minima of the gap along it.
 class AlongCore {
 public:
     AlongCore(const Core& core, const DistanceField& field, const Pose& pose2, double reach,
@@ -92,7 +98,7 @@ public:
             gaps.push_back(gap(i * step));
             least = std::min(least, gaps.back());
         }
-        // between two samples the gap is at most half their distance less
+        // Between two samples the gap is smaller by at most half their distance.
         if (least - core_.meters() / n - field_.uncertainty() >= reach_) return;
         const std::size_t first = contacts_.size();
         for (int i = 0; i < n; ++i) {
@@ -102,7 +108,8 @@ public:
             if (gaps[i] > before || gaps[i] > after) continue;
             refine(i, step, gaps[i]);
         }
-        reduce_contacts(contacts_, first, reach_, core_.is_closed ? most_contacts : most_contacts / 2);
+        reduce_contacts(contacts_, first, reach_,
+                        core_.is_closed ? most_contacts : most_contacts / 2);
     }
 
 private:
@@ -132,8 +139,9 @@ private:
     std::vector<Contact>& contacts_;
 };
 
-// Two rings, and a ball on a ring: a circle and a point or another circle. The circle of the ring is the
-// core then, so that a ball over the hole rests on three points.
+// The contacts of a ball on a ring (torus). The circle of the ring is the core. Three points on it
+// are tested, 120° apart with one of them nearest to the ball, so that a ball over the hole rests
+// on three points.
 void touch_ring(const Sphere& sphere, const Vector3d& center, const Torus& torus, const Pose& pose,
                 double reach, std::vector<Contact>& contacts)
 {
@@ -151,7 +159,8 @@ void touch_ring(const Sphere& sphere, const Vector3d& center, const Torus& torus
     }
 }
 
-// A ball on a mesh: each place that it looks at squarely, so both walls of a corner.
+// The contacts of a ball on a mesh: one for each local minimum of the distance from the center to
+// the surface, so both walls of a corner are found.
 void touch_ball(const Core& core, const SolidMesh& mesh, const DistanceField& field,
                 const Pose& pose2, double reach, std::vector<Contact>& contacts)
 {
@@ -175,8 +184,9 @@ void touch_ball(const Core& core, const SolidMesh& mesh, const DistanceField& fi
 
 } // namespace
 
-void find_core_contacts(const Shape& shape1, const Pose& pose1, const Shape& shape2, const Pose& pose2,
-                double reach, Counters& counters, std::vector<Contact>& contacts)
+void find_core_contacts(const Shape& shape1, const Pose& pose1, const Shape& shape2,
+                        const Pose& pose2, double reach, Counters& counters,
+                        std::vector<Contact>& contacts)
 {
     const Sphere* sphere = std::get_if<Sphere>(&shape1);
     const Torus* ring = std::get_if<Torus>(&shape2);

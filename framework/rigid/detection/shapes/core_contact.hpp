@@ -8,13 +8,15 @@
 
 namespace rigor {
 
-/// Appends where a sphere, a capsule or a torus is nearer to another shape than `reach`.
+/// Appends the contacts of a sphere, a capsule or a torus with another shape that is closer than
+/// `reach`.
 ///
-/// Such a shape is a core (a point, a segment, a circle) with a radius around it: it touches where the
-/// other shape's distance from the core is least, and along the core wherever that is less than
-/// radius and reach. The touch is on its own surface, with the normal through its core. A ball touches
-/// a mesh in each place that it looks at squarely; the points of a mesh are held against a capsule or
-/// a torus too, so that a peg in a hole touches on all sides.
+/// Such a shape is a core (a point, a segment, a circle) with a radius around it. It touches where
+/// the other shape's distance from the core is least, and at samples along the core where the gap
+/// is below `reach`. A contact lies on the shape's own surface, and its normal passes through the
+/// core. A ball touches a mesh at each local minimum of the distance. For a capsule or a torus
+/// against a mesh, the points of the mesh are tested too, so that a peg in a hole has contacts on
+/// all sides.
 ///
 /// @param shape1  a sphere, a capsule or a torus
 /// @param shape2  anything but a plane

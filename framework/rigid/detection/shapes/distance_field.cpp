@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Signed distance from a shape: for a mesh by its level set, for other shapes exact. Inside the
+// grid the level set is sampled at the point itself. Outside, it is sampled on the way to the
+// nearest triangle, about a cell before the surface, and the rest of the way is added.
 #include "rigid/detection/shapes/distance_field.hpp"
 
 #include "formulas/collision.hpp"
@@ -39,7 +42,7 @@ bool DistanceField::is_in_grid(const Vector3d& p) const
     return true;
 }
 
-// To a cell before the surface, where the grid knows it best.
+// The way to a point one cell before the surface, where the grid is most accurate.
 double DistanceField::way_to_grid(double away) const
 {
     return std::max(away - grid_->cell_size, 0.0);
@@ -58,7 +61,8 @@ SurfaceDistance DistanceField::ball_towards(const Vector3d& center, double radiu
     const Vector3d d = (target - center) / away;
     const double way = way_to_grid(away);
     const Vector3d p = center + way * d, gradient = normal(p);
-    // a gradient that is not about the way back is what the formula says
+    // If the gradient roughly points back to the center, the exact direction replaces it. Otherwise
+    // the formula's value is kept.
     return {distance(p) + way - radius, gradient.dot(d) < -0.5 ? Vector3d(-d) : gradient};
 }
 

@@ -7,38 +7,41 @@
 
 namespace rigor {
 
-/// What `sample_level_set` or `level_set_normal` returned is no number.
+/// Thrown if `sample_level_set` or `level_set_normal` returned a value that is not finite.
 struct NonFiniteLevelSet {
     const char* quantity;
-    const Shape* shape; // whose level set it was
+    const Shape* shape; // the shape that has the level set
 };
 
-/// Signed distance to a shape in its object space: of a mesh the level set through the formulas
-/// `sample_level_set` and `level_set_normal`, of any other shape exact.
+/// Signed distance to a shape in its object space. For a mesh it comes from the level set through
+/// the formulas `sample_level_set` and `level_set_normal`; for any other shape it is exact.
 class DistanceField {
 public:
-    /// Makes the level set if the shape is a mesh and nobody has asked for it before.
+    /// Builds the level set of a mesh if it does not exist yet.
     DistanceField(const Shape& shape, Counters& counters);
 
-    /// @throws NonFiniteLevelSet
+    /// @throws NonFiniteLevelSet if the formula's result is not finite
     double distance(const Vector3d& p) const;
-    /// Outward, unit. @throws NonFiniteLevelSet
+    /// The outward unit normal.
+    /// @throws NonFiniteLevelSet if the formula's result is not finite
     Vector3d normal(const Vector3d& p) const;
-    /// A ball nearest to the surface: how far its own surface is from the other one, and the normal
-    /// there, through its center.
+    /// For a ball near the surface: the distance of the ball's own surface from the other surface,
+    /// and the normal there, which passes through the ball's center.
     ///
-    /// The level set is asked at the center of the ball if that is inside its grid; else, where the
-    /// grid knows no more than how far it is away, on the way to the nearest triangle.
+    /// If the center is inside the grid, the level set is sampled there. Outside, the grid gives
+    /// little more than the distance to itself, so the level set is sampled on the way to the
+    /// nearest triangle.
     SurfaceDistance ball(const Vector3d& center, double radius) const;
+    /// The distance of `ball` without its normal.
     double ball_distance(const Vector3d& center, double radius) const;
 
-    /// The same towards a point `target` of the surface that the center looks at.
+    /// The same for a given point `target` of the surface that the center faces.
     SurfaceDistance ball_towards(const Vector3d& center, double radius,
                                  const Vector3d& target) const;
 
-    /// A distance that no point of the surface is nearer than, without a formula.
+    /// A lower bound of the distance to the surface, computed without a formula.
     double at_least(const Vector3d& p) const;
-    /// How far the distance may be off where it changes its direction within a cell [m].
+    /// An error bound of the distance where its gradient changes direction within a cell [m].
     double uncertainty() const { return grid_ ? grid_->cell_size : 0; }
 
 private:
@@ -49,7 +52,7 @@ private:
     const Shape& shape_;
     Counters& counters_;
     const SolidMesh* mesh_ = nullptr;
-    const LevelSet* grid_ = nullptr; // of the mesh
+    const LevelSet* grid_ = nullptr; // level set of the mesh
 };
 
 } // namespace rigor

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Contacts between the sharp edges of two shapes. For each edge of shape 1, a bounding tree gives
+// the edges of the mesh near it. Two edges make a contact if the closest points of their lines lie
+// on both edges and the normal lies between the normals of the faces at each edge.
 #include "rigid/detection/shapes/edge_contact.hpp"
 
 #include "geometry/shapes/pose.hpp"
@@ -10,8 +13,9 @@ namespace rigor {
 
 namespace {
 
-constexpr double parallel = 0.05; // sine of the angle of edges that rather touch with their ends
-constexpr double rounding = 1e-6; // of a direction
+// Sine of the smallest angle between two edges; below it, their end points are in contact.
+constexpr double parallel = 0.05;
+constexpr double rounding = 1e-6; // relative rounding error of a direction
 
 std::vector<SharpEdge> box_edges(const Box& box)
 {
@@ -33,7 +37,7 @@ SharpEdge moved(const SharpEdge& e, const Pose& pose)
     return {pose * e.from, pose * e.to, pose.R * e.normal1, pose.R * e.normal2, e.cone};
 }
 
-// Whether n, across the edge, lies between the normals of its faces.
+// Whether n, perpendicular to the edge, lies between the normals of the edge's two faces.
 bool is_between(const Vector3d& n, const SharpEdge& edge)
 {
     const Vector3d axis = edge.normal1.cross(edge.normal2);
@@ -41,7 +45,7 @@ bool is_between(const Vector3d& n, const SharpEdge& edge)
            n.cross(edge.normal2).dot(axis) >= -rounding && n.dot(edge.normal1 + edge.normal2) > 0;
 }
 
-// @param deepest  overlap that is an edge's [m]
+// @param deepest  deeper overlaps are not contacts of edges [m]
 void touch(const SharpEdge& a, const SharpEdge& b, double reach, double deepest,
            std::vector<Contact>& contacts)
 {
@@ -53,7 +57,7 @@ void touch(const SharpEdge& a, const SharpEdge& b, double reach, double deepest,
     const Vector3d d = b.from - a.from;
     const double gap = -d.dot(n);
     if (gap >= reach || gap < -deepest) return;
-    // where the lines a.from + s u and b.from + t v are nearest
+    // Parameters of the points where the lines a.from + s u and b.from + t v are closest.
     const double s = d.cross(v).dot(across) / (area * area);
     const double t = d.cross(u).dot(across) / (area * area);
     if (s < 0 || s > 1 || t < 0 || t > 1) return;
@@ -63,8 +67,8 @@ void touch(const SharpEdge& a, const SharpEdge& b, double reach, double deepest,
 
 } // namespace
 
-void find_edge_contacts(const Shape& shape1, const Pose& pose, const MeshSurface& surface2, double reach,
-                 std::vector<Contact>& contacts)
+void find_edge_contacts(const Shape& shape1, const Pose& pose, const MeshSurface& surface2,
+                        double reach, std::vector<Contact>& contacts)
 {
     if (surface2.edge_tree().empty()) return;
     Bounds near = surface2.edge_tree().nodes()[0].bounds;

@@ -7,14 +7,16 @@
 
 namespace rigor {
 
-/// Appends where sharp edges of a mesh or a box cross sharp edges of a mesh nearer than `reach`.
+/// Appends the contacts where sharp edges of a mesh or a box cross sharp edges of a mesh that are
+/// closer than `reach`.
 ///
-/// Two edges touch along what is perpendicular to both, if the faces of each lie on its own side of
-/// the plane across it. Overlaps that are deep for the shapes are left to their points.
+/// The normal of such a contact is perpendicular to both edges. It is a contact only if the faces
+/// of each edge lie on their own side of the plane across the normal. Overlaps that are deep
+/// relative to the size of the mesh are left to the surface points.
 ///
-/// @param shape1   a mesh or a box has sharp edges; of other shapes nothing is found
-/// @param pose     of shape 1 in the frame of the mesh, as are the touches
-void find_edge_contacts(const Shape& shape1, const Pose& pose, const MeshSurface& surface2, double reach,
-                 std::vector<Contact>& contacts);
+/// @param shape1   a mesh or a box, which have sharp edges; other shapes have no edge contacts
+/// @param pose     pose of shape 1 in the frame of the mesh; the contacts are in this frame too
+void find_edge_contacts(const Shape& shape1, const Pose& pose, const MeshSurface& surface2,
+                        double reach, std::vector<Contact>& contacts);
 
 } // namespace rigor

@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// Contacts of a mesh with another solid shape. The surface points of each shape are tested in the
+// distance field of the other (Guendelman, Bridson and Fedkiw 2003), where a bounding tree skips
+// points that are far away. Contacts of sharp edges are added, and the result is reduced to a few
+// contacts.
 #include "rigid/detection/shapes/mesh_contact.hpp"
 
 #include "geometry/shapes/shape_bounds.hpp"
@@ -14,26 +18,29 @@ namespace rigor {
 
 namespace {
 
-// A normal this far from where the other shape's distance grows belongs to the far side of a wall.
+// The smallest cosine between a contact normal and the gradient of the other shape's distance.
+// Below it, the point belongs to the far side of a thin wall.
 constexpr double opposite = 0.3;
-constexpr double far = 6; // times its own radius: from there a part of a surface is like a point
+// Distance, in radii of a node, from which on one point stands for all of its points.
+constexpr double far = 6;
 
-// The points of a mesh that are near another shape.
+// The surface points of a mesh that are near another shape.
 class PointsInField {
 public:
-    // @param pose  of the mesh in the frame of the field
+    // @param pose  pose of the mesh in the frame of the field
     PointsInField(const MeshSurface& surface, const Pose& pose, const DistanceField& field,
                   double reach)
         : surface_(surface), pose_(pose), field_(field), reach_(reach)
     {
     }
 
-    // In the frame of the field, normals out of it.
+    // Appends contacts in the frame of the field, with normals out of the field's shape.
     void find(std::vector<Contact>& contacts) const { descend(0, contacts); }
 
 private:
-    // A node's points are all about as far as its middle: if that is far for the node's size, one of
-    // them stands for all. Of a node of the size of a cell or two, the nearest does.
+    // All points of a node have about the distance of its middle. If that is large for the size of
+    // the node, one of the points stands for all. In a node of the size of one or two cells, the
+    // nearest point stands for all.
     void descend(int index, std::vector<Contact>& contacts) const
     {
         const BoundingTree::Node& node = surface_.point_tree().nodes()[index];
@@ -58,7 +65,8 @@ private:
         for (int i = first; i < last; ++i) {
             const int number = surface_.point_tree().order()[i];
             const double gap = field_.distance(pose_ * surface_.points()[number].point);
-            // of points as near, vertices before edges before faces: the order of their numbers
+            // Of points that are equally near, the lowest number wins: vertices before edges before
+            // faces.
             const bool is_nearer = nearest < 0        ? gap < reach_
                                    : number < nearest ? gap < least + as_near
                                                       : gap < least - as_near;
@@ -91,8 +99,8 @@ Pose inverse(const Pose& pose)
     return {pose.R.transpose(), -(pose.R.transpose() * pose.X)};
 }
 
-// The points of mesh 2 near shape 1, in the frame of the mesh; normals from 2 to 1.
-// @param from_1  pose of shape 1 there
+// Appends the points of mesh 2 near shape 1, in the frame of the mesh, with normals from 2 to 1.
+// @param from_1  pose of shape 1 in the frame of the mesh
 void add_points(const Shape& shape1, const Pose& from_1, const SolidMesh& mesh2, double reach,
                 Counters& counters, std::vector<Contact>& found)
 {
@@ -106,8 +114,9 @@ void add_points(const Shape& shape1, const Pose& from_1, const SolidMesh& mesh2,
 
 } // namespace
 
-void find_point_contacts(const Shape& shape1, const Pose& pose1, const SolidMesh& mesh2, const Pose& pose2,
-                  double reach, Counters& counters, std::vector<Contact>& contacts)
+void find_point_contacts(const Shape& shape1, const Pose& pose1, const SolidMesh& mesh2,
+                         const Pose& pose2, double reach, Counters& counters,
+                         std::vector<Contact>& contacts)
 {
     const std::size_t first = contacts.size();
     add_points(shape1, inverse(pose2) * pose1, mesh2, reach, counters, contacts);
@@ -115,8 +124,9 @@ void find_point_contacts(const Shape& shape1, const Pose& pose1, const SolidMesh
         contacts[i] = {pose2 * contacts[i].point, pose2.R * contacts[i].normal, contacts[i].gap};
 }
 
-void find_mesh_contacts(const Shape& shape1, const Pose& pose1, const Shape& shape2, const Pose& pose2,
-                double reach, Counters& counters, std::vector<Contact>& contacts)
+void find_mesh_contacts(const Shape& shape1, const Pose& pose1, const Shape& shape2,
+                        const Pose& pose2, double reach, Counters& counters,
+                        std::vector<Contact>& contacts)
 {
     const SolidMesh& mesh2 = *std::get<Mesh>(shape2).solid;
     const Pose from_1 = inverse(pose2) * pose1, from_2 = inverse(from_1);

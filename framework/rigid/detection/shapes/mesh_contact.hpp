@@ -9,13 +9,15 @@
 
 namespace rigor {
 
-/// Appends where a mesh and another solid shape are nearer than `reach`, at most eight touches.
+/// Appends the contacts of a mesh and another solid shape that are closer than `reach`, at most
+/// eight.
 ///
-/// Points of each surface are looked up in the distance of the other: of a mesh in its level set, of
-/// any other shape in the exact one (Guendelman, Bridson and Fedkiw 2003, "Nonconvex rigid bodies with
-/// stacking"). The normal is the gradient there, or what of the point's own normals is nearest to it:
-/// so that a corner on an edge pushes along the face. Edges are held against edges exactly: bars that
-/// cross touch where no point of either lies in the other.
+/// Surface points of each shape are looked up in the signed distance of the other (Guendelman,
+/// Bridson and Fedkiw 2003, "Nonconvex rigid bodies with stacking"): in the level set of a mesh, or
+/// in the exact distance of any other shape. The normal is the gradient there if it is one of the
+/// point's own normals, otherwise the closest of these, so that a corner on an edge pushes along
+/// the face. Edges are tested against edges exactly, so that crossing bars touch although no point
+/// of either lies inside the other.
 ///
 /// @param shape1  a mesh, a box, a cylinder, a cone or an ellipsoid
 /// @param shape2  a mesh
@@ -23,7 +25,8 @@ void find_mesh_contacts(const Shape& shape1, const Pose& pose1, const Shape& sha
                         const Pose& pose2, double reach, Counters& counters,
                         std::vector<Contact>& contacts);
 
-/// Appends where points of a mesh are nearer than `reach` to a shape that is none, not reduced.
+/// Appends the contacts of a mesh's surface points that are closer than `reach` to a shape that is
+/// not a mesh. The contacts are not reduced.
 void find_point_contacts(const Shape& shape1, const Pose& pose1, const SolidMesh& mesh2,
                          const Pose& pose2, double reach, Counters& counters,
                          std::vector<Contact>& contacts);

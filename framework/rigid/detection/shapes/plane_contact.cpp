@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Contacts of a shape with a plane, in closed form. For each kind of shape it tests the points that
+// can be lowest: vertices, ends, or points of a circle. Each one that is closer than the reach is a
+// contact.
 #include "rigid/detection/shapes/plane_contact.hpp"
 
 #include "geometry/distance/support.hpp"
@@ -61,14 +64,15 @@ private:
 
     void add(const Vector3d& p) const { add_ball(p, 0); }
 
-    // A point of object space, with a ball around it.
+    // Adds a point of object space with a ball around it.
     void add_ball(const Vector3d& p, double radius) const
     {
         const double distance = gap(p) - radius;
         if (distance < reach_) contacts_.push_back({pose_ * p - radius * n_, n_, distance});
     }
 
-    // A circle about y: its lowest point, unless eight fixed points are as low, and those.
+    // Adds eight fixed points of a circle about y, and its lowest point if that is lower than
+    // those.
     void add_circle(double radius, double height, double tube) const
     {
         double lowest = std::numeric_limits<double>::infinity();
@@ -86,16 +90,16 @@ private:
 
     const Pose& pose_;
     Vector3d n_;
-    double height_; // of the shape's origin above the plane [m]
+    double height_; // height of the shape's origin above the plane [m]
     double reach_;
-    Vector3d down_; // in object space
+    Vector3d down_; // towards the plane, in object space
     std::vector<Contact>& contacts_;
 };
 
 } // namespace
 
 void find_plane_contacts(const Shape& shape, const Pose& pose, const Pose& plane, double reach,
-                 std::vector<Contact>& contacts)
+                         std::vector<Contact>& contacts)
 {
     std::visit(AgainstPlane(pose, plane, reach, contacts), shape);
 }

@@ -7,9 +7,10 @@
 
 namespace rigor {
 
-/// Appends where a shape is nearer to a plane than `reach`, exactly: the vertices of a box, of a mesh
-/// at most eight; the ends of a capsule; the lowest point of an ellipsoid; of a rim (cylinder, cone) or
-/// ring (torus) the lowest point and eight fixed ones.
+/// Appends the contacts of a shape that is closer to a plane than `reach`, exactly. They are the
+/// vertices of a box, at most eight vertices of a mesh, the ends of a capsule, and the lowest point
+/// of an ellipsoid. For a rim (cylinder, cone) or a ring (torus) they are the lowest point and
+/// eight fixed points.
 void find_plane_contacts(const Shape& shape, const Pose& pose, const Pose& plane, double reach,
                          std::vector<Contact>& contacts);
 

@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// Reduction of many contacts to a few that are spread over the contact region. It starts with the
+// outermost of the deepest contacts and then repeatedly adds the contact that is farthest from
+// those already chosen, weighted by depth. Last, each chosen contact is replaced by the deepest of
+// the contacts near it.
 #include "rigid/detection/shapes/reduce_contacts.hpp"
 
 #include "geometry/bounds/bounds.hpp"
@@ -10,8 +14,9 @@ namespace rigor {
 
 namespace {
 
-constexpr double as_deep = 1e-5; // of the extent: what rounding and solving leave
+constexpr double as_deep = 1e-5; // in extents; the size of rounding and solver errors
 
+// Chooses contacts.
 class Selection {
 public:
     Selection(std::span<const Contact> contacts, double reach)
@@ -50,14 +55,14 @@ public:
 private:
     int size() const { return static_cast<int>(contacts_.size()); }
 
-    // 1 for the deepest, 0 at the reach.
+    // 1 for the deepest contact, 0 for a gap equal to the reach.
     double weight(int i) const
     {
         const double range = reach_ - deepest_;
         return range > 0 ? (reach_ - contacts_[i].gap) / range : 1;
     }
 
-    // By place, relative to the extent, and by direction.
+    // The distance of two contacts by place, relative to the extent, and by normal.
     double apart(int i, int j) const
     {
         const Contact &a = contacts_[i], &b = contacts_[j];
@@ -72,7 +77,7 @@ private:
         for (int i = 0; i < size(); ++i) {
             if (contacts_[i].gap > deepest_ + as_deep * extent_) continue;
             const double d = (contacts_[i].point - middle_).norm();
-            if (d <= farthest * (1 + 1e-9)) continue; // of equals the first
+            if (d <= farthest * (1 + 1e-9)) continue; // the first of equal ones
             farthest = d;
             best = i;
         }
@@ -90,6 +95,7 @@ private:
         chosen_.push_back(i);
     }
 
+    // Replaces each chosen contact by a deeper one that it stands for.
     void give_way()
     {
         for (int i = 0; i < size(); ++i) {
@@ -102,13 +108,14 @@ private:
     double reach_, deepest_ = 0, extent_ = 0;
     Vector3d middle_ = Vector3d::Zero();
     std::vector<int> chosen_;
-    std::vector<int> stands_for_;  // which of the chosen, of each touch
-    std::vector<double> distance_; // to the nearest of the chosen
+    std::vector<int> stands_for_;  // for each contact, the index of the chosen one near it
+    std::vector<double> distance_; // for each contact, the distance to that one
 };
 
 } // namespace
 
-void reduce_contacts(std::vector<Contact>& contacts, std::size_t first, double reach, std::size_t most)
+void reduce_contacts(std::vector<Contact>& contacts, std::size_t first, double reach,
+                     std::size_t most)
 {
     if (contacts.size() - first <= most) return;
     const std::span<const Contact> found(contacts.data() + first, contacts.size() - first);

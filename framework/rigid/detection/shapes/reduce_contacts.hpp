@@ -5,16 +5,18 @@
 
 namespace rigor {
 
-inline constexpr std::size_t most_contacts = 8; // of two shapes
+inline constexpr std::size_t most_contacts = 8; // for two shapes
 
-/// Keeps at most so many of the touches from `first` on, spread over where the shapes meet.
+/// Keeps at most `most` of the contacts from index `first` on, spread over the region of contact.
 ///
-/// The first is the outermost of the deepest; each next one is the farthest from those before it, by
-/// place and direction, where one about to touch counts less than one that does. Then each gives way
-/// to the deepest of those it stands for. A ring on a peg keeps touches on all sides.
+/// The first one is the outermost of the deepest contacts. Each next one is the contact that is
+/// farthest from those before it, by place and normal, where a contact with a gap counts less than
+/// one that touches. Then each is replaced by the deepest of the contacts near it. So a ring on a
+/// peg keeps contacts on all sides.
 ///
-/// @param reach  that they were found with: a touch as far apart as that counts nothing [m]
+/// @param reach  distance up to which the contacts were searched; one with this gap has no weight
+///               [m]
 void reduce_contacts(std::vector<Contact>& contacts, std::size_t first, double reach,
-                    std::size_t most = most_contacts);
+                     std::size_t most = most_contacts);
 
 } // namespace rigor

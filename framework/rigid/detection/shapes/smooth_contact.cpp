@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// Contacts of a convex shape with the shape of a distance field. From points spread over the
+// surface, an iteration goes to the point of the surface that lies farthest against the field's
+// gradient, until the gradient there no longer changes. These are local minima of the field on the
+// surface, and each close enough is a contact.
 #include "rigid/detection/shapes/smooth_contact.hpp"
 
 #include "geometry/distance/support.hpp"
@@ -10,16 +14,19 @@ namespace rigor {
 
 namespace {
 
-constexpr double alike = 0.98; // cosine of directions that lead to the same place
+constexpr double alike = 0.98; // least cosine of directions that count as the same
 
-// The outward normal nearest to d of a convex shape at a point of its surface.
+// The outward normal of a convex shape at a point p of its surface that is closest to the direction
+// d.
 struct NormalAt {
     const Vector3d& p;
     const Vector3d& d;
 
-    static constexpr double on_it = 1 - 1e-9; // of a size: on that face to rounding
+    // Points beyond this fraction of the size lie on the face up to rounding.
+    static constexpr double on_it = 1 - 1e-9;
 
-    // The sum of what of d is along each of the orthogonal normals; the first, if nothing is.
+    // The sum of the parts of d along the orthogonal normals, as a unit vector; the first normal if
+    // the sum is zero.
     static Vector3d sum(std::initializer_list<Vector3d> normals, const Vector3d& d)
     {
         Vector3d n = Vector3d::Zero();
@@ -53,7 +60,7 @@ struct NormalAt {
         const Vector3d base = -Vector3d::UnitY();
         const Vector3d slope = (c.height * outward() + Vector3d(0, c.radius, 0)).normalized();
         const double above_base = p.y() + 0.25 * c.height;
-        if (above_base >= on_it * c.height) { // the tip: a cone of normals about y
+        if (above_base >= on_it * c.height) { // the tip has a cone of normals about y
             if (d.y() >= slope.y()) return d;
             const double r = std::hypot(d.x(), d.z());
             if (!(r > 0)) return slope;
@@ -62,7 +69,7 @@ struct NormalAt {
         }
         if (above_base > 1e-9 * c.height) return slope;
         if (std::hypot(p.x(), p.z()) < on_it * c.radius) return base;
-        // the rim: between base and slope
+        // At the rim the normal lies between those of the base and the slope.
         const Vector3d in_plane(outward() * outward().dot(d) + Vector3d(0, d.y(), 0));
         if (in_plane.norm() < 1e-9 || in_plane.normalized().dot(slope) < base.dot(slope))
             return base.dot(d) > slope.dot(d) ? base : slope;
@@ -77,6 +84,7 @@ struct NormalAt {
     template <class Other> Vector3d operator()(const Other&) const { return d; }
 };
 
+// Points spread over the surface: the middles of the features in 26 directions.
 std::vector<Vector3d> seeds(const Shape& shape)
 {
     std::vector<Vector3d> points;
@@ -92,6 +100,7 @@ std::vector<Vector3d> seeds(const Shape& shape)
     return points;
 }
 
+// Finds the contacts of a convex shape.
 class OnSurface {
 public:
     OnSurface(const Shape& shape, const Pose& pose, const DistanceField& field, double reach,
@@ -103,7 +112,7 @@ public:
     void find()
     {
         const std::vector<Vector3d> points = seeds(shape_);
-        double spacing = 0; // no point of the surface is farther from a seed than this, or so
+        double spacing = 0; // estimate of the largest distance from a surface point to a seed
         for (const Vector3d& p : points)
             spacing = std::max(spacing, p.norm() / 2);
         for (const Vector3d& p : points)
@@ -116,7 +125,7 @@ private:
         return pose_.R.transpose() * field_.normal(pose_ * p);
     }
 
-    // Whether a direction is new; and remembers it.
+    // Whether a direction is new; if so, it is remembered.
     static bool is_new(const Vector3d& n, std::vector<Vector3d>& known)
     {
         if (std::any_of(known.begin(), known.end(),
@@ -162,7 +171,7 @@ private:
         if (gap >= reach_) return;
         const Vector3d against = -gradient(p);
         const Vector3d own = std::visit(NormalAt{p, against}, shape_);
-        if (own.dot(against) < 0.3) return; // of the far side
+        if (own.dot(against) < 0.3) return; // on the far side
         const Vector3d n = -(pose_.R * own);
         contacts_.push_back({x - gap / 2 * n, n, gap});
     }
@@ -172,13 +181,13 @@ private:
     const DistanceField& field_;
     double reach_;
     std::vector<Contact>& contacts_;
-    std::vector<Vector3d> starts_, ends_; // directions that were followed, and led to
+    std::vector<Vector3d> starts_, ends_; // directions at the start and at the end of iterations
 };
 
 } // namespace
 
-void find_smooth_contacts(const Shape& shape, const Pose& pose, const DistanceField& field, double reach,
-                  std::vector<Contact>& contacts)
+void find_smooth_contacts(const Shape& shape, const Pose& pose, const DistanceField& field,
+                          double reach, std::vector<Contact>& contacts)
 {
     OnSurface(shape, pose, field, reach, contacts).find();
 }

@@ -8,14 +8,17 @@
 
 namespace rigor {
 
-/// Appends where the surface of a convex shape is nearer than `reach` to what a distance field is of.
+/// Appends the contacts where the surface of a convex shape is closer than `reach` to the shape of
+/// a distance field.
 ///
-/// From points spread over the surface, each step goes to the point (or the ends of the face or line)
-/// that looks against the field's gradient, until it looks so: the places where the field is locally
-/// least on the surface.
+/// The iteration starts from points spread over the surface. Each step goes to the point of the
+/// surface (or the ends of the face or line) that lies farthest against the field's gradient, until
+/// the gradient there has the same direction. These points are the local minima of the field on the
+/// surface.
 ///
 /// @param shape  a box, a cylinder, a cone or an ellipsoid
-/// @param pose   of the shape in the frame of the field, as are the touches; normals out of the field
+/// @param pose   pose of the shape in the frame of the field; the contacts are in this frame too,
+///               with normals out of the field's shape
 void find_smooth_contacts(const Shape& shape, const Pose& pose, const DistanceField& field,
                           double reach, std::vector<Contact>& contacts);
 
