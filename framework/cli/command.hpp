@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a command is: it declares its options, acts, and ends with an exit status.
+// A command of `rigor`: it declares its options, acts, and returns an exit status.
 #pragma once
 
 #include <functional>
@@ -8,15 +8,15 @@ namespace rigor {
 
 class Options;
 
-/// What a command does once its options are read. @return the exit status
+/// The work of a command, called after its options have been read. @return the exit status
 using Action = std::function<int()>;
 
 /// Exit statuses.
 enum Exit : int {
-    exit_done = 0,  // also when a submission failed its tests: that is a result
-    exit_wrong = 1, // what was checked is wrong
-    exit_input = 2, // bad usage or bad input
-    exit_fault = 3, // a fault of the framework's own
+    exit_done = 0,  // the command did its work
+    exit_wrong = 1, // what was checked is wrong, such as a submission without all points
+    exit_input = 2, // wrong usage or wrong input
+    exit_fault = 3, // an internal error of the framework
 };
 
 } // namespace rigor

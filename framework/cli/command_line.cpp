@@ -21,7 +21,7 @@ int complain(const std::string& what, int status)
     return status;
 }
 
-// The first word that is no option, if no command has that name.
+// Reports a first word that is neither an option nor the name of a command.
 int unknown_command(const std::string& word)
 {
     std::vector<std::string_view> names;
@@ -41,7 +41,7 @@ bool is_command(const std::string& word)
     return false;
 }
 
-// CLI11's own sentence, on one line.
+// CLI11's error message, joined into one line.
 std::string one_line(std::string text)
 {
     for (char& c : text)

@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// The differences between two runs of a scene. The scale of a quantity is its largest value in the
+// expected run, and a difference is reported if it exceeds the tolerance times that scale. Rigid
+// bodies are compared first by their mass properties, then by their states in each frame;
+// deformable solids by their meshes, then by the worst node and the worst element.
 #include "cli/difference.hpp"
 
 #include <algorithm>
@@ -19,7 +23,7 @@ std::string text(const Quaternion& q)
     return fmt::format("({:.9g}; {:.9g}, {:.9g}, {:.9g})", q.s, q.v.x(), q.v.y(), q.v.z());
 }
 
-// Angle of the rotation from a to b; q and -q are the same orientation.
+// Angle of the rotation from a to b [rad]; q and -q are the same orientation.
 double angle(const Quaternion& a, const Quaternion& b)
 {
     const double s = a.s * b.s + a.v.dot(b.v);
@@ -32,10 +36,10 @@ void add(std::vector<Difference>& differences, Difference difference)
     if (!(difference.size <= difference.allowed)) differences.push_back(std::move(difference));
 }
 
-// Stresses and strains are recorded as floats.
+// Relative tolerance for stresses and strains, which are recorded as floats.
 constexpr double same_float = 1e-6;
 
-// Where two lists of the same size are farthest apart.
+// Index at which two lists of the same size differ most.
 template <class T, class Distance>
 std::size_t farthest(const std::vector<T>& a, const std::vector<T>& b, const Distance& distance)
 {
@@ -111,7 +115,7 @@ void Comparison::compare_solid(std::vector<Difference>& differences, const std::
                                       static_cast<double>(b.topology->elements.size()));
         differences.push_back(
             {name, "mesh, cracked otherwise", mesh_text(a), mesh_text(b), apart, 0});
-        return; // nodes and elements are not the same ones
+        return; // different meshes have no common nodes and elements to compare
     }
     const auto compare = [&](const char* quantity, const std::vector<Vector3d>& x,
                              const std::vector<Vector3d>& y, double scale) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where two runs of a scene part.
+// The differences between two runs of a scene.
 #pragma once
 
 #include "scene/trajectory/trajectory.hpp"
@@ -10,31 +10,31 @@
 
 namespace rigor {
 
-/// A quantity of a body that two runs do not agree on.
+/// A quantity of a body or a solid that differs between two runs.
 struct Difference {
     std::string body;
     std::string quantity; // "X [m]"
     std::string expected, actual;
-    double size = 0;    // |difference|; of an orientation the angle between [rad]
+    double size = 0;    // |difference|; for an orientation the angle between [rad]
     double allowed = 0; // the threshold it exceeds
 };
 
-/// Rounding, grown over many steps, stays below this times the size that a quantity reached; a
-/// wrong formula does not.
+/// Relative tolerance: rounding errors that have grown over many steps stay below this times the
+/// largest value of a quantity; the error of a wrong formula does not.
 inline constexpr double same_within = 1e-9;
 
 /// Compares a run with an expected one, frame by frame.
 class Comparison {
 public:
-    /// @param expected  every step of it
+    /// @param expected  the expected run, with every step recorded
     explicit Comparison(Trajectory expected);
 
-    /// What mass and inertia the bodies were given.
+    /// The differences in mass, center of mass and inertia of the bodies.
     std::vector<Difference> bodies(const std::vector<RecordedBody>& actual) const;
 
-    /// What differs in a frame: at most one entry a body and quantity, in the order X, q, V, L; of
-    /// a deformable solid its mesh, or the node whose x or v is farthest off, and the element whose
-    /// stress or plastic strain is.
+    /// The differences in a frame: at most one entry for each body and quantity, in the order X, q,
+    /// V, L. For a deformable solid, the entries are its mesh if it differs, or else the node whose
+    /// x or v is farthest off and the element whose stress or plastic strain is farthest off.
     std::vector<Difference> frame(const Frame& actual) const;
 
     const Trajectory& expected() const { return expected_; }
@@ -44,8 +44,8 @@ private:
                        const SolidFrame& expected, const SolidFrame& actual) const;
 
     Trajectory expected_;
-    double length_ = 0, speed_ = 0, spin_ = 0; // largest of |X|, |V|, |L| in the run
-    double stress_ = 0, plastic_strain_ = 0;   // largest in the run
+    double length_ = 0, speed_ = 0, spin_ = 0; // largest |X|, |V|, |L| in the run
+    double stress_ = 0, plastic_strain_ = 0;   // largest values in the run
 };
 
 } // namespace rigor

@@ -82,7 +82,7 @@ Film::Film(const std::string& folder, const Scene& scene, const DrawOptions& opt
 
 Film::~Film()
 {
-    sequence_.reset(); // its threads still call the progress
+    sequence_.reset(); // ends its threads first, since they call the progress bar
 }
 
 void Film::start(const Scene& scene, const std::vector<RecordedBody>& bodies)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the drawing commands share: their options, and the way from frames to files.
+// The shared parts of the commands that draw: their options, and the writing of frames to files.
 #pragma once
 
 #include "grading/implementation.hpp"
@@ -23,24 +23,25 @@ struct DrawOptions {
 
 void declare_drawing(Options& options, DrawOptions& draw);
 
-/// @throws InputError for a size or a way to draw that cannot be; before anything is built or run
+/// Checks the options before anything is built or run. @throws InputError for a size or a way to
+/// draw that is not supported
 void check_drawing(const DrawOptions& options);
 
-/// Frames of one scene to a folder, with a progress bar.
+/// Writes the frames of one scene to a folder and shows a progress bar.
 class Film {
 public:
-    /// @throws InputError for a size, a folder or a way to draw that cannot be
+    /// @throws InputError for a size, a folder or a way to draw that cannot be used
     Film(const std::string& folder, const Scene& scene, const DrawOptions& options);
     ~Film();
 
-    /// Before the first frame: what plays.
+    /// Sets the scene and its bodies. Call it before the first frame.
     void start(const Scene& scene, const std::vector<RecordedBody>& bodies);
     void add(const Frame& frame);
-    /// The frame, and that of another run as a ghost.
+    /// Adds a frame, with the frame of another run as a ghost.
     void add(const Frame& frame, const Frame& other, const std::string& name,
              const std::string& other_name);
 
-    /// Waits until all is written and says where it lies. @return frames
+    /// Waits until all frames are written and prints where they are. @return the number of frames
     std::size_t finish();
 
 private:
@@ -53,7 +54,7 @@ private:
     double seconds_at_start_ = 0;
 };
 
-/// Whether a step of a scene is one of its frames; to be asked in the order of the steps.
+/// Tells which steps of a scene are frames. Steps must be asked for in increasing order.
 class FramePicker {
 public:
     explicit FramePicker(const Scene& scene) : scene_(scene) {}
@@ -69,12 +70,12 @@ private:
     std::int64_t next_ = 0;
 };
 
-/// A scene, simulated and drawn at the same time. Says where the frames are. @return the exit
+/// Simulates a scene, draws it at the same time, and prints where the frames are. @return the exit
 /// status
 int render_scene(const Scene& scene, const Implementation& implementation,
                  const std::string& folder, const DrawOptions& options);
 
-/// Two runs of a scene in one picture a frame, as far as both go.
+/// Draws two runs of a scene, one picture per frame with both, up to the end of the shorter run.
 void draw_comparison(const Trajectory& expected, const Trajectory& actual, const std::string& name,
                      const std::string& folder, const DrawOptions& options);
 

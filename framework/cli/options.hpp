@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The options of a command. CLI11 reads them; no header includes it, for it takes seconds to
+// The options of a command, parsed by CLI11. No header includes CLI11, since it takes seconds to
 // compile.
 #pragma once
 
@@ -15,7 +15,7 @@ class App;
 
 namespace rigor {
 
-/// Declares what a command understands; the variables are filled in before the command runs.
+/// Declares the options of a command. The variables are set before the command runs.
 class Options {
 public:
     /// Width of the column of names in a help text [characters].
@@ -23,19 +23,19 @@ public:
 
     explicit Options(CLI::App& app) : app_(app) {}
 
-    /// @param name  "--json"
+    /// @param name  such as "--json"
     void flag(const std::string& name, bool& value, const std::string& meaning);
-    /// @param name   "--out"
-    /// @param value_name  "FILE"
+    /// @param name  such as "--out"
+    /// @param value_name  such as "FILE"
     void option(const std::string& name, const std::string& value_name, std::string& value,
                 const std::string& meaning);
     void option(const std::string& name, const std::string& value_name, std::uint32_t& value,
                 const std::string& meaning);
     void words(const std::string& value_name, std::vector<std::string>& values,
                const std::string& meaning);
-    /// A word that must be there.
+    /// A required positional argument.
     void word(const std::string& value_name, std::string& value, const std::string& meaning);
-    /// Lines for the end of the help, each a command and what it does.
+    /// Examples at the end of the help text. Each line is a command and what it does.
     void examples(const std::vector<std::string>& lines);
 
 private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What commands do before their own work: build an implementation, find a scene.
+// Preparation that the commands share: they build an implementation and find a scene.
 #pragma once
 
 #include "grading/run_tests.hpp"
@@ -10,24 +10,26 @@
 
 namespace rigor {
 
-/// The implementation, its worker built if it was stale, with a progress bar.
+/// The implementation with an up-to-date worker. Shows a progress bar while the worker is built.
 /// @param asked  see `build_implementation`
 /// @throws InputError if there is no such implementation
 Implementation prepared_implementation(const std::string& with,
                                        const std::vector<std::string>& asked = {});
 
-/// The same for a command that needs a worker. @throws InputError also with the compiler's words if it does not compile
+/// The same for a command that needs a worker.
+/// @throws InputError also if the implementation does not compile, with the compiler's errors
 Implementation working_implementation(const std::string& with);
 
-/// Targets of ours, built if they are stale, with a progress bar.
+/// Builds targets of the framework that are out of date and shows a progress bar.
 void prepare_targets(const std::vector<std::string>& targets);
 
-/// The graded tests and their oracle, built if they are stale, with a progress bar.
+/// The graded tests and their oracle. Shows a progress bar while they are built.
 GradingRun prepared_grading_run();
 
-/// Runs a program of ours: its lines of stdout become ours as they come. Its stderr is ours, so that
-/// JSON is alone on stdout.
-/// @return its exit status @throws std::runtime_error if it crashed
+/// Runs a program of the framework and prints each line of its stdout when it comes. Its stderr
+/// goes to the stderr of this process, so that stdout has nothing but JSON.
+/// @return its exit status
+/// @throws std::runtime_error if it crashed
 int run_program(const std::vector<std::string>& arguments);
 
 struct SceneFile {
@@ -35,11 +37,11 @@ struct SceneFile {
     std::string name; // "a4-collision/hundred_boxes"
 };
 
-/// All scenes that ship, by assignment and name.
+/// All scenes of the project, sorted by assignment and name.
 std::vector<SceneFile> shipped_scenes();
 
-/// A scene's file: a path, `a4-collision/hundred_boxes`, or a name that no other assignment has.
-/// @throws InputError with the nearest name
+/// The file of a scene that is given by a path, by `a4-collision/hundred_boxes`, or by a name that
+/// no other assignment has. @throws InputError with the nearest name
 std::filesystem::path find_scene(const std::string& text);
 
 } // namespace rigor

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How far something is, on stderr: a bar on a terminal, a plain line now and then elsewhere.
+// The progress of a long task on stderr: a bar on a terminal, otherwise a line from time to time.
 #pragma once
 
 #include <chrono>
@@ -7,7 +7,7 @@
 
 namespace rigor {
 
-/// Shows nothing before half a second has passed: what is quick needs no bar.
+/// A progress bar. It is hidden for the first half second, since a quick task needs none.
 class Progress {
 public:
     explicit Progress(std::string title) : title_(std::move(title)) {}
@@ -15,9 +15,9 @@ public:
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
 
-    /// @param detail  what is being done right now
+    /// @param detail  the current step
     void update(double fraction, const std::string& detail);
-    /// Takes the bar away.
+    /// Removes the bar.
     void clear();
 
 private:
@@ -25,7 +25,7 @@ private:
     std::string title_;
     Clock::time_point start_ = Clock::now(), shown_at_ = {};
     bool on_screen_ = false;
-    int tenths_ = 0; // shown so far, where there is no terminal
+    int tenths_ = 0; // tenths printed so far if stderr is not a terminal
 };
 
 } // namespace rigor

@@ -15,7 +15,7 @@ namespace rigor {
 
 namespace {
 
-// Our reader refuses what is no trajectory: then it is the worker that wrote it wrongly.
+// The trajectory reader refused the bytes, which means that the worker wrote them wrongly.
 struct Malformed : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
@@ -36,7 +36,7 @@ RunOutcome run_in_worker(const Implementation& implementation, const Scene& scen
     RunOutcome outcome;
     const auto start = std::chrono::steady_clock::now();
     Limits limits;
-    limits.scene_by_silence = true; // a long scene is welcome, one that stands still is not
+    limits.scene_by_silence = true; // limits the time without a record, not the whole run
     limits.scene = std::chrono::duration<double>(10);
     try {
         Worker worker(implementation.worker, limits);

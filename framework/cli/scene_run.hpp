@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A scene run in the worker of an implementation, told record by record.
+// A scene that runs in the worker of an implementation and is reported record by record.
 #pragma once
 
 #include "grading/implementation.hpp"
@@ -11,29 +11,29 @@
 
 namespace rigor {
 
-/// What to do with what comes; each may be empty.
+/// What to record, and the callbacks that take the records. Each callback may be empty.
 struct SceneRun {
     Record record = Record::frames;
-    int threads = 1; // that the reference may use
-    std::function<void(std::span<const std::byte>)>
-        on_bytes; // as they come, after they were understood
+    int threads = 1; // for the reference; other implementations use one
+    /// Takes the bytes of the trajectory after the reader has accepted them.
+    std::function<void(std::span<const std::byte>)> on_bytes;
     std::function<void(const Scene&, const std::vector<RecordedBody>&)> on_start;
     std::function<void(const Frame&)> on_frame;
     std::function<void(const Counters&)> on_end;
 };
 
 struct RunOutcome {
-    std::string failure;          // why it stopped early; empty: it is complete
+    std::string failure;          // why the run stopped early; empty if it is complete
     bool not_implemented = false; // a stub was called
     double seconds = 0;
 };
 
-/// Runs a scene. What the implementation does wrong ends the run and is told in the outcome; what
-/// came before was handed on. @throws what the callbacks throw
+/// Runs a scene. A failure of the implementation ends the run and is reported in the outcome; the
+/// callbacks have already received the records before it. @throws what the callbacks throw
 RunOutcome run_in_worker(const Implementation& implementation, const Scene& scene,
                          const SceneRun& run);
 
-/// Says on stderr why a run stopped early. @return the exit status
+/// Prints on stderr why a run stopped early. @return the exit status
 int report_outcome(const RunOutcome& outcome, const Implementation& implementation);
 
 } // namespace rigor

@@ -59,7 +59,7 @@ private:
     std::vector<std::string> lines_;
 };
 
-// One step of making a build. @return whether it succeeded
+// Runs one command of a build, such as configuring it. @return whether it succeeded
 bool make(const std::string& name, const Command& command)
 {
     Tail tail;
@@ -80,7 +80,9 @@ bool make(const std::string& name, const Command& command)
     return ended.ok();
 }
 
-// CTest's lines to ours: "1/12 Test  #1: framework.scene ......   Passed    0.05 sec", then what a failed test said.
+// Turns CTest's lines, such as
+//     "1/12 Test  #1: framework.scene ......   Passed    0.05 sec",
+// into verdicts, and prints the output of each failed test.
 class CTestLines {
 public:
     CTestLines(const std::string& preset, std::vector<SuiteResult>& results)
@@ -94,7 +96,7 @@ public:
         if (std::sscanf(line.c_str(), " %d/%d Test #%d:", &number, &total, &index) == 3) {
             take_verdict(line);
         } else if (line.find(" tests passed, ") != std::string::npos) {
-            showing_ = false; // a summary follows; ours is our own
+            showing_ = false; // CTest's summary follows, which is not shown
         } else if (showing_) {
             fmt::print("    {}\n", line);
         }
@@ -127,7 +129,7 @@ private:
 SuiteResult build_preset(const std::string& preset, const fs::path& build, SuiteSize size)
 {
     fs::create_directories(build);
-    const BuildLock lock(build); // not while the tests run: they build submissions
+    const BuildLock lock(build); // released before the tests run, since they build submissions
     if (!fs::exists(build / "build.ninja")) {
         Command configure;
         configure.arguments = {"cmake", "--preset", preset};
@@ -143,7 +145,7 @@ SuiteResult build_preset(const std::string& preset, const fs::path& build, Suite
             make(preset + "  build", ninja) ? SuiteResult::passed : SuiteResult::failed};
 }
 
-// With its sanitizers.
+// Whether clang++ is installed with its sanitizers.
 bool has_clang()
 {
     Command command;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A build and its suites, told line by line.
+// Builds a preset, runs its test suites, and prints a line for each.
 #pragma once
 
 #include <string>
@@ -13,15 +13,15 @@ struct SuiteResult {
     Verdict verdict = passed;
 };
 
-/// Whether every source file is as clang-format would have it; skipped where that is not installed.
+/// Checks that every source file is formatted by clang-format; skipped if that is not installed.
 SuiteResult check_format();
 
-/// What is built and run: `sample` takes minutes, `all` is what CI runs. tests/CMakeLists.txt says
-/// what belongs to which.
+/// How much is built and run: `sample` takes minutes, `all` is what CI runs. tests/CMakeLists.txt
+/// says which tests belong to which size.
 enum class SuiteSize { sample, all };
 
-/// Configures and builds a preset of CMakePresets.json and runs its suites. A suite that fails is
-/// printed whole.
+/// Configures and builds a preset of CMakePresets.json and runs its suites. The whole output of a
+/// failed suite is printed.
 std::vector<SuiteResult> run_preset(const std::string& preset, SuiteSize size);
 
 } // namespace rigor

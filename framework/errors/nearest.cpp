@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// The name that is most like a misspelt word, by the edit distance of Damerau (1964). The distance
+// is computed by dynamic programming, one row for each letter of the word. The name with the
+// smallest distance wins, unless too many letters differ.
 #include "errors/nearest.hpp"
 
 #include <algorithm>
@@ -10,10 +13,11 @@ namespace rigor {
 
 namespace {
 
-// A longer word is no misspelt name; comparing it would only cost time.
+// Longest word that is compared [bytes]. A longer one is not a misspelt name, and
+// would only cost time.
 constexpr std::size_t longest_word = 64;
 
-// How many letters to insert, remove, replace or swap with a neighbour turn one word into the
+// Number of letters to insert, remove, replace or swap with a neighbour to turn one word into the
 // other.
 std::size_t edit_distance(std::string_view a, std::string_view b)
 {

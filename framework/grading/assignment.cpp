@@ -25,7 +25,7 @@ std::vector<std::string> texts(const Value& value, std::string_view what)
     return result;
 }
 
-// A task, and the lines that a complaint about it points to.
+// A task while it is read, with the values whose lines an error message names.
 struct TaskDraft {
     Task task;
     const Value *tag = nullptr, *formula = nullptr, *scenes = nullptr;
@@ -116,7 +116,7 @@ const Formula* formula_of_tag(std::string_view tag)
     return found == std::end(formulas) ? nullptr : found;
 }
 
-// The formula that a task names is the one that the table has at its tag.
+// Checks that the formula that a task names has the same tag in the table of formulas.
 void check_formula(const Assignment& assignment, const TaskDraft& draft)
 {
     const Task& task = draft.task;
@@ -140,7 +140,7 @@ void check_scenes(const Assignment& assignment, const std::vector<std::string>& 
                           fmt::format("expected files of scenes/, found {}", in_quotes(scene))};
 }
 
-// Each formula of the topic has exactly one task.
+// Checks that each formula of the topic has exactly one task.
 void check_tasks(const Draft& draft)
 {
     std::set<std::string_view> tags;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What assignments/<name>/assignment.json says: the tasks of an assignment, their points and hints.
+// The content of assignments/<name>/assignment.json: the tasks of an assignment,
+// their points and hints.
 #pragma once
 
 #include <filesystem>
@@ -11,7 +12,7 @@ namespace rigor {
 struct Task {
     std::string tag;     // "A2.14"
     std::string formula; // "combine"; empty for a task about scenes
-    std::string title;   // what the task is called where it is no formula
+    std::string title;   // name of a task that is not about a formula
     double points = 0;
     bool is_hidden = false;             // its tests compare with the reference
     std::string hint;                   // for a student whose solution fails
@@ -22,7 +23,7 @@ struct Task {
 };
 
 struct Assignment {
-    std::string name;                // "a2-inertia", the folder's
+    std::string name;                // "a2-inertia", the name of the folder
     std::string title;               // "Inertia tensors"
     std::string topic;               // "inertia"
     std::vector<std::string> submit; // the files a student hands in
@@ -35,12 +36,13 @@ struct Assignment {
     double points() const;
 };
 
-/// One assignment.json, checked against the table of formulas: each formula of the topic has
-/// exactly one task, of its tag. @throws InputError that names the file, the place in it, what was
-/// expected and what was found
+/// Reads one assignment.json and checks it against the table of formulas: each formula of the topic
+/// has exactly one task, with the same tag.
+/// @throws InputError that names the file, the place in it, what was expected and what was found
 Assignment load_assignment(const std::filesystem::path& file);
 
-/// All of them, `folder`/*/assignment.json, by name. @throws InputError also if there is none
+/// Reads all assignments, `folder`/*/assignment.json, sorted by name. @throws InputError also if
+/// there is none
 std::vector<Assignment> load_assignments(const std::filesystem::path& folder);
 
 } // namespace rigor

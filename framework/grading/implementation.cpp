@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// Builds the worker of an implementation. student/ and reference/ are targets of the main build;
+// any other folder gets a private build that compiles its files like those of student/. After each
+// build, errors are attributed to the framework or to the student, and
+// forbidden includes are refused.
 #include "grading/implementation.hpp"
 
 #include "errors/input_error.hpp"
@@ -23,7 +27,7 @@ std::string without_last_newline(std::string text)
     return text;
 }
 
-// What a student reads: paths as they know them.
+// The errors with the paths that the student knows.
 std::string shortened(std::string errors, const Implementation& implementation)
 {
     const std::string folder = implementation.folder.string() + "/";
@@ -39,8 +43,8 @@ void take_over(Implementation& implementation, const NinjaRun& run)
     implementation.build_seconds += run.seconds;
 }
 
-// Ours, or the student's? What is made from the student's files has `marker` in its path; the
-// worker is linked last.
+// Whether the student's files made a build fail, and not the framework's. What is made from the
+// student's files has `marker` in its path; the worker is linked last.
 bool is_theirs(const NinjaRun& run, const std::string& marker, const std::string& worker)
 {
     if (run.failed.empty()) return run.timed_out;
@@ -64,7 +68,7 @@ void judge(Implementation& implementation, const NinjaRun& run, const std::strin
                                         " s to compile\n";
 }
 
-// What compiles, but of files that a solution may not have.
+// Refuses an implementation that compiles but includes files that a solution may not include.
 void refuse_forbidden_include(Implementation& implementation,
                               const std::vector<std::string>& objects)
 {
@@ -91,7 +95,7 @@ bool is_among(const std::vector<std::string>& topics, const std::string& topic)
     return std::find(topics.begin(), topics.end(), topic) != topics.end();
 }
 
-// Topics whose files failed to compile in a folder's build; none if something else failed, too.
+// The topics whose files failed to compile in a folder's build; empty if something else failed too.
 std::vector<std::string> broken_topics(const SubmissionBuild& build, const NinjaRun& run)
 {
     std::vector<std::string> broken;
@@ -100,7 +104,7 @@ std::vector<std::string> broken_topics(const SubmissionBuild& build, const Ninja
     return broken.size() == run.failed.size() ? broken : std::vector<std::string>();
 }
 
-// @param broken  topics whose files are left out; gets those that failed
+// @param broken  topics whose files are left out; returns those that failed to compile
 Implementation build_folder_without(const std::string& name, const fs::path& folder,
                                     const OnBuildStep& on_step, std::vector<std::string>& broken)
 {
@@ -112,7 +116,8 @@ Implementation build_folder_without(const std::string& name, const fs::path& fol
     result.worker = places().build / build.worker;
     result.borrowed = build.borrowed;
 
-    // What the worker needs besides the folder's files; ours, but for the topics that it lacks.
+    // Everything that the worker needs besides the folder's files: the framework, and the files of
+    // student/ for the topics that the folder lacks.
     const NinjaRun needed = run_ninja(build.needed_targets, on_step);
     judge(result, needed, "formulas_student.dir/", "");
     if (!result.built()) return result;

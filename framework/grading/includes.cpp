@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// Finds files that a solution may not include. The compiler lists every file that it opened for an
+// object; each path of that list is resolved, with its links, and compared with the allowed
+// folders. Macros and relative paths cannot hide an include, since the list has the
+// files that were opened.
 #include "grading/includes.hpp"
 
 #include "grading/places.hpp"
@@ -25,9 +29,9 @@ bool is_within(const fs::path& file, const fs::path& folder)
            folder.end();
 }
 
-// The files of a list "object: file file \<newline> file", as the compiler opened them. ninja's own
-// log would not do: it shortens "link/../file" to "file", which is another file if link leads
-// elsewhere.
+// The files in a list "object: file file \<newline> file", with the paths that the compiler opened.
+// ninja's own log cannot be used: it shortens "link/../file" to "file", which is another file if
+// `link` leads elsewhere.
 std::vector<std::string> listed_files(const std::string& object)
 {
     std::ifstream file(list_of(object));
@@ -54,7 +58,7 @@ std::vector<std::string> listed_files(const std::string& object)
     return files;
 }
 
-// Both with their links resolved.
+// Whether a solution in `folder` may include `file`. The links of both paths are resolved before.
 bool may_include(const fs::path& file, const fs::path& folder)
 {
     const fs::path tree = fs::weakly_canonical(places().source);
@@ -65,7 +69,7 @@ bool may_include(const fs::path& file, const fs::path& folder)
     return !is_ours || (is_within(file, folder) && !is_within(tree, folder));
 }
 
-// As a person finds it: from the top of the tree.
+// The path for messages, relative to the top of the tree.
 std::string shown(const fs::path& file)
 {
     const fs::path tree = fs::weakly_canonical(places().source);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a solution may include: the contract of the formulas, its own folder, and what the system
-// offers.
+// Checks what a solution includes. It may include the contract of the formulas, files of its own
+// folder, and system headers.
 #pragma once
 
 #include <filesystem>
@@ -9,14 +9,15 @@
 
 namespace rigor {
 
-/// Removes the objects without a list of what they were made from, so that a build makes both anew.
-/// Objects are relative to the build folder; the list is the compiler's own, `<object>.d`.
+/// Removes each object that has no list of the files it was made from, so that a build makes both
+/// again. Objects are relative to the build folder; the list is the compiler's own, `<object>.d`.
 void remove_unlisted(const std::vector<std::string>& objects);
 
-/// One line for the first object, made from a file of `folder`, that has something else of this
-/// tree or its build in it (by whatever path, macro or link it got there), or a file that is not
-/// there; empty if there is none.
+/// An error message of one line about the first object with a forbidden file in it: another file of
+/// this tree or of its build (by whatever path, macro or link it was included), or a file that does
+/// not exist any more. Empty if there is none.
 ///
+/// @param folder  the solution from whose files the objects were made
 /// @throws std::runtime_error if an object has no list
 std::string forbidden_include(const std::vector<std::string>& objects,
                               const std::filesystem::path& folder);

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Runs ninja and parses what it prints. Each line is a step, the name of a failed output, its
+// command, or a message of the compiler. The messages are cut to the first errors.
 #include "grading/ninja.hpp"
 
 #include "grading/places.hpp"
@@ -21,7 +23,7 @@ bool speaks_of_an_error(const std::string& line)
            line.find("undefined symbol") != std::string::npos;
 }
 
-// Sorts ninja's lines into steps, failures and what the compiler said.
+// Sorts ninja's lines into steps, failures and the compiler's messages.
 class NinjaLines {
 public:
     NinjaLines(NinjaRun& run, const OnBuildStep& on_step) : run_(run), on_step_(on_step) {}
@@ -46,7 +48,7 @@ public:
 private:
     void take_step(int done, int total, const std::string& step)
     {
-        if (step.rfind("Re-checking globbed", 0) == 0) return; // CMake looks for new files
+        if (step.rfind("Re-checking globbed", 0) == 0) return; // only CMake's search for new files
         run_.steps.push_back(step);
         if (on_step_) on_step_(done, total, step);
     }
@@ -64,7 +66,7 @@ NinjaRun run_ninja(const std::vector<std::string>& arguments, const OnBuildStep&
     Command command;
     command.arguments = {"ninja", "-C", places().build.string(), "-d", "keepdepfile"};
     command.arguments.insert(command.arguments.end(), arguments.begin(), arguments.end());
-    command.silence = compile_limit; // ninja speaks whenever a file is done
+    command.silence = compile_limit; // ninja prints a line whenever a file is done
     command.memory = compiler_memory;
     command.environment = {"NINJA_STATUS=[%f/%t] "};
 
@@ -112,9 +114,9 @@ std::string first_errors(const std::vector<std::string>& lines)
     std::size_t first = 0;
     while (first < lines.size() && !speaks_of_an_error(lines[first]))
         ++first;
-    if (first == lines.size()) first = 0; // no such line: show it all
+    if (first == lines.size()) first = 0; // no line names an error: show all lines
     if (first > 0 && lines[first - 1].find(": In ") != std::string::npos)
-        --first; // "… In function …:"
+        --first; // include the line "… In function …:"
     std::string result;
     for (std::size_t i = first; i < lines.size() && i < first + most_lines; ++i)
         result += lines[i].substr(0, longest_line) + "\n";

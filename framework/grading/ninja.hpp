@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Ninja, run and understood.
+// Runs ninja and parses its output.
 #pragma once
 
 #include <functional>
@@ -8,10 +8,10 @@
 
 namespace rigor {
 
-/// Called with each step of a build that is done.
+/// Called after each finished step of a build.
 using OnBuildStep = std::function<void(int done, int total, const std::string& step)>;
 
-/// What a run of ninja did.
+/// The result of a run of ninja.
 struct NinjaRun {
     bool ok = false;
     bool timed_out = false;          // one file took longer than the limit
@@ -21,21 +21,21 @@ struct NinjaRun {
     double seconds = 0;
 };
 
-/// Longest time for a single file [s]. Student code can keep a compiler busy for ever.
+/// Longest time to compile a single file [s]. Student code can keep a compiler busy for ever.
 inline constexpr double compile_limit = 120;
 
-/// Runs ninja in the build folder; the compiler's lists of what it included stay. @param arguments
-/// targets and options
+/// Runs ninja in the build folder. The compiler's lists of included files are kept.
+/// @param arguments  targets and options
 NinjaRun run_ninja(const std::vector<std::string>& arguments, const OnBuildStep& on_step = {});
 
-/// The commands that make a target, in order, one a line.
+/// The commands that make a target, in order.
 std::vector<std::string> ninja_commands(const std::string& target);
 
-/// Names of the programs of the build that begin with `prefix`, without it, sorted.
+/// The names of the build's programs that begin with `prefix`, sorted and without the prefix.
 std::vector<std::string> ninja_programs(const std::string& prefix);
 
-/// The first errors of a compiler's or linker's output: at most 20 lines, from the first one that
-/// speaks of an error.
+/// The first errors of a compiler's or linker's output: at most 20 lines, beginning with the first
+/// one that names an error.
 std::string first_errors(const std::vector<std::string>& lines);
 
 } // namespace rigor

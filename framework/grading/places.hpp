@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where the tree and its build are.
+// The folders of the source tree and of its build.
 #pragma once
 
 #include <filesystem>
@@ -15,11 +15,12 @@ struct Places {
     bool has_reference() const { return std::filesystem::is_directory(source / "reference"); }
 };
 
-/// As they were when this program was built.
+/// The folders as they were when this program was built.
 const Places& places();
 
-/// One writer at a time in a build folder, the launcher included: held while this lives. Says so on
-/// stderr if somebody else holds it.
+/// A lock on a build folder, held while this object lives, so that one process at a time writes
+/// there; the launcher takes the same lock. If another process holds it, a note
+/// is printed on stderr.
 class BuildLock {
 public:
     explicit BuildLock(const std::filesystem::path& build = places().build);

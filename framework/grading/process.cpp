@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Runs a program as a child process. Its output and its messages come through two pipes, which are
+// split into lines while the program runs. A program that is silent for too long gets SIGTERM, and
+// two seconds later SIGKILL.
 #include "grading/process.hpp"
 
 #include <array>
@@ -27,7 +30,7 @@ double seconds_since(Clock::time_point start)
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-// A pipe whose read end yields lines.
+// A pipe whose read end is split into lines.
 class LinePipe {
 public:
     explicit LinePipe(const OnLine& on_line) : on_line_(on_line)
@@ -52,7 +55,7 @@ public:
     bool is_open() const { return read_ >= 0; }
     void close_write() { close_end(write_); }
 
-    // Takes all that is there. @return whether anything was
+    // Reads everything that is available. @return whether there was anything
     bool drain()
     {
         std::array<char, 65536> buffer;
@@ -109,13 +112,14 @@ std::vector<char*> pointers(const std::vector<std::string>& texts)
 
 std::vector<std::string> environment_with(const std::vector<std::string>& additions)
 {
-    std::vector<std::string> result = additions; // the first of two equal names counts
+    // The additions come before the inherited variables: the first of two equal names counts.
+    std::vector<std::string> result = additions;
     for (char** variable = environ; *variable; ++variable)
         result.emplace_back(*variable);
     return result;
 }
 
-// In the child: only calls that are safe between fork and exec.
+// Runs in the child process: only calls that are safe between fork and exec are made here.
 [[noreturn]] void become(const Command& command, char* const* arguments, char** variables,
                          int output, int messages, int failure)
 {
@@ -179,8 +183,8 @@ Ended run(const Command& command, const OnLine& on_output, const OnLine& on_mess
     int failure[2];
     if (pipe2(failure, O_CLOEXEC) != 0)
         throw std::runtime_error("pipe: " + std::string(std::strerror(errno)));
-    const int report =
-        fcntl(failure[1], F_DUPFD_CLOEXEC, 10); // out of the way of message_descriptor
+    // A number from 10 on, so that message_descriptor does not overwrite it.
+    const int report = fcntl(failure[1], F_DUPFD_CLOEXEC, 10);
     close(failure[1]);
     LinePipe output(on_output), messages(on_message);
 

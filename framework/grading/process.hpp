@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A program run to its end, its output taken line by line, within limits.
+// Runs a program to its end, within limits, and takes its output line by line.
 #pragma once
 
 #include <cstdint>
@@ -11,21 +11,21 @@
 
 namespace rigor {
 
-/// What to run.
+/// A program to run.
 struct Command {
-    std::vector<std::string> arguments;   // the program first; looked up in PATH
-    std::filesystem::path folder;         // to run in; empty: the current one
+    std::vector<std::string> arguments;   // first the program, which is looked up in PATH
+    std::filesystem::path folder;         // working directory; empty: the current one
     double silence = 0;                   // longest time without a line [s]; 0: no limit
     std::uint64_t memory = 0;             // address space [bytes]; 0: no limit
-    std::vector<std::string> environment; // "NAME=value", added to ours
-    bool shares_stderr = false;           // its stderr is ours, and no part of its output
+    std::vector<std::string> environment; // "NAME=value", besides the inherited ones
+    bool shares_stderr = false;           // its stderr goes to this process's stderr
 };
 
-/// How it ended.
+/// How a program ended.
 struct Ended {
     int status = 0;         // its exit status
-    int signal = 0;         // that killed it, or 0
-    bool timed_out = false; // killed by us: it was silent for too long
+    int signal = 0;         // the signal that killed it, or 0
+    bool timed_out = false; // whether it was killed after a long silence
     double seconds = 0;     // from start to end
 
     bool ok() const { return status == 0 && signal == 0 && !timed_out; }
@@ -33,9 +33,9 @@ struct Ended {
 
 using OnLine = std::function<void(std::string_view line)>;
 
-/// Runs a program with stdin empty; each line of its stdout and stderr (see `shares_stderr`) goes to
-/// `on_output`, each line that it writes to the descriptor `message_descriptor` to `on_message`. The
-/// program is ended when we are.
+/// Runs a program with an empty stdin. Each line of its stdout and stderr (see `shares_stderr`)
+/// goes to `on_output`, and each line that it writes to the descriptor `message_descriptor` goes to
+/// `on_message`. The program is ended when this process ends.
 ///
 /// A line longer than 1 MiB is handed over in pieces. @throws std::runtime_error if the program
 /// cannot be started

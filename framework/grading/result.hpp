@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What grading found out: the content of result.json.
+// The result of grading: the content of result.json.
 #pragma once
 
 #include "grading/assignment.hpp"
@@ -12,26 +12,26 @@
 
 namespace rigor {
 
-/// How a test case or a task went, the better first: a task is as bad as the worst of its test
-/// cases.
+/// The outcome of a test case or a task, from the best to the worst. The outcome of a task is the
+/// worst of its test cases.
 ///
-/// A crash comes before a wrong value, since it hides what would have been found after it; `failed`
-/// before `not_implemented`, since a task that fails on its own is not excused by a stub it calls
-/// as well.
+/// A crash is worse than a wrong value, since it hides what would have been found after it.
+/// `failed` is worse than `not_implemented`, since a task that fails on its own is not excused by a
+/// stub that it calls as well.
 enum class Status { passed, skipped, not_implemented, failed, not_finite, timed_out, crashed };
 
 std::string_view to_string(Status status);
-/// Empty if it is no status.
+/// The status with this name; empty if there is none.
 std::optional<Status> status_of(std::string_view text);
 
 /// A test case's verdict, as the test program sent it.
 struct TestCase {
     std::string name; // "inertia: the union of two hemispheres is a sphere"
     Status status = Status::passed;
-    std::string message, hint;                                       // in the test's own words
+    std::string message, hint;                                       // as the test words them
     std::string expected, actual, error, tolerance, tolerance_class; // empty where there is none
     std::string place;                                               // the field that is wrong
-    std::optional<std::int64_t> seed;                                // makes the counterexample
+    std::optional<std::int64_t> seed;                                // seed of the counterexample
     bool is_hidden = false;
     double seconds = 0;
 };
@@ -42,7 +42,7 @@ struct TaskResult {
     double score = 0, max_score = 0; // a task that is not run counts 0 of 0
     std::vector<TestCase> tests;
 
-    /// The first of the worst test cases; none if all is well.
+    /// The first of the test cases with the worst outcome; none if all passed.
     const TestCase* first_failure() const;
 };
 
@@ -53,7 +53,7 @@ struct Result {
     Assignment assignment;
     std::string submission; // "student", "reference" or a folder
     SubmissionStatus status = SubmissionStatus::graded;
-    std::string message; // what a status other than graded is about
+    std::string message; // explains a status other than `graded`
     std::uint32_t seed = 0;
     std::vector<TaskResult> tasks;
     double build_seconds = 0, test_seconds = 0;
@@ -63,8 +63,8 @@ struct Result {
     bool all_points() const { return status == SubmissionStatus::graded && score() == max_score(); }
 };
 
-/// A task's result from its test cases: its points whole if there are test cases and all of them
-/// passed, else none.
+/// The result of a task from its test cases. It gets all of its points if it has test cases and all
+/// of them passed, otherwise none.
 TaskResult score_task(const Task& task, std::vector<TestCase> tests);
 
 } // namespace rigor

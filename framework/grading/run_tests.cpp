@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Runs the graded tests for the selected tasks and scores them. Hidden tests run only if there is
+// an oracle. The test program streams its verdicts; if they are not complete or the program ends
+// wrongly, the result is an internal error and no score.
 #include "grading/run_tests.hpp"
 
 #include "grading/places.hpp"
@@ -46,7 +49,7 @@ Command test_command(const GradingRun& run, const Implementation& implementation
     return command;
 }
 
-// Why a run cannot be believed; empty if it can.
+// Why the result of a run cannot be trusted; empty if it can.
 std::string fault_of(const Ended& ended, const Verdicts& verdicts,
                      const std::vector<std::string>& tags)
 {
@@ -76,7 +79,7 @@ Result grade(const Selection& selection, const Implementation& implementation,
     if (!implementation.built()) {
         result.status = SubmissionStatus::compile_error;
         result.message = implementation.compile_error;
-        for (const std::string& tag : selection.tags) { // nothing ran, and nothing is excused
+        for (const std::string& tag : selection.tags) { // no test ran, so no task gets points
             const Task& task = *selection.assignment.task(tag);
             const bool counts = std::find(tags.begin(), tags.end(), tag) != tags.end();
             result.tasks.push_back({task, Status::skipped, 0, counts ? task.points : 0, {}});
@@ -96,7 +99,7 @@ Result grade(const Selection& selection, const Implementation& implementation,
         if (!line.empty()) last_words = line.substr(0, 200);
     };
     std::string fault;
-    if (!tags.empty()) { // else all that was asked for is hidden
+    if (!tags.empty()) { // otherwise all requested tasks are hidden
         const Ended ended =
             rigor::run(test_command(run, implementation, tags), on_output, on_message);
         result.test_seconds = ended.seconds;

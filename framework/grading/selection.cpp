@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Selects the tasks that words name. Each word is compared, in lower case, with the names, topics,
+// tags and formulas of all assignments. A word that names nothing is an error with a hint: the
+// range of tags if it looks like a tag, or else the nearest name.
 #include "grading/selection.hpp"
 #include "errors/input_error.hpp"
 #include "errors/nearest.hpp"
@@ -43,7 +46,7 @@ bool is_number(std::string_view text)
            std::all_of(text.begin(), text.end(), [](unsigned char c) { return std::isdigit(c); });
 }
 
-// Of a word like a tag, a6.11 or a9: which ones there are.
+// The range of existing tags, as a hint for a word that looks like a tag, such as a6.11 or a9.
 std::string tags_there_are(const std::string& word, const std::vector<Assignment>& assignments)
 {
     const std::size_t point = word.find('.');
@@ -57,7 +60,7 @@ std::string tags_there_are(const std::string& word, const std::vector<Assignment
     return "; `rigor list` names them";
 }
 
-// "; did you mean 'inertia'?", or what else helps.
+// A hint such as "; did you mean 'inertia'?" or the range of existing tags.
 std::string suggestion(const std::string& word, const std::vector<Assignment>& assignments)
 {
     if (const std::string tags = tags_there_are(word, assignments); !tags.empty()) return tags;

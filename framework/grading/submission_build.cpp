@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Writes ninja rules that build a worker from a folder of topic files. The commands are those that
+// the main build uses for student/ and its worker, with the names of sources and objects replaced.
+// Topics that the folder lacks keep the objects of student/.
 #include "grading/submission_build.hpp"
 
 #include "errors/input_error.hpp"
@@ -18,7 +21,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// FNV-1a: the same name on every machine and run.
+// FNV-1a, so that a folder's build has the same name on every machine and in every run.
 std::uint64_t hash(const std::string& text)
 {
     std::uint64_t h = 0xcbf29ce484222325;
@@ -56,7 +59,7 @@ struct Compilation {
     std::string command, object;
 };
 
-// What a command makes of a file of student/; empty if it does something else.
+// The object that a command makes of a file of student/; empty if it does something else.
 std::string student_object(const std::string& command)
 {
     const std::size_t output = command.find(" -o "), source = command.find(" -c ");
@@ -65,7 +68,7 @@ std::string student_object(const std::string& command)
     return object.find("formulas_student.dir/") == std::string::npos ? std::string() : object;
 }
 
-// Its object, if the command compiles the student's `topic`.
+// Whether the command compiles the student's `topic`. If so, `found` is set.
 bool compiles(const std::string& command, const std::string& topic, Compilation& found)
 {
     const std::string object = student_object(command);
@@ -83,7 +86,7 @@ std::string with_other_files(const Compilation& original, const std::string& sou
     return command + " -c " + shell_quoted(source);
 }
 
-// The objects and libraries of ours in a link command.
+// The objects and libraries of this build in a link command, without those of the system.
 std::vector<std::string> link_inputs(const std::string& command)
 {
     std::vector<std::string> result;
@@ -108,7 +111,7 @@ void write_if_changed(const fs::path& file, const std::string& text)
     std::ofstream(file) << text;
 }
 
-// The rules of one private build, as they grow topic by topic.
+// The rules of one private build, which grow topic by topic.
 class Rules {
 public:
     Rules(SubmissionBuild& build, std::vector<std::string> commands)

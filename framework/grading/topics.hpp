@@ -6,7 +6,7 @@
 
 namespace rigor {
 
-/// A topic's name for each file of student/, in the order of the assignments.
+/// The names of the topics, one for each file of student/, in the order of the assignments.
 std::vector<std::string> topics();
 
 } // namespace rigor

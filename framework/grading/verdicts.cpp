@@ -22,7 +22,8 @@ std::string text_of(const json& line, const char* key)
     return found->dump();
 }
 
-// The message's lines, each once. The seed has a place of its own.
+// The lines of the message without repetitions. The seed is left out, since it has a
+// field of its own.
 std::string message_of(const json& line)
 {
     std::istringstream lines(text_of(line, "message"));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The stream of verdicts of the test program: one JSON line before each test case and one after it.
+// The verdicts that the test program streams: one JSON line before each test case and one after it.
 #pragma once
 
 #include "grading/result.hpp"
@@ -11,10 +11,10 @@
 
 namespace rigor {
 
-/// Takes the lines as they come and keeps what they say.
+/// Parses the lines as they come and keeps the verdicts.
 class Verdicts {
 public:
-    /// What goes wrong is kept in `fault`.
+    /// Parses one line. An error is kept in `fault`.
     void take(std::string_view line);
 
     const std::vector<TestCase>& of(const std::string& tag) const;
@@ -22,7 +22,8 @@ public:
     const std::string& current_tag() const { return tag_; }
     /// Name of the test case that began and has not ended; empty if there is none.
     const std::string& open() const { return open_; }
-    /// The first line that could not be understood, or checked nothing; empty if all is well.
+    /// The first error: a line that could not be parsed or a test case that checked nothing. Empty
+    /// if there is none.
     const std::string& fault() const { return fault_; }
 
 private:

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// The colors of bodies, of overlays and of color scales. The scale follows a path through the Oklab
+// space of Ottosson (2020), in which distances are differences as the eye sees them. The path is
+// cut into steps of equal length, so that equal differences of a value look alike.
 #include "render/colors.hpp"
 
 #include <algorithm>
@@ -14,8 +17,9 @@ using Eigen::Vector3d;
 
 constexpr int steps = 256;
 
-// Lightness and the two axes of color, in the space where distances are differences as seen.
-// Ottosson (2020), "A perceptual color space for image processing" (Oklab).
+// Linear sRGB of an Oklab color: lightness and two axes of color. Distances in this space are
+// differences as the eye sees them. Ottosson (2020), "A perceptual color space for image
+// processing" (Oklab).
 Vector3d linear_of_oklab(const Vector3d& lab)
 {
     Eigen::Matrix3d to_cones, to_rgb;
@@ -27,7 +31,8 @@ Vector3d linear_of_oklab(const Vector3d& lab)
     return to_rgb * cones;
 }
 
-// A path through that space: lighter all the way, its hue from blue over purple and red to yellow.
+// A path through Oklab, t from 0 to 1. Its lightness always grows, and its hue goes from blue over
+// purple and red to yellow.
 Vector3d on_path(double t)
 {
     const double hue = (268 + 195 * t) * std::numbers::pi / 180;
@@ -62,8 +67,8 @@ Vector4f scale(double value)
     return colors[std::lround(std::clamp(value, 0.0, 1.0) * steps)];
 }
 
-/// Okabe and Ito (2008), "Color Universal Design": told apart by all common kinds of sight. A
-/// little softer here, since large surfaces glare.
+/// Okabe and Ito (2008), "Color Universal Design": colors that people with any common kind of color
+/// vision can tell apart. They are a little softer here, since large surfaces glare.
 Vector4f palette(std::size_t n)
 {
     static constexpr std::array<std::array<double, 3>, 7> colors = {{{0.16, 0.47, 0.71},
@@ -83,7 +88,7 @@ const Vector4f resting = linear_color(0.66, 0.68, 0.71);
 const Vector4f dark = linear_color(0.16, 0.20, 0.26);
 const Vector4f ghostly = linear_color(0.42, 0.30, 0.62, 0.34);
 
-// Overlays: the opacity is what is left of it behind a body.
+// Overlays. The opacity is that of the part behind a body.
 const Vector4f difference = linear_color(0.86, 0.10, 0.42, 0.75);
 const Vector4f axis_x = linear_color(0.83, 0.20, 0.18, 0.22);
 const Vector4f axis_y = linear_color(0.15, 0.60, 0.25, 0.22);

@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// The surface of a deforming solid as triangles to draw. The points of the surface are embedded in
+// the tetrahedra and move with their nodes. An edge is sharp if its two triangles bend by more than
+// 30 degrees or if only one of them was opened by a crack. The normal of a corner is the mean of
+// its triangles up to sharp edges, weighted by their angles.
 #include "render/deformed_surfaces.hpp"
 
 #include "deformable/surface/surface.hpp"
@@ -9,7 +13,7 @@
 namespace rigor {
 namespace {
 
-constexpr double smooth = 0.866; // cosine of 30 degrees
+constexpr double smooth = 0.866; // cosine of 30 degrees, the largest bend without a sharp edge
 
 // The surface of a solid at one moment.
 class DeformedSurface {
@@ -34,9 +38,9 @@ private:
     }
 
     const std::vector<EmbeddedTriangle>& triangles_;
-    std::vector<Vector3d> places_;             // one a point [m]
-    std::vector<Vector3d> normals_;            // one a triangle, unit
-    std::vector<std::vector<Vector3d>> lines_; // at each point, unit vectors along its sharp edges
+    std::vector<Vector3d> places_;             // one for each point [m]
+    std::vector<Vector3d> normals_;            // one for each triangle, unit
+    std::vector<std::vector<Vector3d>> lines_; // for each point, unit vectors along its sharp edges
     std::vector<std::array<bool, 3>> sharp_;   // for each triangle: the sides 0 1, 1 2, 2 0
     std::vector<int> corners_, first_corner_;  // 3 triangle + corner, sorted by their points
 };
@@ -74,7 +78,7 @@ bool DeformedSurface::is_sharp(int triangle1, int triangle2) const
            !(normals_[triangle1].dot(normals_[triangle2]) > smooth);
 }
 
-// An edge is where two triangles meet; where more do, or only one does, none is drawn.
+// Finds the sharp edges. Only an edge of exactly two triangles is drawn.
 void DeformedSurface::find_edges()
 {
     std::vector<Edge> edges;
@@ -109,8 +113,8 @@ void DeformedSurface::add_line(const Edge& edge, const Edge& other_side)
         lines_[point].push_back(along);
 }
 
-// A sharp edge in the triangle's plane that only touches it in this corner: without its part here
-// the line would have gaps.
+// A sharp edge of other triangles that lies in the plane of this one and touches it only in this
+// corner. It is drawn here as well, since the line would have gaps otherwise.
 const Vector3d* DeformedSurface::line_through(int triangle, int corner) const
 {
     if (sharp_[triangle][corner] || sharp_[triangle][(corner + 2) % 3]) return nullptr;
@@ -118,8 +122,8 @@ const Vector3d* DeformedSurface::line_through(int triangle, int corner) const
     const Vector3d a = place(triangle, corner + 1) - p, b = place(triangle, corner + 2) - p;
     for (const Vector3d& along : lines_[triangles_[triangle].points[corner]]) {
         if (!(std::abs(along.dot(normals_[triangle])) < 0.5)) continue;
-        // beyond its end an edge has no line: a triangle there lies on both sides, or has a side on
-        // it
+        // A triangle beyond the end of the edge gets no line: it lies on both sides of the edge's
+        // line, or has a side on it.
         const Vector3d across = normals_[triangle].cross(along);
         const double side_a = across.dot(a) / a.norm(), side_b = across.dot(b) / b.norm();
         if (side_a * side_b > 0 && std::min(std::abs(side_a), std::abs(side_b)) > 0.1)
@@ -135,7 +139,7 @@ double DeformedSurface::angle(int triangle, int corner) const
     return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
-// Of all triangles around the corner that bend away from this one by little.
+// The mean normal of all triangles around the corner that have no sharp bend against this one.
 Vector3d DeformedSurface::normal(int triangle, int corner) const
 {
     const int point = triangles_[triangle].points[corner];
@@ -154,11 +158,11 @@ DeformedVertex DeformedSurface::vertex(int triangle, int corner) const
     DeformedVertex vertex{p.cast<float>(), normal(triangle, corner).cast<float>()};
     const double base = (last - next).norm();
     const double height = base > 0 ? (next - p).cross(last - p).norm() / base : 0;
-    for (int side = 0; side < 3; ++side) // a corner lies on two of them
+    for (int side = 0; side < 3; ++side) // a corner lies on two sides
         if (sharp_[triangle][side])
             vertex.edges[side] = side == (corner + 1) % 3 ? static_cast<float>(height) : 0.0F;
-    for (int at = 0; at < 3;
-         ++at) { // what touches corner `at` takes the place of the side opposite
+    // A line that touches corner `at` takes the place of the opposite side.
+    for (int at = 0; at < 3; ++at) {
         const int side = (at + 1) % 3;
         const Vector3d* along = sharp_[triangle][side] ? nullptr : line_through(triangle, at);
         if (along)

@@ -10,15 +10,15 @@
 
 namespace rigor {
 
-/// The triangles of a solid's surface as it is now: smooth where it bends by less than 30 degrees,
-/// with edges where it bends by more and around what a crack opened.
+/// The triangles of a solid's surface in this frame: smooth where it bends by less than 30 degrees,
+/// with edges where it bends by more and around surfaces that a crack opened.
 ///
-/// @param color  of a corner of a triangle: of the triangle, and the point of the surface
+/// @param color  the color of a triangle's corner, from the triangle and the point of the surface
 void add_deformed_surface(std::vector<DeformedVertex>& vertices, const SolidFrame& solid,
                           const std::function<Vector4f(const EmbeddedTriangle&, int point)>& color);
 
-/// A quantity of elements at the points of the surface: the mean of the elements around each node,
-/// between the nodes evenly.
+/// A quantity of the elements at the points of the surface. Each node gets the mean of the elements
+/// around it, and the points get values interpolated linearly between the nodes.
 std::vector<float> at_points(const SolidTopology& topology, const std::vector<float>& of_elements);
 
 } // namespace rigor

@@ -9,22 +9,22 @@
 
 namespace rigor {
 
-/// What a picture needs to know of a rigid body besides its state.
+/// What a picture needs to know about a rigid body besides its state.
 struct DrawnBody {
     std::string name;
     bool is_static = false;
     std::vector<Part> parts;                     // about the center of mass
-    std::vector<int> models;                     // one a part; -1: a box, a ball, a plane
+    std::vector<int> models;                     // one for each part; -1: box, ball or plane
     Matrix3d inverse_inertia = Matrix3d::Zero(); // I_body⁻¹ [1/(kg m²)]
     double mass = 0, mean_inertia = 0;           // [kg], [kg m²]
     double radius = 0;                           // around the center of mass [m]
     Vector4f color;
 };
 
-/// Two states look different where they lie apart by more than this part of a body's radius.
+/// Two states look different if they lie apart by more than this fraction of a body's radius.
 constexpr double visible_distance = 0.004;
 
-/// Whether a body is drawn there at all: what flies off is left alone.
+/// Whether a body at this position is drawn. Bodies that have flown off are not.
 inline bool in_sight(const Vector3d& position)
 {
     constexpr double far = 1e6; // [m]

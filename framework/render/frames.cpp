@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Draws, compresses and writes pictures in a pipeline of threads. One thread draws, two compress
+// and write PNG files, and one passes the pictures to the video. Bounded queues between these
+// stages limit the memory; the first error of a stage ends all of them.
 #include "render/frames.hpp"
 
 #include "errors/input_error.hpp"
@@ -21,15 +24,16 @@
 namespace rigor {
 namespace {
 
-constexpr std::size_t most_frames = 100000; // five digits
-constexpr std::size_t on_their_way = 3;     // pictures and images between two stages
+constexpr std::size_t most_frames = 100000; // file names have five digits
+constexpr std::size_t on_their_way = 3;     // the most pictures or images between two stages
 
 std::filesystem::path frame_file(const std::filesystem::path& directory, std::size_t number)
 {
     return directory / fmt::format("frame_{:05}.png", number);
 }
 
-/// frame_00000.png … frame_99999.png, and what was being written when an earlier run was killed.
+/// Whether this is the name of a frame, frame_00000.png … frame_99999.png, or of a frame that was
+/// being written when an earlier run was killed.
 bool is_frame(const std::string& name)
 {
     return (name.size() == 15 || (name.size() == 20 && name.ends_with(".part"))) &&
@@ -38,7 +42,8 @@ bool is_frame(const std::string& name)
                        [](char c) { return c >= '0' && c <= '9'; });
 }
 
-/// Makes the directory and clears it of the frames of an earlier run. @return how many there were
+/// Makes the directory and removes the frames of an earlier run.
+/// @return the number of removed files
 std::size_t clear_directory(const std::filesystem::path& directory)
 {
     std::size_t removed = 0;
@@ -86,7 +91,7 @@ private:
     void draw_pictures(Renderer& renderer);
     void encode();
     void film();
-    void fail(); // the exception under way ends every stage
+    void fail(); // ends every stage with the current exception
     void join();
     void rethrow();
     void note_written(std::size_t number, double encode_seconds);
@@ -99,13 +104,13 @@ private:
     Queue<Drawn> filmed_{on_their_way};
     std::size_t pushed_ = 0;
 
-    std::mutex mutex_; // guards what follows, and the report's figures
+    std::mutex mutex_; // guards error_, written_ and the figures of report_
     std::exception_ptr error_;
     std::set<std::size_t> written_;
 
     std::thread drawer_, filmer_;
-    std::array<std::thread, 2>
-        encoders_; // drawing takes several times as long: two keep up with it
+    // Two are enough: to draw a picture takes several times as long as to encode it.
+    std::array<std::thread, 2> encoders_;
 };
 
 FrameSequence::Pipeline::Pipeline(const FrameOptions& options) : options_(options)
@@ -121,7 +126,7 @@ FrameSequence::Pipeline::Pipeline(const FrameOptions& options) : options_(option
         video_ = std::make_unique<Video>(*report_.video, options.width, options.height,
                                          options.frames_per_second);
     }
-    // A context belongs to the thread that draws, so that is where it is made.
+    // The context is made by the thread that draws, since an OpenGL context belongs to one thread.
     std::promise<OpenRenderer> ready;
     std::future<OpenRenderer> opened = ready.get_future();
     drawer_ =
@@ -232,8 +237,8 @@ void FrameSequence::Pipeline::push(Picture picture)
     ++pushed_;
 }
 
-/// Ends every stage, in order. Two encoders may have left a gap where one of them failed: what lies
-/// behind it goes, so that a directory never lacks a number.
+/// Ends every stage, in order. If one encoder failed, the other may have written a later frame:
+/// frames after the gap are removed, so that a directory never lacks a number.
 void FrameSequence::Pipeline::join()
 {
     pictures_.close();
@@ -243,7 +248,7 @@ void FrameSequence::Pipeline::join()
     for (auto number = written_.begin(); number != written_.end() && *number == whole; ++number)
         ++whole;
     for (auto number = written_.lower_bound(whole); number != written_.end(); ++number) {
-        std::error_code ignored; // a disk that already failed
+        std::error_code ignored; // the disk may have failed already
         std::filesystem::remove(frame_file(options_.directory, *number), ignored);
     }
     written_.erase(written_.lower_bound(whole), written_.end());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pictures to files, as they come: while one is drawn, those before it are compressed and written.
+// Writes pictures to files. While one picture is drawn, those before it are compressed and written.
 #pragma once
 
 #include "render/picture.hpp"
@@ -14,40 +14,43 @@
 namespace rigor {
 
 struct FrameOptions {
-    std::filesystem::path directory; // made if it is not there
+    std::filesystem::path directory; // made if it does not exist
     int width = 1280, height = 720;  // [pixels]
     Gl gl = default_gl();
-    bool video = false; // also out.mp4, by ffmpeg
+    bool video = false; // whether ffmpeg makes out.mp4 as well
     double frames_per_second = 30;
-    std::size_t expected = 0; // frames, for the progress; 0 if unknown
+    std::size_t expected = 0; // number of frames, for the progress; 0 if unknown
     /// Called after each file, from one thread at a time; must not throw.
     std::function<void(std::size_t done, std::size_t expected)> progress;
 };
 
 struct FrameReport {
-    std::size_t frames = 0;  // written
-    std::size_t removed = 0; // files of an earlier run, removed before the first was written
+    std::size_t frames = 0;  // number of frames written
+    std::size_t removed = 0; // number of files of an earlier run that were removed
     std::optional<std::filesystem::path> video;
-    std::string renderer;                        // what drew
+    std::string renderer;                        // what drew the frames
     std::string notice;                          // one line to show, or empty
-    double draw_seconds = 0, encode_seconds = 0; // at work, summed over threads
+    double draw_seconds = 0, encode_seconds = 0; // working time, summed over threads
 };
 
-/// `frame_00000.png`, `frame_00001.png`, … of one run: each written whole or not at all, none of an
-/// earlier run left beside them, no number missing. The same pictures give the same files.
+/// The files `frame_00000.png`, `frame_00001.png`, … of one run. Each is written completely or not
+/// at all, none is left from an earlier run, and no number is missing. The same pictures give the
+/// same files.
 class FrameSequence {
 public:
-    /// Ready to draw. @throws InputError for a directory, a size or a video that cannot be
+    /// Prepares the directory and the renderer.
+    /// @throws InputError for a directory, a size or a video that cannot be used
     explicit FrameSequence(const FrameOptions& options);
 
-    /// Finishes what was pushed: a run that ends early leaves the frames up to there.
+    /// Finishes the pictures that were pushed, so that a run that ends early leaves its frames.
     ~FrameSequence();
 
-    /// The next picture. Waits while too many are on their way, so that memory stays bounded.
-    /// @throws what went wrong with an earlier one, such as InputError for a full disk
+    /// Adds the next picture. Waits while too many are in the pipeline, so
+    /// that memory stays bounded.
+    /// @throws the error of an earlier picture, such as InputError for a full disk
     void push(Picture picture);
 
-    /// Waits until every file is written. @throws what went wrong
+    /// Waits until every file is written. @throws the first error of the pipeline
     FrameReport finish();
 
 private:

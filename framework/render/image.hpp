@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pixels.
+// An image as an array of pixels.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Overlays: arrows, dots, coils and texts that explain a frame. The length of an arrow for a
+// rotation or an impulse saturates, x / (x + x½), so that small and large values can be seen
+// together.
 #include "render/overlays.hpp"
 
 #include "geometry/shapes/shape_bounds.hpp"
@@ -16,13 +19,13 @@
 namespace rigor {
 namespace {
 
-/// Grows with `value` and stays below 1: a half at `half`.
+/// A function that grows with `value`, is 1/2 at `half` and stays below 1.
 double saturated(double value, double half)
 {
     return value / (value + half);
 }
 
-/// How high a body reaches [m].
+/// The height of the top of a body [m].
 double top(const std::vector<Part>& parts, const Pose& body)
 {
     Bounds bounds;
@@ -47,9 +50,9 @@ void add_arrows(Picture& picture, const DrawnBody& body, const RigidState& state
         for (int i = 0; i < 3; ++i)
             arrow(1.2 * body.radius * R.col(i), 0.8F, color[i]);
     }
-    // Lengths saturate: a slow turn is seen and a fast one stays in the picture. L is measured as
-    // the ω it would be for a body of the mean inertia, and is drawn thinner and longer, so that
-    // both are seen where they are parallel.
+    // Lengths saturate, so that a slow rotation can be seen and a fast one stays in the picture.
+    // The arrow of L has the length for the ω of a body with the mean inertia. It is thinner and
+    // longer, so that both arrows can be seen if they are parallel.
     constexpr double half = 2; // [rad/s]
     const Vector3d& L = state.angular_momentum;
     const Vector3d w = R * (body.inverse_inertia * (R.transpose() * L));
@@ -77,7 +80,8 @@ void add_contacts(Picture& picture, const Frame& frame, const std::vector<DrawnB
         const double mass = bodies[first ? contact.body1 : contact.body2].mass;
         const double j = contact.impulse.norm();
         if (!(mass > 0) || !(j > 0)) continue;
-        // the speed it gives, saturated: resting and hitting are both seen
+        // The length shows the change of speed, saturated, so that both resting contacts and hits
+        // can be seen.
         const double length = 50 * thickness * saturated(j / mass, 0.8);
         const Vector3d way = (first ? 1 : -1) * length / j * contact.impulse;
         add_arrow(picture, point, (contact.point + way).cast<float>(), 0.8F * thickness,
@@ -146,7 +150,7 @@ void add_names(Picture& picture, const Frame& frame, const std::vector<DrawnBody
         if (bodies[i].radius == 0 || !in_sight(state.position)) continue;
         Vector3d above = state.position;
         above.y() = top(bodies[i].parts, pose_of(state)) + 2.5 * thickness;
-        if (bodies[i].is_static) above = state.position; // a wall's or a table's middle
+        if (bodies[i].is_static) above = state.position; // at the middle of a wall or a table
         if (in_sight(above))
             picture.texts.push_back({bodies[i].name, colors::dark, false, above.cast<float>()});
     }

@@ -11,7 +11,7 @@
 
 namespace rigor {
 
-/// The axes of a body, its angular velocity and its angular momentum, as far as they are asked for.
+/// The axes of a body, its angular velocity and its angular momentum, as `overlays` selects.
 void add_arrows(Picture& picture, const DrawnBody& body, const RigidState& state,
                 const Overlays& overlays, float thickness);
 
@@ -19,14 +19,14 @@ void add_arrows(Picture& picture, const DrawnBody& body, const RigidState& state
 void add_contacts(Picture& picture, const Frame& frame, const std::vector<DrawnBody>& bodies,
                   float thickness);
 
-/// Each spring as a coil, with the same number of turns whatever its length.
+/// Each spring as a coil with a fixed number of turns.
 void add_springs(Picture& picture, const Frame& frame, const std::vector<Spring>& springs,
                  float thickness);
 
 /// The name of the scene and the time [s].
 void add_title(Picture& picture, const std::string& scene, double time);
 
-/// What the colors of arrows and dots mean.
+/// A legend for the colors of arrows and dots.
 void add_legend(Picture& picture, const Overlays& overlays);
 
 /// The names of bodies and solids above them.

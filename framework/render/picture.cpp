@@ -13,7 +13,7 @@ float linear(double encoded)
     return static_cast<float>(c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4));
 }
 
-/// Columns two unit vectors across `direction` times the radius, and `direction` whole.
+/// The columns are two vectors of length `radius` across `direction`, and `direction` itself.
 Matrix3f along(const Vector3f& direction, float radius)
 {
     const Vector3f z = direction.normalized();
@@ -37,7 +37,7 @@ void add_rod(Picture& picture, const Vector3f& from, const Vector3f& to, float r
              const Vector4f& color)
 {
     const Vector3f direction = to - from;
-    if (!(direction.norm() > 1e-6F * radius)) return; // no length, or not a number
+    if (!(direction.norm() > 1e-6F * radius)) return; // it has no length, or is NaN
     picture.rods.push_back({along(direction, radius), from, color});
 }
 
@@ -46,7 +46,7 @@ void add_arrow(Picture& picture, const Vector3f& from, const Vector3f& to, float
 {
     const Vector3f direction = to - from;
     const float length = direction.norm();
-    if (!(length > 0.5F * radius)) return; // nothing that could be seen
+    if (!(length > 0.5F * radius)) return; // too short to be seen
     const float head = std::min(6 * radius, length);
     const Vector3f neck = to - direction * (head / length);
     add_rod(picture, from, neck, radius, color);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What to draw: plain lists of solids, arrows and texts. It knows no OpenGL and no physics.
+// What to draw: lists of solids, arrows and texts, without OpenGL and without physics.
 #pragma once
 
 #include <Eigen/Dense>
@@ -15,8 +15,8 @@ using Eigen::Matrix3f;
 using Eigen::Vector3f;
 using Eigen::Vector4f;
 
-/// A unit solid put somewhere: its point p goes to axes p + position. The columns of `axes` are
-/// orthogonal and carry the size: half edges of a box, radius or semi-axes of a ball.
+/// A placed unit solid: its point p goes to axes p + position. The columns of `axes` are orthogonal
+/// and carry the size: half edges of a box, radius or semi-axes of a ball.
 struct Instance {
     Matrix3f axes = Matrix3f::Identity();
     Vector3f position = Vector3f::Zero(); // [m]
@@ -26,19 +26,20 @@ struct Instance {
 /// A corner of a triangle.
 struct SurfaceVertex {
     Vector3f position, normal;
-    Vector3f edges =
-        Vector3f::Constant(1e6F); // distances to the triangle's sharp edges; else large
+    /// Distances to the triangle's sides that are sharp; a large number for other sides.
+    Vector3f edges = Vector3f::Constant(1e6F);
 };
 
-/// Triangles about the middle of their bounds, three vertices each.
+/// Triangles with three vertices each, relative to the middle of their bounds.
 struct Surface {
     std::vector<SurfaceVertex> triangles;
-    float contrast = 0; // between octants in two tones, to see a spin by where there are no edges
-    Vector3f center = Vector3f::Zero(); // where the middle is in the frame it was made from [m]
+    /// Contrast between octants in two tones, which show a spin where there are no edges.
+    float contrast = 0;
+    Vector3f center = Vector3f::Zero(); // the middle in the frame of the shape [m]
     float radius = 0;                   // around the middle [m]
 };
 
-/// One surface wherever it is. The axes of its instances are rotations.
+/// One surface and all its instances. The axes of the instances are rotations.
 struct Model {
     std::shared_ptr<const Surface> surface;
     std::vector<Instance> instances;
@@ -47,36 +48,36 @@ struct Model {
 /// A corner of a triangle of a surface that deforms, in the world.
 struct DeformedVertex {
     Vector3f position, normal;                 // [m]
-    Vector3f edges = Vector3f::Constant(1e6F); // as of a surface
+    Vector3f edges = Vector3f::Constant(1e6F); // as in SurfaceVertex
     Vector4f color = Vector4f::Ones();         // linear red, green, blue, opacity
 };
 
-/// What colors mean: a bar with numbers in a strip at the right border. The scene is drawn smaller,
-/// to the left of it.
+/// The meaning of the colors: a bar with numbers in a strip at the right border. The scene is drawn
+/// smaller, to the left of the strip.
 struct ColorScale {
     std::string title;            // with the unit
-    std::vector<Vector4f> colors; // from the low end up, linear
+    std::vector<Vector4f> colors; // from the low end to the high one, linear light
     struct Tick {
-        float place = 0; // 0 at the low end, 1 at the high one
+        float place = 0; // 0 at the low end, 1 at the high end
         std::string text;
     };
     std::vector<Tick> ticks;
 };
 
-/// A plane through `position`, its normal the y axis, with a grid of lines.
+/// A plane through `position` with a grid of lines. Its normal is the y axis.
 struct Ground {
     Matrix3f axes = Matrix3f::Identity(); // a rotation
     Vector3f position = Vector3f::Zero(); // [m]
-    bool solid = true;                    // or only its lines, for a scene with nothing to land on
+    bool solid = true;                    // false: only the lines, for a scene without a plane
     bool grid = true;
 };
 
-/// A line of text, by a point of the scene or in the corner at the top left.
+/// A line of text at a point of the scene or in the top left corner.
 struct Text {
     std::string text; // UTF-8
     Vector4f color = Vector4f(0, 0, 0, 1);
     bool large = false;
-    std::optional<Vector3f> point; // centered above it; without it the next line in the corner
+    std::optional<Vector3f> point; // centered above this point; empty: next line in the corner
 };
 
 struct Picture {
@@ -89,24 +90,24 @@ struct Picture {
     std::vector<Model> models;                      // the other bodies; they cast shadows
     std::vector<Instance> ghost_boxes, ghost_balls; // translucent
     std::vector<Model> ghost_models;
-    std::vector<DeformedVertex> deformed;       // deformable solids, three a triangle; cast shadows
+    std::vector<DeformedVertex> deformed;       // deformable solids, 3 for a triangle; cast shadows
     std::vector<DeformedVertex> ghost_deformed; // translucent
-    // Overlays: cylinders and cones with base 0 and tip z = 1, small balls. Their opacity is that
-    // of what lies behind a body; the rest is opaque.
+    // Overlays: cylinders and cones with base z = 0 and tip z = 1, and small balls. Their opacity
+    // is that of the parts behind a body; other parts are opaque.
     std::vector<Instance> rods, cones, dots;
     std::vector<Ground> grounds;
     std::vector<Text> texts;
     std::optional<ColorScale> color_scale;
 };
 
-/// Linear light of an sRGB color, opaque unless said.
+/// The linear light of an sRGB color, opaque by default.
 Vector4f linear_color(double red, double green, double blue, double opacity = 1);
 
-/// A rod of this radius between two points.
+/// Adds a rod of this radius between two points.
 void add_rod(Picture& picture, const Vector3f& from, const Vector3f& to, float radius,
              const Vector4f& color);
 
-/// An arrow from `from` to `to`: a rod and a cone. Nothing if it has no length.
+/// Adds an arrow from `from` to `to`: a rod and a cone. Nothing is added if it has no length.
 void add_arrow(Picture& picture, const Vector3f& from, const Vector3f& to, float radius,
                const Vector4f& color);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pictures as PNG files: red, green, blue, one byte each; opacity is left out.
+// Images as PNG files with one byte each for red, green and blue. Opacity is left out.
 #pragma once
 
 #include "render/image.hpp"
@@ -13,7 +13,8 @@ namespace rigor {
 
 std::vector<std::uint8_t> png_bytes(const Image& image);
 
-/// Writes a file whole or not at all: under a temporary name beside it, renamed when complete.
+/// Writes a file completely or not at all: under a temporary name in the same folder, renamed when
+/// it is complete.
 /// @throws InputError that names the file and the reason, such as a full disk
 void write_whole(const std::filesystem::path& file, std::span<const std::uint8_t> bytes);
 

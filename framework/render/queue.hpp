@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A queue between threads that never holds more than it may.
+// A queue of limited size between threads.
 #pragma once
 
 #include <condition_variable>
@@ -15,7 +15,7 @@ template <class T> class Queue {
 public:
     explicit Queue(std::size_t capacity) : capacity_(capacity) {}
 
-    /// Waits for room. False if the queue is closed: the item is dropped.
+    /// Waits for room and adds an item. @return false if the queue is closed and drops the item
     bool push(T item)
     {
         std::unique_lock lock(mutex_);
@@ -26,7 +26,7 @@ public:
         return true;
     }
 
-    /// Waits for an item. Nothing once the queue is closed and empty.
+    /// Waits for an item. @return nothing if the queue is closed and empty
     std::optional<T> pop()
     {
         std::unique_lock lock(mutex_);
@@ -38,7 +38,7 @@ public:
         return item;
     }
 
-    /// No more items come; those that are here are still taken, unless `drop`.
+    /// Closes the queue for new items. The items in it can still be taken, unless `drop` is true.
     void close(bool drop = false)
     {
         const std::scoped_lock lock(mutex_);

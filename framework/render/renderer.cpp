@@ -13,16 +13,17 @@
 namespace rigor {
 namespace {
 
-constexpr int largest_side = 8192;              // [pixels]; llvmpipe ends at 16384
+constexpr int largest_side = 8192;              // the limit of llvmpipe is 16384
 constexpr long most_pixels = 7680L * 4320L;     // 4 samples of 8 bytes each are then 1 GB
-using CreateRenderer = Renderer* (*)(int, int); // what a module exports
+using CreateRenderer = Renderer* (*)(int, int); // the function that a module exports
 
 const char* word(Gl gl)
 {
     return gl == Gl::osmesa ? "osmesa" : "egl";
 }
 
-/// Where a module may lie: by the program, where an installation puts it, where it was built.
+/// The places to look for a module: beside the program, where an installation puts it, and where it
+/// was built.
 std::vector<std::filesystem::path> module_paths(Gl gl)
 {
     const std::string file = fmt::format("render_{}.so", word(gl));
@@ -32,7 +33,7 @@ std::vector<std::filesystem::path> module_paths(Gl gl)
             std::filesystem::path(RIGOR_MODULE_DIR) / file};
 }
 
-/// Modules stay loaded: a graphics library does not survive being unloaded and loaded again.
+/// Loads a module for good, since a graphics library cannot be unloaded and loaded again.
 CreateRenderer load_module(Gl gl)
 {
     std::string reason = "it was not built";
@@ -98,7 +99,8 @@ OpenRenderer open_renderer(int width, int height, Gl gl)
 } // namespace rigor
 
 #ifdef RIGOR_SANITIZED
-/// What Mesa keeps until a process ends is not our leak. Only its own libraries are named here.
+/// Memory that Mesa keeps until the process ends is not a leak of this program. Only Mesa's own
+/// libraries are named here.
 extern "C" const char* __lsan_default_suppressions();
 const char* __lsan_default_suppressions()
 {

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// The surface of a shape as triangles to draw. Round shapes are meshed as surfaces of revolution
+// with 64 sides. An edge that bends by more than 30 degrees is sharp and gets a line; the normal of
+// a corner is the mean of its triangles without sharp bends, weighted by their angles.
 #include "render/shape_surfaces.hpp"
 
 #include "geometry/meshes/generators.hpp"
@@ -12,8 +15,8 @@
 namespace rigor {
 namespace {
 
-constexpr double smooth = 0.866; // cosine of 30 degrees
-constexpr int sides = 64;        // how many a circle has
+constexpr double smooth = 0.866; // cosine of 30 degrees, the largest bend without a sharp edge
+constexpr int sides = 64;        // sides of the polygon that stands for a circle
 
 struct MeshOf {
     TriangleMesh operator()(const Capsule& c) const
@@ -47,8 +50,8 @@ struct MeshOf {
     template <class Other> TriangleMesh operator()(const Other&) const { return {}; }
 };
 
-// The normal that a face shows at one of its vertices: of all faces there that bend away from it by
-// little.
+// The normal of a face at one of its vertices: the mean of all faces there that have no sharp bend
+// against it, weighted by their angles.
 class CornerNormals {
 public:
     CornerNormals(const TriangleMesh& mesh, const std::vector<Vector3d>& normals)
@@ -80,10 +83,10 @@ private:
 
     const TriangleMesh& mesh_;
     const std::vector<Vector3d>& normals_;
-    std::vector<std::vector<int>> around_; // triangles of each vertex
+    std::vector<std::vector<int>> around_; // for each vertex, its triangles
 };
 
-// Which edges of each triangle, 0 1, 1 2 and 2 0, are sharp.
+// For each triangle, whether the edges 0 1, 1 2 and 2 0 are sharp.
 std::vector<std::array<bool, 3>> sharp_edges(const TriangleMesh& mesh,
                                              const std::vector<Vector3d>& normals)
 {
@@ -99,14 +102,14 @@ std::vector<std::array<bool, 3>> sharp_edges(const TriangleMesh& mesh,
     return sharp;
 }
 
-// Strong where nothing else shows a spin, none where edges do.
+// The contrast of the octants: strong if nothing else shows a spin, none if edges do.
 float contrast(const Shape& shape, const TriangleMesh& mesh, const std::vector<Vector3d>& normals)
 {
     if (!std::holds_alternative<Mesh>(shape)) return 0.7F;
     const auto edges = mesh_edges(mesh, normals);
     const bool is_round = std::any_of(edges.begin(), edges.end(), [&](const MeshEdge& edge) {
         const double c = normals[edge.left].dot(normals[edge.right]);
-        return c > smooth && c < 0.9998; // bends, but by less than an edge: one degree
+        return c > smooth && c < 0.9998; // bends by more than one degree but has no sharp edge
     });
     return is_round ? 0.3F : 0.0F;
 }
@@ -137,8 +140,8 @@ Surface surface_of(const Shape& shape)
             SurfaceVertex vertex{(p - center).cast<float>(),
                                  corner_normals.at(static_cast<int>(t), v).cast<float>()};
             const double height = (next - p).cross(last - p).norm() / (last - next).norm();
-            for (int edge = 0; edge < 3;
-                 ++edge) // from corner i it is zero to two, and to one the height
+            // The distance from corner i is 0 to two sides and the height to the third.
+            for (int edge = 0; edge < 3; ++edge)
                 if (sharp[t][edge])
                     vertex.edges[edge] = edge == (i + 1) % 3 ? static_cast<float>(height) : 0.0F;
             surface.radius = std::max(surface.radius, vertex.position.norm());

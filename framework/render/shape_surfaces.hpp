@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Shapes as triangles to draw.
+// Surfaces of shapes as triangles to draw.
 #pragma once
 
 #include "geometry/shapes/shape.hpp"
@@ -7,8 +7,8 @@
 
 namespace rigor {
 
-/// The surface of a shape that is neither box, ball nor plane: smooth where it bends by less than
-/// 30 degrees, with edges where it bends by more.
+/// The surface of a shape that is not a box, ball or plane: smooth where it bends by less than 30
+/// degrees, with edges where it bends by more.
 Surface surface_of(const Shape& shape);
 
 } // namespace rigor

@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// Draws deformable solids. With a color scale, the stress or plastic strain of the elements is
+// averaged at the nodes and shown by color. The range of the scale is that of the scene's file;
+// without one it ends at the smallest yield stress or strength, or at the largest value of the
+// frame, rounded up.
 #include "render/solid_visualizer.hpp"
 
 #include "geometry/bounds/bounds.hpp"
@@ -25,7 +29,7 @@ bool in_sight(const SolidFrame& solid)
                        [](const Vector3d& x) { return rigor::in_sight(x); });
 }
 
-/// 1, 2 or 5 times a power of ten: the next such number from `value` on.
+/// The smallest number from `value` on that is 1, 2 or 5 times a power of ten.
 double rounded_up(double value)
 {
     const double power = std::pow(10, std::floor(std::log10(value)));
@@ -34,7 +38,7 @@ double rounded_up(double value)
     return 10 * power;
 }
 
-/// The unit that makes numbers of this size short.
+/// The unit in which numbers of this size are short.
 std::pair<double, const char*> pressure_unit(double largest)
 {
     if (largest >= 2e9) return {1e9, "GPa"};
@@ -72,7 +76,8 @@ SolidVisualizer::color_range(const std::vector<std::vector<float>>& values) cons
     for (const std::vector<float>& of_solid : values)
         for (const float value : of_solid)
             largest = std::max<double>(largest, value);
-    // where there is nothing, rounding is not drawn as if it were something
+    // A lower limit of the range, so that rounding errors around zero are not
+    // drawn in bright colors.
     const double least = is_stress ? 1 : 1e-3;
     return {0, rounded_up(std::max(largest, least))};
 }
@@ -80,7 +85,7 @@ SolidVisualizer::color_range(const std::vector<std::vector<float>>& values) cons
 void SolidVisualizer::draw(Picture& picture, const Frame& frame) const
 {
     const bool is_scale = overlays_.solids != SolidColors::color;
-    std::vector<std::vector<float>> values(frame.solids.size()); // at the points of the surfaces
+    std::vector<std::vector<float>> values(frame.solids.size()); // at points of the surfaces
     for (std::size_t i = 0; i < values.size() && is_scale; ++i)
         values[i] =
             at_points(*frame.solids[i].topology, quantity(frame.solids[i], overlays_.solids));
@@ -109,7 +114,7 @@ void SolidVisualizer::add_color_scale(Picture& picture, const std::array<double,
     const bool is_stress = overlays_.solids == SolidColors::stress;
     const auto [unit, name] = is_stress ? pressure_unit(high) : std::pair{1.0, ""};
     scale.title = is_stress ? fmt::format("von Mises stress [{}]", name) : "plastic strain";
-    // ticks at round numbers, four or more of them
+    // The ticks are at round numbers. There are four or more of them.
     const double step = rounded_up((high - low) / unit / 8);
     const auto last = std::llround(std::floor(high / unit / step + 1e-9));
     for (auto n = std::llround(std::ceil(low / unit / step - 1e-9)); n <= last; ++n) {

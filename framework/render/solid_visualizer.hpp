@@ -16,13 +16,13 @@ class SolidVisualizer {
 public:
     SolidVisualizer() = default;
 
-    /// @param first_color  of the palette, for solids without a color of their own
+    /// @param first_color  index in the palette of the first solid without a color of its own
     SolidVisualizer(const std::vector<SolidDescription>& solids, const Overlays& overlays,
                     std::size_t first_color);
 
     std::size_t count() const { return colors_.size(); }
 
-    /// Around the middle of a solid's bounds, as the scene describes it [m].
+    /// Radius around the middle of a solid's bounds, at the start of the scene [m].
     double radius(std::size_t solid) const { return radii_[solid]; }
 
     void draw(Picture& picture, const Frame& frame) const;
@@ -39,7 +39,7 @@ private:
     Overlays overlays_;
     std::vector<Vector4f> colors_;
     std::vector<double> radii_;   // [m]
-    double stress_limit_ = never; // the least yield stress or strength of all [Pa]
+    double stress_limit_ = never; // smallest yield stress or strength of all solids [Pa]
 };
 
 } // namespace rigor

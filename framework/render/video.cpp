@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Encodes a video with ffmpeg. The raw pictures are sent to its stdin, and its stderr is kept in
+// memory for the message of an error. The video has a temporary name until it is complete.
 #include "render/video.hpp"
 
 #include "errors/input_error.hpp"
@@ -21,7 +23,7 @@
 namespace rigor {
 namespace {
 
-/// Starts a program found in PATH with these descriptors as its input and errors. 0 or an errno.
+/// Starts a program from PATH with these descriptors as stdin and stderr. @return 0 or an errno
 int spawn(pid_t& process, std::vector<std::string> words, int input, int errors)
 {
     std::vector<char*> arguments;
@@ -57,7 +59,8 @@ Video::Video(const std::filesystem::path& file, int width, int height, double fr
     : file_(file), partial_(file)
 {
     partial_ += ".part";
-    // A socket instead of a pipe: writing to an ffmpeg that died is then an error, not a signal.
+    // A socket is used instead of a pipe, since writing to an ffmpeg that died is then an error and
+    // not a signal.
     std::array<int, 2> ends{};
     errors_ = memfd_create("ffmpeg", MFD_CLOEXEC);
     if (errors_ < 0 || socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0)
@@ -113,7 +116,7 @@ Video::~Video()
     close_input();
     wait();
     close(errors_);
-    unlink(partial_.c_str()); // there only if the video was not finished
+    unlink(partial_.c_str()); // exists only if the video was not finished
 }
 
 void Video::close_input()

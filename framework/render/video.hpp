@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A video, encoded by the program ffmpeg while the pictures are drawn.
+// A video that the program ffmpeg encodes while the pictures are drawn.
 #pragma once
 
 #include "render/image.hpp"
@@ -10,7 +10,8 @@
 
 namespace rigor {
 
-/// H.264 in an MP4 file, which appears whole or not at all. Odd sizes get one more row or column.
+/// H.264 video in an MP4 file. The file is written completely or not at all. An odd width or height
+/// gets one more column or row.
 class Video {
 public:
     /// @throws InputError if ffmpeg is not installed
@@ -19,7 +20,7 @@ public:
     Video& operator=(const Video&) = delete;
     ~Video();
 
-    /// @throws InputError with ffmpeg's last words if it gave up
+    /// @throws InputError with ffmpeg's last message if it ended
     void add(const Image& image);
     void finish();
 

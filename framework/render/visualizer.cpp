@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Makes pictures from the states of a scene. What stays the same in a run, such as colors,
+// surfaces, camera and ground, is made once; each frame then places the bodies, the deformable
+// solids and the overlays. A comparison adds the bodies of a second run that lie apart as ghosts.
 #include "render/visualizer.hpp"
 
 #include "errors/input_error.hpp"
@@ -23,8 +26,8 @@ std::size_t moving_count(const std::vector<DrawnBody>& bodies)
         bodies.begin(), bodies.end(), [](const DrawnBody& body) { return !body.is_static; }));
 }
 
-/// Whether two boxes, one turned against the other, have faces in one plane that look the same way.
-/// @param axis  of the second one
+/// Whether two boxes have faces in one plane that look the same way.
+/// @param axis  the axis of the second box that is normal to its face
 bool share_plane(const Part& part1, const Vector3d& size1, const Part& part2, const Vector3d& size2,
                  int axis)
 {
@@ -40,8 +43,8 @@ bool share_plane(const Part& part1, const Vector3d& size1, const Part& part2, co
     return false;
 }
 
-/// Where faces of two boxes of a body lie in one plane, the later box is drawn a hair thinner: else
-/// which one is seen, and its edges with it, would change from pixel to pixel.
+/// If two boxes of a body have faces in one plane, the later box is drawn a little thinner.
+/// Otherwise the visible face, and its edges, would change from pixel to pixel.
 void part_planes(std::vector<Part>& parts)
 {
     for (std::size_t j = 0; j < parts.size(); ++j)
@@ -115,7 +118,8 @@ void Visualizer::add_body(const BodyDescription& described, const RecordedBody& 
 
 namespace {
 
-// What makes a surface: numbers of a round shape, the mesh of a mesh. None of a box, ball or plane.
+// The key of a surface: the sizes of a round shape or the mesh of a mesh. A box, ball
+// or plane has none.
 struct Essence {
     using Key = std::optional<SurfaceKey>;
     Key operator()(const Capsule& c) const { return SurfaceKey(nullptr, {1, c.radius, c.height}); }
@@ -213,7 +217,7 @@ bool lies_apart(const DrawnBody& body, const RigidState& state1, const RigidStat
 Picture Visualizer::comparison(const Frame& frame, const Frame& other, const std::string& name,
                                const std::string& other_name) const
 {
-    empty_picture(other); // has the same bodies
+    empty_picture(other); // only checks that `other` has the same bodies
     Picture result = picture(frame);
     std::size_t apart = 0;
     for (std::size_t i = 0; i < bodies_.size(); ++i) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From a scene and its recorded states to pictures.
+// Makes pictures from a scene and its recorded states.
 #pragma once
 
 #include "render/drawn_body.hpp"
@@ -15,21 +15,22 @@
 
 namespace rigor {
 
-/// What tells one surface from another: a mesh, or a kind of shape and its sizes.
+/// Identifies a surface: a mesh, or a kind of shape with its sizes.
 using SurfaceKey = std::pair<const SolidMesh*, std::array<double, 3>>;
 
-/// What stays the same from frame to frame of a run. Colors are chosen so that neighbors differ
-/// also for the color-blind.
+/// Draws the frames of a run. It keeps what stays the same from frame to frame. The colors of
+/// neighbors differ also for the color-blind.
 class Visualizer {
 public:
-    /// @throws InputError if scene and record have not the same bodies
+    /// @throws InputError if scene and record do not have the same bodies
     Visualizer(const Scene& scene, const std::vector<RecordedBody>& bodies,
                const Overlays& overlays);
 
     Picture picture(const Frame& frame) const;
 
-    /// Two runs of the scene at one moment in one picture: `frame` as usual, of `other` the bodies
-    /// that lie apart as ghosts, and a line from center to center. The legend names both.
+    /// Two runs of the scene at one time in one picture: `frame` as usual, the bodies of `other`
+    /// that lie apart as ghosts, and a line between the two centers of each. The
+    /// legend names both runs.
     Picture comparison(const Frame& frame, const Frame& other, const std::string& name,
                        const std::string& other_name) const;
 
@@ -44,8 +45,8 @@ private:
     Overlays overlays_;
     std::vector<DrawnBody> bodies_;
     SolidVisualizer solids_;
-    std::map<SurfaceKey, int> model_numbers_; // among the picture's models
-    Picture start_;           // camera and, where the scene has no plane, lines to see motion by
+    std::map<SurfaceKey, int> model_numbers_; // indices in the picture's models
+    Picture start_;           // camera, and lines as a ground if the scene has no plane
     float thickness_ = 0.01F; // radius of a rod [m]
 };
 

@@ -102,8 +102,8 @@ void write_whole(const std::filesystem::path& file, const std::string& content)
         ok = n > 0;
         if (ok) sent += static_cast<std::size_t>(n);
     }
-    ok = fsync(descriptor) == 0 &&
-         ok; // before the rename: a crash leaves the old file or the new one
+    // fsync before the rename: after a crash there is either the old file or the new one.
+    ok = fsync(descriptor) == 0 && ok;
     close(descriptor);
     if (!ok || rename(draft.c_str(), file.c_str()) != 0) fail();
 }

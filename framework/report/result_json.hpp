@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
-// result.json: one a submission, the source of every other format.
+// result.json: one for each submission. Every other format is made from it.
 //
 //     {assignment, submission, status, message, score, max_score, seed,
-//      tests: [{tag, name, status, score, max_score, visibility, message, mistake, expected, actual, error, tolerance,
-//               tolerance_class, seed, hint, cases: [{name, status, message, seconds}]}],
+//      tests: [{tag, name, status, score, max_score, visibility, message, mistake, expected,
+//               actual, error, tolerance, tolerance_class, seed, hint,
+//               cases: [{name, status, message, seconds}]}],
 //      timing: {build_seconds, test_seconds}, versions: {rigor, compiler}}
 //
-// An entry of `tests` is a task; what it says is its first failure's. A task that did not run
-// counts 0 of 0.
+// An entry of `tests` is a task, described by its first failure. A task that did not run counts 0
+// of 0.
 #pragma once
 
 #include "grading/result.hpp"
@@ -18,7 +19,7 @@
 
 namespace rigor {
 
-/// One result as an object, several as an array.
+/// The JSON text of the results: one result as an object, several as an array.
 std::string to_json(const std::vector<Result>& results);
 
 /// Writes a file whole or not at all. @throws InputError if it cannot be written

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// The report for a student as text of 80 columns. First comes a row for each task with its points,
+// then each failure with the broken law, the expected and the actual value, and a hint, and last
+// the next step.
 #include "report/table.hpp"
 
 #include "report/terminal.hpp"
@@ -65,18 +68,18 @@ std::string handout(const Result& result, const TaskResult& task)
     return fmt::format("assignments/{}/README.md, {}", result.assignment.name, task.task.tag);
 }
 
-// A value longer than this says no more than its beginning.
+// The text cut after 400 bytes: a longer value says no more than its beginning.
 std::string shortened(const std::string& text)
 {
     constexpr std::size_t longest = 400;
     if (text.size() <= longest) return text;
     std::size_t end = longest;
     while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80)
-        --end; // not inside a character
+        --end; // do not cut a UTF-8 character
     return text.substr(0, end) + " …";
 }
 
-// Why a tolerance is what it is.
+// The kind of a tolerance in words.
 std::string class_words(const std::string& tolerance_class)
 {
     constexpr std::pair<const char*, const char*> known[] = {{"R", " (rounding)"},
@@ -95,13 +98,14 @@ std::string difference(const TestCase& test)
     return test.error + ", allowed " + test.tolerance + class_words(test.tolerance_class);
 }
 
-// "(2)" of a bare vector or matrix says little: "entry (2), counted from 0".
+// The place of a wrong number in words. "(2)" alone says little about a vector or matrix, so this
+// becomes "entry (2), counted from 0".
 std::string place_in_words(const std::string& place)
 {
     return place.starts_with('(') ? "entry " + place + ", counted from 0" : place;
 }
 
-// What the test noted about the case it tried: the lines of its message after the first.
+// The test's notes on the case that it tried: the lines of its message after the first.
 std::string noted(const TestCase& test)
 {
     std::string text;
@@ -150,7 +154,8 @@ std::string failure_text(const Result& result, const TaskResult& task,
     return text + row("to read", handout(result, task));
 }
 
-// Tag of the stub that a task's test called: "A1.9 equations_of_motion is not implemented yet (…)".
+// Tag of the stub that a task's test called, from a message such as "A1.9 equations_of_motion is
+// not implemented yet (…)".
 std::string stub_of(const TaskResult& task)
 {
     if (task.status != Status::not_implemented) return "";
@@ -175,7 +180,7 @@ std::string task_row(const TaskResult& task, bool color)
                        "  " + colored(words, look.color, color));
 }
 
-// What a student does first: the first stub that waits for nothing before it, else the first stub.
+// The next step for the student: the first formula that is not implemented yet.
 std::string next_step(const Result& result, const Implementation& implementation, bool color)
 {
     const TaskResult* next = nullptr;
@@ -228,9 +233,9 @@ std::string place_of(const Implementation& implementation, const std::string& to
         ++number;
         const std::size_t at = line.find(formula + "(");
         const bool begins = at != std::string::npos && at > 0 && line[at - 1] == ' ';
-        const bool is_definition =
-            begins && std::isalpha(static_cast<unsigned char>(line[0])) &&
-            line.find(';') == std::string::npos; // a declaration or a call inside a function
+        // A line with a semicolon is a declaration, and an indented line is a call.
+        const bool is_definition = begins && std::isalpha(static_cast<unsigned char>(line[0])) &&
+                                   line.find(';') == std::string::npos;
         if (is_definition) return fmt::format("{}:{}", shown, number);
     }
     return shown;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A result as a student reads it: the points, then what is wrong, then what to do next. 80 columns.
+// The report that a student reads, in 80 columns: the points, what is wrong, and what to do next.
 #pragma once
 
 #include "grading/implementation.hpp"
@@ -10,7 +10,7 @@
 
 namespace rigor {
 
-/// Where a formula is written, "student/inertia.cpp:42"; without the line if the file does not say.
+/// Where a formula is defined, "student/inertia.cpp:42"; without the line if it is not found.
 std::string place_of(const Implementation& implementation, const std::string& topic,
                      const std::string& formula);
 

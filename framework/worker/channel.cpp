@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Waiting on a word of shared memory. The reader first spins for some microseconds and then sleeps
+// in a futex until the other process wakes it. The time to spin adapts to
+// whether spinning has helped.
 #include "worker/channel.hpp"
 
 #include "formulas/table.hpp"
@@ -16,9 +19,10 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using Microseconds = std::chrono::duration<double, std::micro>;
 
-// With a processor each, an answer comes in under a microsecond, while waking a sleeper on another
-// processor takes fifty. On one processor, or on busy ones, spinning only keeps the other side from
-// answering: so it is given up as it fails, and tried again from time to time.
+// If both processes have a processor, an answer comes in under a microsecond, while waking a
+// process that sleeps on another processor takes fifty. On one processor, or on busy ones, spinning
+// only keeps the other process from answering: so the time to spin is halved each time it fails,
+// down to none, and spinning is tried again from time to time.
 constexpr Microseconds longest_spin(20);
 constexpr int waits_between_tries = 32;
 
@@ -94,7 +98,8 @@ std::uint32_t await_change(const std::atomic<std::uint32_t>& word, std::uint32_t
     }
     const auto whole = std::chrono::duration_cast<std::chrono::seconds>(longest);
     const timespec timeout = {whole.count(), (longest - whole).count()};
-    // Returns at once if the word has changed meanwhile; early wakes are the caller's to repeat.
+    // Returns at once if the word has changed meanwhile. It may wake early; the
+    // caller then waits again.
     syscall(SYS_futex, &word, FUTEX_WAIT, old, &timeout, nullptr, 0);
     return word.load(std::memory_order_acquire);
 }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // The memory that a worker shares with its client, and how each waits for the other.
 //
-// The client writes a request and raises `request` to the next sequence number; the worker writes
-// the reply over it and raises `reply` to the same number. The client reads what it wrote itself
-// from its own variables, and copies a reply before it looks at it: the worker may write here at
-// any time. A trajectory goes through a ring beside it, so that all of it is there even if the
-// worker dies in the next instruction.
+// The client writes a request and sets `request` to the next sequence number; the worker writes the
+// reply over the request and sets `reply` to the same number. The worker may write to this memory
+// at any time: so the client keeps its own values in variables of its own, and copies a reply
+// before it looks at it. A trajectory goes through a ring buffer beside it, so that all of it can
+// be read even if the worker dies in the next instruction.
 #pragma once
 
 #include <atomic>
@@ -15,26 +15,28 @@
 
 namespace rigor {
 
-/// What a client asks.
+/// The kinds of requests.
 enum class Request : std::uint32_t {
-    call, // formula `argument` on the encoded arguments in the payload
-    // text and name in the payload, `argument` is the Record + 2 threads: the stream, then done
+    call, // calls formula `argument` on the encoded arguments in the payload
+    // Runs a scene: the payload has its text and name, `argument` is the Record + 2 threads. The
+    // trajectory is streamed, then comes `done`.
     run_scene,
-    advance, // text, name, steps, starts: states
+    advance, // advances states: the payload has text, name, steps and starts
 };
 
-/// What a worker answers.
+/// The kinds of answers.
 enum class Status : std::uint32_t {
     done,            // the payload is the result
     not_implemented, // the payload is the text of NotImplemented
-    not_finite,      // the payload says which quantity of the scene's is not
+    not_finite,      // the payload says which quantity of the scene is not finite
     threw,           // the payload says what was thrown
     last = threw,
 };
 
 struct Channel {
-    static constexpr std::size_t capacity = std::size_t{64} << 20; // touched pages only take memory
-    static constexpr std::size_t longest_text = 4096;              // in a failure [bytes]
+    // Sizes [bytes].
+    static constexpr std::size_t capacity = std::size_t{64} << 20; // only used pages take memory
+    static constexpr std::size_t longest_text = 4096;              // longest text of a failure
     static constexpr std::uint32_t ring = std::uint32_t{4} << 20;  // a power of two
 
     alignas(64) std::atomic<std::uint32_t> request;
@@ -44,25 +46,26 @@ struct Channel {
     alignas(64) std::atomic<std::uint32_t> reply;
     std::atomic<Status> status;
     std::atomic<std::uint64_t> reply_size;
-    // Bytes of the trajectory written and read since its start, modulo 2^32: byte n is stream[n %
-    // ring].
+    // Numbers of bytes of the trajectory written and read since its start, modulo 2^32. Byte n is
+    // stream[n % ring].
     alignas(64) std::atomic<std::uint32_t> streamed;
     alignas(64) std::atomic<std::uint32_t> taken;
     alignas(64) std::byte stream[ring];
     std::byte payload[capacity];
 };
 
-/// Differs if the contract or this protocol does: a worker built from another one is refused.
+/// A hash of the contract and of this protocol. A worker that was built with
+/// another one is refused.
 std::uint64_t contract_fingerprint();
 
-/// Wakes who waits for the word to change.
+/// Wakes the process that waits for the word to change.
 void wake(std::atomic<std::uint32_t>& word);
 
-/// Sets the word and wakes who waits for it to change.
+/// Sets the word and wakes the process that waits for it to change.
 void post(std::atomic<std::uint32_t>& word, std::uint32_t value);
 
-/// Spins for a moment, then sleeps until the word is no longer `old`, or a wake, or the time is
-/// over.
+/// Spins for a moment, then sleeps until the word is not `old` any more, until it is woken, or
+/// until the time is over.
 /// @return the word
 std::uint32_t await_change(const std::atomic<std::uint32_t>& word, std::uint32_t old,
                            std::chrono::nanoseconds longest);

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Sends requests to a worker process and checks the replies. The process is started when the first
+// request needs it. After a failure it is ended, the failure is thrown with the output of the
+// implementation, and the next request starts a fresh process.
 #include "worker/client.hpp"
 
 #include "worker/finite.hpp"
@@ -11,9 +14,9 @@ namespace rigor {
 
 namespace {
 
-constexpr std::size_t piece = std::size_t{1} << 18; // states to advance in one request [bytes]
+constexpr std::size_t piece = std::size_t{1} << 18; // states that one request advances [bytes]
 
-/// Text that a stranger wrote, fit for a terminal and for JSON: ASCII without control characters.
+/// Untrusted text made safe for a terminal and for JSON: ASCII without control characters.
 std::string printable(std::string text)
 {
     for (char& c : text) {
@@ -28,7 +31,7 @@ std::string text_of(const Bytes& bytes)
     return printable(std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
 }
 
-/// Bytes of the states of all bodies.
+/// The size of the encoded states of all bodies [bytes].
 std::size_t encoded_size(const Moment& moment)
 {
     static const std::size_t state = wire::encoded_size<RigidState>().most;
@@ -51,7 +54,7 @@ Worker::Worker(std::filesystem::path executable, Limits limits, Worker* oracle)
 void Worker::start()
 {
     if (session_) return;
-    if (failed_starts_ >= 2) throw *start_failure_; // it will not start the next time either
+    if (failed_starts_ >= 2) throw *start_failure_; // it would not start this time either
     session_ = std::make_unique<Session>(executable_, limits_);
     try {
         session_->await_greeting();
@@ -89,7 +92,7 @@ void Worker::fail(const Broken& broken, const ByteSink* sink)
     try {
         if (!rest.empty()) (*sink)(rest);
     } catch (const std::exception&) {
-        // that the last bytes are none of a trajectory adds nothing to why they are the last
+        // If the last bytes are not a trajectory, this is ignored: the failure already says enough.
     }
     WorkerFailure failure(broken.cause, subject_, broken.text);
     failure.output = take_output();
@@ -107,7 +110,7 @@ Reply Worker::exchange(const Question& question, Allowance& allowance)
     } catch (const Broken& broken) {
         fail(broken, question.sink);
     } catch (...) {
-        renew(); // the sink threw: it is in the midst of a scene that nobody will take
+        renew(); // the sink threw, and nobody takes the rest of the scene
         throw;
     }
 }
@@ -141,7 +144,7 @@ Worker::Seconds Worker::duration(Question question)
         const Reply reply = exchange(question, allowance);
         return reply.status == Status::done ? allowance.waited : Seconds(0);
     } catch (const WorkerFailure&) {
-        return Seconds(0); // then the floor is the limit
+        return Seconds(0); // the limit is then the floor
     }
 }
 

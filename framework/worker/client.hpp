@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The client of a worker: asks one implementation, in its own process, and survives whatever it
-// does.
+// The client of a worker. It asks one implementation, which runs in a process of its own, and
+// survives whatever that process does.
 #pragma once
 
 #include "formulas/table.hpp"
@@ -10,48 +10,47 @@
 
 namespace rigor {
 
-/// "A4.10 apply_impulse"
+/// Tag and name of a formula: "A4.10 apply_impulse".
 std::string subject_of(FormulaIndex formula);
 
-/// One implementation of the formulas, whatever becomes of the processes that run it. A request
-/// that fails ends its process; the next one gets a fresh process. Every request returns in bounded
-/// time.
+/// One implementation of the formulas, which several processes may run one after the other. A
+/// request that fails ends its process, and the next request gets a fresh one. Every request
+/// returns in bounded time.
 ///
-/// Not for several threads at once. A process dies with the thread that started it: use a worker
-/// from one thread.
+/// A worker must be used from one thread only: a process dies with the thread that started it.
 class Worker {
 public:
     using Start = Moment;
 
-    /// @param oracle  asked how long a slow request may take; outlives this
+    /// @param oracle  is asked how long a slow request may take; it must outlive this worker
     explicit Worker(std::filesystem::path executable, Limits limits = {}, Worker* oracle = nullptr);
 
     /// The encoded result of a formula on encoded arguments.
-    /// @param largest  bytes the encoding of a result can have
+    /// @param largest  largest size of an encoded result [bytes]
     /// @throws NotImplemented, WorkerFailure
     Bytes call(FormulaIndex formula, std::span<const std::byte> arguments, std::size_t largest);
 
-    /// Runs a scene and hands on its trajectory as it comes, up to the failure if it fails. Nothing
-    /// of it has been checked.
-    /// @param threads  that the reference may use; formulas of others run on one
+    /// Runs a scene and passes its trajectory to `sink` as it comes, up to the failure if there is
+    /// one. The bytes have not been checked.
+    /// @param threads  number of threads for the reference; other implementations use one
     /// @throws NotImplemented, WorkerFailure, NotFinite, what `sink` throws
     void run_scene(const std::string& scene_text, const std::string& scene_name, Record record,
                    const ByteSink& sink, int threads = 1);
 
-    /// The states that `steps` time steps lead to from each of `starts`, finite.
+    /// The states after `steps` time steps from each of `starts`. They are finite.
     /// @throws NotImplemented, WorkerFailure, NotFinite
     std::vector<std::vector<RigidState>> advance(const std::string& scene_text,
                                                  const std::string& scene_name,
                                                  const std::vector<Start>& starts, int steps);
 
-    /// Ends the process: the next request starts from a clean one.
+    /// Ends the process, so that the next request starts a fresh one.
     void renew();
 
-    /// The beginning of what the implementation printed since the last call of this, made
+    /// The beginning of what the implementation printed since the last call of this function, made
     /// printable.
     std::string take_output();
 
-    /// Starts the process if there is none, and waits until it is ready. Requests do so themselves.
+    /// Starts the process if there is none and waits until it is ready. Requests do so themselves.
     /// @throws WorkerFailure
     void start();
 
@@ -72,7 +71,7 @@ private:
     Limits limits_;
     Worker* oracle_;
     std::unique_ptr<Session> session_;
-    std::string subject_; // what the request under way asks
+    std::string subject_; // what the current request asks for
     std::string output_;
     int failed_starts_ = 0;
     std::optional<WorkerFailure> start_failure_;

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Defines every function of the contract from its declaration:
-// `RIGOR_FORMULAS(RIGOR_DEFINE_FORMULA)` makes of the row `FORMULA(A2.14, inertia, combine, a, b)`
+// Defines every function of the contract from its declaration.
+// `RIGOR_FORMULAS(RIGOR_DEFINE_FORMULA)` turns the row
+// `FORMULA(A2.14, inertia, combine, a, b)` into
 //
 //     MassProperties combine(const MassProperties& a, const MassProperties& b)
 //     {
 //         return answer<MassProperties>(FormulaIndex::combine, a, b);
 //     }
 //
-// with the `answer` that the including file defines before.
+// The including file defines `answer` before.
 #pragma once
 
 #include "formulas/table.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// How an implementation can fail without giving an answer. With `NotImplemented`, these are all
-// that a call through a worker throws because of what a student wrote. Anything else is a fault of
-// ours.
+// The ways in which an implementation can fail without an answer. With `NotImplemented`, these are
+// all exceptions of a call through a worker that a student's code can cause. Any other exception is
+// a fault of the framework.
 #pragma once
 
 #include <stdexcept>
@@ -10,15 +10,15 @@
 
 namespace rigor {
 
-/// No answer: what() is a sentence, `A4.10 apply_impulse crashed: segmentation fault`.
+/// There was no answer. what() is a sentence, `A4.10 apply_impulse crashed: segmentation fault`.
 struct WorkerFailure : std::runtime_error {
     enum Cause {
         crashed,   // a signal ended or stopped the process
         exited,    // the process ended itself
         timed_out, // no answer within the limit
-        flooded,   // more output than anyone would read
+        flooded,   // more output than the limit
         malformed, // bytes that are not an answer
-        threw,     // an exception left the formula
+        threw,     // the formula threw an exception
     };
 
     WorkerFailure(Cause why, const std::string& about, const std::string& what_happened)
@@ -26,7 +26,7 @@ struct WorkerFailure : std::runtime_error {
     {
     }
 
-    /// The status of a test that ended so.
+    /// The status of a test that ended with this failure.
     std::string_view status() const { return cause == timed_out ? "timed_out" : "crashed"; }
 
     Cause cause;
@@ -34,7 +34,7 @@ struct WorkerFailure : std::runtime_error {
     std::string output;  // the beginning of what the implementation printed
 };
 
-/// An answer with NaN or infinity in it: `A4.10 apply_impulse: angular_momentum.y is NaN`.
+/// An answer that contains NaN or infinity: `A4.10 apply_impulse: angular_momentum.y is NaN`.
 struct NotFinite : std::runtime_error {
     NotFinite(const std::string& about, const std::string& which)
         : std::runtime_error(about + ": " + which), subject(about), quantity(which)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Finite first: which number of a value is not one.
+// Finds the first number of a value that is not finite.
 #pragma once
 
 #include "worker/wire.hpp"
@@ -14,8 +14,8 @@ inline std::string name_of_non_finite(double number)
     return std::isnan(number) ? " is NaN" : number > 0 ? " is +infinity" : " is -infinity";
 }
 
-/// `angular_momentum.y is NaN`: the first number in `value` that is not finite, by its path from
-/// the value. Empty: all are finite.
+/// The first number in `value` that is not finite, with its path from the value, such as
+/// `angular_momentum.y is NaN`. Empty if all are finite.
 template <class T> std::string find_non_finite(const T& value, const std::string& path = "")
 {
     std::string found;

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Starts and ends a worker process. It is spawned with only a null input, a pipe for its output and
+// the shared memory, in a session of its own and with limits on memory. Its output is read without
+// waiting, and its whole process group is killed in the end.
 #include "worker/process.hpp"
 
 #include <array>
@@ -30,8 +33,8 @@ int checked(int result, const char* what)
     return result;
 }
 
-/// A descriptor that closes itself, above those that a worker gets: none is overwritten when the
-/// child's are put in place.
+/// A descriptor that closes itself. Its number is higher than those that a worker gets, so that
+/// none is overwritten when the child's descriptors are put in place.
 class Descriptor {
 public:
     explicit Descriptor(int low) : fd_(checked(fcntl(low, F_DUPFD_CLOEXEC, 10), "descriptor"))
@@ -51,7 +54,7 @@ private:
     int fd_;
 };
 
-/// Memory that nobody can shrink, so that reading it never fails.
+/// Shared memory that nobody can shrink, so that reading it never fails.
 int shared_memory()
 {
     const int fd = checked(memfd_create("worker", MFD_CLOEXEC | MFD_ALLOW_SEALING), "memfd_create");
@@ -60,8 +63,8 @@ int shared_memory()
     return fd;
 }
 
-/// What happens between fork and exec: descriptors 0 to 3 and no other, default signals, a new
-/// session.
+/// The actions between fork and exec: the child gets descriptors 0 to 3 and no other, default
+/// signals and a new session.
 class SpawnPlan {
 public:
     SpawnPlan(int output, int memory)
@@ -92,10 +95,11 @@ public:
 
     int run(const std::string& executable) const
     {
-        // Its parent's identity lets a worker notice that it came too late to be told of its death.
+        // The worker compares this with its parent's id, to notice that the client died before the
+        // worker could ask to be told of its death.
         std::string program = executable, parent = std::to_string(getpid());
         std::array<char*, 3> arguments = {program.data(), parent.data(), nullptr};
-        // A sanitizer's report ends the process by SIGABRT; a signal stays what it is.
+        // A sanitizer's report ends the process by SIGABRT. Other signals are not changed.
         std::string path = "PATH=/usr/bin:/bin", language = "LANG=C.UTF-8",
                     address = "ASAN_OPTIONS=abort_on_error=1:handle_segv=0:handle_sigbus=0:"
                               "handle_abort=0:handle_sigfpe=0:handle_sigill=0:detect_leaks=0:"
@@ -115,7 +119,8 @@ private:
     posix_spawnattr_t attributes_{};
 };
 
-/// A program that was started with SIGCHLD ignored would never learn how its children ended.
+/// Makes the ends of child processes visible: a program that was started with SIGCHLD ignored would
+/// never learn how its children ended.
 void notice_children()
 {
     struct sigaction now {};
@@ -126,7 +131,7 @@ void notice_children()
 void limit(int pid, __rlimit_resource resource, std::size_t most)
 {
     const rlimit both = {most, most};
-    prlimit(pid, resource, &both, nullptr); // an ended process has nothing to limit
+    prlimit(pid, resource, &both, nullptr); // an error is ignored: the process has ended
 }
 
 std::string signal_name(int signal)
@@ -174,8 +179,8 @@ Process::Process(const std::filesystem::path& executable, const Limits& limits)
     channel_ = static_cast<Channel*>(address);
     output_ = ours.release();
 
-    // A sanitizer reserves terabytes that it never touches. That no core is written it sees to
-    // itself as it starts, and gives up if somebody else does in that moment.
+    // A sanitizer reserves terabytes of addresses that it never touches. It also switches core
+    // files off itself when it starts, and gives up if somebody else does so at that moment.
     if (is_sanitized) return;
     limit(pid_, RLIMIT_CORE, 0);
     limit(pid_, RLIMIT_AS, limits.memory);
@@ -183,7 +188,7 @@ Process::Process(const std::filesystem::path& executable, const Limits& limits)
 
 Process::~Process()
 {
-    kill(-pid_, SIGKILL); // its group first, while the leader still holds the group's number
+    kill(-pid_, SIGKILL); // first its group, while the leader still holds the number
     kill(pid_, SIGKILL);
     while (waitpid(pid_, nullptr, 0) < 0 && errno == EINTR) {
     }
@@ -194,7 +199,8 @@ Process::~Process()
 std::optional<Broken> Process::ending() const
 {
     siginfo_t info{};
-    // WNOWAIT leaves a zombie: its number stays its own until the destructor has killed its group.
+    // WNOWAIT leaves a zombie, so that its number is not used again until the destructor has killed
+    // its group.
     if (waitid(P_PID, pid_, &info, WEXITED | WSTOPPED | WNOHANG | WNOWAIT) != 0)
         return Broken{WorkerFailure::crashed, "disappeared"};
     if (info.si_pid == 0) return {};
@@ -212,10 +218,11 @@ std::optional<Broken> Process::ending() const
 
 std::chrono::nanoseconds Process::time_without_processor() const
 {
-    // of its main thread, see proc(5): time on a processor, time waiting for one [ns], time slices
+    // The numbers of the main thread, see proc(5): time on a processor, time waiting for one [ns],
+    // number of time slices.
     std::ifstream file("/proc/" + std::to_string(pid_) + "/schedstat");
     std::int64_t with = 0, without = 0;
-    file >> with >> without; // a kernel that does not tell: never
+    file >> with >> without; // both stay 0 if the kernel does not tell
     return std::chrono::nanoseconds(without);
 }
 
@@ -223,7 +230,7 @@ std::size_t Process::drain(std::string& kept, std::size_t keep)
 {
     std::array<char, 65536> buffer;
     const ssize_t n = read(output_, buffer.data(), buffer.size());
-    if (n <= 0) return 0; // nothing now, or all its ends are closed
+    if (n <= 0) return 0; // nothing to read now, or the pipe is closed
     if (kept.size() < keep)
         kept.append(buffer.data(), std::min<std::size_t>(n, keep - kept.size()));
     return n;

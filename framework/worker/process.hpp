@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One worker process, from start to end: its memory, its output, its death.
+// One worker process from start to end: its memory, its output, its death.
 #pragma once
 
 #include "worker/channel.hpp"
@@ -18,39 +18,41 @@ inline constexpr bool is_sanitized = true;
 #else
 inline constexpr bool is_sanitized = false;
 #endif
-/// What a sanitizer slows a scene down by, and more.
+/// A factor for time limits. It is larger than the slowdown of a scene by a sanitizer.
 inline constexpr double patience = is_sanitized ? 20 : 1;
 
-/// What an implementation may use. A limit on time is the greater of its floor and `multiple` times
-/// what the oracle took for the same request; without an oracle it is the floor. Time runs from the
-/// request, while its client waits and the worker has a processor or sleeps: what a busy machine
-/// takes counts a tenth.
+/// The limits of an implementation. A time limit is the greater of its floor and `multiple` times
+/// what the oracle took for the same request; without an oracle it is the floor. Time counts from
+/// the request, while the client waits and the worker has a processor or sleeps. While the worker
+/// waits for a processor on a busy machine, a tenth of the time counts.
 struct Limits {
-    std::chrono::duration<double> start{10}; // from exec until it is ready
+    std::chrono::duration<double> start{10}; // from exec until the worker is ready
     std::chrono::duration<double> call{2};   // floor for a formula, or 256 kB of states to advance
     std::chrono::duration<double> scene{20 * patience}; // floor for a whole scene
-    bool scene_by_silence = false; // a scene's limit is for a record, not for all: someone watches
-    std::chrono::duration<double> oracle{60 * patience}; // for the oracle's own run
+    /// Whether a scene's limit is for the time between two records instead of the whole scene. This
+    /// is for scenes that someone watches.
+    bool scene_by_silence = false;
+    std::chrono::duration<double> oracle{60 * patience}; // limit for the oracle itself
     double multiple = 50;
     std::size_t memory = std::size_t{2} << 30; // address space [bytes]; unlimited under a sanitizer
-    std::size_t output = std::size_t{1} << 20; // a request may print [bytes]
-    std::size_t trajectory = std::size_t{1} << 30; // a scene may stream [bytes]
-    std::size_t output_kept = 4096;                // the beginning of the output, to show [bytes]
+    std::size_t output = std::size_t{1} << 20; // what a request may print [bytes]
+    std::size_t trajectory = std::size_t{1} << 30; // what a scene may stream [bytes]
+    std::size_t output_kept = 4096;                // kept beginning of the output [bytes]
 };
 
-/// Why a process is of no use any more.
+/// Why a process cannot be used any more.
 struct Broken {
     WorkerFailure::Cause cause;
     std::string text; // "crashed: segmentation fault"
 };
 
-/// A child process with a `Channel`. It runs in a session of its own, with no descriptor of ours
-/// but its end of the output pipe, with hardly an environment, and dies with the thread that
-/// started it. Ending it ends every process of its group. What runs under our user can still harm
-/// us in ways only a sandbox prevents (signals to us, files): this class is no sandbox.
+/// A child process with a `Channel`. It runs in a session of its own, inherits no descriptor except
+/// its end of the output pipe and hardly any environment, and dies with the thread that started it.
+/// Ending it ends every process of its group. A process of the same user can still do harm that
+/// only a sandbox prevents (signals, files): this class is no sandbox.
 class Process {
 public:
-    /// Starts the executable; does not wait until it is ready.
+    /// Starts the executable and does not wait until it is ready.
     /// @throws std::system_error if it cannot be started
     Process(const std::filesystem::path& executable, const Limits& limits);
     ~Process();
@@ -59,13 +61,14 @@ public:
 
     Channel& channel() { return *channel_; }
 
-    /// How it ended or stopped; empty: it runs.
+    /// How it ended or stopped; empty while it runs.
     std::optional<Broken> ending() const;
 
-    /// How long it was ready to run so far but other processes had the processors.
+    /// The time for which it was ready to run but other processes had the processors.
     std::chrono::nanoseconds time_without_processor() const;
 
-    /// Takes what it has printed so far. @return bytes taken
+    /// Reads what it has printed so far and appends up to `keep` bytes in all to `kept`.
+    /// @return the number of bytes read
     std::size_t drain(std::string& kept, std::size_t keep);
 
 private:

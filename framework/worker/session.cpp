@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Asks a worker process and waits for its reply. While it waits, it passes on the trajectory,
+// collects what the process prints, and checks that the process lives and keeps its time limit. The
+// time that the worker waits for a processor hardly counts. A reply is copied before it is checked.
 #include "worker/session.hpp"
 
 #include "worker/wire.hpp"
@@ -69,8 +72,8 @@ Reply Session::ask(const Question& question, Allowance& allowance)
     return take_reply(question.largest);
 }
 
-/// How much of the time that passed the worker could use, that is, all but what it waited for a
-/// processor; at least a tenth, so that it cannot wait for ever behind threads of its own.
+/// The part of the time that the worker could use: all but its waiting for a processor, and at
+/// least a tenth. Otherwise it could wait for ever behind threads of its own.
 Allowance::Seconds Session::usable(Allowance::Seconds passed,
                                    std::optional<Allowance::Seconds>& starved) const
 {
@@ -80,7 +83,8 @@ Allowance::Seconds Session::usable(Allowance::Seconds passed,
     return std::max(passed - lost, passed / 10);
 }
 
-/// Waits until the reply with our sequence number is there. Looks after the process meanwhile.
+/// Waits until the reply with the current sequence number is there and
+/// watches the process meanwhile.
 void Session::await_reply(Allowance& allowance, const ByteSink* sink)
 {
     const std::atomic<std::uint32_t>& reply = process_.channel().reply;
@@ -89,14 +93,14 @@ void Session::await_reply(Allowance& allowance, const ByteSink* sink)
     for (;;) {
         const Clock::time_point start = Clock::now();
         const std::uint32_t now = await_change(reply, sequence_ - 1, slice);
-        const Allowance::Seconds passed = Clock::now() - start; // without what the sink takes
+        const Allowance::Seconds passed = Clock::now() - start; // without the time of the sink
         allowance.waited += now == sequence_ ? passed : usable(passed, starved);
         if (sink && hand_on_stream(*sink) && allowance.by_silence) allowance.waited = {};
         if (now == sequence_) return;
         if (now != sequence_ - 1) throw Broken{WorkerFailure::malformed, "answered out of turn"};
         collect_output();
         if (const auto ending = process_.ending()) {
-            if (reply.load(std::memory_order_acquire) == sequence_) continue; // it answered first
+            if (reply.load(std::memory_order_acquire) == sequence_) continue; // it answered before
             throw *ending;
         }
         if (allowance.used_up()) throw Broken{WorkerFailure::timed_out, allowance.verdict()};
@@ -106,7 +110,8 @@ void Session::await_reply(Allowance& allowance, const ByteSink* sink)
 
 Reply Session::take_reply(std::size_t largest)
 {
-    // Each word is read once, the payload is copied: from here on nothing can change under us.
+    // Each word is read once and the payload is copied, so that the worker
+    // cannot change them later.
     Channel& channel = process_.channel();
     const Status status = channel.status;
     const std::uint64_t size = channel.reply_size;
@@ -161,7 +166,7 @@ void Session::collect_output()
 
 std::string Session::take_output()
 {
-    // No more than lies in the pipe: a process that prints without end would never let go.
+    // Reads no more than a pipe holds, since a process that prints without end would never let go.
     for (std::size_t n = 0; n <= pipe_size;) {
         const std::size_t more = process_.drain(output_, limits_.output_kept);
         if (more == 0) break;

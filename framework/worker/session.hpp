@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The conversation with one worker process: one question after the other, each answered in bounded
-// time, or the conversation is broken.
+// The conversation with one worker process. Each question is answered in bounded time, or the
+// conversation is broken.
 #pragma once
 
 #include "scene/trajectory/writer.hpp"
@@ -8,14 +8,14 @@
 
 namespace rigor {
 
-/// How long a question may still take. The oracle is asked only once the floor is used up.
+/// The time that a question may take. The oracle is asked only after the floor is used up.
 struct Allowance {
     using Seconds = std::chrono::duration<double>;
 
-    Seconds limit;                           // so far: the floor
-    double multiple = 0;                     // times what the reference takes
-    std::function<Seconds()> reference = {}; // empty: there is none, or it has been asked
-    bool by_silence = false;                 // what arrives starts the time anew
+    Seconds limit;                           // the floor at first
+    double multiple = 0;                     // factor for the time of the reference
+    std::function<Seconds()> reference = {}; // empty if there is none or it has been asked
+    bool by_silence = false;                 // whether a part of the trajectory restarts the time
     Seconds waited = {}, reference_took = {};
 
     bool used_up();
@@ -26,11 +26,11 @@ struct Question {
     Request kind;
     std::uint32_t argument = 0;
     std::span<const std::byte> payload;
-    std::size_t largest = 0;        // bytes an answer can have
-    const ByteSink* sink = nullptr; // for the trajectory
+    std::size_t largest = 0;        // largest size of an answer [bytes]
+    const ByteSink* sink = nullptr; // takes the trajectory
 };
 
-/// As the worker wrote it: nothing of it has been checked but its size.
+/// A reply as the worker wrote it. Only its size has been checked.
 struct Reply {
     Status status;
     Bytes payload;
@@ -43,13 +43,14 @@ public:
     /// Waits until the process is ready. @throws Broken
     void await_greeting();
 
-    /// @throws Broken, what the sink throws: of no use any more then
+    /// Asks a question and waits for the reply.
+    /// @throws Broken, what the sink throws; the session cannot be used any more then
     Reply ask(const Question& question, Allowance& allowance);
 
-    /// What came of the trajectory before the conversation broke.
+    /// The rest of the trajectory that came before the conversation broke.
     Bytes rest_of_stream();
 
-    /// The beginning of what was printed since the last call of this.
+    /// The beginning of what was printed since the last call of this function.
     std::string take_output();
 
 private:
@@ -62,10 +63,10 @@ private:
 
     Limits limits_;
     Process process_;
-    std::uint32_t sequence_ = 1; // the last question's; the first asks whether it is ready
-    std::uint32_t taken_ = 0;    // how much of the stream, modulo 2^32 [bytes]
-    std::size_t handed_on_ = 0;  // how much of the stream [bytes]
-    std::size_t printed_ = 0;    // since the last question [bytes]
+    std::uint32_t sequence_ = 1; // number of the last question; 1 asks whether it is ready
+    std::uint32_t taken_ = 0;    // how much of the stream was read, modulo 2^32 [bytes]
+    std::size_t handed_on_ = 0;  // how much of the stream was passed on [bytes]
+    std::size_t printed_ = 0;    // how much was printed since the last question [bytes]
     std::string output_;
 };
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Values as bytes: numbers, fixed-size Eigen, containers, and the plain structs field by field.
-// Both ends run on one machine, so numbers travel as they lie in memory. A reader trusts no byte:
-// it checks every length against what is there, and accepts one encoding of each value.
+// Values as bytes: numbers, fixed-size Eigen types, containers, and plain structs field by field.
+// Both processes run on one machine, so numbers have the same bytes as in memory. A reader trusts
+// no byte: it checks every length against the bytes that are there, and accepts one encoding of
+// each value.
 #pragma once
 
 #include "formulas/fields.hpp"
@@ -19,7 +20,7 @@
 
 namespace rigor::wire {
 
-/// Bytes that are not a value of the type expected; the text says how.
+/// The bytes are not a value of the expected type; the text says why.
 struct Malformed : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
@@ -82,7 +83,7 @@ template <class T> void encode(Bytes& bytes, const T& value)
     }
 }
 
-/// The bytes that an encoding of T has at least, and at most: what bounds a count, and a reply.
+/// The least and the largest size of an encoding of T [bytes]. They bound a count and a reply.
 struct Size {
     static constexpr std::size_t unbounded = std::numeric_limits<std::size_t>::max();
     std::size_t least = 0, most = 0;
@@ -121,7 +122,7 @@ template <class T> Size encoded_size()
     }
 }
 
-/// Takes values off the front of bytes.
+/// Reads values from the front of a sequence of bytes.
 class Reader {
 public:
     explicit Reader(std::span<const std::byte> bytes) : rest_(bytes) {}
@@ -133,7 +134,7 @@ public:
         rest_ = rest_.subspan(size);
     }
 
-    /// Length of a container whose elements take at least `least` bytes each.
+    /// The length of a container whose elements take at least `least` bytes each.
     std::size_t count(std::size_t least)
     {
         std::uint64_t n = 0;
@@ -199,7 +200,7 @@ template <class T> void decode(Reader& reader, T& value)
     }
 }
 
-/// All of `bytes` as one T. @throws Malformed
+/// The value of type T that all of `bytes` encode. @throws Malformed
 template <class T> T decode_all(std::span<const std::byte> bytes)
 {
     Reader reader(bytes);

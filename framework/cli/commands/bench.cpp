@@ -36,7 +36,7 @@ const std::string& known_name(const std::string& name, const std::vector<std::st
                                               : "did you mean '" + near + "'?"));
 }
 
-// The benchmarks that draw.
+// The benchmarks that write plots.
 constexpr std::array<std::string_view, 2> with_plots = {"accuracy", "plasticity"};
 
 bool draws(const std::string& name)
@@ -44,7 +44,7 @@ bool draws(const std::string& name)
     return std::find(with_plots.begin(), with_plots.end(), name) != with_plots.end();
 }
 
-// Where a benchmark puts its plots: a folder of its own, unless it is the only one.
+// The folder for the plots of a benchmark: one of its own, unless it is the only benchmark.
 std::string plots_of(const std::string& name, const BenchOptions& options)
 {
     if (options.out.empty()) return (places().build / "bench" / name).string();

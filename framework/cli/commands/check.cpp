@@ -66,7 +66,7 @@ void print_report(const std::vector<Result>& results, const Implementation& impl
     const auto broken = std::find_if(results.begin(), results.end(), [](const Result& result) {
         return result.status == SubmissionStatus::compile_error;
     });
-    if (broken != results.end()) { // the same for every task: say it once
+    if (broken != results.end()) { // every task has the same error: print it once
         fmt::print("{}\n{}", colored(implementation.name + " does not compile", Color::red, color),
                    broken->message);
         return;
@@ -77,7 +77,8 @@ void print_report(const std::vector<Result>& results, const Implementation& impl
     if (results.size() > 1) fmt::print("\n{}", summary(results, color));
 }
 
-// Points for a file that was not handed in would be points for the one in student/.
+// Refuses to grade an assignment whose file was not handed in: the points would be for
+// the file in student/.
 void require_own_file(const Selection& selection, const Implementation& implementation)
 {
     const std::vector<std::string>& borrowed = implementation.borrowed;
@@ -91,7 +92,7 @@ int check(const CheckOptions& options)
 {
     const std::vector<Selection> selections =
         select_tasks(load_assignments(places().assignments()), options.what);
-    std::vector<std::string> asked; // without WHAT, every file
+    std::vector<std::string> asked; // the topics whose files must compile; without WHAT, all
     for (const Selection& selection : selections)
         if (!options.what.empty()) asked.push_back(selection.assignment.topic);
     const Implementation implementation = prepared_implementation(options.with, asked);

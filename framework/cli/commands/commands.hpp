@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The commands, each from a file of its own.
+// The list of commands. Each command has a file of its own.
 #pragma once
 
 #include "cli/command.hpp"

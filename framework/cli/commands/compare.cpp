@@ -23,7 +23,7 @@ struct CompareOptions {
     DrawOptions draw;
 };
 
-// The whole run of an implementation, every step of it.
+// The trajectory of an implementation's run, with every step recorded.
 Trajectory every_step(const Implementation& implementation, const Scene& scene, RunOutcome& outcome)
 {
     Trajectory result;
@@ -57,7 +57,7 @@ void print(const std::vector<Difference>& differences)
         fmt::print("  and {} more\n", differences.size() - most_shown);
 }
 
-// How the differences grow: the largest of each quantity at ten moments.
+// Prints how the differences grow: the largest difference of each quantity at about ten times.
 void print_growth(const Comparison& comparison, const Trajectory& actual, std::size_t first)
 {
     std::vector<const char*> quantities;
@@ -83,7 +83,7 @@ void print_growth(const Comparison& comparison, const Trajectory& actual, std::s
     }
 }
 
-// @return whether they agree
+// Prints the first differences between two runs. @return whether the runs agree
 bool report_numbers(const Comparison& comparison, const Trajectory& actual, const std::string& name)
 {
     const std::vector<Difference> bodies = comparison.bodies(actual.bodies);

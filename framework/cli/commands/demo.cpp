@@ -33,7 +33,7 @@ struct DemoOptions {
     std::string out = "out/demo", size = "1280x720";
 };
 
-// One scene of each assignment that has any, two on collision.
+// One scene for each assignment that has scenes, and two for collision.
 constexpr const char* scenes[] = {
     "a1-kinematics/projectile_with_spin", "a2-inertia/hammer",          "a3-rotation/tennis_racket",
     "a4-collision/billiard_break",        "a4-collision/hundred_boxes", "a5-contact/leaning_tower",
@@ -44,16 +44,16 @@ struct Graded {
     std::vector<std::string> submissions; // implementations, or folders of tests/samples
 };
 
-// The first assignment, which has no scene, solved and not; then three submissions: one that is
-// complete, one half done with the usual mistakes, one that crashes in one task and never returns
-// from another.
+// What the demo grades: the first assignment, which has no scenes, with the reference and with the
+// student's files; then three submissions of another assignment. One of them is complete, one is
+// half done with the usual mistakes, and one crashes in one task and never returns from another.
 std::vector<Graded> to_grade()
 {
     return {{"a0-pipeline", {"reference", "student"}},
             {"a2-inertia", {"complete", "half_done", "crashing"}}};
 }
 
-// The graded tests, built while the scenes are drawn.
+// Builds the graded tests in the background while the scenes are drawn.
 class GradedTests {
 public:
     GradedTests()
@@ -74,7 +74,7 @@ public:
     }
 
 private:
-    std::atomic<double> built_ = 0; // how much of them is
+    std::atomic<double> built_ = 0; // the fraction that is built
     std::future<GradingRun> run_;
 };
 
@@ -84,7 +84,7 @@ void render_scenes(const Implementation& reference, const fs::path& out, DrawOpt
     for (const char* name : scenes) {
         const Scene scene = load_scene(find_scene(name));
         fmt::print("{}: {}\n", name, scene.description);
-        std::fflush(stdout); // before the progress, which goes to stderr
+        std::fflush(stdout); // print it before the progress bar, which goes to stderr
         if (render_scene(scene, reference, (out / scene.name).string(), draw) != exit_done)
             throw std::runtime_error(std::string("the reference does not run ") + name);
         std::fflush(stdout);
@@ -97,7 +97,7 @@ Result grade_one(const std::string& name, const fs::path& out, const Selection& 
     const fs::path folder = places().source / "tests/samples" / name;
     Implementation implementation =
         prepared_implementation(fs::is_directory(folder) ? folder.string() : name);
-    implementation.name = name; // the folder is nobody's concern
+    implementation.name = name; // the report shows this name instead of the folder
     Progress progress(name);
     run.on_task = [&](int begun, int tasks, const std::string& tag) {
         progress.update((begun - 1.0) / tasks, tag);

@@ -67,7 +67,7 @@ int render_scene(const Scene& scene, const Implementation& implementation,
     };
     run.on_frame = [&](const Frame& frame) { film.add(frame); };
     const RunOutcome outcome = run_in_worker(implementation, scene, run);
-    film.finish(); // what came before a failure stays
+    film.finish(); // frames from before a failure are kept
     return report_outcome(outcome, implementation);
 }
 

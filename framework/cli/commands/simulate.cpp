@@ -26,10 +26,10 @@ struct SimulateOptions {
     bool stats = false, json = false, every_step = false;
 };
 
-// The most that a deformable solid went through.
+// The largest values that a deformable solid reached during a run.
 struct SolidExtremes {
     double stress = 0, plastic_strain = 0;   // [Pa]
-    double mass_drift = 0, volume_drift = 0; // relative, of the first frame's
+    double mass_drift = 0, volume_drift = 0; // relative to the first frame
 
     void take(const SolidStatistics& now, const SolidStatistics& first)
     {
@@ -41,7 +41,7 @@ struct SolidExtremes {
     }
 };
 
-// What --stats tells, gathered frame by frame.
+// The numbers that --stats prints, collected frame by frame.
 struct Summary {
     FrameStatistics first, last;
     double largest_energy = 0, deepest = 0;

@@ -22,7 +22,7 @@ struct TestOptions {
     std::string out;
 };
 
-// Formula, mistake, and the test that caught it.
+// Lists for each formula the known mistakes and the test that caught each of them.
 int list_mistakes()
 {
     prepare_targets({"mistakes"});
@@ -32,7 +32,7 @@ int list_mistakes()
     return status;
 }
 
-// Every case that breaks engines, on ours, with its limits.
+// Runs the stress suite: cases that break physics engines, each on this engine with its limits.
 int stress(const TestOptions& options)
 {
     if (!places().has_reference())
@@ -50,7 +50,7 @@ int stress(const TestOptions& options)
 
 constexpr std::string_view known_presets[] = {"release", "debug", "clang"};
 
-// @throws InputError for options that mean nothing together, and a build that is none of ours
+// @throws InputError for options that cannot be combined and for an unknown build
 void check_usage(const TestOptions& options)
 {
     const bool of_suites = options.all || !options.presets.empty();
@@ -65,7 +65,7 @@ void check_usage(const TestOptions& options)
                                          fmt::join(known_presets, ", "), preset));
 }
 
-// The sources' format, then every suite of every build that is asked for.
+// Checks the format of the sources, then runs every suite of each requested build.
 std::vector<SuiteResult> run_suites(const TestOptions& options)
 {
     std::vector<SuiteResult> results = {check_format()};
@@ -81,7 +81,7 @@ std::vector<SuiteResult> run_suites(const TestOptions& options)
 
     run("release");
     if (options.all && run("clang") == SuiteResult::skipped)
-        run("debug"); // the same sanitizers, by the compiler that is there
+        run("debug"); // without clang: the same sanitizers with the default compiler
     return results;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The bar that says what colors mean.
+// The bar that shows the values of the colors.
 #pragma once
 
 #include "render/gl/gl.hpp"
@@ -10,11 +10,11 @@
 
 namespace rigor {
 
-/// Where the bar is on the screen [pixels].
+/// The place of the bar on the screen [pixels].
 struct BarPlace {
     float left = 0, right = 0, top = 0, bottom = 0;
 
-    /// The height of a tick. @param place  0 at the low end, 1 at the high one
+    /// The height of a tick on the screen. @param place  0 at the low end, 1 at the high end
     float at(float place) const { return bottom + place * (top - bottom); }
 };
 
@@ -27,7 +27,7 @@ public:
 private:
     struct Corner {
         float x, y;
-        Vector4f color; // encoded
+        Vector4f color; // sRGB-encoded
     };
     void add(float left, float top, float right, float bottom, const Vector4f& color);
 

@@ -3,7 +3,7 @@
 
 namespace rigor {
 
-/// An OpenGL 3.3 core context without a window. Each drawing module has one way to make it.
+/// An OpenGL 3.3 core context without a window. Each drawing module makes it in its own way.
 class Context {
 public:
     Context() = default;

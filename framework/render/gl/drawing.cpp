@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// Draws a picture with OpenGL. First comes the depth map of the sun; then everything opaque:
+// bodies, overlays, grounds and background; then ghosts, the lines of the ground and the parts of
+// overlays behind bodies; and last the letters on the resolved pixels. Shaders, meshes and maps are
+// made when the first picture needs them, and are kept.
 #include "render/gl/drawing.hpp"
 
 #include "render/gl/ground_mesh.hpp"
@@ -34,7 +38,7 @@ public:
     }
     ~Drawing() override
     {
-        context_->make_current(); // its parts are deleted in it
+        context_->make_current(); // the parts have to be deleted in their context
         parts_.reset();
     }
 
@@ -82,7 +86,7 @@ private:
     int width_, height_;
     std::unique_ptr<Context> context_;
     std::unique_ptr<Parts> parts_;
-    std::string shadows_; // what the looks of this picture are told of them
+    std::string shadows_; // definitions for the shaders of this picture
 };
 
 const Program& Drawing::use(Look look, const std::string& definitions)
@@ -110,7 +114,7 @@ void Drawing::draw_solids(Solid solid, std::span<const Instance> instances)
     mesh->draw(instances);
 }
 
-/// Each ball with as many triangles as its size on the screen deserves.
+/// Draws balls with three levels of detail, chosen by the radius on the screen.
 void Drawing::draw_balls(const Picture& picture, std::span<const Instance> balls)
 {
     std::array<std::vector<Instance>, 3> by_detail;
@@ -158,7 +162,7 @@ void Drawing::draw_shadows(const Picture& picture)
     parts_->shadow_map->start();
     use(Look::shadow, "");
     glEnable(GL_POLYGON_OFFSET_FILL);
-    glPolygonOffset(1.5F, 2.0F); // or faces shade themselves
+    glPolygonOffset(1.5F, 2.0F); // without an offset, faces would cast shadows on themselves
     draw_solids(Solid::cube, picture.boxes);
     draw_solids(Solid::ball, picture.balls);
     draw_models(picture.models, Look::shadow, "");
@@ -185,7 +189,7 @@ void Drawing::draw_bodies(const Picture& picture)
 void Drawing::draw_ghosts(const Picture& picture)
 {
     glEnable(GL_POLYGON_OFFSET_FILL);
-    glPolygonOffset(1.0F, 4.0F); // or they flicker where a face of theirs lies in one of a body
+    glPolygonOffset(1.0F, 4.0F); // avoids flicker where a ghost's face lies on a body's
     if (!picture.ghost_boxes.empty()) {
         use(Look::box, "#define GHOST\n");
         draw_solids(Solid::cube, picture.ghost_boxes);
@@ -249,13 +253,13 @@ Image Drawing::draw(const Picture& picture)
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LEQUAL);
     glDepthMask(GL_TRUE);
-    glDisable(GL_CULL_FACE); // both sides cast
+    glDisable(GL_CULL_FACE); // both sides cast shadows
     send(parts_->deformed, picture.deformed);
     send(parts_->ghost_deformed, picture.ghost_deformed);
     draw_shadows(picture);
 
     glEnable(GL_CULL_FACE);
-    glFrontFace(GL_CW); // the picture's y points down
+    glFrontFace(GL_CW); // since y points down in the picture
     parts_->target.start();
     draw_bodies(picture);
     draw_overlays(picture, "");

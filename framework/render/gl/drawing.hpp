@@ -8,11 +8,11 @@
 
 namespace rigor {
 
-/// A renderer that draws in a context. What a scene does not need is not even compiled: each
-/// shader, mesh and map is made when the first picture asks for it.
+/// A renderer that draws in a context. Each shader, mesh and map is made when the first picture
+/// needs it, so that a scene does not wait for parts that it does not use.
 std::unique_ptr<Renderer> make_drawing(std::unique_ptr<Context> context, int width, int height);
 
 } // namespace rigor
 
-/// What a module exports. The caller owns the renderer.
+/// The function that a module exports. The caller owns the renderer.
 extern "C" rigor::Renderer* create_renderer(int width, int height);

@@ -28,7 +28,7 @@ public:
         context_ = eglCreateContext(display_, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, wanted.data());
         if (context_ == EGL_NO_CONTEXT) throw std::runtime_error("EGL has no OpenGL 3.3 core");
     }
-    // The display is the process's, shared with other renderers: it is left open.
+    // The display is left open, since other renderers of the process share it.
     ~EglContext() override
     {
         eglBindAPI(EGL_OPENGL_API);

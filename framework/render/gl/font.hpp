@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Letters as pixels, each painted once when it is first needed.
+// Letters as pixels. Each one is painted into an atlas when it is first needed.
 #pragma once
 
 #include <cstdint>
@@ -13,19 +13,19 @@ namespace rigor {
 
 struct Glyph {
     int x = 0, y = 0, width = 0, height = 0; // in the atlas [pixels]
-    int left = 0, top = 0;                   // from the pen on its base line, y down [pixels]
+    int left = 0, top = 0;                   // from the pen on the base line, y down [pixels]
     float advance = 0;                       // how far the pen moves [pixels]
 };
 
 class Font {
 public:
-    static constexpr int side = 1024; // the atlas's side [pixels]
+    static constexpr int side = 1024; // side of the square atlas [pixels]
 
     /// @throws std::runtime_error if the font's file cannot be read
     Font();
     const Glyph& glyph(char32_t letter, int size);
 
-    /// Coverage 0 … 255, `side` × `side`. Changes when a new glyph is asked for.
+    /// The atlas: coverage 0 … 255, `side` × `side`. It changes when a new glyph is requested.
     const std::vector<std::uint8_t>& atlas() const { return atlas_; }
     std::size_t painted() const { return glyphs_.size(); }
 
@@ -35,10 +35,10 @@ private:
     std::vector<unsigned char> file_;
     std::vector<std::uint8_t> atlas_;
     std::map<std::pair<char32_t, int>, Glyph> glyphs_;
-    int row_x_ = 1, row_y_ = 1, row_height_ = 0; // where the next glyph goes
+    int row_x_ = 1, row_y_ = 1, row_height_ = 0; // where the next glyph is painted [pixels]
 };
 
-/// The letters of a UTF-8 text; what is not UTF-8 becomes U+FFFD.
+/// The letters of a UTF-8 text. Bytes that are not UTF-8 become U+FFFD.
 std::u32string letters(std::string_view text);
 
 } // namespace rigor

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// OpenGL 3.3 core. The symbols come with the library that a module links: no loader.
+// OpenGL 3.3 core. No loader is needed, since the library that a module links has the symbols.
 #pragma once
 
 #define GL_GLEXT_PROTOTYPES
@@ -9,7 +9,7 @@
 
 namespace rigor {
 
-/// Owns one OpenGL name of a kind.
+/// Owns one OpenGL name, such as that of a buffer.
 template <auto& Generate, auto& Delete> class GlName {
 public:
     GlName() { Generate(1, &name_); }

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Cuts the visible square of a ground into the part inside the sun's shadow map and the rest. The
+// edges of the map are projected to the ground along the light. They cut it into a grid of 3 × 3
+// cells in the map's coordinates, whose middle cell is the part with shadows.
 #include "render/gl/ground_mesh.hpp"
 
 #include <array>
@@ -9,16 +12,16 @@ namespace rigor {
 GroundPieces ground_pieces(const Ground& ground, const Vector3f& origin, float half,
                            const View& view, bool shadows)
 {
-    // The ground is cut along the edges of the shadow map as the sun casts them: u and v, the first
-    // two coordinates of to_light, are 0 or 1 there.
+    // u and v are the first two coordinates of to_light; they are 0 or 1 on the edges
+    // of the shadow map.
     const Eigen::Map<const Eigen::Matrix4f> to_light(view.to_light);
     const Eigen::Matrix<float, 2, 3> L = to_light.topLeftCorner<2, 3>();
-    Eigen::Matrix2f M; // a spot on the ground to (u, v)
+    Eigen::Matrix2f M; // maps a spot on the ground to (u, v)
     M.col(0) = L * ground.axes.col(0);
     M.col(1) = L * ground.axes.col(2);
     const Spot middle = L * origin + to_light.topRightCorner<2, 1>();
-    Spot reach(half * M.row(0).norm(),
-               half * M.row(1).norm()); // how far the circle in sight reaches
+    // How far the circle of radius `half` reaches in u and v.
+    Spot reach(half * M.row(0).norm(), half * M.row(1).norm());
 
     GroundPieces pieces;
     const bool grazed = !(std::abs(M.determinant()) > 0.05F * M.squaredNorm());
@@ -26,13 +29,13 @@ GroundPieces ground_pieces(const Ground& ground, const Vector3f& origin, float h
     if (!shadows || grazed || !inside) {
         auto& piece = shadows ? pieces.shaded : pieces.plain;
         piece = {{-half, -half}, {-half, half}, {half, half},
-                 {-half, -half}, {half, half},  {half, -half}}; // z first: z × x = y
+                 {-half, -half}, {half, half},  {half, -half}}; // z comes before x, since z × x = y
         return pieces;
     }
     const std::array<float, 4> u = {middle.x() - reach.x(), 0, 1, middle.x() + reach.x()};
     const std::array<float, 4> v = {middle.y() - reach.y(), 0, 1, middle.y() + reach.y()};
     const Eigen::Matrix2f back = M.inverse();
-    const int first = M.determinant() > 0 ? 1 : 0; // which way round is counter-clockwise
+    const int first = M.determinant() > 0 ? 1 : 0; // keeps triangles counter-clockwise
     for (int cell = 0; cell < 9; ++cell) {
         const int i = cell % 3, j = cell / 3;
         const auto corner = [&](int a, int b) -> Spot {

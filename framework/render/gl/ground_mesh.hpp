@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A ground in two pieces: where shadows can fall, and the rest, which need not look for them.
+// A ground in two pieces: one where shadows can fall, and the rest, which needs no shadow map.
 #pragma once
 
 #include "render/gl/shaders/program.hpp"
@@ -9,14 +9,14 @@
 
 namespace rigor {
 
-using Spot = Eigen::Vector2f; // on a ground, along its x and z, from its middle [m]
+using Spot = Eigen::Vector2f; // a point of a ground, along its x and z, from its middle [m]
 
 struct GroundPieces {
     std::vector<Spot> shaded, plain; // triangles, counter-clockwise seen from above
 };
 
-/// @param origin  the middle of the piece of ground that is drawn
-/// @param half    of its side [m]
+/// @param origin  the middle of the square of ground that is drawn
+/// @param half    half of its side [m]
 GroundPieces ground_pieces(const Ground& ground, const Vector3f& origin, float half,
                            const View& view, bool shadows);
 

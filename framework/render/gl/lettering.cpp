@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Draws the texts of a picture. Each letter is a rectangle that shows its part of the font's atlas,
+// at whole pixels. Labels are centered above the projections of their points; other texts are lines
+// in the top left corner; the color bar has its title and its numbers.
 #include "render/gl/lettering.hpp"
 
 #include "render/gl/layout.hpp"
@@ -11,9 +14,9 @@
 namespace rigor {
 namespace {
 
-constexpr std::size_t longest = 160; // letters of a line; names may be anything
+constexpr std::size_t longest = 160; // most letters of a line, since a name may have any length
 
-/// The sRGB encoding of linear light, near enough for a letter.
+/// The sRGB encoding of linear light, approximated by a power, which is enough for letters.
 float encoded(float linear)
 {
     return std::pow(std::clamp(linear, 0.0F, 1.0F), 1 / 2.2F);
@@ -51,7 +54,7 @@ void Lettering::add_line(const Text& text, int size, float x, float y)
 {
     for (const char32_t letter : letters(text.text).substr(0, longest)) {
         const Glyph& glyph = font_.glyph(letter, size);
-        // whole pixels, and one more on each side for the rim
+        // Letters are placed at whole pixels, with one more pixel on each side for the rim.
         const auto place = [&](int u, int v) {
             Corner corner{std::round(x) + static_cast<float>(glyph.left - 1 + u),
                           std::round(y) + static_cast<float>(glyph.top - 1 + v),
@@ -103,7 +106,8 @@ std::vector<Text> Lettering::wrapped(const Text& text, float width)
     return lines;
 }
 
-// In its strip at the right border, its numbers to the right of it, its title above.
+// Draws the color bar in its strip at the right border, with its numbers to the right
+// and its title above.
 void Lettering::draw_scale(const ColorScale& scale)
 {
     const auto pixels = [](int n) { return static_cast<float>(n); };

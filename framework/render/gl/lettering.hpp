@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The texts of a picture, pixel by pixel on the finished picture.
+// The texts of a picture, drawn on the finished picture.
 #pragma once
 
 #include "render/gl/color_bar.hpp"
@@ -25,8 +25,8 @@ private:
     };
     void add_line(const Text& text, int size, float x, float y);
     void add_label(const Text& text, const View& view);
-    std::vector<Text> wrapped(const Text& text,
-                              float width); // in lines at most so wide, if it can be
+    // Lines of at most this width, unless a word is wider [pixels].
+    std::vector<Text> wrapped(const Text& text, float width);
     void draw_scale(const ColorScale& scale);
     float width_of(const Text& text, int size);
     int size_of(const Text& text) const { return text.large ? large_ : small_; }

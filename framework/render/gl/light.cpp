@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// The matrices of the camera and of the sun. The camera has a perspective projection and looks at
+// the picture's target. The sun stands behind the left shoulder of the camera and has a parallel
+// projection onto the shadow map, which fits a ball around all bodies that cast shadows.
 #include "render/gl/light.hpp"
 
 #include "render/gl/layout.hpp"
@@ -12,7 +15,7 @@ namespace {
 
 using Eigen::Matrix4f;
 
-/// Unit axes as rows: right, up, back of one who looks along `forward`.
+/// Unit axes as rows: right, up and back for an observer who looks along `forward`.
 Matrix3f looking_along(const Vector3f& forward)
 {
     const Vector3f back = -forward.normalized();
@@ -30,8 +33,8 @@ Vector3f forward_of(const Picture& picture)
     return forward.norm() > 1e-6F ? forward : -Vector3f::UnitZ().eval();
 }
 
-/// Perspective whose y points down the screen: rows are then read from the top, as files want them.
-/// @param strip  share of the width at the right border that stays free
+/// The perspective projection. Its y points down the screen, so that rows are read from the top, as
+/// image files need them. @param strip  share of the width at the right border that stays free
 Matrix4f to_clip(const Picture& picture, float aspect, float strip)
 {
     const float angle = std::clamp(picture.field_of_view, 1.0F, 170.0F);
@@ -54,7 +57,8 @@ Matrix4f to_clip(const Picture& picture, float aspect, float strip)
     return smaller * perspective * camera;
 }
 
-/// Over the left shoulder of the camera, so that what it sees is lit.
+/// The direction to the sun: over the left shoulder of the camera, so that what the
+/// camera sees is lit.
 Vector3f towards_sun(const Picture& picture)
 {
     const Matrix3f rows = looking_along(forward_of(picture));
@@ -69,7 +73,7 @@ struct Ball {
     float radius = 1;
 };
 
-/// Around all that casts a shadow near what the camera looks at.
+/// A ball around all bodies that cast shadows near the camera's target.
 Ball around_casters(const Picture& picture)
 {
     const float reach = 6 * camera_distance(picture);
@@ -90,7 +94,7 @@ Ball around_casters(const Picture& picture)
     for (const DeformedVertex& corner : picture.deformed)
         include(corner.position, Vector3f::Zero());
     if (!(low.x() <= high.x())) return {picture.target, 1};
-    // In steps, so that the edges of shadows do not crawl from frame to frame.
+    // The radius grows in steps, so that the edges of shadows do not crawl from frame to frame.
     const float radius = std::max((high - low).norm() / 2, 1e-3F * reach);
     return {(low + high) / 2, std::exp2(std::ceil(4 * std::log2(radius)) / 4)};
 }

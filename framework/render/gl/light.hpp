@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where the camera and the sun stand.
+// The view: the camera, the sun and the size of the screen.
 #pragma once
 
 #include "render/gl/shaders/program.hpp"
@@ -7,10 +7,10 @@
 
 namespace rigor {
 
-constexpr int shadow_side =
-    1024; // the shadow map's side [pixels]; a larger one costs time and hardens the edges
+/// Side of the shadow map [pixels]. A larger one costs time and makes the edges of shadows harder.
+constexpr int shadow_side = 1024;
 
-/// All that the shaders share about a picture of this size.
+/// The data that the shaders of a picture share. @param width, height  of the picture [pixels]
 View view_of(const Picture& picture, int width, int height);
 
 /// Distance from the camera to what it looks at, never 0 [m].

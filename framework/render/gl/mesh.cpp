@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Meshes of unit solids: a cube with flat faces, a ball as an octahedron that is subdivided again
+// and again, and a cylinder or cone with 16 sides. One call draws all instances of a mesh.
 #include "render/gl/mesh.hpp"
 
 #include <cmath>
@@ -8,8 +10,8 @@
 namespace rigor {
 namespace {
 
-// The attributes of the shaders: 0 position, 1 normal, 7 edges; 2 3 4 axes, 5 place, 6 color an
-// instance.
+// Sets an attribute of the shaders. For each vertex: 0 position, 1 normal, 7 edges. For each
+// instance: 2, 3, 4 axes, 5 position, 6 color.
 void attribute(GLuint index, int size, std::size_t stride, std::size_t offset, GLuint divisor)
 {
     glEnableVertexAttribArray(index);
@@ -86,7 +88,7 @@ std::vector<SurfaceVertex> rod_mesh(bool pointed)
     };
     for (int side = 0; side < sides; ++side) {
         const Vector3f a = rim(side), b = rim(side + 1);
-        const Vector3f up = pointed ? top : Vector3f::Zero(); // a cone's normals lean to its tip
+        const Vector3f up = pointed ? top : Vector3f::Zero(); // normals of a cone lean to its tip
         const Vector3f n_a = (a + up).normalized(), n_b = (b + up).normalized();
         add_flat(mesh, Vector3f::Zero(), b, a);
         mesh.insert(mesh.end(), {{a, n_a}, {b, n_b}, {pointed ? top : b + top, n_b}});
@@ -146,7 +148,7 @@ void DeformedDrawing::draw() const
 {
     if (count_ == 0) return;
     glBindVertexArray(arrays_);
-    glVertexAttrib3f(2, 1, 0, 0); // one instance, which stands where its corners say
+    glVertexAttrib3f(2, 1, 0, 0); // one instance without rotation: corners are in the world frame
     glVertexAttrib3f(3, 0, 1, 0);
     glVertexAttrib3f(4, 0, 0, 1);
     glVertexAttrib3f(5, 0, 0, 0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The unit solids, and how many of one are drawn at once.
+// The meshes of unit solids, and drawing many instances of a mesh at once.
 #pragma once
 
 #include "render/gl/gl.hpp"
@@ -19,7 +19,7 @@ std::vector<SurfaceVertex> ball_mesh(int levels);
 /// A cylinder or a cone of radius 1 about z, from 0 to 1, with its base.
 std::vector<SurfaceVertex> rod_mesh(bool pointed);
 
-/// A mesh on the graphics side, drawn once an instance.
+/// A mesh in the memory of the graphics library, drawn once for each instance.
 class SolidDrawing {
 public:
     explicit SolidDrawing(const std::vector<SurfaceVertex>& triangles);
@@ -31,7 +31,7 @@ private:
     GLsizei count_;
 };
 
-/// Triangles in the world, sent anew for each picture.
+/// Triangles in the world frame, sent again for each picture.
 class DeformedDrawing {
 public:
     DeformedDrawing();
@@ -44,7 +44,7 @@ private:
     GLsizei count_ = 0;
 };
 
-/// Triangles on a ground, sent anew for each picture.
+/// Triangles on a ground, sent again for each picture.
 class FlatDrawing {
 public:
     FlatDrawing();

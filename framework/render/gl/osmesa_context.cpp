@@ -31,7 +31,7 @@ public:
 
     void make_current() override
     {
-        // One pixel: everything is drawn into framebuffer objects.
+        // One pixel is enough, since everything is drawn into framebuffer objects.
         if (!OSMesaMakeCurrent(context_, pixel_.data(), GL_UNSIGNED_BYTE, 1, 1))
             throw std::runtime_error("OSMesa refuses its own context");
     }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What is drawn into: four samples a pixel, resolved to one, read back; and the sun's depth map.
+// The framebuffers: the picture with four samples for each pixel, resolved to one and read back,
+// and the depth map of the sun.
 #pragma once
 
 #include "render/gl/gl.hpp"
@@ -12,8 +13,8 @@ public:
     /// @throws std::runtime_error if there is no memory for it
     Target(int width, int height);
 
-    void start() const;   // what follows is drawn with four samples
-    void resolve() const; // what follows is drawn on the resolved pixels, as they are encoded
+    void start() const;   // from now on, drawing has four samples for each pixel
+    void resolve() const; // from now on, drawing goes to the resolved, encoded pixels
     Image read() const;
 
 private:

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The worker's side of the table: one formula by its index.
+// The worker's table of formulas: calls one of them by its index.
 #pragma once
 
 #include "worker/wire.hpp"
 
 namespace rigor {
 
-/// Calls the formula on encoded arguments. @return its encoded result
+/// Calls a formula on encoded arguments. @return its encoded result
 /// @throws wire::Malformed, what the formula throws
 wire::Bytes call_formula(unsigned index, std::span<const std::byte> arguments);
 

@@ -26,23 +26,24 @@ namespace rigor {
 
 namespace {
 
-/// Nobody is left to answer once the client is dead, not even from an endless loop in an
-/// initializer of the implementation: so this comes before those.
+/// Ends this process when the client dies, since nobody is left to answer. This is called before
+/// the initializers of the implementation, so that it also ends an endless loop in one of them.
 [[gnu::constructor(101)]] void die_with_client()
 {
     prctl(PR_SET_PDEATHSIG, SIGKILL);
 }
 
-/// Recursion over a stack of 100 000 bodies fits: it is not wrong, only deep. From inside, because
-/// a limit from outside is lost while exec is under way.
+/// Makes the call stack large enough for a recursion over 100 000 stacked bodies, which is deep but
+/// not wrong. The limit is set from inside, since a limit from outside is lost while
+/// exec is under way.
 [[gnu::constructor(102)]] void make_room_for_recursion()
 {
     const rlimit stack = {rlim_t{32} << 20, rlim_t{32} << 20};
-    setrlimit(RLIMIT_STACK, &stack); // where that is not allowed, less is deep
+    setrlimit(RLIMIT_STACK, &stack); // if that is not allowed, the old limit stays
 }
 
-// Whose formulas these are is decided where the worker is built: no implementation can say it is
-// the reference. Formulas of others may not be fit for threads.
+// The settings of a run. The build decides whether the formulas are the reference's, so that no
+// other implementation can claim it. Other formulas may not be safe to call from several threads.
 RunSettings settings([[maybe_unused]] int threads)
 {
 #ifdef RIGOR_REFERENCE
@@ -96,7 +97,7 @@ public:
             reply_text(Status::threw,
                        text ? std::string("an exception: ") + text : "an exception without a text");
         } catch (const abi::__forced_unwind&) {
-            throw; // pthread_exit: no exception of anybody's, and it must not be stopped
+            throw; // pthread_exit: not an exception, and it must not be stopped
         } catch (...) {
             reply_text(Status::threw, "something that is no std::exception");
         }
@@ -145,7 +146,7 @@ private:
 
     Channel& channel_;
     std::uint32_t streamed_ = 0;
-    std::uint32_t sequence_ = 1; // the request being answered; the first is to get ready
+    std::uint32_t sequence_ = 1; // the current request; request 1 is to get ready
 };
 
 wire::Bytes Server::stream_scene(std::span<const std::byte> payload)
@@ -165,7 +166,8 @@ wire::Bytes Server::stream_scene(std::span<const std::byte> payload)
     return {};
 }
 
-/// Waits only while the ring is full: the scene goes on while the client reads.
+/// Writes bytes to the ring. Waits only while the ring is full, so the scene goes on while the
+/// client reads.
 void Server::stream(std::span<const std::byte> bytes)
 {
     while (!bytes.empty()) {
@@ -187,13 +189,13 @@ void Server::stream(std::span<const std::byte> bytes)
 
 [[noreturn]] void run(const char* client)
 {
-    if (std::to_string(getppid()) != client) _exit(0); // it died before it could be noticed
+    if (std::to_string(getppid()) != client) _exit(0); // the client is dead already
     void* memory = mmap(nullptr, sizeof(Channel), PROT_READ | PROT_WRITE, MAP_SHARED, 3, 0);
     if (memory == MAP_FAILED) _exit(1);
     close(3);
-    // A process that an implementation forks has no part in the conversation.
+    // A process that an implementation forks must not take part in the conversation.
     madvise(memory, sizeof(Channel), MADV_DONTFORK);
-    // What it prints is seen even if it crashes in the next line.
+    // Output is flushed after each line, so that it is seen even if the next line crashes.
     std::setvbuf(stdout, nullptr, _IOLBF, 0);
 
     Server server(*static_cast<Channel*>(memory));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Every function of the contract, generated from the table: encode, ask, decode, look for NaN.
+// Every function of the contract, generated from the table. Each one encodes its arguments, asks
+// the worker, decodes the result, and checks it for NaN and infinity.
 #include "worker/proxy/proxy.hpp"
 
 #include "worker/define_formulas.hpp"
@@ -14,8 +15,8 @@ namespace {
 std::unique_ptr<Worker> under_test, reference;
 Worker* asked = nullptr;
 
-/// A rotation may be as slow as it likes: its longest step is then infinite. What has no stiffness
-/// never yields.
+/// Formulas whose result may be infinite: the longest time step of a rotation, which may be
+/// arbitrarily slow, and the yield strain of a material without stiffness.
 constexpr bool may_be_infinite(FormulaIndex formula)
 {
     return formula == FormulaIndex::max_time_step || formula == FormulaIndex::yield_strain;
@@ -60,7 +61,7 @@ void use_worker(const std::filesystem::path& executable,
 {
     asked = nullptr;
     under_test.reset();
-    Limits patient = limits; // the reference is trusted, and nobody can say how long it may take
+    Limits patient = limits; // the reference is trusted, and its time is not known
     patient.call = patient.scene = limits.oracle;
     reference = oracle_executable ? std::make_unique<Worker>(*oracle_executable, patient) : nullptr;
     under_test = std::make_unique<Worker>(executable, limits, reference.get());

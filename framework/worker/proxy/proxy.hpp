@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The formulas as functions that ask a worker. Link the library `proxy`, say which worker, and call
-// `combine(a, b)`: the same headers, an implementation in another process.
+// The formulas as functions that ask a worker. A program that links the library `proxy` and sets a
+// worker can call `combine(a, b)` from the same headers, and an implementation
+// in another process answers.
 #pragma once
 
 #include "worker/client.hpp"
@@ -10,8 +11,8 @@
 
 namespace rigor {
 
-/// From now on the formulas ask this worker. The oracle, if there is one, says how long a slow call
-/// may take, and answers `by_reference`.
+/// Makes the formulas ask this worker from now on. The oracle, if there is one, tells how long a
+/// slow call may take and answers `by_reference`.
 void use_worker(const std::filesystem::path& executable,
                 const std::optional<std::filesystem::path>& oracle = {}, const Limits& limits = {});
 
@@ -21,15 +22,15 @@ Worker& worker();
 /// The worker that runs the reference; nullptr if there is none.
 Worker* oracle();
 
-/// A clean process for the next call.
+/// Makes the next call start a fresh process.
 void renew_worker();
 
-/// The reference fails: never the fault of the implementation under test.
+/// The reference failed, which is never the fault of the implementation under test.
 struct OracleFailure : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// Lets the formulas ask the oracle as long as it lives.
+/// Makes the formulas ask the oracle as long as this object lives.
 class AskOracle {
 public:
     AskOracle();
@@ -38,7 +39,8 @@ public:
     AskOracle& operator=(const AskOracle&) = delete;
 };
 
-/// `by_reference([&] { return combine(a, b); })`: what the reference answers. @throws OracleFailure
+/// The answer of the reference: `by_reference([&] { return combine(a, b); })`.
+/// @throws OracleFailure
 template <class Call> auto by_reference(const Call& call)
 {
     const AskOracle ask;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Whole submissions, from their folder to result.json: those of the demo, and those that do not compile.
+// Whole submissions, from their folder to result.json: those of the demo, and some
+// that do not compile.
 #include "checked.hpp"
 #include "support/catch.hpp"
 
@@ -14,7 +15,7 @@ std::filesystem::path sample(const std::string& name)
     return std::filesystem::path(RIGOR_SOURCE_DIR) / "tests/samples" / name;
 }
 
-// Tags of the tasks that did not pass, with their statuses.
+// The tags and statuses of the tasks that did not pass.
 std::map<std::string, std::string> not_passed(const json& result)
 {
     std::map<std::string, std::string> statuses;
@@ -105,7 +106,7 @@ TEST_CASE("submission: a function that is not there is a compile error", "[cli][
     const Checked checked = check({"A2.14"}, folder.path());
     REQUIRE(checked.status == 1);
     REQUIRE(checked.result["status"] == "compile_error");
-    // which of the missing ones comes first is the linker's choice
+    // The linker chooses which of the missing functions it names first.
     const std::string message = checked.result["message"];
     CAPTURE(message);
     REQUIRE(message.find("undefined") != std::string::npos);
@@ -114,7 +115,7 @@ TEST_CASE("submission: a function that is not there is a compile error", "[cli][
 
 namespace {
 
-// A submission that has the reference in it: no points, and one line that says why.
+// Requires that a submission that includes the reference gets no points and one line that says why.
 void require_refused(const TemporaryFolder& folder)
 {
     const Checked checked = check({"a0-pipeline"}, folder.path());

@@ -7,7 +7,7 @@ namespace rigor::testing {
 
 TEST_CASE("tree: the reference has every point", "[cli][tree]")
 {
-    if (!places().has_reference()) return; // a student's tree
+    if (!places().has_reference()) return; // this is a student's tree
     const Checked checked = check({}, "reference");
     REQUIRE(checked.result.size() >= 5);
     for (const json& result : checked.result) {
@@ -25,7 +25,7 @@ TEST_CASE("tree: the reference has every point", "[cli][tree]")
 
 TEST_CASE("tree: every stub is not implemented and none fails or passes", "[cli][tree]")
 {
-    if (!places().has_reference()) return; // a student's tree, and a student's work
+    if (!places().has_reference()) return; // this is a student's tree with a student's work
     const Checked checked = check({}, "student");
     REQUIRE(checked.result.size() >= 5);
     for (const json& result : checked.result) {

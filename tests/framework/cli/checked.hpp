@@ -16,7 +16,7 @@ using nlohmann::json;
 struct Checked {
     int status = 0;
     json result;
-    std::string said; // on the terminal
+    std::string said; // the output on the terminal
 };
 
 /// Checks an implementation. @param what  as on the command line

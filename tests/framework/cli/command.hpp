@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The program, run as its users run it.
+// Runs the program as its users run it.
 #pragma once
 
 #include "grading/process.hpp"
@@ -15,8 +15,8 @@ struct Run {
     std::string output;
 };
 
-/// @param arguments  after the program's name
-/// @param only_stdout  what it writes to stderr is not taken
+/// @param arguments  the arguments after the program's name
+/// @param only_stdout  whether to leave out what it writes to stderr
 inline Run rigor(const std::vector<std::string>& arguments, bool only_stdout = false)
 {
     Run result;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The program as its users meet it: exit statuses and one clear line for whatever is wrong.
+// The command line as users see it: exit statuses, and one clear line for every error.
 #include "command.hpp"
 #include "grading/places.hpp"
 #include "report/terminal.hpp"

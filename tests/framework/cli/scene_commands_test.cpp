@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Scenes from the command line: run, stored, drawn, compared.
+// Scenes from the command line: they are run, stored, drawn and compared.
 #include "cli/difference.hpp"
 #include "command.hpp"
 #include "support/temporary_folder.hpp"
@@ -15,7 +15,7 @@ namespace {
 const std::string complete = std::string(RIGOR_SOURCE_DIR) + "/tests/samples/complete";
 const std::string half_done = std::string(RIGOR_SOURCE_DIR) + "/tests/samples/half_done";
 
-// One ball that moves along x, two steps.
+// Two steps of one ball that moves along x.
 Trajectory two_steps()
 {
     Trajectory trajectory;
@@ -88,7 +88,7 @@ TEST_CASE("scene commands: a difference is told by body and quantity", "[cli][sc
     REQUIRE(std::abs(moved[0].size - 1e-6) < 1e-12);
 
     other.frames[1].bodies[0].velocity.y() = std::numeric_limits<double>::quiet_NaN();
-    REQUIRE(comparison.frame(other.frames[1]).size() == 2); // NaN is never the same
+    REQUIRE(comparison.frame(other.frames[1]).size() == 2); // NaN always counts as a difference
     other.bodies[0].mass = 3;
     REQUIRE(comparison.bodies(other.bodies).size() == 1);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `simulate --json` tells the hash of a motion: the same in every process.
+// `simulate --json` prints the hash of a motion, which is the same in every process.
 #include "command.hpp"
 
 #include <nlohmann/json.hpp>

@@ -86,7 +86,7 @@ TEST_CASE("solid commands: where two runs of a solid part is told by node and el
     Frame frame = expected.frames[1];
     CHECK(comparison.frame(frame).empty());
     SolidFrame& solid = frame.solids[0];
-    solid.positions[2].x() += 1e-10; // rounding that grew
+    solid.positions[2].x() += 1e-10; // as large as rounding errors that have grown
     solid.stresses[0] *= 1 + 1e-7F;
     CHECK(comparison.frame(frame).empty());
 

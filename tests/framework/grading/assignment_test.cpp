@@ -26,7 +26,7 @@ std::string assignment_with(const std::string& tasks)
            "]}";
 }
 
-// What the loader says about a file; empty if it accepts it.
+// The loader's error message for a file; empty if it accepts the file.
 std::string complaint(const std::string& text)
 {
     const TemporaryFolder folder;
@@ -59,7 +59,7 @@ std::string content(const std::filesystem::path& file)
     return text.str();
 }
 
-// As a handout introduces a task: "### A2.14 `combine` (3 points)".
+// The heading of a task in a handout: "### A2.14 `combine` (3 points)".
 std::string heading(const Task& task)
 {
     const std::string name = task.formula.empty() ? task.title : "`" + task.formula + "`";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How test cases become points, with a shell script in the place of the test program.
+// How test cases become points. A shell script takes the place of the test program.
 #include "grading/run_tests.hpp"
 #include "grading/selection.hpp"
 #include "grading/verdicts.hpp"
@@ -47,7 +47,8 @@ std::string verdict_of(const std::string& tag, const std::string& status)
     return begin_of(tag) + "\n" + line_of(tag, status) + "\n";
 }
 
-// A test program that writes these lines on the descriptor of its verdicts and ends as told.
+// The result of a test program that writes these lines to the descriptor for verdicts and then runs
+// the shell commands `ending`.
 Result graded(const std::string& lines, const std::string& ending, bool oracle = false)
 {
     const TemporaryFolder folder;

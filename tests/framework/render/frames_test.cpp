@@ -27,7 +27,7 @@ FrameOptions options_for(const TemporaryFolder& folder)
     return options;
 }
 
-/// A box that walks to the right.
+/// A box that moves to the right.
 Picture picture_of(int frame)
 {
     Picture picture = box_picture(linear_color(0.8, 0.2, 0.1));
@@ -48,7 +48,8 @@ void write(const std::filesystem::path& file, const std::string& text)
     std::ofstream(file) << text;
 }
 
-/// While it lives no file may grow beyond this: the nearest to a full disk without being root.
+/// While this object lives, no file may grow beyond a limit. This is the nearest to a full disk
+/// that works without being root.
 class LargestFile {
 public:
     explicit LargestFile(rlim_t bytes)
@@ -67,7 +68,7 @@ private:
     rlimit before_{};
 };
 
-/// PATH for as long as it lives.
+/// Sets PATH as long as this object lives.
 class Path {
 public:
     explicit Path(const std::string& path) : before_(std::getenv("PATH"))
@@ -215,7 +216,7 @@ TEST_CASE("frames: a video is whole, of odd sizes too", "[render]")
     const FrameReport report = run(options, 12);
     REQUIRE(report.video);
     CHECK(names_in(folder.path()).size() == 13);
-    // decoded by ffmpeg itself: as many pictures, a row and a column more
+    // ffmpeg decodes the video: it has as many pictures, with one more row and column.
     const std::string raw = (folder.path() / "raw").string();
     const std::string command = "ffmpeg -loglevel error -i '" + report.video->string() +
                                 "' -f rawvideo -pix_fmt gray '" + raw + "'";

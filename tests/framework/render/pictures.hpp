@@ -25,19 +25,20 @@ Eigen::Vector2f on_screen(const Picture& picture, const Vector3f& point, int wid
 /// Red + green + blue, 0 … 765.
 int brightness(const std::uint8_t* pixel);
 
-/// Largest difference of a channel; sizes must agree.
+/// Largest difference of a channel between two images of the same size.
 int largest_difference(const Image& a, const Image& b);
 
-/// As stb_image reads it.
+/// The image that stb_image reads from a file.
 Image decoded(const std::filesystem::path& file);
 
-/// Whether a module was built.
+/// Whether the module for this way to draw was built.
 bool has(Gl gl);
 
-/// The program that runs now, with other surroundings: its output, and its status after "status=".
+/// Runs the current program again with other environment variables. @return its output, and its
+/// status after "status="
 std::string run_again(const std::string& environment, const std::string& test_spec);
 
-/// A scene of a floor, a box and a ball, with its record and a frame of it.
+/// A scene with a floor, a box and a ball, its record and one frame.
 struct SmallRun {
     Scene scene;
     std::vector<RecordedBody> bodies;
@@ -45,7 +46,7 @@ struct SmallRun {
 };
 SmallRun small_run();
 
-/// Of the files in a folder, sorted.
+/// The names of the files in a folder, sorted.
 std::vector<std::string> names_in(const std::filesystem::path& folder);
 
 } // namespace rigor

@@ -20,7 +20,7 @@ Image drawn(const Picture& picture, int width = 160, int height = 120, Gl gl = d
     return open_renderer(width, height, gl).renderer->draw(picture);
 }
 
-/// FNV-1a, to compare pictures of two processes.
+/// The FNV-1a hash of an image, to compare pictures of two processes.
 unsigned hash(const Image& image)
 {
     unsigned h = 2166136261U;
@@ -53,7 +53,7 @@ TEST_CASE("render: a red box is red and a blue one blue", "[render]")
     CHECK(middle[0] > middle[1] + 60);
     CHECK(middle[0] > middle[2] + 60);
     CHECK(b.pixel(80, 60)[2] > b.pixel(80, 60)[0] + 60);
-    CHECK(brightness(a.pixel(2, 2)) > 600); // the pale sky
+    CHECK(brightness(a.pixel(2, 2)) > 600); // the sky is pale
     CHECK(largest_difference(a, b) > 60);
 }
 
@@ -70,7 +70,7 @@ TEST_CASE("render: a ring has a hole to look through and casts its shadow", "[re
         const auto* pixel = image.pixel(static_cast<int>(at.x()), static_cast<int>(at.y()));
         return pixel[0] > pixel[1] + 10; // the ground is bluish
     };
-    for (int i = 0; i < 8; ++i) { // in both tones of its octants
+    for (int i = 0; i < 8; ++i) { // in both tones of the octants
         const float angle = 0.2F + 0.785F * static_cast<float>(i);
         const Vector3f out(std::cos(angle), 0, std::sin(angle));
         CHECK(is_red(out));
@@ -93,7 +93,7 @@ TEST_CASE("render: the picture stands upright", "[render]")
     picture.boxes.push_back({0.5F * Matrix3f::Identity(), Vector3f(-1.5F, 1.2F, 0), red});
     const Image image = drawn(picture);
     const Eigen::Vector2f at = on_screen(picture, Vector3f(-1.5F, 1.2F, 0.5F), 160, 120);
-    CHECK(at.x() < 60); // to the left and above
+    CHECK(at.x() < 60); // to the left of the middle and above it
     CHECK(at.y() < 45);
     const auto* pixel = image.pixel(static_cast<int>(at.x()), static_cast<int>(at.y()));
     CHECK(pixel[0] > pixel[1] + 60);
@@ -112,7 +112,7 @@ TEST_CASE("render: a ball casts a shadow on the ground", "[render]")
         for (int x = 0; x < 320; ++x) {
             const int change = brightness(plain.pixel(x, y)) - brightness(shaded.pixel(x, y));
             darker += change > 40;
-            other += change < -3; // nothing gets brighter by it
+            other += change < -3; // a shadow makes nothing brighter
         }
     CHECK(darker > 300);
     CHECK(darker < 20000);
@@ -249,7 +249,7 @@ TEST_CASE("renderer: a ghost is not seen where it lies in a body's own faces", "
     const Image alone = drawn(picture, 240, 240);
     Instance ghost = picture.boxes[0];
     ghost.color = linear_color(0.4, 0.3, 0.6, 0.34);
-    ghost.axes *= 1 + 1e-7F; // the same to rounding
+    ghost.axes *= 1 + 1e-7F; // the same except for rounding
     picture.ghost_boxes.push_back(ghost);
     const Image with_ghost = drawn(picture, 240, 240);
     const std::uint8_t *body = alone.pixel(120, 120), *same = with_ghost.pixel(120, 120);

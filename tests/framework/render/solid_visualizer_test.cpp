@@ -34,7 +34,7 @@ Scene bar_scene(const std::string& draw = "")
                        "bar");
 }
 
-// How the scene begins, with the stress that grows along x from 0 to 4 MPa at most.
+// The first frame of the scene, with a stress that grows along x from 0 to 4 MPa at most.
 Frame first_frame(const Scene& scene)
 {
     const DeformableWorld world = make_deformable_world(scene);
@@ -55,7 +55,7 @@ Picture picture_of(const Scene& scene, const Frame& frame)
     return Visualizer(scene, {}, scene.overlays).picture(frame);
 }
 
-// The faces that look at the camera, as if a crack had opened them.
+// A frame whose faces towards the camera are marked as opened by a crack.
 Frame cracked(const Frame& frame)
 {
     Frame result = frame;
@@ -101,7 +101,7 @@ TEST_CASE("solids: the surface lies where the nodes are and looks outwards", "[r
         for (std::size_t j = i; j < i + 3; ++j) {
             low = low.cwiseMin(picture.deformed[j].position);
             high = high.cwiseMax(picture.deformed[j].position);
-            CHECK((picture.deformed[j].normal - across).norm() < 1e-5F); // flat: a box has edges
+            CHECK((picture.deformed[j].normal - across).norm() < 1e-5F); // flat, with sharp edges
             CHECK(picture.deformed[j].color == linear_color(0.1, 0.2, 0.9));
         }
     }
@@ -126,7 +126,8 @@ TEST_CASE("solids: lines run along sharp edges alone", "[render]")
             if (is_diagonal) CHECK(!is_line);
             if (is_line) ++lines;
         }
-    CHECK(lines == 2 * (8 + 2 * 4)); // 8 edges of 1 m across, 4 of two cells along, from two sides
+    // 8 edges of 1 m across and 4 edges of two cells along, each seen from two sides.
+    CHECK(lines == 2 * (8 + 2 * 4));
 }
 
 TEST_CASE("solids: what a crack opened has another color", "[render]")
@@ -154,18 +155,19 @@ TEST_CASE("solids: colors by stress come with a bar that says what they mean", "
     const Frame frame = first_frame(scene);
     const Picture picture = picture_of(scene, frame);
     for (const DeformedVertex& v : picture.deformed)
-        if (std::abs(v.position.x()) > 0.9F) // its elements all have the same stress
+        if (std::abs(v.position.x()) > 0.9F) // all elements here have the same stress
             CHECK(v.color == colors::scale(v.position.x() < 0 ? 0 : 1));
     REQUIRE(picture.color_scale);
     const ColorScale& scale = *picture.color_scale;
-    CHECK(scale.title == "von Mises stress [MPa]"); // from 0 to the yield stress
+    CHECK(scale.title == "von Mises stress [MPa]"); // the range is from 0 to the yield stress
     REQUIRE(scale.ticks.size() >= 4);
     CHECK(scale.ticks.front().text == "0");
     CHECK(scale.ticks.front().place == 0);
     CHECK(scale.ticks.back().text == "4");
     CHECK(scale.ticks.back().place == 1);
 
-    // On the screen: a bar by the right border whose lower end is dark and whose upper end is pale.
+    // On the screen there is a bar at the right border whose lower end is dark and whose upper end
+    // is pale.
     const Image image = drawn(picture);
     int columns = 0;
     for (int x = 200; x < 320; ++x)
@@ -180,14 +182,14 @@ TEST_CASE("solids: the bar of colors covers nothing of what the camera shows", "
 {
     for (const auto& [width, height] : {std::pair{640, 360}, {240, 320}}) {
         CAPTURE(width, height);
-        Picture bar, solid; // the one has only letters and colors, the other only a solid
+        Picture bar, solid; // `bar` has only letters and colors, `solid` only a solid
         bar.eye = solid.eye = Vector3f(0, 0, 10);
         bar.color_scale = picture_of(bar_scene(R"("solids": "stress")"),
                                      first_frame(bar_scene(R"("solids": "stress")")))
                               .color_scale;
         REQUIRE(bar.color_scale);
         solid.color_scale.emplace();
-        // all that fits into the picture, from border to border
+        // A rectangle that fills the picture from border to border.
         const float y = 10 * std::tan(20 * 3.14159265F / 180);
         const float x = y * static_cast<float>(width) / static_cast<float>(height);
         const std::array<Vector3f, 4> corners = {Vector3f(-x, -y, 0), Vector3f(x, -y, 0),
@@ -232,7 +234,7 @@ TEST_CASE("solids: the range of colors is the scene's if it names one", "[render
     frame.solids[0].plastic_strains.assign(frame.solids[0].plastic_strains.size(), 0.03F);
     const Picture strained = picture_of(strain, frame);
     CHECK(strained.color_scale->title == "plastic strain");
-    CHECK(strained.color_scale->ticks.back().text == "0.05"); // what is there, rounded up
+    CHECK(strained.color_scale->ticks.back().text == "0.05"); // the largest strain, rounded up
 }
 
 TEST_CASE("solids: the scale of colors grows lighter in even steps", "[render]")
@@ -240,7 +242,7 @@ TEST_CASE("solids: the scale of colors grows lighter in even steps", "[render]")
     double last = -1;
     for (int i = 0; i <= 64; ++i) {
         const Vector4f c = colors::scale(i / 64.0);
-        // relative luminance of linear sRGB
+        // The relative luminance of linear sRGB.
         const double Y = 0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2];
         CAPTURE(i);
         CHECK(Y > last);

@@ -42,9 +42,9 @@ TEST_CASE("visualizer: of boxes of a body with faces in one plane the first is s
     SmallRun run = small_run();
     std::vector<Part>& parts = run.scene.bodies[1].parts;
     parts[0] = Part{Box{{2, 1, 0.5}}, Vector3d(0.1, 0, 0), Quaternion{}, 1000};
-    Part turned = parts[0]; // about z: both faces along z in common
+    Part turned = parts[0]; // turned about z: both faces along z are in common planes
     turned.orientation = {std::cos(0.2), Vector3d(0, 0, std::sin(0.2))};
-    Part other = parts[0]; // on top of the first: the planes in common look opposite ways
+    Part other = parts[0]; // on top of the first: faces in a common plane look opposite ways
     other.position = Vector3d(0.3, 0.2, 0.5);
     parts.insert(parts.end(), {turned, other});
     const Picture picture = Visualizer(run.scene, run.bodies, Overlays()).picture(run.frame);
@@ -56,7 +56,7 @@ TEST_CASE("visualizer: of boxes of a body with faces in one plane the first is s
     CHECK((half_sizes(2) - Vector3f(1, 0.5F, 0.25F)).norm() < 1e-6F);
     CHECK((half_sizes(1).head<2>() - Eigen::Vector2f(1, 0.5F)).norm() < 1e-6F);
     CHECK(half_sizes(1).z() < 0.25F - 2e-5F);
-    CHECK(half_sizes(1).z() > 0.25F - 2e-4F); // a hair
+    CHECK(half_sizes(1).z() > 0.25F - 2e-4F); // only a little thinner
 }
 
 TEST_CASE("visualizer: shapes of one make are drawn from one surface", "[render]")
@@ -80,7 +80,7 @@ TEST_CASE("visualizer: shapes of one make are drawn from one surface", "[render]
         instances.push_back(model.instances.size());
     CHECK(instances == std::vector<std::size_t>{2, 1, 1, 1, 1, 2});
     CHECK(picture.boxes.size() == 1);
-    REQUIRE(picture.balls.size() == 2); // the ellipsoid is one
+    REQUIRE(picture.balls.size() == 2); // the ellipsoid is drawn as a ball
     CHECK((picture.balls[1].axes.colwise().norm().transpose() - Vector3f(1, 2, 3)).norm() < 1e-5F);
 }
 
@@ -119,10 +119,11 @@ TEST_CASE("visualizer: sharp edges are marked and smooth ones are not", "[render
     };
     CHECK(marked(Torus{2, 1}) == 0);
     CHECK(marked(Capsule{1, 2}) == 0);
-    CHECK(marked(Cylinder{1, 2}) > 0); // its rims
+    CHECK(marked(Cylinder{1, 2}) > 0); // its rims are marked
     const Surface cube = surface_of(Mesh{std::make_shared<SolidMesh>(box_mesh({2, 2, 2}))});
     for (std::size_t i = 0; i < cube.triangles.size(); i += 3) {
-        // half of a square: two edges at right angles are sharp, the diagonal is none
+        // Each triangle is half of a square: two edges at right angles are sharp,
+        // the diagonal is not.
         Vector3f farthest = Vector3f::Zero();
         for (std::size_t k = 0; k < 3; ++k)
             farthest = farthest.cwiseMax(cube.triangles[i + k].edges);
@@ -148,7 +149,7 @@ TEST_CASE("visualizer: angular velocity and momentum point where they should", "
     overlays.angular_velocity = true;
     const auto first_cone = [&] {
         const Picture picture = Visualizer(run.scene, run.bodies, overlays).picture(run.frame);
-        REQUIRE(picture.cones.size() == 1); // of the box: the ball does not turn
+        REQUIRE(picture.cones.size() == 1); // only for the box, since the ball does not turn
         return picture.cones[0].axes.col(2).normalized().eval();
     };
     // ω = I⁻¹ L = (0.1/0.1, 0.4/0.2, 0)
@@ -171,7 +172,7 @@ TEST_CASE("visualizer: overlays add what they name and a legend", "[render]")
     overlays.axes = overlays.contacts = overlays.labels = true;
     const Picture picture = Visualizer(run.scene, run.bodies, overlays).picture(run.frame);
 
-    CHECK(picture.cones.size() == 7); // three axes each of box and ball, an impulse
+    CHECK(picture.cones.size() == 7); // three axes for the box, three for the ball, one impulse
     CHECK(picture.dots.size() == 1);
     std::string all;
     for (const Text& text : picture.texts)
@@ -179,7 +180,7 @@ TEST_CASE("visualizer: overlays add what they name and a legend", "[render]")
     for (const char* expected : {"small   t = 0.250 s", "x body axis", "impulse", "box", "ball"})
         CHECK(all.find(expected) != std::string::npos);
     CHECK(all.find("angular") == std::string::npos);
-    CHECK(all.find("floor") == std::string::npos); // a plane has no place for a name
+    CHECK(all.find("floor") == std::string::npos); // a plane gets no name
 }
 
 TEST_CASE("visualizer: a scene without a plane gets lines to see motion by", "[render]")
@@ -203,7 +204,7 @@ TEST_CASE("visualizer: a comparison draws as ghosts what lies apart", "[render]"
     CHECK(same.ghost_boxes.empty());
     CHECK(same.rods.empty());
     other.bodies[1].position += Vector3d(0, 1, 0);
-    other.bodies[2].orientation = {0, Vector3d(0, 1, 0)}; // half a turn in place
+    other.bodies[2].orientation = {0, Vector3d(0, 1, 0)}; // half a turn at the same place
     const Picture apart = visualizer.comparison(run.frame, other, "student", "reference");
     CHECK(apart.ghost_boxes.size() == 1);
     CHECK(apart.ghost_balls.size() == 1);

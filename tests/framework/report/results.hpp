@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A result to report.
+// An example of a result to report.
 #pragma once
 
 #include "grading/result.hpp"
@@ -17,7 +17,7 @@ inline Task task_of(const std::string& tag, const std::string& formula, double p
     return task;
 }
 
-/// One task passed, one failed, one a stub.
+/// A result with one task that passed, one that failed, and one stub.
 inline Result some_result()
 {
     Result result;

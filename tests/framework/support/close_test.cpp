@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The judge is judged: what the matchers must refuse, and what they must say.
+// Tests of the matchers: what they must refuse, and what they must say.
 #include "support/close.hpp"
 
 #include <cmath>
@@ -43,7 +43,7 @@ TEST_CASE("close: the bound is k eps times the scale", "[support]")
     CHECK_FALSE(close(1 + 9 * eps, 1.0, Rounding(8, 1)));
     CHECK(close(Vector3d(1000, 0, 1000 * eps), Vector3d(1000, 0, 0), Rounding(2)));
     CHECK_FALSE(close(Vector3d(1, 0, 1e-300), Vector3d(1, 0, 0), Exactly()));
-    CHECK_FALSE(close(1e-300, 0.0, Rounding(8))); // an expected 0 has no norm to be relative to
+    CHECK_FALSE(close(1e-300, 0.0, Rounding(8))); // a relative tolerance of 0 is 0
     CHECK(close(0.1, 0.0, Statistical(0.2, 100)));
     CHECK_FALSE(close(0.11, 0.0, Statistical(0.2, 100)));
 }

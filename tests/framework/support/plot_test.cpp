@@ -29,14 +29,15 @@ Plot one_curve(std::vector<std::pair<double, double>> points)
 
 TEST_CASE("plot: a decade is as wide as the next", "[plot]")
 {
-    // From 1 to 100 over 84 to 620: 10 lies in the middle; y from 10 at the top to 1 at the bottom.
+    // x from 1 to 100 takes the pixels 84 to 620, so 10 is in the middle; y goes from 10 at the top
+    // to 1 at the bottom.
     const std::string svg = svg_of(one_curve({{1, 10}, {10, 10}, {100, 1}}));
     REQUIRE(count(svg, "M84.0 52.0L352.0 52.0L620.0 404.0") == 1);
 }
 
 TEST_CASE("plot: linear axes begin and end with a round value", "[plot]")
 {
-    // x from -1 to 1 in steps of 0.5, 0 in the middle; y from 0 to 300
+    // x goes from -1 to 1 in steps of 0.5, with 0 in the middle; y goes from 0 to 300.
     Plot plot = one_curve({{-0.9, 1}, {0, 150}, {1, 300}});
     plot.is_linear = true;
     const std::string svg = svg_of(plot);
@@ -44,13 +45,13 @@ TEST_CASE("plot: linear axes begin and end with a round value", "[plot]")
     REQUIRE(count(svg, ">−0.5</text>") == 1);
     REQUIRE(count(svg, ">300</text>") == 1);
     INFO("no marker turns a curve of a thousand points into a caterpillar");
-    REQUIRE(count(svg, "translate(") == 1); // y's label
+    REQUIRE(count(svg, "translate(") == 1); // the label of y
 }
 
 TEST_CASE("plot: every point has its marker and the legend one more", "[plot]")
 {
-    REQUIRE(count(svg_of(one_curve({{1, 1}, {2, 1}, {3, 1}})), "translate(") ==
-            3 + 1 + 1); // and y's label
+    // Three markers, one in the legend, and the label of y.
+    REQUIRE(count(svg_of(one_curve({{1, 1}, {2, 1}, {3, 1}})), "translate(") == 3 + 1 + 1);
 }
 
 TEST_CASE("plot: an error of zero is drawn at the floor", "[plot]")

@@ -9,7 +9,7 @@ namespace rigor::testing {
 
 namespace {
 
-// For one test case, another first seed than the run's.
+// Sets another first seed for one test case and restores that of the run.
 class FirstSeed {
 public:
     explicit FirstSeed(unsigned seed) : of_run_(first_seed()) { set_first_seed(seed); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the tests of hostile implementations share.
+// Helpers that the tests of hostile implementations share.
 #pragma once
 
 #include "worker/proxy/proxy.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Hostile implementations, tests/attacks/*/*.cpp: each gives the verdict it deserves, in bounded time,
-// and the next call on a fresh worker is answered.
+// Tests of the hostile implementations in tests/attacks/*/*.cpp. Each gets the right verdict in
+// bounded time, and the next call on a fresh worker is answered.
 #include "attack.hpp"
 #include "support/catch.hpp"
 
@@ -13,7 +13,7 @@ namespace {
 struct Expected {
     std::string attack;
     WorkerFailure::Cause cause;
-    std::string text; // part of the message
+    std::string text; // a part of the message
 };
 
 const std::string subject = "A1.1 cross_matrix";
@@ -35,7 +35,7 @@ const Expected verdicts[] = {
     {"wrong_size", WorkerFailure::malformed, "sent 18446744073709551615 bytes"},
     {"unknown_kind", WorkerFailure::malformed, "an answer of no known kind"},
     {"truncated_reply", WorkerFailure::malformed, "it ends in the middle of a value"},
-#ifndef RIGOR_SANITIZED // it has its own way with memory, and with threads
+#ifndef RIGOR_SANITIZED // a sanitizer handles memory and threads in its own way
     {"exit_main_thread", WorkerFailure::exited, "exit status 0"},
     {"huge_vector", WorkerFailure::threw, "out of memory"},
     {"hoard_memory", WorkerFailure::threw, "out of memory"},
@@ -85,7 +85,7 @@ TEST_CASE("attack: an answer to a question not asked yet counts for none")
 {
     use_worker(attack("early_reply"), {}, tight());
     try {
-        attacked(); // it may be in time to take the answer to this one
+        attacked(); // this call may still get the early answer
         attacked();
         FAIL("both were answered");
     } catch (const WorkerFailure& failure) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Workers are processes of their own, at other addresses, started when they may be: the motion is the
-// same.
+// Workers are processes of their own, with other addresses and other start times, but the motion is
+// the same.
 #include "scene/run/run_scene.hpp"
 #include "scene/trajectory/motion_hash.hpp"
 #include "scene/trajectory/reader.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The process of a worker: what it inherits, when it dies, how long it may take.
+// Tests of a worker's process: what it inherits, when it ends, how long it may take.
 #include "attack.hpp"
 #include "support/catch.hpp"
 #include "worker/wire.hpp"
@@ -12,7 +12,7 @@ namespace rigor {
 
 TEST_CASE("worker: it gets three descriptors and hardly an environment")
 {
-    const int leaked = dup(0); // without close-on-exec
+    const int leaked = dup(0); // a descriptor without close-on-exec
     setenv("RIGOR_SECRET", "expected values", 1);
     use_worker(attack("inspect"), {}, tight());
     attacked();

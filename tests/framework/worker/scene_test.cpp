@@ -13,7 +13,7 @@ const std::string ball = R"({
   "bodies": [{"name": "ball", "shape": {"sphere": {"radius": 0.5}}, "velocity": [1, 2, 3]}]
 })";
 
-/// A scene run in the current worker; what there is of it when it fails.
+/// The run of a scene in the current worker. If it fails, the frames before the failure are kept.
 struct Run {
     std::vector<Frame> frames;
     bool complete = false;
@@ -74,7 +74,7 @@ TEST_CASE("worker: advancing each state of a run leads to the next one bit by bi
     const Run run;
     REQUIRE(run.complete);
     std::vector<Worker::Start> starts;
-    // Several requests' worth of them.
+    // Enough of them for several requests.
     for (int repeat = 0; repeat < 60; ++repeat)
         for (std::size_t n = 0; n + 3 < run.frames.size(); ++n)
             starts.emplace_back(run.frames[n].time, run.frames[n].bodies);

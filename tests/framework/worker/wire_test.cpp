@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Hostile bytes: a reader accepts one encoding of each value, and nothing else.
+// Tests with hostile bytes: a reader accepts one encoding of each value and nothing else.
 #include "echo/echo.hpp"
 #include "support/catch.hpp"
 #include "worker/finite.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The module that draws by EGL.
+// The module that draws with EGL.
 #include "render/gl/drawing.hpp"
 #include "render/gl/egl_context.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The module that draws by OSMesa.
+// The module that draws with OSMesa.
 #include "render/gl/drawing.hpp"
 #include "render/gl/osmesa_context.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The looks of what lies on the finished picture.
+// The shaders of texts and patches, which are drawn on the finished picture.
 #include "render/gl/shaders/letter_sources.hpp"
 
 namespace rigor {
@@ -17,7 +17,7 @@ void main() {
 }
 )";
 
-// Letters with a pale rim, to be read on anything.
+// Letters have a pale rim, so that they can be read on any color.
 constexpr const char* text_fragment = R"(
 uniform sampler2D atlas;
 in vec2 at;

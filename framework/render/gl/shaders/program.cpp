@@ -27,7 +27,7 @@ void attach(GLuint program, GLenum stage, const std::string& text)
     std::array<char, 1024> words{};
     glGetShaderInfoLog(shader, static_cast<GLsizei>(words.size()), nullptr, words.data());
     glAttachShader(program, shader);
-    glDeleteShader(shader); // with its program
+    glDeleteShader(shader); // deleted together with the program
     if (!compiled)
         throw std::runtime_error("a shader does not compile: " + std::string(words.data()));
 }

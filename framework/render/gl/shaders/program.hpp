@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The looks of things, in OpenGL's shading language.
+// Compiled shaders and the data that they share.
 #pragma once
 
 #include "render/gl/gl.hpp"
@@ -9,16 +9,16 @@
 
 namespace rigor {
 
-/// What one picture's shaders share, in the layout of their uniform block (std140).
+/// The data that the shaders of one picture share, in the layout of their uniform block (std140).
 struct View {
     float to_clip[16], to_light[16]; // by columns
     float eye[4];
-    float light[4];  // towards it; [3]: the shadow's offset along a normal [m]
+    float light[4];  // towards the sun; [3]: offset of shadows along a normal [m]
     float screen[4]; // width, height [pixels], 1 / side of the shadow map
 };
 
-/// A compiled look. `definitions` are names its source asks for: SHADOWS, GHOST, CONTRAST, THROUGH.
-/// @throws std::runtime_error with the compiler's words
+/// The compiled shaders of a look. `definitions` are preprocessor names that their source tests:
+/// SHADOWS, GHOST, CONTRAST, THROUGH. @throws std::runtime_error with the compiler's messages
 class Program {
 public:
     Program(Look look, const std::string& definitions);

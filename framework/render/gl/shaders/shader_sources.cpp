@@ -15,7 +15,8 @@ vec3 sky() {
 }
 )";
 
-// One sun with soft shadows, light from the sky and, weaker and warmer, from the ground.
+// Lighting: one sun with soft shadows, light from the sky, and weaker and warmer
+// light from the ground.
 constexpr const char* lighting = R"(
 #ifdef SHADOWS
 uniform sampler2DShadow shadow_map;
@@ -41,7 +42,7 @@ vec3 lit(vec3 color, vec3 point, vec3 normal, float gloss) {
 }
 )";
 
-// A color is that of an instance, or goes over from corner to corner.
+// A color is that of an instance, or is interpolated between the corners.
 constexpr const char* tint = R"(
 #ifndef TINT
 #define TINT flat
@@ -92,7 +93,7 @@ TINT in vec4 color;
 out vec4 pixel;
 )";
 
-// Rounded edges with a thin dark line: only the normal is rounded, the silhouette stays.
+// Boxes have rounded edges with a thin dark line. Only the normal is rounded, not the silhouette.
 constexpr const char* box_fragment = R"(
 void main() {
     vec3 p = local * half_size;
@@ -113,7 +114,8 @@ void main() {
 }
 )";
 
-// Octants in two tones, as an engineer marks a center of mass: any spin shows.
+// Balls have octants in two tones, like the symbol for a center of mass in drawings, so that any
+// spin shows.
 constexpr const char* ball_fragment = R"(
 void main() {
     vec3 p = normalize(local);
@@ -131,8 +133,8 @@ void main() {
 }
 )";
 
-// Any surface, with a thin dark line along its sharp edges. Octants in two tones as of a ball, in
-// what contrast the surface asks for.
+// Any other surface has a thin dark line along its sharp edges, and octants in two tones like a
+// ball, with the contrast of the surface.
 constexpr const char* model_fragment = R"(
 in vec3 edges;
 void main() {
@@ -175,8 +177,8 @@ void main() {
 }
 )";
 
-// The lines are filtered by their width on the screen (Golus 2022, "The Best Darn Grid Shader
-// (Yet)"): thin ones pale instead of shimmering.
+// The lines of the ground are filtered by their width on the screen, so that thin ones fade instead
+// of shimmering (Golus 2022, "The Best Darn Grid Shader (Yet)").
 constexpr const char* ground_fragment = R"(
 in vec3 point;
 in vec2 away;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// An implementation whose every result is a fingerprint of its arguments: if one bit is lost on the
+// An implementation whose every result is a fingerprint of its arguments. If one bit is lost on the
 // way there or back, the result is another one.
 #pragma once
 
@@ -7,8 +7,8 @@
 
 namespace rigor {
 
-/// A stream of numbers from a seed (Steele, Lea and Flood 2014, "Fast splittable pseudorandom number
-/// generators").
+/// A stream of random numbers from a seed (Steele, Lea and Flood 2014, "Fast splittable
+/// pseudorandom number generators").
 struct SplitMix {
     std::uint64_t state;
     std::uint64_t next()
@@ -20,13 +20,13 @@ struct SplitMix {
     }
 };
 
-/// Any finite value of T, lengths and presence included.
+/// Fills in a random finite value of T, with random lengths and optional values.
 template <class T> void fill(T& value, SplitMix& random)
 {
     if constexpr (std::is_same_v<T, bool>) {
         value = random.next() % 2 == 1;
     } else if constexpr (std::is_same_v<T, double>) {
-        // of any sign and of exponents from 2^-1022 to 2^1: all of the mantissa counts
+        // Any sign and exponents from 2^-1022 to 2^1, so that all bits of the mantissa matter.
         const std::uint64_t bits = random.next() & 0xbfffffffffffffffu;
         std::memcpy(&value, &bits, sizeof value);
     } else if constexpr (std::is_arithmetic_v<T>) {
@@ -42,14 +42,14 @@ template <class T> void fill(T& value, SplitMix& random)
     } else {
         if constexpr (wire::is_vector<T>) value.resize(random.next() % 6);
         for (auto&& element : value) {
-            typename T::value_type filled = element; // of bits there is no reference
+            typename T::value_type filled = element; // a copy: a bit has no reference
             fill(filled, random);
             element = filled;
         }
     }
 }
 
-/// What the echo answers to these arguments.
+/// The answer of the echo to these arguments.
 template <class Result> Result echo_of(unsigned formula, const wire::Bytes& arguments)
 {
     SplitMix random{formula};
