@@ -24,7 +24,8 @@ std::shared_ptr<const SolidTopology> topology_of(const Deformable& solid)
     return topology;
 }
 
-// By the framework's own algebra, so that a wrong formula of an assignment cannot hide.
+// The stress is computed without formulas of the assignments, so that the error of a wrong formula
+// stays visible.
 double von_mises_stress(const Matrix3d& stress)
 {
     // √(3/2) ‖dev σ‖
@@ -33,7 +34,7 @@ double von_mises_stress(const Matrix3d& stress)
 
 double equivalent_strain(const Matrix3d& plastic_strain)
 {
-    // √(2/3) ‖ε_p‖: of a bar that was pulled, how much longer it has become for good
+    // √(2/3) ‖ε_p‖. For a bar that was pulled, it is the permanent relative elongation.
     return std::sqrt(2.0 / 3) * plastic_strain.norm();
 }
 

@@ -15,7 +15,7 @@ void MotionHash::take(std::span<const std::byte> bytes)
 
 void MotionHash::take(const std::vector<RecordedBody>& bodies)
 {
-    take(encode_start({}, bodies)); // without name and text
+    take(encode_start({}, bodies)); // an empty scene has no name and no text
 }
 
 void MotionHash::take(const Frame& frame)
