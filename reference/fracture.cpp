@@ -180,7 +180,7 @@ PrincipalStress principal_stress(const Matrix3d& stress)
 std::optional<Vector3d> crack_plane(const Matrix3d& stress, double threshold)
 {
     const PrincipalStress principal = principal_stress(stress);
-    if (principal.stress <= 0 || principal.stress <= threshold) return {}; // compression, or too small
+    if (principal.stress <= 0 || principal.stress <= threshold) return {}; // it does not crack
     return principal.direction;
 }
 

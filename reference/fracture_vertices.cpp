@@ -236,7 +236,8 @@ EmbeddedMesh virtual_nodes(const TetrahedralMesh& mesh, const std::vector<Elemen
     }
 
     EmbeddedMesh result;
-    std::vector<int> holder(4 * mesh.tetrahedra.size()); // for each corner, the copy in which it is real
+    // For each corner, the copy in which it is real.
+    std::vector<int> holder(4 * mesh.tetrahedra.size());
     for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t) {
         const int parent = static_cast<int>(t);
         std::vector<Part> parts(1);

@@ -185,7 +185,7 @@ struct VertexOrigin {
 struct SplitMesh {
     TetrahedralMesh mesh;
     std::vector<VertexOrigin> origins; // one for each vertex
-    std::vector<int> parents;          // for each tetrahedron, its index in the mesh before the split
+    std::vector<int> parents;          // for each tetrahedron, its number before the split
 };
 
 /// A plane that cracks one tetrahedron.

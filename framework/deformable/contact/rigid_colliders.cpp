@@ -66,8 +66,8 @@ void RigidColliders::apply_to(World& to, double time_step) const
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         if (!is_pushed[i]) continue;
         if (to.bodies[i].rest.is_asleep()) wake(to, {static_cast<int>(i)});
-        // The rigid step will move it by h V + ½ g h². As the nodes carry it, it has to move with
-        // its velocity at the end of the step, V + g h, which is ½ g h² more.
+        // The rigid step will move the body by h V + ½ g h². As the nodes carry the body, it has to
+        // move with its velocity at the end of the step, V + g h, which adds ½ g h².
         if (!has_supports(static_cast<int>(i)))
             to.bodies[i].state.position += 0.5 * time_step * time_step * to.settings.gravity;
         to.bodies[i].state.velocity = bodies[i].velocity;

@@ -25,7 +25,7 @@ void VelocitySystem::restore_momentum(const Deformable& solid, const std::vector
     for (int i = 0; i < static_cast<int>(tied_by.size()); ++i)
         if (tied_by[i] >= 0) is_part_held_[A.part_of(i)] = 1;
     missing_.assign(A.parts(), {});
-    for (int i = 0; i < A.nodes(); ++i) { // forces between nodes add up to nothing
+    for (int i = 0; i < A.nodes(); ++i) { // forces between nodes sum to zero
         const double m = (1 + time_step * solid.material.drag) * solid.masses[i];
         Missing& part = missing_[A.part_of(i)];
         part.momentum += momenta[i] - m * velocities[i];

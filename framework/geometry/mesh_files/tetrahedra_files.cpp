@@ -13,12 +13,12 @@ namespace rigor {
 
 namespace {
 
-// Elements of any kind in a Gmsh file: points, lines and triangles are there beside the tetrahedra.
+// Elements of any kind in a Gmsh file: it may also contain points, lines and triangles.
 constexpr std::size_t most_entities = 10 * most_tetrahedra;
 constexpr long long any = std::numeric_limits<long long>::max();
 
-// The mesh in the numbers of the text: vertices by their number there, and tetrahedra of such
-// numbers.
+// The mesh with the numbers of the text: vertices have their number from the text, and tetrahedra
+// refer to these numbers.
 class NumberedMesh {
 public:
     void add_vertex(long long tag, Tokenizer& tokens)

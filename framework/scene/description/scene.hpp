@@ -69,8 +69,8 @@ struct Scene {
     std::string text;        // the text of the file
     std::vector<BodyDescription> bodies;
     std::vector<SolidDescription> solids;
-    std::vector<Spring> springs;              // their points are in the bodies' frames, as in the file
-    std::vector<AppliedForce> forces;         // their points likewise
+    std::vector<Spring> springs;              // points in the bodies' frames, as in the file
+    std::vector<AppliedForce> forces;         // points in the bodies' frames, as in the file
     Vector3d gravity = Vector3d(0, -9.81, 0); // [m/s²]
     Integrator integrator = Integrator::runge_kutta;
     ContactMethod contact_method = ContactMethod::built_in;
