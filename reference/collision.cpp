@@ -55,7 +55,8 @@ template <class Values> double bilinear(double s, double t, const Values& f)
 // thousand times the machine epsilon.
 constexpr double no_sliding = 1e-12;
 
-// The impulse j with its tangential part shortened to |j_T| = μ jₙ if it is longer; zero if j pulls.
+// The impulse j with its tangential part shortened to |j_T| = μ jₙ if it is longer; zero if j
+// pulls.
 Vector3d onto_friction_cone(const Vector3d& j, const Vector3d& n, double mu)
 {
     const double j_n = j.dot(n);
@@ -138,9 +139,9 @@ Vector3d static_friction_impulse(const Matrix3d& K, const Vector3d& v, const Vec
     const double epsilon = restitution;
     const double v_n = v.dot(n);
 
-    // j = K⁻¹ (-v - ε vₙ n), solved by a factorization. Its error grows with the condition number of K,
-    // while that of K.inverse() grows almost with its square (measured at condition number 1e9: 6e-8
-    // against 2e-2).
+    // j = K⁻¹ (-v - ε vₙ n), solved by a factorization. Its error grows with the condition number
+    // of K, while that of K.inverse() grows almost with its square (measured at condition number
+    // 1e9: 6e-8 against 2e-2).
     return K.ldlt().solve(-v - epsilon * v_n * n);
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Solutions of assignment A5: the impulses of many contacts between many bodies. A5.1 to A5.4 resolve
-// one contact after the other, the deepest first, and then level by level from the ground up
-// (Guendelman, Bridson and Fedkiw 2003, sections 7 and 8). A5.5 resolves all contacts together by
-// projected Gauss–Seidel (Jean 1999).
+// Solutions of assignment A5: the impulses of many contacts between many bodies. A5.1 to A5.4
+// resolve one contact after the other, the deepest first, and then level by level from the ground
+// up (Guendelman, Bridson and Fedkiw 2003, sections 7 and 8). A5.5 resolves all contacts together
+// by projected Gauss–Seidel (Jean 1999).
 #include "formulas/contact.hpp"
 
 #include "formulas/collision.hpp"
@@ -96,9 +96,9 @@ Edges reversed(const Edges& edges)
     return result;
 }
 
-// Depth-first search from `first`. Appends to `found` each body that can be reached from `first` and
-// was not seen yet, including `first` itself, after the bodies that the search reached from it. The
-// path is kept in a list, because a tall stack of bodies could exceed the depth of recursion.
+// Depth-first search from `first`. Appends to `found` each body that can be reached from `first`
+// and was not seen yet, including `first` itself, after the bodies that the search reached from it.
+// The path is kept in a list, because a tall stack of bodies could exceed the depth of recursion.
 void search(int first, const Edges& edges, std::vector<bool>& is_seen, std::vector<int>& found)
 {
     if (is_seen[first]) return;
@@ -122,8 +122,8 @@ void search(int first, const Edges& edges, std::vector<bool>& is_seen, std::vect
     }
 }
 
-// The larger eigenvalue λ of K perpendicular to n: that of the matrix (a d; d c) of K in two directions
-// perpendicular to n.
+// The larger eigenvalue λ of K perpendicular to n: that of the matrix (a d; d c) of K in two
+// directions perpendicular to n.
 double tangential_eigenvalue(const Matrix3d& K, const Vector3d& n)
 {
     const Vector3d t = n.unitOrthogonal(), b = n.cross(t);
@@ -135,7 +135,8 @@ struct Stiffness {
     double normal, tangential; // nᵀ K n and λ
 };
 
-// The total impulse of a contact after one visit, if it was j before and the relative velocity is v.
+// The total impulse of a contact after one visit, if it was j before and the relative velocity is
+// v.
 Vector3d projected_impulse(const BodyContact& c, const Stiffness& stiffness, const Vector3d& j,
                            const Vector3d& v)
 {
@@ -176,15 +177,16 @@ std::vector<int> contact_levels(const Edges& rests_on, const std::vector<bool>& 
     const int count = static_cast<int>(rests_on.size());
     const Edges below = without_statics(rests_on, is_static), above = reversed(below);
 
-    // This order goes from the top down: a body comes after all bodies that rest on it, unless they are
-    // in a cycle.
+    // This order goes from the top down: a body comes after all bodies that rest on it, unless they
+    // are in a cycle.
     std::vector<int> downwards;
     std::vector<bool> is_seen(count, false);
     for (int i = 0; i < count; ++i)
         search(i, above, is_seen, downwards);
 
-    // Going from the ground up, a body below that has no level yet is in a cycle with the body above it
-    // (Sharir 1981, "A strong-connectivity algorithm and its applications in data flow analysis").
+    // Going from the ground up, a body below that has no level yet is in a cycle with the body
+    // above it (Sharir 1981, "A strong-connectivity algorithm and its applications in data flow
+    // analysis").
     std::vector<int> levels(count, 0), cycle;
     is_seen.assign(count, false);
     for (auto i = downwards.rbegin(); i != downwards.rend(); ++i) {

@@ -2,8 +2,8 @@
 // Solutions of A7.1 to A7.4 and A7.6; the others are in fracture_vertices.cpp. A7.1 to A7.3 smooth
 // the stress and find the crack plane from its largest eigenvalue; A7.6 cuts elements along a plane
 // (O'Brien and Hodgins 1999). `split_element` first finds the vertices above and below the plane,
-// then halves the tetrahedra at the edges that cross it, then splits the mesh along the faces on the
-// plane.
+// then halves the tetrahedra at the edges that cross it, then splits the mesh along the faces on
+// the plane.
 #include "formulas/fracture.hpp"
 
 #include <algorithm>

@@ -2,8 +2,8 @@
 // Solutions of A7.5 and A7.7: they find out which corners of tetrahedra are the same vertex. A7.5
 // joins the corners of tetrahedra that share a face which is not cut; A7.7 (Molino, Bao and Fedkiw
 // 2004) first copies each cracked tetrahedron once for each part of its corners, then joins the
-// copies that share a real corner. Both use union-find on corners, and each group of corners that is
-// left becomes a vertex.
+// copies that share a real corner. Both use union-find on corners, and each group of corners that
+// is left becomes a vertex.
 #include "formulas/fracture.hpp"
 
 #include <algorithm>
@@ -101,8 +101,8 @@ int corner_of(const Tetrahedron& t, int vertex)
     return static_cast<int>(std::find(t.begin(), t.end(), vertex) - t.begin());
 }
 
-// Gives each group of corners its own vertex, for the vertices with `may_double`. The first group of a
-// vertex keeps its number. Returns the parent of each vertex.
+// Gives each group of corners its own vertex, for the vertices with `may_double`. The first group
+// of a vertex keeps its number. Returns the parent of each vertex.
 std::vector<int> separate(Tetrahedra& tetrahedra, Groups& groups,
                           const std::vector<bool>& may_double)
 {
@@ -124,8 +124,8 @@ std::vector<int> separate(Tetrahedra& tetrahedra, Groups& groups,
     return parents;
 }
 
-// A tetrahedron inside a cracked one, given by the barycentric coordinates of its corners, one column
-// for each corner.
+// A tetrahedron inside a cracked one, given by the barycentric coordinates of its corners, one
+// column for each corner.
 using Piece = Matrix4d;
 
 // A part of the material of a cracked tetrahedron.

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Solutions of assignment A2: mass, center of mass and inertia. Simple solids have closed forms; grid
-// cells and random samples become point masses; a triangle mesh becomes a sum over signed tetrahedra.
-// Each function first computes the mass and the center of mass, then the inertia about this center.
+// Solutions of assignment A2: mass, center of mass and inertia. Simple solids have closed forms;
+// grid cells and random samples become point masses; a triangle mesh becomes a sum over signed
+// tetrahedra. Each function first computes the mass and the center of mass, then the inertia about
+// this center.
 #include "formulas/inertia.hpp"
 
 #include <numbers>
@@ -12,8 +13,8 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-// A moment at most this fraction of the largest one counts as 0, because it is a rounding error. The
-// fraction is a few thousand times the machine epsilon.
+// A moment at most this fraction of the largest one counts as 0, because it is a rounding error.
+// The fraction is a few thousand times the machine epsilon.
 constexpr double zero_moment = 1e-12;
 
 // One point mass at each sample, with the mass of the given volume.
@@ -67,8 +68,8 @@ Matrix3d world_inverse_inertia(const Matrix3d& R, const Matrix3d& I_body_inverse
 
 PrincipalAxes principal_axes(const Matrix3d& I)
 {
-    // I = Q diag(moments) Qᵀ by QR iterations. The solver's closed form (computeDirect) would lose half
-    // of the digits where moments are close to each other.
+    // I = Q diag(moments) Qᵀ by QR iterations. The solver's closed form (computeDirect) would lose
+    // half of the digits where moments are close to each other.
     const Eigen::SelfAdjointEigenSolver<Matrix3d> eigen(I);
     Matrix3d Q = eigen.eigenvectors();
     if (Q.determinant() < 0) Q.col(0) = -Q.col(0); // a reflection: reverse one axis
@@ -154,8 +155,8 @@ MassProperties mesh_mass_properties(const TriangleMesh& mesh, double density)
 {
     if (mesh.triangles.empty()) return {};
 
-    // For a closed mesh, the sum does not depend on the common apex o of the tetrahedra. An apex on the
-    // mesh keeps the terms as small as the body, however far the body is from the origin.
+    // For a closed mesh, the sum does not depend on the common apex o of the tetrahedra. An apex on
+    // the mesh keeps the terms as small as the body, however far the body is from the origin.
     const auto vertex = [&](int i) -> const Vector3d& { return mesh.vertices[i]; };
     const Vector3d o = vertex(mesh.triangles[0][0]);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Solutions of assignment A6: the von Mises stress and the plastic flow of a solid. The formulas are
-// those of the lecture "Rigid bodies", in the order of the tasks.
+// Solutions of assignment A6: the von Mises stress and the plastic flow of a solid. The formulas
+// are those of the lecture "Rigid bodies", in the order of the tasks.
 #include "formulas/plasticity.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Solutions of assignment A3: rotation matrices, Euler angles, quaternions and the time integration of
-// a rigid body. `step_buss` is the augmented second-order method of Buss (2000); the other formulas
-// are those of the lecture "Inertia, rotation, impulses", in the order of the tasks.
+// Solutions of assignment A3: rotation matrices, Euler angles, quaternions and the time integration
+// of a rigid body. `step_buss` is the augmented second-order method of Buss (2000); the other
+// formulas are those of the lecture "Inertia, rotation, impulses", in the order of the tasks.
 #include "formulas/rotation.hpp"
 
 #include "formulas/kinematics.hpp"
@@ -188,8 +188,8 @@ RigidState step_buss(const RigidState& state, const BodyInertia& body, const Wre
     const Vector3d w = I_inv * L;
     const Vector3d w_dot = I_inv * (tau - w.cross(L));
 
-    // Ω = ω + Δt/2 ω̇ + Δt²/12 (ω̇ × ω): the mean angular velocity, and a correction because rotations
-    // do not commute
+    // Ω = ω + Δt/2 ω̇ + Δt²/12 (ω̇ × ω): the mean angular velocity, and a correction because
+    // rotations do not commute
     const Vector3d W = w + h / 2 * w_dot + h * h / 12 * w_dot.cross(w);
 
     // X' = X + Δt V + ½ Δt² F/M    q' = advance_exact(q, Ω, Δt)    V' = V + Δt F/M    L' = L + Δt τ

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Topic `collision`, assignment A4: level sets, collision impulses, friction.
 // Source: lecture "Inertia, rotation, impulses". Conventions: types.hpp. Everything is in world
-// space; n is unit and points from body 2 to body 1; v = v1 - v2; body 1 receives +j, body 2 receives
-// -j. ε is the restitution, μ the friction coefficient, K = K₁ + K₂.
+// space; n is unit and points from body 2 to body 1; v = v1 - v2; body 1 receives +j, body 2
+// receives -j. ε is the restitution, μ the friction coefficient, K = K₁ + K₂.
 #pragma once
 
 #include "formulas/not_implemented.hpp"
@@ -62,8 +62,8 @@ bool inside_friction_cone(const Vector3d& j, const Vector3d& n, double friction)
 ///     T = (v - vₙ n)/|v - vₙ n|    jₙ = -(1 + ε) vₙ / (nᵀ K (n - μ T))    j = jₙ n - μ jₙ T
 ///
 /// Special cases:
-///   * No tangential velocity, |v - vₙ n| ≤ 1e-12 |v|: the frictionless impulse, since the direction
-///     of a rounding error means nothing.
+///   * No tangential velocity, |v - vₙ n| ≤ 1e-12 |v|: the frictionless impulse, since the
+///     direction of a rounding error means nothing.
 ///   * Both bodies static: zero.
 ///   * nᵀ K (n - μ T) ≤ 0, the contact jams: the static impulse, with its tangential part j_T
 ///     shortened to |j_T| = μ jₙ if it is longer (zero if the static impulse pulls, jₙ ≤ 0).

@@ -26,40 +26,40 @@ double contact_restitution(int k, int n);
 /// restitution. Paper: section 7.1.
 ///
 /// Iteration k visits each contact once, in order of depth, the deepest first (of equal depths, the
-/// one that comes first in `contacts`). If the bodies of a contact approach at that moment, u·n < 0,
-/// the contact gets the impulse `collision_impulse(K, u, n, ε, μ)` with
-/// ε = `contact_restitution(k, n)`. Both bodies have their new velocities before the next contact is
-/// visited. The field `impulse` of the contacts is not used.
+/// one that comes first in `contacts`). If the bodies of a contact approach at that moment,
+/// u·n < 0, the contact gets the impulse `collision_impulse(K, u, n, ε, μ)` with
+/// ε = `contact_restitution(k, n)`. Both bodies have their new velocities before the next contact
+/// is visited. The field `impulse` of the contacts is not used.
 ///
-/// @return  the bodies afterwards, and for each contact the sum of its impulses. For n < 1 the bodies
-///          are unchanged.
+/// @return  the bodies afterwards, and for each contact the sum of its impulses. For n < 1 the
+///          bodies are unchanged.
 ContactResult resolve_contacts(const std::vector<Body>& bodies,
                                const std::vector<BodyContact>& contacts, int n);
 
 /// A5.3 The level of each body: its height above the ground, counted in bodies. Paper: section 8.
 ///
 /// A static body has level 0. The level of any other body is one more than the highest level among
-/// the bodies that it rests on (1 if it rests on nothing). Bodies that rest on each other in a cycle
-/// share one level, which is one more than the highest level among the other bodies that any of them
-/// rests on. What a static body rests on is ignored, so no cycle contains a static body.
+/// the bodies that it rests on (1 if it rests on nothing). Bodies that rest on each other in a
+/// cycle share one level, which is one more than the highest level among the other bodies that any
+/// of them rests on. What a static body rests on is ignored, so no cycle contains a static body.
 ///
-/// @param rests_on   for each body, the indices of the bodies that it rests on; an index may repeat,
-///                   and may be that of the body itself
+/// @param rests_on   for each body, the indices of the bodies that it rests on; an index may
+///                   repeat, and may be that of the body itself
 /// @param is_static  for each body, whether it is static
 std::vector<int> contact_levels(const std::vector<std::vector<int>>& rests_on,
                                 const std::vector<bool>& is_static);
 
-/// A5.4 Contacts resolved level by level, from the ground up, so that the weight of the upper bodies
-/// cannot push the lower ones into each other. Paper: section 8, "shock propagation".
+/// A5.4 Contacts resolved level by level, from the ground up, so that the weight of the upper
+/// bodies cannot push the lower ones into each other. Paper: section 8, "shock propagation".
 ///
 /// For each level ℓ = 1, 2, … the contacts whose higher body has level ℓ are resolved as in
 /// `resolve_contacts` with n iterations. Meanwhile every body of a level below ℓ is held: it keeps
-/// its velocity as if its mass and inertia were infinite. Contacts between two bodies of level 0 are
-/// skipped.
+/// its velocity as if its mass and inertia were infinite. Contacts between two bodies of level 0
+/// are skipped.
 ///
 /// @param levels  one for each body, ≥ 0, from `contact_levels`
-/// @return  the bodies afterwards, each with its own mass and inertia again, and for each contact the
-///          sum of its impulses on body 1, including those that a held body did not receive
+/// @return  the bodies afterwards, each with its own mass and inertia again, and for each contact
+///          the sum of its impulses on body 1, including those that a held body did not receive
 ContactResult shock_propagation(const std::vector<Body>& bodies,
                                 const std::vector<BodyContact>& contacts,
                                 const std::vector<int>& levels, int n);
@@ -76,8 +76,8 @@ ContactResult shock_propagation(const std::vector<Body>& bodies,
 ///     jₙ ← max(0, jₙ - (v·n - s) / (nᵀ K n))
 ///     j_T ← j_T - v_T / λ,  shortened to |j_T| = μ jₙ where it is longer
 ///
-/// Here λ is the larger eigenvalue of K perpendicular to n (that of P K P with P = δ - n nᵀ), and jₙ
-/// on the second line is the new one. The bodies receive the difference of the impulses at once.
+/// Here λ is the larger eigenvalue of K perpendicular to n (that of P K P with P = δ - n nᵀ), and
+/// jₙ on the second line is the new one. The bodies receive the difference of the impulses at once.
 /// Where the sweeps converge, all contacts satisfy their laws at the same time: jₙ ≥ 0 and v·n ≥ s,
 /// at least one of the two with equality, and |j_T| ≤ μ jₙ. Where v_T ≠ 0, |j_T| = μ jₙ and j_T is
 /// opposite to v_T.

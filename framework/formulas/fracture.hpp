@@ -2,9 +2,9 @@
 // Topic `fracture`, assignment A7: where a solid cracks, and how its mesh changes.
 // Source: lecture "Rigid bodies", "Multi-dimensional fracture"; O'Brien and Hodgins (1999),
 // "Graphical modeling and animation of brittle fracture"; Molino, Bao and Fedkiw (2004), "A virtual
-// node algorithm for changing mesh topology during simulation". Conventions: types.hpp. Stresses are
-// symmetric, in Pa, tension positive. Meshes, points and normals are all in one space, usually that
-// of the solid at rest.
+// node algorithm for changing mesh topology during simulation". Conventions: types.hpp. Stresses
+// are symmetric, in Pa, tension positive. Meshes, points and normals are all in one space, usually
+// that of the solid at rest.
 //
 // Meshes are conforming: two tetrahedra share a whole face, a whole edge, a vertex or nothing, at
 // most two tetrahedra share a face, and the tetrahedra around each vertex are connected through
@@ -55,10 +55,10 @@ int closest_face(const std::array<Vector3d, 4>& tetrahedron, const Vector3d& nor
 /// single face inside the solid stays closed entirely, and is connected again in the next call, so
 /// all faces of a crack must be given at once.
 ///
-/// @param faces  from either side, in any order, possibly repeated; a face of the surface is allowed
-///               and changes nothing
-/// @return  tetrahedra in the order of `mesh`, with their corners in the same order; vertices in any
-///          order
+/// @param faces  from either side, in any order, possibly repeated; a face of the surface is
+///               allowed and changes nothing
+/// @return  tetrahedra in the order of `mesh`, with their corners in the same order; vertices in
+///          any order
 SplitMesh split_along_faces(const TetrahedralMesh& mesh, const std::vector<MeshFace>& faces);
 
 /// A7.6 A crack through a vertex, along a plane, that cuts elements (O'Brien and Hodgins 1999).

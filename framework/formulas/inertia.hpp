@@ -27,8 +27,8 @@ Matrix3d world_inverse_inertia(const Matrix3d& R, const Matrix3d& I_body_inverse
 
 /// A2.4 Principal axes: a rotation Q (det +1) and ascending moments with I = Q diag(moments) Qᵀ.
 ///
-/// Moments that are negative because of rounding become 0. If moments are repeated, any rotation that
-/// satisfies the equation is correct.
+/// Moments that are negative because of rounding become 0. If moments are repeated, any rotation
+/// that satisfies the equation is correct.
 ///
 /// @param I  symmetric, positive semi-definite [kg m²]
 PrincipalAxes principal_axes(const Matrix3d& I);
@@ -45,7 +45,8 @@ Vector3d invert_moments(const Vector3d& moments);
 
 /// A2.6 A solid sphere about its center: M = ρ 4/3 π r³, I = 2/5 M r² δ.
 ///
-/// The size of a solid may be 0; then its mass and inertia are 0. This also holds for A2.7 to A2.10.
+/// The size of a solid may be 0; then its mass and inertia are 0. This also holds for A2.7 to
+/// A2.10.
 ///
 /// @param density  ρ [kg/m³]
 /// @param radius   r ≥ 0 [m]
@@ -102,14 +103,14 @@ MassProperties sampled_mass_properties(const std::vector<DensitySample>& samples
 /// @param density  ρ [kg/m³]
 MassProperties mesh_mass_properties(const TriangleMesh& mesh, double density);
 
-/// A2.14 Mass properties of the union of two bodies, given in the same frame. The inertia of both is
-/// moved to the common center of mass.
+/// A2.14 Mass properties of the union of two bodies, given in the same frame. The inertia of both
+/// is moved to the common center of mass.
 /// Lecture: "Combined inertia tensor".
 ///
 ///     M = M₁ + M₂    X = (M₁ X₁ + M₂ X₂) / M    I = Σ Iᵢ + Mᵢ (Xᵢ - X)*ᵀ (Xᵢ - X)*
 ///
-/// The sum I₁ + I₂ alone would be wrong. If one body has zero mass, the result is the other body. If
-/// both do, all results are zero.
+/// The sum I₁ + I₂ alone would be wrong. If one body has zero mass, the result is the other body.
+/// If both do, all results are zero.
 MassProperties combine(const MassProperties& a, const MassProperties& b);
 
 } // namespace rigor

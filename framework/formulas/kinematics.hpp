@@ -27,8 +27,8 @@ Vector3d object_point(const Matrix3d& R, const Vector3d& X, const Vector3d& x);
 /// A1.4 Angular velocity ω [rad/s] of a rotating frame, from Ṙ Rᵀ = ω*.
 /// Lecture: "Skew-symmetry".
 ///
-/// Rounding or finite differences may make A = Ṙ Rᵀ not exactly skew-symmetric. Then ω is taken from
-/// its skew part, ½ (A - Aᵀ).
+/// Rounding or finite differences may make A = Ṙ Rᵀ not exactly skew-symmetric. Then ω is taken
+/// from its skew part, ½ (A - Aᵀ).
 ///
 /// @param R_dot  Ṙ [1/s]
 Vector3d angular_velocity(const Matrix3d& R_dot, const Matrix3d& R);

@@ -43,8 +43,8 @@ Quaternion multiply(const Quaternion& a, const Quaternion& b);
 /// A3.6 Conjugate q̄ = (s, -v), the inverse of a unit quaternion.
 Quaternion conjugate(const Quaternion& q);
 
-/// A3.7 q / |q|. The zero quaternion gives the identity. The sign of q is kept. No square underflows
-/// or overflows, however small or large q is.
+/// A3.7 q / |q|. The zero quaternion gives the identity. The sign of q is kept. No square
+/// underflows or overflows, however small or large q is.
 Quaternion normalize(const Quaternion& q);
 
 /// A3.8 Rotated vector, q (0, p) q̄.

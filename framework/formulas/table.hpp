@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The table of all formulas: tag, topic, function and the names of its arguments. The worker's
-// dispatch, the proxy, `rigor list` and every message about a formula are generated from this table;
-// the types come from the declaration of the function.
+// dispatch, the proxy, `rigor list` and every message about a formula are generated from this
+// table; the types come from the declaration of the function.
 #pragma once
 
 #include "formulas/collision.hpp"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Applies impulses and position correction at the contacts of nodes, one contact after the other. The
-// impulse is `collision_impulse` of assignment A4, between the node as a point mass and the rigid body.
+// Applies impulses and position correction at the contacts of nodes, one contact after the other.
+// The impulse is `collision_impulse` of assignment A4, between the node as a point mass and the
+// rigid body.
 #include "deformable/contact/node_collisions.hpp"
 
 #include "formulas/collision.hpp"
@@ -55,7 +56,8 @@ void collide_nodes(Deformable& solid, const std::vector<char>& is_held,
 void correct_positions(Deformable& solid, const std::vector<char>& is_held,
                        const NodeContacts& contacts, double step_share, double farthest)
 {
-    // Share of the penetration that a step removes. It is small enough that stacked nodes do not jitter.
+    // Share of the penetration that a step removes. It is small enough that stacked nodes do not
+    // jitter.
     constexpr double corrected_share = 0.2;
     for (const NodeContact& c : contacts.all()) {
         if (c.gap >= 0 || is_held[c.node]) continue;

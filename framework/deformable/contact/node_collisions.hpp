@@ -7,9 +7,9 @@
 namespace rigor {
 
 /// Applies a collision impulse to each node that would be inside a body after `time_step`, and the
-/// opposite impulse to the body: `collision_impulse` with K = δ/m + K of the body. A substep calls it
-/// twice: before the forces with restitution, after them without. In the second call a remaining gap
-/// may close within the substep.
+/// opposite impulse to the body: `collision_impulse` with K = δ/m + K of the body. A substep calls
+/// it twice: before the forces with restitution, after them without. In the second call a remaining
+/// gap may close within the substep.
 void collide_nodes(Deformable& solid, const std::vector<char>& is_held,
                    const NodeContacts& contacts, RigidColliders& rigid, double time_step,
                    bool with_restitution, Counters& counters);

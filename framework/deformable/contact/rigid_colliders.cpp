@@ -32,7 +32,8 @@ RigidColliders::RigidColliders(const World& of) : world(of), is_pushed(of.bodies
     surfaces.reserve(of.bodies.size());
     for (const RigidBody& rigid : of.bodies) {
         bodies.push_back(rigid_in_world(of, rigid));
-        surfaces.push_back({body_rotation(of.settings.integrator, rigid.state), rigid.state.position});
+        surfaces.push_back(
+            {body_rotation(of.settings.integrator, rigid.state), rigid.state.position});
     }
 }
 

@@ -82,8 +82,8 @@ struct PolarPair {
     return polar;
 }
 
-// z = (s δ - S)⁻¹ a, by cofactors. Where R is almost not unique, z and the stiffness would grow without
-// bound; there z is reduced to 0 gradually.
+// z = (s δ - S)⁻¹ a, by cofactors. Where R is almost not unique, z and the stiffness would grow
+// without bound; there z is reduced to 0 gradually.
 [[gnu::always_inline]] inline void solve_spin(const PolarPair& polar, const Two (&a)[3],
                                               Two (&z)[3])
 {
@@ -95,8 +95,8 @@ struct PolarPair {
     const Two det = xx * cxx - S.xy * cxy - S.xz * cxz;
     Two inverse{0, 0};
     for (int lane = 0; lane < 2; ++lane) {
-        // z is 0 below the first conditioning and unreduced above the second. The conditioning is 0.59
-        // at rest; below 0.01 R itself is inaccurate (see is_exact).
+        // z is 0 below the first conditioning and unreduced above the second. The conditioning is
+        // 0.59 at rest; below 0.01 R itself is inaccurate (see is_exact).
         constexpr double none = 0.02, all = 0.1;
         const double part = std::clamp((polar.conditioning[lane] - none) / (all - none), 0.0, 1.0);
         inverse[lane] = part > 0 ? part / det[lane] : 0;

@@ -13,8 +13,8 @@ namespace rigor {
 /// One number for each of two elements.
 using Two [[gnu::vector_size(16)]] = double;
 
-/// The data that the inner loop reads for two elements. If the number of elements is odd, the last one
-/// is paired with a copy of itself that has volume 0.
+/// The data that the inner loop reads for two elements. If the number of elements is odd, the last
+/// one is paired with a copy of itself that has volume 0.
 struct ElementPair {
     int nodes[2][4];
     Square3<Two> B; // [X₁ - X₀, X₂ - X₀, X₃ - X₀]⁻¹ [1/m]; its row i is ∇N of corner i + 1
@@ -36,10 +36,10 @@ public:
 
     /// Adds to each node the elastic and the damping forces of its elements, -V P ∇N [N].
     ///
-    /// P = R (σ - [z]×), where σ is the stress of the elastic strain plus β times the strain rate. If
-    /// there is plastic strain or damping, σ and S do not commute. Then z = (s δ - S)⁻¹ axial(σ S - S σ)
-    /// makes P the derivative of an energy that depends on S alone, so that the forces of an element
-    /// have no torque on it.
+    /// P = R (σ - [z]×), where σ is the stress of the elastic strain plus β times the strain rate.
+    /// If there is plastic strain or damping, σ and S do not commute. Then z = (s δ - S)⁻¹
+    /// axial(σ S - S σ) makes P the derivative of an energy that depends on S alone, so that the
+    /// forces of an element have no torque on it.
     void add_forces(std::span<const Vector3d> positions, std::span<const Vector3d> velocities,
                     std::vector<Vector3d>& forces) const;
 

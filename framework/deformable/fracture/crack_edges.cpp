@@ -52,8 +52,8 @@ struct Best {
         crack = ElementCrack{0, point, normal};
     }
     // Whether corners lie on both sides and none of them is nearly on the plane; the copy of such a
-    // corner would have no material and its node no mass. Heights are compared relative to the largest
-    // one.
+    // corner would have no material and its node no mass. Heights are compared relative to the
+    // largest one.
     bool separates(const Vector3d& point, const Vector3d& normal) const
     {
         int above = 0, below = 0;

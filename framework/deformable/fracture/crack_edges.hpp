@@ -15,12 +15,14 @@ class CrackEdges {
 public:
     explicit CrackEdges(const Deformable& solid);
 
-    /// A crack of an element that continues the cracks of its neighbours. Its plane passes through the
-    /// points where these cracks cut edges of the element: through three, two or one of them, as many
-    /// as possible while its normal stays less than 60° from the wanted one; otherwise through the
-    /// middle of the element. Among such planes, the normal is as near as possible to the wanted one.
+    /// A crack of an element that continues the cracks of its neighbours. Its plane passes through
+    /// the points where these cracks cut edges of the element: through three, two or one of them,
+    /// as many as possible while its normal stays less than 60° from the wanted one; otherwise
+    /// through the middle of the element. Among such planes, the normal is as near as possible to
+    /// the wanted one.
     /// @param parent  the element of the uncracked mesh
-    /// @param real    1 for the corners with material, at least two, which the crack has to separate
+    /// @param real    1 for the corners with material, at least two, which the crack has to
+    ///                separate
     ElementCrack continued(int parent, const std::array<int, 4>& real,
                            const Vector3d& normal) const;
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Opens cracks normal to the largest principal tension where it exceeds the strength (Rankine's
 // criterion). The mesh follows by one of three methods: along faces, by splitting elements, or with
-// virtual nodes (Molino, Bao and Fedkiw 2004). First a bound on the stresses excludes most elements,
-// then stresses are smoothed and candidates sorted, then the chosen ones crack.
+// virtual nodes (Molino, Bao and Fedkiw 2004). First a bound on the stresses excludes most
+// elements, then stresses are smoothed and candidates sorted, then the chosen ones crack.
 #include "deformable/fracture/fracture.hpp"
 
 #include "deformable/fracture/crack_edges.hpp"
@@ -160,8 +160,8 @@ bool is_fine_enough(const Deformable& solid, const SplitMesh& split)
     return true;
 }
 
-// The vertex of an element through which the crack runs: the one with the largest sum of stresses of
-// the candidates around it.
+// The vertex of an element through which the crack runs: the one with the largest sum of stresses
+// of the candidates around it.
 int crack_tip(const Deformable& solid, const std::vector<double>& pull, int element)
 {
     const auto& t = solid.rest.tetrahedra[element];

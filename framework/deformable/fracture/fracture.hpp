@@ -10,9 +10,9 @@ namespace rigor {
 /// most stressed elements come first, with at most one crack at a node and `most_cracks` in a step.
 /// The mesh is then split along them.
 ///
-/// Eigenvalues are not computed where a bound shows that there is no crack. No eigenvalue exceeds the
-/// mean stress plus ⅔ of the von Mises stress, and no eigenvalue of a smoothed stress exceeds the
-/// largest eigenvalue of the stresses that were averaged.
+/// Eigenvalues are not computed where a bound shows that there is no crack. No eigenvalue exceeds
+/// the mean stress plus ⅔ of the von Mises stress, and no eigenvalue of a smoothed stress exceeds
+/// the largest eigenvalue of the stresses that were averaged.
 void fracture(Deformable& solid, const ElementWorkspace& work, World& world);
 
 /// The largest number of cracks in a step. A crack changes the stress around it, but only the next

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Separates elements that stay inverted for too long. It counts the time of each inverted element,
-// cracks the failed ones along all their faces, and moves each of them to its shape without stress as a
-// rigid body with the same momentum and angular momentum.
+// cracks the failed ones along all their faces, and moves each of them to its shape without stress
+// as a rigid body with the same momentum and angular momentum.
 #include "deformable/fracture/inverted_elements.hpp"
 
 #include "deformable/elasticity/element.hpp"

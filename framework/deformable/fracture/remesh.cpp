@@ -79,7 +79,8 @@ void carry_elements(Deformable& solid, const std::vector<int>& parents)
         solid.inverted_times = of_parents(solid.inverted_times, parents);
 }
 
-// The face of the parent that contains a child's face, or -1 if the child's face is inside the parent.
+// The face of the parent that contains a child's face, or -1 if the child's face is inside the
+// parent.
 int face_of_parent(const Deformable& solid, const SplitMesh& split, int child, int face)
 {
     const auto& parent = solid.rest.tetrahedra[split.parents[child]];
@@ -189,8 +190,8 @@ void remesh(Deformable& solid, EmbeddedMesh embedded)
     for (int t = 0; t < old_count; ++t)
         copies[solid.embedded.parents.empty() ? t : solid.embedded.parents[t]].push_back(t);
 
-    // The parent of a copy is the old copy in which its first real corner was real, because cracks only
-    // divide material.
+    // The parent of a copy is the old copy in which its first real corner was real, because cracks
+    // only divide material.
     std::vector<int> parents;
     std::vector<VertexOrigin> origins(embedded.mesh.vertices.size());
     std::vector<char> has_matter(embedded.mesh.vertices.size(), 0);

@@ -8,9 +8,9 @@
 //     momenta and the energy are conserved.
 //   * A node p = (1-t) a + t b halves the elements at the edge a b. If an element has mass m, a
 //     keeps t m/4 of it, b keeps (1-t) m/4, and p gets m/4. With v_p = (1-t) v_a + t v_b the
-//     momentum and the center of mass are conserved, but an angular momentum of
-//     t (1-t) m/4 (a - b) × (v_a - v_b) is lost. It is restored by a spin of the nodes around the cut
-//     about their own center of mass, which adds no momentum.
+//     momentum and the center of mass are conserved, but an angular momentum of t (1-t) m/4
+//     (a - b) × (v_a - v_b) is lost. It is restored by a spin of the nodes around the cut about
+//     their own center of mass, which adds no momentum.
 #pragma once
 
 #include "deformable/solid/deformable.hpp"

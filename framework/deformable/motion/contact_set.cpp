@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Finds which contacts hold, stick or slide in a step of backward Euler, by an active-set method. Each
-// round ties the nodes of the contacts that hold, solves the linear system and corrects every contact
-// that pulls, penetrates, or violates Coulomb's law. Sliding friction enters the system as a damping,
-// the friction force divided by the sliding speed; the rounds are a fixed-point iteration for it.
+// Finds which contacts hold, stick or slide in a step of backward Euler, by an active-set method.
+// Each round ties the nodes of the contacts that hold, solves the linear system and corrects every
+// contact that pulls, penetrates, or violates Coulomb's law. Sliding friction enters the system as
+// a damping, the friction force divided by the sliding speed; the rounds are a fixed-point
+// iteration for it.
 #include "deformable/motion/contact_set.hpp"
 
 #include "formulas/collision.hpp"
@@ -17,11 +18,12 @@ namespace {
 // A free contact starts to hold at this penetration, divided by the radius of the solid. It is well
 // above the penetration that rounding and the tolerance of the linear solve leave for a tied node.
 constexpr double penetration_tolerance = 1e-6;
-// A sliding contact needs no further round if the relative error of its friction force is below this.
+// A sliding contact needs no further round if the relative error of its friction force is below
+// this.
 constexpr double friction_tolerance = 1e-3;
-// The largest damping of a sliding contact, divided by the trace of its node's block of the matrix. At
-// this damping the node hardly slides, and a larger value would make the system ill-conditioned, so
-// the contact sticks.
+// The largest damping of a sliding contact, divided by the trace of its node's block of the matrix.
+// At this damping the node hardly slides, and a larger value would make the system ill-conditioned,
+// so the contact sticks.
 constexpr double largest_damping = 1e3;
 
 } // namespace
@@ -82,7 +84,8 @@ bool ContactSet::revise_free(int k, const Vector3d& velocity)
     const Vector3d surface = step_->bodies.velocity_after(step_->rigid, c.body, arm(c));
     const double depth = -(c.gap + step_->time_step * c.normal.dot(velocity - surface));
     if (depth <= penetration_tolerance * step_->radius) return false;
-    // A contact that was released in this step slides, because it would be released again if it stuck.
+    // A contact that was released in this step slides, because it would be released again if it
+    // stuck.
     const bool is_new = impulses_[k].isZero();
     holds_[k] = is_new && c.friction > 0 ? Hold::sticking : Hold::sliding;
     return true;

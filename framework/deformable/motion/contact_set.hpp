@@ -26,8 +26,8 @@ enum class Hold : char { off, sticking, sliding };
 
 class ContactSet {
 public:
-    /// Makes a first guess for each contact: it sticks if the node would be inside the body after the
-    /// step.
+    /// Makes a first guess for each contact: it sticks if the node would be inside the body after
+    /// the step.
     void guess(const ContactStep& step);
 
     /// Chooses for each node the contact that ties it: the deepest of those that hold.

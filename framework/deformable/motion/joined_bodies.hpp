@@ -10,8 +10,8 @@ namespace rigor {
 class JoinedBodies {
 public:
     /// A dynamic body in contact joins the system, with the velocity that gravity will give it in
-    /// this step. A body that rests on other bodies does not join and counts as static here, because
-    /// it passes the impulses on to its supports.
+    /// this step. A body that rests on other bodies does not join and counts as static here,
+    /// because it passes the impulses on to its supports.
     void join(const RigidColliders& rigid, const std::vector<NodeContact>& contacts,
               double time_step);
 

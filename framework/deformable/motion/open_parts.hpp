@@ -11,7 +11,8 @@ class OpenParts {
 public:
     /// Opens all parts of a system.
     void open_all(const BlockMatrix& matrix);
-    /// Closes all parts. They can then be opened again one by one; `was_open` tells which were open.
+    /// Closes all parts. They can then be opened again one by one; `was_open` tells which were
+    /// open.
     void close_all();
 
     bool is_open(int node) const { return is_open_[matrix_->part_of(node)] != 0; }

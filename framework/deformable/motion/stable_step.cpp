@@ -11,8 +11,8 @@ namespace rigor {
 
 namespace {
 
-// The strain caused by the motion of a node with gradient g, as (xx, yy, zz, √2 xy, √2 xz, √2 yz), a
-// vector of norm ‖ε‖.
+// The strain caused by the motion of a node with gradient g, as (xx, yy, zz, √2 xy, √2 xz, √2 yz),
+// a vector of norm ‖ε‖.
 Eigen::Matrix<double, 6, 3> strain_of_motion(const Vector3d& g)
 {
     const double r = std::sqrt(0.5);
@@ -31,8 +31,8 @@ Matrix6d stiffness_root(const SolidMaterial& material)
     return root;
 }
 
-// An upper bound of the largest eigenvalue of a symmetric, positive semi-definite matrix, at most 3 %
-// above it: (Tr A⁶⁴)^(1/64).
+// An upper bound of the largest eigenvalue of a symmetric, positive semi-definite matrix, at most
+// 3 % above it: (Tr A⁶⁴)^(1/64).
 double eigenvalue_bound(Matrix6d A)
 {
     double log_scale = 0;

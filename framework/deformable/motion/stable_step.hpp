@@ -12,8 +12,8 @@ namespace rigor {
 ///
 /// As vᵀ K v = Σ vₑᵀ Kₑ vₑ ≤ max λₑ Σ vₑᵀ Mₑ vₑ, this holds for any way to share a node's mass
 /// among its elements (Irons and Treharne 1971). The mass of a node is shared in proportion to
-/// V |∇N|². So a stiff element gets more mass, and a sliver beside large elements does not determine
-/// the step alone.
+/// V |∇N|². So a stiff element gets more mass, and a sliver beside large elements does not
+/// determine the step alone.
 double stable_step(const Deformable& solid, const Elements& elements);
 
 } // namespace rigor

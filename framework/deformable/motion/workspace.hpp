@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Data that a step derives from a solid. It is kept until the mesh or the material changes. It includes
-// all buffers, so that a step without such a change allocates no memory.
+// Data that a step derives from a solid. It is kept until the mesh or the material changes. It
+// includes all buffers, so that a step without such a change allocates no memory.
 #pragma once
 
 #include "deformable/contact/node_contacts.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The state of a solid that bends, flows and breaks. It consists of linear tetrahedra with corotated
-// linear elasticity (Müller and Gross 2004, "Interactive virtual materials"). Each element has a
-// plastic strain, and masses are lumped at the nodes.
+// The state of a solid that bends, flows and breaks. It consists of linear tetrahedra with
+// corotated linear elasticity (Müller and Gross 2004, "Interactive virtual materials"). Each
+// element has a plastic strain, and masses are lumped at the nodes.
 //
 // Stresses and strains of an element are in its rest space: F = R S is its deformation gradient,
 // ε = ½ (S + Sᵀ) - δ its total strain, and σ the stress of its elastic strain ε - ε_p.
@@ -31,7 +31,8 @@ enum class FractureMethod {
     virtual_nodes, ///< `virtual_nodes`
 };
 
-/// The place of the nodes of a handle at one time. Between two moments its motion is linear in time.
+/// The place of the nodes of a handle at one time. Between two moments its motion is linear in
+/// time.
 struct HandleMoment {
     double time = 0;                          // [s]
     Vector3d displacement = Vector3d::Zero(); // from the nodes' initial places [m]
@@ -89,19 +90,19 @@ struct Deformable {
     std::vector<Matrix3d> plastic_strains; // ε_p of each element
     std::vector<Handle> handles;
     std::vector<NodeLoad> loads;
-    // For each element, how long it has been inverted [s]. It is empty until an element is inverted for
-    // the first time.
+    // For each element, how long it has been inverted [s]. It is empty until an element is inverted
+    // for the first time.
     std::vector<double> inverted_times;
 
-    // For each element and face, whether a crack runs there, open or still closed. It is empty if there
-    // are no cracks. With virtual nodes these are faces of `uncracked`, along which inverted elements
-    // were separated.
+    // For each element and face, whether a crack runs there, open or still closed. It is empty if
+    // there are no cracks. With virtual nodes these are faces of `uncracked`, along which inverted
+    // elements were separated.
     std::vector<std::array<bool, 4>> crack_faces;
     double least_height = 0; // smallest height that a cut may leave; set by the first cut [m]
 
-    // With virtual nodes, these are the mesh before the first crack, the cracks, and the elements with
-    // their copies and the share of each that material fills. They are empty if there are no cracks;
-    // then material fills every element.
+    // With virtual nodes, these are the mesh before the first crack, the cracks, and the elements
+    // with their copies and the share of each that material fills. They are empty if there are no
+    // cracks; then material fills every element.
     TetrahedralMesh uncracked;
     std::vector<ElementCrack> cracks;
     EmbeddedMesh embedded;

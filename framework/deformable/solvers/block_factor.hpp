@@ -18,7 +18,8 @@ namespace rigor {
 
 class BlockFactor {
 public:
-    /// Finds the order of the nodes and the places of L's blocks. This is needed once for a pattern.
+    /// Finds the order of the nodes and the places of L's blocks. This is needed once for a
+    /// pattern.
     /// @param row_starts, columns  the pattern of A's blocks on and above the diagonal, each row
     ///                             ascending
     /// @param most_work  the largest number of products of blocks that a factorisation may take

@@ -16,9 +16,9 @@ void ImplicitSystem::analyse(const Elements& elements, int nodes)
     matrix_.analyse(elements, nodes);
     nodes_ = nodes;
     inverse_diagonal_.resize(nodes);
-    // The number of products of blocks that a factorisation may take, for each block of A. An iteration
-    // of conjugate gradients takes two products of a block and a vector for each block, so above this
-    // limit it is cheaper to iterate.
+    // The number of products of blocks that a factorisation may take, for each block of A. An
+    // iteration of conjugate gradients takes two products of a block and a vector for each block,
+    // so above this limit it is cheaper to iterate.
     constexpr double most_work = 40;
     is_factor_cheap_ = factor_.analyse(matrix_.row_starts(), matrix_.columns(),
                                        most_work * static_cast<double>(matrix_.blocks().size()));
@@ -91,7 +91,8 @@ void ImplicitSystem::add_damping(const Vectors& x, Vectors& y) const
     }
 }
 
-// Factorises A with the ties, P (A + d) P + s N, for the active nodes, with P = δ - N for each node.
+// Factorises A with the ties, P (A + d) P + s N, for the active nodes, with P = δ - N for each
+// node.
 void ImplicitSystem::factorise()
 {
     for (const int i : *active_) {

@@ -17,8 +17,8 @@ namespace rigor {
 /// The system of one solid: its matrix, and the solution by conjugate gradients.
 class ImplicitSystem {
 public:
-    /// Finds the places of the blocks, and whether a factorisation is cheap. This is needed once for a
-    /// mesh.
+    /// Finds the places of the blocks, and whether a factorisation is cheap. This is needed once
+    /// for a mesh.
     void analyse(const Elements& elements, int nodes);
     bool is_analysed() const { return matrix_.nodes() > 0; }
 
@@ -31,10 +31,11 @@ public:
     }
     const BlockMatrix& matrix() const { return matrix_; }
 
-    /// Solves for the velocities of some parts by conjugate gradients, which start from the velocities
-    /// passed in. The relative error is 1e-7 in the norm of the preconditioner. If it is cheap, the
-    /// preconditioner is a factorisation of A with its ties; then one iteration is enough, apart from
-    /// rounding and from rigid bodies. Otherwise it consists of the diagonal blocks of A.
+    /// Solves for the velocities of some parts by conjugate gradients, which start from the
+    /// velocities passed in. The relative error is 1e-7 in the norm of the preconditioner. If it is
+    /// cheap, the preconditioner is a factorisation of A with its ties; then one iteration is
+    /// enough, apart from rounding and from rigid bodies. Otherwise it consists of the diagonal
+    /// blocks of A.
     /// @param nodes  ascending, all nodes of these parts, with every part that is tied to a body
     /// @param tied   the ties of these nodes
     /// @return the number of iterations
@@ -42,8 +43,8 @@ public:
               const std::vector<TiedNode>& tied, std::vector<SystemBody>& bodies,
               std::vector<Vector3d>& velocities);
 
-    /// A v - b for each of these nodes, after `solve`. The nodes must be all nodes of some parts. For a
-    /// tied node it is the impulse of its ties and their damping [N s].
+    /// A v - b for each of these nodes, after `solve`. The nodes must be all nodes of some parts.
+    /// For a tied node it is the impulse of its ties and their damping [N s].
     const std::vector<Vector3d>& residual(const std::vector<Vector3d>& b,
                                           const std::vector<int>& nodes,
                                           const std::vector<Vector3d>& velocities);

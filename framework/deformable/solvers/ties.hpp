@@ -6,10 +6,10 @@
 
 namespace rigor {
 
-/// A node whose velocity is prescribed within a subspace: N v = N (c + V + ω × r). Here (V, ω) is the
-/// motion of a rigid body that the system solves for, or zero without a body. In the other directions
-/// the relative motion is damped by the impulse -d (δ - N) (v - c - V - ω × r), so that friction
-/// dissipates energy for any d.
+/// A node whose velocity is prescribed within a subspace: N v = N (c + V + ω × r). Here (V, ω) is
+/// the motion of a rigid body that the system solves for, or zero without a body. In the other
+/// directions the relative motion is damped by the impulse -d (δ - N) (v - c - V - ω × r), so that
+/// friction dissipates energy for any d.
 struct TiedNode {
     int node = 0;
     Matrix3d N = Matrix3d::Zero(); // orthogonal projector: δ, n nᵀ, or axes

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Clips an element of a cracked solid to the material of one of its copies, for virtual nodes (Molino,
-// Bao and Fedkiw 2004, "A virtual node algorithm for changing mesh topology during simulation"). Each
-// face is a convex polygon that is clipped by one crack plane after the other (Sutherland and Hodgman
-// 1974). The points where a plane meets the faces are then sorted by angle and form the polygon that
-// closes the cut.
+// Clips an element of a cracked solid to the material of one of its copies, for virtual nodes
+// (Molino, Bao and Fedkiw 2004, "A virtual node algorithm for changing mesh topology during
+// simulation"). Each face is a convex polygon that is clipped by one crack plane after the other
+// (Sutherland and Hodgman 1974). The points where a plane meets the faces are then sorted by angle
+// and form the polygon that closes the cut.
 #include "deformable/surface/clipped_element.hpp"
 
 #include "geometry/tetrahedra/tetrahedra.hpp"

@@ -9,7 +9,7 @@ namespace rigor {
 /// A face of the material of a copy: a convex polygon, counter-clockwise seen from outside.
 struct ClippedFace {
     std::vector<Eigen::Vector4d> weights; // barycentric coordinates of its vertices
-    int face = -1;                        // the face of the element that contains it, -1 for a crack
+    int face = -1;                        // face of the element that contains it, -1 for a crack
 };
 
 /// The faces that bound the material of a copy. They are those of its tetrahedron, cut by one crack
@@ -18,8 +18,8 @@ struct ClippedFace {
 std::vector<ClippedFace> clipped_element(const Deformable& solid, int element);
 
 /// The part of a convex polygon that another polygon in the same face of an element does not cover,
-/// as convex pieces. Pieces with less than 1e-12 of the area of the face are rounding errors and are
-/// omitted.
+/// as convex pieces. Pieces with less than 1e-12 of the area of the face are rounding errors and
+/// are omitted.
 ///
 /// @param polygon, cover  barycentric coordinates of the vertices in the same element
 std::vector<std::vector<Eigen::Vector4d>> uncovered(std::vector<Eigen::Vector4d> polygon,

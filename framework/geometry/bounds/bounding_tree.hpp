@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A tree of bounding boxes. All searches use it: for triangles of a mesh, for points on its surface,
-// and for bodies in the broad phase (`overlap_tree.hpp`).
+// A tree of bounding boxes. All searches use it: for triangles of a mesh, for points on its
+// surface, and for bodies in the broad phase (`overlap_tree.hpp`).
 #pragma once
 
 #include "geometry/bounds/bounds.hpp"
@@ -75,8 +75,8 @@ public:
     /// The items, leaf after leaf.
     const std::vector<int>& order() const { return order_; }
 
-    /// Calls visit(item) for the items of each leaf if enter(box) is true for the box of the leaf and
-    /// for the boxes of all nodes above it. The order is always the same.
+    /// Calls visit(item) for the items of each leaf if enter(box) is true for the box of the leaf
+    /// and for the boxes of all nodes above it. The order is always the same.
     template <class Enter, class Visit> void walk(const Enter& enter, const Visit& visit) const
     {
         if (!nodes_.empty()) walk(0, enter, visit);

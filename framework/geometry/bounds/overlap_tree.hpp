@@ -107,8 +107,8 @@ private:
 
     void fill_leaves(const std::vector<Bounds>& boxes, int stretches, int stretch);
 
-    // Divides a pair of nodes that are not both leaves, at the node with more members, and appends the
-    // resulting pairs that overlap.
+    // Divides a pair of nodes that are not both leaves, at the node with more members, and appends
+    // the resulting pairs that overlap.
     void divide(const NodePair& nodes, std::vector<NodePair>& parts) const
     {
         const auto add = [&](int a, int b) {

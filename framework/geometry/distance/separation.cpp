@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Computes the distance or the penetration depth of two convex shapes. Distances are found by the GJK
-// algorithm (Gilbert, Johnson and Keerthi 1988), depths by pushing the shapes apart along candidate
-// directions. GJK is tried first. If the shapes overlap, the candidate directions follow, and only if
-// these are not enough, a direction from the expanding polytope (van den Bergen 2001).
+// Computes the distance or the penetration depth of two convex shapes. Distances are found by the
+// GJK algorithm (Gilbert, Johnson and Keerthi 1988), depths by pushing the shapes apart along
+// candidate directions. GJK is tried first. If the shapes overlap, the candidate directions follow,
+// and only if these are not enough, a direction from the expanding polytope (van den Bergen 2001).
 #include "geometry/distance/separation.hpp"
 
 #include "geometry/convex/expanding_polytope.hpp"
@@ -72,8 +72,8 @@ public:
     // Signed distance of shape 1 above shape 2 along the unit vector n, negative if they overlap.
     double along(const Vector3d& n) const { return n.dot(support_along(-n).w); }
 
-    // GJK: the shortest vector from shape 2 to shape 1. The result is empty if the shapes overlap or
-    // the vector is not longer than `least`; then `simplex` is the last simplex of the search.
+    // GJK: the shortest vector from shape 2 to shape 1. The result is empty if the shapes overlap
+    // or the vector is not longer than `least`; then `simplex` is the last simplex of the search.
     std::optional<Separation> apart(const Vector3d& shift, double least, double reach,
                                     Simplex& simplex) const
     {

@@ -19,9 +19,9 @@ struct Separation {
 /// If the shapes are apart, the point of the Minkowski difference nearest to the origin is found
 /// (Gilbert, Johnson and Keerthi 1988, "A fast procedure for computing the distance between complex
 /// objects"). If they overlap, shape 1 is pushed out along the best of some directions until the
-/// shapes are just apart. The normal found there is the next direction, as long as the depth along it
-/// is smaller. If this does not converge, or the overlap is deep, an expanding polytope finds a better
-/// first direction (expanding_polytope.hpp).
+/// shapes are just apart. The normal found there is the next direction, as long as the depth along
+/// it is smaller. If this does not converge, or the overlap is deep, an expanding polytope finds a
+/// better first direction (expanding_polytope.hpp).
 ///
 /// @param pose   pose of shape 1
 /// @param reach  if the shapes are farther apart than this, the result may be any lower bound of

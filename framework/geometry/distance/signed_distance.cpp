@@ -30,8 +30,8 @@ struct Cylindrical {
     Vector3d outward = Vector3d::UnitX();
 };
 
-// The signed distance to a circle around (a, b) in the half-plane of distance and height: the distance
-// to its center minus the radius.
+// The signed distance to a circle around (a, b) in the half-plane of distance and height: the
+// distance to its center minus the radius.
 SurfaceDistance from_core(const Cylindrical& p, double a, double b, double radius)
 {
     const double d = std::hypot(p.distance - a, p.height - b);

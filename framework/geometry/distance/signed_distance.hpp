@@ -13,7 +13,8 @@ struct SurfaceDistance {
     Vector3d normal = Vector3d::UnitY();
 };
 
-// If several surface points are equally near (on an axis, in a center), always the same one is used.
+// If several surface points are equally near (on an axis, in a center), always the same one is
+// used.
 SurfaceDistance signed_distance(const Sphere& sphere, const Vector3d& p);
 SurfaceDistance signed_distance(const Capsule& capsule, const Vector3d& p);
 SurfaceDistance signed_distance(const Torus& torus, const Vector3d& p);

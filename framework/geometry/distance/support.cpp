@@ -15,8 +15,8 @@ namespace rigor {
 
 namespace {
 
-// Cosine of 25 degrees. A face whose normal is nearer to the direction than this angle is in contact
-// as a whole face.
+// Cosine of 25 degrees. A face whose normal is nearer to the direction than this angle is in
+// contact as a whole face.
 constexpr double looks_there = 0.9;
 
 // The unit vector away from the y axis; along x for a direction on the axis.

@@ -15,8 +15,8 @@ namespace rigor {
 
 namespace {
 
-// Pseudonormals: the normal of a face, the sum of the two normals at an edge, and at a vertex the sum
-// of the normals weighted by angles.
+// Pseudonormals: the normal of a face, the sum of the two normals at an edge, and at a vertex the
+// sum of the normals weighted by angles.
 struct PseudoNormals {
     std::vector<Vector3d> faces, vertices;
     std::vector<std::array<Vector3d, 3>> edges; // for each triangle, those at ab, bc, ca
@@ -68,7 +68,8 @@ private:
 };
 
 // A ray hits a triangle if it passes it at a distance of at most this, divided by the length of the
-// ray. This distance is a rounding error; a ray through an edge must not slip between two triangles.
+// ray. This distance is a rounding error; a ray through an edge must not slip between two
+// triangles.
 constexpr double on_edge = 1e-9;
 
 // The distance from a face's middle inwards to the opposite side [m]; infinite if a ray finds none.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Reads an OBJ file line by line. Faces refer to vertices by number, and each face is divided into a
-// fan of triangles. Last, vertices that no face uses are removed.
+// Reads an OBJ file line by line. Faces refer to vertices by number, and each face is divided into
+// a fan of triangles. Last, vertices that no face uses are removed.
 #include "geometry/mesh_files/obj.hpp"
 
 #include "geometry/mesh_files/mesh_text.hpp"

@@ -22,8 +22,8 @@ namespace {
 // an area is a rounding error [1].
 constexpr double least_area = 1e-12;
 
-// A mesh has no volume if its volume, divided by the cube of its size, is at most this: such a volume
-// is a rounding error [1].
+// A mesh has no volume if its volume, divided by the cube of its size, is at most this: such a
+// volume is a rounding error [1].
 constexpr double least_volume = 1e-12;
 
 // Length of the sum of two unit normals that count as opposite.
@@ -207,8 +207,8 @@ private:
         }
     }
 
-    // The contribution of a face to the winding number around p: its solid angle seen from p, divided
-    // by 4π.
+    // The contribution of a face to the winding number around p: its solid angle seen from p,
+    // divided by 4π.
     double winding(const Triangle& triangle, const Vector3d& p) const
     {
         const Vector3d a = triangle.a - p, b = triangle.b - p, c = triangle.c - p;

@@ -7,7 +7,8 @@
 
 namespace rigor {
 
-/// Finds the point of a mesh that is nearest to a given point, and the local minima of the distance.
+/// Finds the point of a mesh that is nearest to a given point, and the local minima of the
+/// distance.
 class TriangleTree {
 public:
     /// @param mesh  must live longer than the tree
@@ -23,9 +24,9 @@ public:
     /// @param near  the triangle from which the search starts; a near one makes the search shorter
     Found nearest(const Vector3d& p, int near = 0) const;
 
-    /// The local minima of the distance to p that are below `within` [m], the nearest first. They are
-    /// the nearest points of the triangles, without those that also belong to a triangle which comes
-    /// nearer to p.
+    /// The local minima of the distance to p that are below `within` [m], the nearest first. They
+    /// are the nearest points of the triangles, without those that also belong to a triangle which
+    /// comes nearer to p.
     std::vector<Found> local_minima(const Vector3d& p, double within) const;
 
     const BoundingTree& tree() const { return tree_; }

@@ -19,8 +19,8 @@ struct Progress {
     int newlines = 0;
     char last = 0;
 
-    // The parser reads one character past a number. A newline there still belongs to the line of the
-    // number.
+    // The parser reads one character past a number. A newline there still belongs to the line of
+    // the number.
     int line() const { return 1 + newlines - (last == '\n' ? 1 : 0); }
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The grammar of the scene language as tables. A row holds a key with its meaning and its reader. The
-// documentation, the reader and the suggestion of the nearest key all use the tables.
+// The grammar of the scene language as tables. A row holds a key with its meaning and its reader.
+// The documentation, the reader and the suggestion of the nearest key all use the tables.
 #pragma once
 
 #include "scene/language/json.hpp"

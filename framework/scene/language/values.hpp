@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The readers of plain values. Each throws a Mistake that says what was expected; `what` names the
-// quantity. The size of a number is at most 1e12, and a positive number is at least 1e-12, so that a
-// product of a few of them neither overflows nor underflows.
+// quantity. The size of a number is at most 1e12, and a positive number is at least 1e-12, so that
+// a product of a few of them neither overflows nor underflows.
 #pragma once
 
 #include "formulas/types.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Makes the world of a scene: first the rigid bodies with their mass and state, then springs and forces
-// with their points moved to object space, last the deformable solids.
+// Makes the world of a scene: first the rigid bodies with their mass and state, then springs and
+// forces with their points moved to object space, last the deformable solids.
 #include "scene/run/make_world.hpp"
 
 #include "deformable/elasticity/totals.hpp"
@@ -15,8 +15,8 @@ namespace rigor {
 
 namespace {
 
-// Copies of the meshes of the scene, one for each mesh. Each world computes its own data of a mesh, such
-// as the level set, so that all worlds of a scene do the same work and have the same counters.
+// Copies of the meshes of the scene, one for each mesh. Each world computes its own data of a mesh,
+// such as the level set, so that all worlds of a scene do the same work and have the same counters.
 class OwnMeshes {
 public:
     void take(std::vector<Part>& parts)

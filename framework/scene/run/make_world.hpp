@@ -14,8 +14,8 @@ struct RunSettings {
     int threads = 1;
 };
 
-/// The rigid bodies of a scene. Where the scene gives densities, the formulas of topic `inertia` are
-/// called.
+/// The rigid bodies of a scene. Where the scene gives densities, the formulas of topic `inertia`
+/// are called.
 World make_world(const Scene& scene, const RunSettings& settings = {});
 
 /// The rigid bodies and the deformable solids of a scene.

@@ -2,14 +2,15 @@
 // The hash of a motion. Two motions have the same hash if and only if all their bits are equal,
 // except for a small chance of a collision.
 //
-// Within one program the bits of a motion depend on the scene alone: not on a clock, an address, the
-// order of a hash map or the number of threads. Between two builds of the same sources, IEEE doubles
-// and -ffp-contract=off -fno-fast-math make + - * / and the square root round the same everywhere,
-// and without -march Eigen adds in the same order. The functions of the C library (sin, cos, atan2,
-// ...) remain: they are not correctly rounded, they differ between versions of the library and
-// between processors with and without fused multiply-add, and gcc inserts the correctly rounded
-// value where it knows the argument at compile time. So with other compilers and libraries the last
-// bit may differ. A stored hash would be valid for one of them only, therefore no hash is stored.
+// Within one program the bits of a motion depend on the scene alone: not on a clock, an address,
+// the order of a hash map or the number of threads. Between two builds of the same sources, IEEE
+// doubles and -ffp-contract=off -fno-fast-math make + - * / and the square root round the same
+// everywhere, and without -march Eigen adds in the same order. The functions of the C library (sin,
+// cos, atan2, ...) remain: they are not correctly rounded, they differ between versions of the
+// library and between processors with and without fused multiply-add, and gcc inserts the correctly
+// rounded value where it knows the argument at compile time. So with other compilers and libraries
+// the last bit may differ. A stored hash would be valid for one of them only, therefore no hash is
+// stored.
 #pragma once
 
 #include "scene/trajectory/trajectory.hpp"

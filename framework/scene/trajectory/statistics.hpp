@@ -35,7 +35,8 @@ public:
 
     FrameStatistics of(const Frame& frame) const;
 
-    /// ω = I(t)⁻¹ L of a body [rad/s]. It is zero about axes without inertia, and for static bodies.
+    /// ω = I(t)⁻¹ L of a body [rad/s]. It is zero about axes without inertia, and for static
+    /// bodies.
     Vector3d angular_velocity(std::size_t body, const RigidState& state) const;
 
 private:

@@ -34,8 +34,8 @@
 
 namespace rigor {
 
-/// The mesh of a deformable solid, as far as it is needed for drawing. It changes only when the solid
-/// cracks.
+/// The mesh of a deformable solid, as far as it is needed for drawing. It changes only when the
+/// solid cracks.
 struct SolidTopology {
     std::size_t nodes = 0;
     std::vector<std::array<int, 4>> elements; // the nodes of each element

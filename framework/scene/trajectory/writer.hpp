@@ -17,8 +17,8 @@ Bytes encode_start(const Scene& scene, const std::vector<RecordedBody>& bodies);
 Bytes encode_frame(const Frame& frame);
 Bytes encode_end(const Counters& counters);
 
-/// The file that a trajectory is written to. Only whole records are written, so that the file can be
-/// read at the same time.
+/// The file that a trajectory is written to. Only whole records are written, so that the file can
+/// be read at the same time.
 class TrajectoryFile {
 public:
     /// @throws InputError if the file cannot be written, as `write` does

@@ -78,7 +78,7 @@ TEST_CASE("determinism: the hash is FNV-1a of all that moves", "[scene]")
         return hashes.insert(hash_of(other)).second;
     };
     REQUIRE(changed([](Frame& f) { f.bodies[0].position.x() = std::nextafter(0.0, 1.0); }));
-    REQUIRE(changed([](Frame& f) { f.bodies[0].velocity.z() = -0.0; })); // another bit, though -0 equals 0
+    REQUIRE(changed([](Frame& f) { f.bodies[0].velocity.z() = -0.0; })); // -0 has another bit
     REQUIRE(changed([](Frame& f) { f.bodies[0].orientation.s = std::nextafter(1.0, 2.0); }));
     REQUIRE(changed([](Frame& f) { f.contacts[0].impulse.y() = 1e-300; }));
     REQUIRE(changed([](Frame& f) { f.step = 1; }));

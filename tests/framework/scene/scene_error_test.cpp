@@ -24,8 +24,8 @@ std::string refusal(const std::string& text)
     return "accepted";
 }
 
-// A scene with one ball. Its keys are in line 2, more keys of the body in line 3 and more keys of the
-// scene in line 5.
+// A scene with one ball. Its keys are in line 2, more keys of the body in line 3 and more keys of
+// the scene in line 5.
 std::string scene_with(const std::string& body, const std::string& scene = "")
 {
     return "{\"bodies\": [\n{\"name\": \"ball\", \"shape\": {\"sphere\": {\"radius\": 1}}" +

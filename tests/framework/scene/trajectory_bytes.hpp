@@ -48,8 +48,8 @@ inline std::string refusal(const Bytes& bytes)
     return "accepted";
 }
 
-/// Checks that `bytes`, cut off anywhere, contain the run up to that place: the number of frames only
-/// increases with the length, up to all `frames`.
+/// Checks that `bytes`, cut off anywhere, contain the run up to that place: the number of frames
+/// only increases with the length, up to all `frames`.
 inline void check_cut_off_anywhere(const Bytes& bytes, std::size_t frames)
 {
     std::size_t frames_before = 0;
@@ -62,8 +62,8 @@ inline void check_cut_off_anywhere(const Bytes& bytes, std::size_t frames)
     CHECK(frames_before == frames);
 }
 
-/// Flips each byte from `first` on. The result must be refused, or be a trajectory that `check` accepts
-/// as harmless.
+/// Flips each byte from `first` on. The result must be refused, or be a trajectory that `check`
+/// accepts as harmless.
 /// @return how many are refused
 template <class Check>
 int flipped_bytes_refused(const Bytes& bytes, std::size_t first, const Check& check)

@@ -57,7 +57,8 @@ TEST_CASE("contact: a block lands on the floor and rests there", "[deformable]")
         const DeformableTotals sum = totals(world.solids[0]);
         check_at_most(sum.kinetic_energy, 1e-5, "kinetic energy");
         CHECK_THAT(lowest(world.solids[0]), IsClose(0.0, Order(1e-4)));
-        // ρ g H² / (2 E) = 2 mm lower than without weight, and a little more because its sides are free
+        // ρ g H² / (2 E) = 2 mm lower than without weight, and a little more because its sides are
+        // free
         CHECK_THAT(sum.center_of_mass.y(), IsClose(0.0985, Order(1.5e-3)));
         CHECK(world.rigid.counters.node_impulses > 0);
     }

@@ -46,7 +46,8 @@ Deformable crumpled_block(unsigned seed, double strength)
     return solid;
 }
 
-// The same block in motion, with some cracks, and with elements that have been inverted for too long.
+// The same block in motion, with some cracks, and with elements that have been inverted for too
+// long.
 Deformable inverted_block(unsigned seed, FractureMethod method)
 {
     Deformable solid = crumpled_block(seed, no_pull_breaks_it);

@@ -79,7 +79,8 @@ TEST_CASE("motion: implicit steps keep the momentum to rounding and add no energ
         const double E = energy(world.solids[0]);
         run(world, time_step, 20);
         const DeformableTotals after = totals(world.solids[0]);
-        // Forces between nodes sum to zero within rounding, in units of E times an area times the step.
+        // Forces between nodes sum to zero within rounding, in units of E times an area times the
+        // step.
         CHECK_THAT(after.momentum, IsClose(before.momentum, Rounding(200, 1e5 + time_step * 1e6)));
         if (time_step < 0.05) check_at_most(energy(world.solids[0]), E, "energy");
         for (const Vector3d& v : world.solids[0].velocities)
@@ -197,7 +198,7 @@ TEST_CASE("motion: a tetrahedron that is inside out turns back", "[deformable]")
             run(world, 0.02, 500);
             CHECK(least_volume(world.solids[0]) > 0.15);
             check_at_most(totals(world.solids[0]).elastic_energy,
-                          0.01 * totals(solid).elastic_energy, "elastic energy"); // it may still spin
+                          0.01 * totals(solid).elastic_energy, "elastic energy"); // it may spin
         }
 }
 

@@ -108,7 +108,7 @@ TEST_CASE("conservation: a bar that snaps gains no energy once it is let go", "[
     for (const FractureMethod method :
          {FractureMethod::faces, FractureMethod::elements, FractureMethod::virtual_nodes})
         for (const double time_step : {0.005, 0.01, 0.02}) {
-            if (method == FractureMethod::virtual_nodes && time_step > 0.01) continue; // too long, as above
+            if (method == FractureMethod::virtual_nodes && time_step > 0.01) continue; // too long
             CAPTURE(static_cast<int>(method), time_step);
             DeformableWorld world = bent_bar(method);
             for (double time = 0; time < 0.75; time += time_step)
@@ -122,8 +122,8 @@ TEST_CASE("conservation: a bar that snaps gains no energy once it is let go", "[
         }
 }
 
-// Backward Euler uses the rotations of the elements at the start of a step. Their rotation within the
-// step causes an error of the angular momentum of the order of the step.
+// Backward Euler uses the rotations of the elements at the start of a step. Their rotation within
+// the step causes an error of the angular momentum of the order of the step.
 TEST_CASE("conservation: implicit steps lose angular momentum in proportion to their length",
           "[deformable]")
 {

@@ -12,8 +12,8 @@ using namespace rigor::testing;
 
 TEST_CASE("overlap tree: it finds what comparing all pairs finds", "[geometry]")
 {
-    // The boxes have the largest and smallest sizes of doubles. Some touch, or are one rounding apart
-    // far from the origin.
+    // The boxes have the largest and smallest sizes of doubles. Some touch, or are one rounding
+    // apart far from the origin.
     const double scale = GENERATE(1.0, 1e-300, 1e-40, 1e30, 1e300);
     const double far = GENERATE(0.0, 1e6);
     CAPTURE(scale, far);
