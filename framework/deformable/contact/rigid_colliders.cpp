@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Keeps copies of the rigid bodies during a step of the deformable solids. Impulses act on the
+// copies, substeps move their surfaces, and at the end the new velocities go to the world.
 #include "deformable/contact/rigid_colliders.hpp"
 
 #include "formulas/collision.hpp"

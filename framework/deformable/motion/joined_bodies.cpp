@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Collects the rigid bodies that join the system of an implicit step, and gives the velocities of
+// their points before and after a solve.
 #include "deformable/motion/joined_bodies.hpp"
 
 namespace rigor {

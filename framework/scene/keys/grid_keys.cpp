@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Makes the copies of a body in a grid: x changes first, then z, then y. Each copy is moved and
+// rotated by random numbers from the seed.
 #include "scene/keys/grid_keys.hpp"
 
 #include "scene/keys/limits.hpp"

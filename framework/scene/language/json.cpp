@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Builds the tree of a JSON text from the events of a parser. An iterator counts the lines while
+// the parser reads, so that each value and each error knows its line.
 #include "scene/language/json.hpp"
 
 #include "errors/quotes.hpp"

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Adds the texts of mesh files to the text of a scene: it finds the file names in the scene, reads
+// and checks each file once, and inserts the texts as the key "meshes" at the start of the scene.
 #include "scene/meshes/mesh_texts.hpp"
 
 #include "errors/input_error.hpp"

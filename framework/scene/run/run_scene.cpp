@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Runs a scene and writes its trajectory: the start with the bodies, the initial frame, then the
+// frames of the chosen steps, and last the counters.
 #include "deformable/step/step.hpp"
 #include "scene/run/record_solid.hpp"
 #include "scene/run/run_scene.hpp"

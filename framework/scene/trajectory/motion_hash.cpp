@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Computes the FNV-1a hash of the bytes that the writer makes from bodies and frames.
 #include "scene/trajectory/motion_hash.hpp"
 
 #include "scene/trajectory/writer.hpp"
