@@ -36,7 +36,8 @@ constexpr double least_distance = 1e-6;
 constexpr double least_gjk_length = 1e-9;
 // The shapes touch if the origin is nearer to the simplex than this.
 constexpr double inside_tolerance = 1e-12;
-// If the origin is not inside, the shapes are pushed together by this, then by ten times as much.
+// If the origin is not inside, the shapes are pushed together by this, then each time by ten times
+// as much.
 constexpr double first_push = 1e-6;
 constexpr double most_push = 1e-3;          // a longer push would change the position too much
 constexpr double polytope_tolerance = 1e-7; // the polytope is finished if it grows by less
