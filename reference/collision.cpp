@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Solutions of assignment A4: the level set gives distance and normal, the impulse matrix K relates
+// impulse and velocity at a contact, and `collision_impulse` selects the static or sliding impulse.
+// The formulas are those of the lecture "Inertia, rotation, impulses", in the order of the tasks.
 #include "formulas/collision.hpp"
 #include "formulas/kinematics.hpp"
 
@@ -9,24 +12,24 @@ namespace rigor {
 
 namespace {
 
-// Where p lies on the grid, or the point of the grid's box nearest to p.
+// The position of p on the grid, or of the point of the grid's box nearest to p.
 struct GridPosition {
-    std::array<int, 3> cell; // the lowest node of the cell that holds it
-    Vector3d t;              // where in that cell, 0 … 1 along each axis
-    double distance;         // from p, 0 inside the box [m]
+    std::array<int, 3> cell; // the lowest node of the cell that contains it
+    Vector3d t;              // position in that cell, 0 … 1 along each axis
+    double distance;         // distance from p, 0 inside the box [m]
 };
 
 GridPosition grid_position(const LevelSet& grid, const Vector3d& p)
 {
     const double h = grid.cell_size;
-    const Vector3d s = (p - grid.origin) / h; // p, counted in cells from node (0, 0, 0)
+    const Vector3d s = (p - grid.origin) / h; // p in units of cells from node (0, 0, 0)
 
     GridPosition position;
     Vector3d nearest;
     for (int i = 0; i < 3; ++i) {
         const int last = grid.size[i] - 1;
         nearest[i] = std::clamp(s[i], 0.0, static_cast<double>(last));
-        // a face belongs to the higher cell, the last node's face to the last one
+        // A face belongs to the cell with the higher index, the last face to the last cell.
         position.cell[i] = std::min(static_cast<int>(nearest[i]), last - 1);
         position.t[i] = nearest[i] - position.cell[i];
     }
@@ -42,16 +45,18 @@ double corner(const LevelSet& grid, const std::array<int, 3>& cell, int i, int j
     return grid.distances[x + nx * (y + ny * z)];
 }
 
-// Between the four values f(0, 0), f(1, 0), f(0, 1), f(1, 1), at (s, t).
+// Bilinear interpolation between the values f(0, 0), f(1, 0), f(0, 1), f(1, 1), at (s, t).
 template <class Values> double bilinear(double s, double t, const Values& f)
 {
     return std::lerp(std::lerp(f(0, 0), f(1, 0), s), std::lerp(f(0, 1), f(1, 1), s), t);
 }
 
-// A tangential speed at most this fraction of the speed is what rounding left: some thousand eps.
+// A tangential speed at most this fraction of the speed is a rounding error. The fraction is a few
+// thousand times the machine epsilon.
 constexpr double no_sliding = 1e-12;
 
-// j, its tangential part shortened to |j_T| = μ jₙ where it is longer; zero if j pulls.
+// The impulse j with its tangential part shortened to |j_T| = μ jₙ if it is longer; zero if j
+// pulls.
 Vector3d onto_friction_cone(const Vector3d& j, const Vector3d& n, double mu)
 {
     const double j_n = j.dot(n);
@@ -67,7 +72,7 @@ double sample_level_set(const LevelSet& grid, const Vector3d& p)
 {
     const GridPosition at = grid_position(grid, p);
 
-    // φ, along x and y on the cell's lower and upper face, then along z
+    // φ is interpolated along x and y on the lower and upper face of the cell, then along z.
     const auto on_face = [&](int k) {
         return bilinear(at.t.x(), at.t.y(),
                         [&](int i, int j) { return corner(grid, at.cell, i, j, k); });
@@ -81,12 +86,12 @@ Vector3d level_set_normal(const LevelSet& grid, const Vector3d& p)
     const Vector3d& t = at.t;
     const auto phi = [&](int i, int j, int k) { return corner(grid, at.cell, i, j, k); };
 
-    // h ∇φ: φ is linear along each axis, so its slope there is the difference of two faces
+    // h ∇φ: φ is linear along each axis, so its slope is the difference of two opposite faces.
     const Vector3d gradient(
         bilinear(t.y(), t.z(), [&](int j, int k) { return phi(1, j, k) - phi(0, j, k); }),
         bilinear(t.x(), t.z(), [&](int i, int k) { return phi(i, 1, k) - phi(i, 0, k); }),
         bilinear(t.x(), t.y(), [&](int i, int j) { return phi(i, j, 1) - phi(i, j, 0); }));
-    if (gradient.norm() == 0) return Vector3d::UnitY(); // no direction is the outward one
+    if (gradient.norm() == 0) return Vector3d::UnitY(); // there is no outward direction
 
     // n = ∇φ / |∇φ|
     return gradient / gradient.norm();
@@ -134,8 +139,9 @@ Vector3d static_friction_impulse(const Matrix3d& K, const Vector3d& v, const Vec
     const double epsilon = restitution;
     const double v_n = v.dot(n);
 
-    // j = K⁻¹ (-v - ε vₙ n), by a factorization: its error grows with the condition number of K,
-    // that of K.inverse() almost with its square (measured: 6e-8 against 2e-2 at 1e9)
+    // j = K⁻¹ (-v - ε vₙ n), solved by a factorization. Its error grows with the condition number
+    // of K, while that of K.inverse() grows almost with its square (measured at condition number
+    // 1e9: 6e-8 against 2e-2).
     return K.ldlt().solve(-v - epsilon * v_n * n);
 }
 
@@ -160,7 +166,7 @@ Vector3d sliding_friction_impulse(const Matrix3d& K, const Vector3d& v, const Ve
     // T = (v - vₙ n)/|v - vₙ n|
     const Vector3d T = v_T / v_T.norm();
     const double nKd = n.dot(K * (n - mu * T));
-    if (nKd <= 0) // jammed; or both static, K = 0: then that is zero
+    if (nKd <= 0) // the contact jams, or both bodies are static (K = 0) and the result is zero
         return onto_friction_cone(static_friction_impulse(K, v, n, restitution), n, mu);
 
     // jₙ = -(1 + ε) vₙ / (nᵀ K (n - μ T))    j = jₙ n - μ jₙ T

@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// Solutions of assignment A5: the impulses of many contacts between many bodies. A5.1 to A5.4
+// resolve one contact after the other, the deepest first, and then level by level from the ground
+// up (Guendelman, Bridson and Fedkiw 2003, sections 7 and 8). A5.5 resolves all contacts together
+// by projected Gauss–Seidel (Jean 1999).
 #include "formulas/contact.hpp"
 
 #include "formulas/collision.hpp"
@@ -36,13 +40,13 @@ void apply(Bodies& bodies, const BodyContact& c, const Vector3d& j)
     bodies[c.body2] = apply_impulse(bodies[c.body2], c.point, -j);
 }
 
-// No impulse yet.
+// The bodies unchanged, with zero impulses.
 ContactResult untouched(const Bodies& bodies, const Contacts& contacts)
 {
     return {bodies, std::vector<Vector3d>(contacts.size(), Vector3d::Zero())};
 }
 
-// Indices of the contacts, the deepest first, of equals the first.
+// Indices of the contacts, the deepest first. Contacts of equal depth keep their order.
 std::vector<int> by_depth(const Contacts& contacts)
 {
     std::vector<int> order(contacts.size());
@@ -52,7 +56,7 @@ std::vector<int> by_depth(const Contacts& contacts)
     return order;
 }
 
-// The contacts of this order, one at a time, in n iterations.
+// Resolves the contacts one at a time, in this order, in n iterations.
 void resolve_in_order(ContactResult& result, const Contacts& contacts,
                       const std::vector<int>& order, int n)
 {
@@ -73,9 +77,9 @@ void resolve_in_order(ContactResult& result, const Contacts& contacts,
     }
 }
 
-using Edges = std::vector<std::vector<int>>; // of each body, the bodies it leads to
+using Edges = std::vector<std::vector<int>>; // for each body, the bodies that its edges lead to
 
-// What a static body rests on does not matter.
+// The edges without those of static bodies: what a static body rests on is ignored.
 Edges without_statics(Edges rests_on, const std::vector<bool>& is_static)
 {
     for (std::size_t i = 0; i < rests_on.size(); ++i)
@@ -92,15 +96,15 @@ Edges reversed(const Edges& edges)
     return result;
 }
 
-// Appends to `found` what can be reached from `first` and was not seen yet, `first` too; a body comes
-// after those that the search reached from it. Depth first; its path is kept in a list, because a
-// stack may be higher than recursion is deep.
+// Depth-first search from `first`. Appends to `found` each body that can be reached from `first`
+// and was not seen yet, including `first` itself, after the bodies that the search reached from it.
+// The path is kept in a list, because a tall stack of bodies could exceed the depth of recursion.
 void search(int first, const Edges& edges, std::vector<bool>& is_seen, std::vector<int>& found)
 {
     if (is_seen[first]) return;
     struct Visit {
         int body;
-        std::size_t next; // the edge to follow next
+        std::size_t next; // the index of the edge to follow next
     };
     std::vector<Visit> path = {{first, 0}};
     is_seen[first] = true;
@@ -118,7 +122,8 @@ void search(int first, const Edges& edges, std::vector<bool>& is_seen, std::vect
     }
 }
 
-// The larger eigenvalue λ of K across n: of (a d; d c) in two directions across n.
+// The larger eigenvalue λ of K perpendicular to n: that of the matrix (a d; d c) of K in two
+// directions perpendicular to n.
 double tangential_eigenvalue(const Matrix3d& K, const Vector3d& n)
 {
     const Vector3d t = n.unitOrthogonal(), b = n.cross(t);
@@ -130,7 +135,8 @@ struct Stiffness {
     double normal, tangential; // nᵀ K n and λ
 };
 
-// What one visit makes of a contact's impulse j, while its bodies have the velocity v.
+// The total impulse of a contact after one visit, if it was j before and the relative velocity is
+// v.
 Vector3d projected_impulse(const BodyContact& c, const Stiffness& stiffness, const Vector3d& j,
                            const Vector3d& v)
 {
@@ -171,14 +177,16 @@ std::vector<int> contact_levels(const Edges& rests_on, const std::vector<bool>& 
     const int count = static_cast<int>(rests_on.size());
     const Edges below = without_statics(rests_on, is_static), above = reversed(below);
 
-    // From the top down: a body after all that rests on it, unless they are in a cycle.
+    // This order goes from the top down: a body comes after all bodies that rest on it, unless they
+    // are in a cycle.
     std::vector<int> downwards;
     std::vector<bool> is_seen(count, false);
     for (int i = 0; i < count; ++i)
         search(i, above, is_seen, downwards);
 
-    // From the ground up, whatever a body rests on and has no level yet is in a cycle with it
-    // (Sharir 1981, "A strong-connectivity algorithm and its applications in data flow analysis").
+    // Going from the ground up, a body below that has no level yet is in a cycle with the body
+    // above it (Sharir 1981, "A strong-connectivity algorithm and its applications in data flow
+    // analysis").
     std::vector<int> levels(count, 0), cycle;
     is_seen.assign(count, false);
     for (auto i = downwards.rbegin(); i != downwards.rend(); ++i) {
@@ -198,7 +206,8 @@ ContactResult shock_propagation(const Bodies& bodies, const Contacts& contacts,
                                 const std::vector<int>& levels, int n)
 {
     struct Level {
-        std::vector<int> bodies, contacts; // contacts whose higher body is here, the deepest first
+        // The contacts are those whose higher body has this level, the deepest first.
+        std::vector<int> bodies, contacts;
     };
     std::map<int, Level> upwards;
     for (std::size_t i = 0; i < bodies.size(); ++i)
@@ -210,7 +219,7 @@ ContactResult shock_propagation(const Bodies& bodies, const Contacts& contacts,
     ContactResult result = untouched(bodies, contacts);
     for (const auto& [level, of_level] : upwards) {
         if (level > 0) resolve_in_order(result, contacts, of_level.contacts, n);
-        for (int i : of_level.bodies) { // held from here on
+        for (int i : of_level.bodies) { // these bodies are held from here on
             result.bodies[i].inverse_mass = 0;
             result.bodies[i].inverse_inertia.setZero();
         }

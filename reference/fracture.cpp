@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: MIT
-// A7.1 to A7.4 and A7.6; the others are in fracture_vertices.cpp.
+// Solutions of A7.1 to A7.4 and A7.6; the others are in fracture_vertices.cpp. A7.1 to A7.3 smooth
+// the stress and find the crack plane from its largest eigenvalue; A7.6 cuts elements along a plane
+// (O'Brien and Hodgins 1999). `split_element` first finds the vertices above and below the plane,
+// then halves the tetrahedra at the edges that cross it, then splits the mesh along the faces on
+// the plane.
 #include "formulas/fracture.hpp"
 
 #include <algorithm>
@@ -27,7 +31,8 @@ bool is_mesh(const TetrahedralMesh& mesh)
     return true;
 }
 
-constexpr double snap_distance = 0.05; // of the longest edge: nearer than that is on the plane
+// A vertex nearer to the plane than this fraction of the longest edge counts as lying on the plane.
+constexpr double snap_distance = 0.05;
 
 // The tetrahedra that have at least `count` of the chosen vertices.
 std::vector<int> tetrahedra_at(const Tetrahedra& tetrahedra, const std::set<int>& chosen, int count)
@@ -45,10 +50,11 @@ int corner_of(const Tetrahedron& t, int vertex)
     return static_cast<int>(std::find(t.begin(), t.end(), vertex) - t.begin());
 }
 
-// A cut through a vertex: how far above the plane the vertices are of the tetrahedra that have it.
+// A cut through a vertex.
 struct Cut {
-    std::vector<int> ring;        // those tetrahedra
-    std::map<int, double> height; // of their vertices [m], 0 for those that count as on the plane
+    std::vector<int> ring;        // the tetrahedra that have this vertex
+    std::map<int, double> height; // heights of their vertices above the plane [m], 0 for a vertex
+                                  // that counts as lying on the plane
 };
 
 Cut cut_at(const TetrahedralMesh& mesh, int vertex, const Vector3d& n)
@@ -69,7 +75,7 @@ Cut cut_at(const TetrahedralMesh& mesh, int vertex, const Vector3d& n)
     return cut;
 }
 
-// The edges of the ring from above the plane to below.
+// The edges of the ring that cross the plane, each from its upper vertex to its lower one.
 std::set<std::array<int, 2>> crossing_edges(const Tetrahedra& tetrahedra, const Cut& cut)
 {
     std::set<std::array<int, 2>> edges;
@@ -80,7 +86,7 @@ std::set<std::array<int, 2>> crossing_edges(const Tetrahedra& tetrahedra, const 
     return edges;
 }
 
-// Halves every one of `near` that has the edge a b, at its new vertex p.
+// Halves each tetrahedron of `near` that has the edge a b, at the new vertex p of this edge.
 void halve(SplitMesh& split, std::vector<int>& near, int a, int b, int p)
 {
     for (std::size_t i = 0, count = near.size(); i < count; ++i) {
@@ -97,7 +103,8 @@ void halve(SplitMesh& split, std::vector<int>& near, int a, int b, int p)
     }
 }
 
-// The side of a tetrahedron that the plane does not cut; one that lies in it is where its center is.
+// Whether a tetrahedron that the plane does not cut is above it. If all its vertices count as lying
+// on the plane, the side of its center decides.
 bool is_above(const TetrahedralMesh& mesh, const Tetrahedron& t, const Cut& cut, int vertex,
               const Vector3d& n)
 {
@@ -109,7 +116,7 @@ bool is_above(const TetrahedralMesh& mesh, const Tetrahedron& t, const Cut& cut,
     return sum != 0 ? sum > 0 : center >= 0;
 }
 
-using Face = std::array<int, 3>; // its vertices, ascending
+using Face = std::array<int, 3>; // the vertices of a face, ascending
 
 Face face_of(const Tetrahedron& t, int face)
 {
@@ -118,7 +125,7 @@ Face face_of(const Tetrahedron& t, int face)
     return result;
 }
 
-// The faces between tetrahedra of the vertex on different sides: they lie on the plane.
+// The faces between tetrahedra of the vertex that are on different sides. They lie on the plane.
 std::vector<MeshFace> faces_on_plane(const TetrahedralMesh& mesh, const std::vector<int>& near,
                                      const Cut& cut, int vertex, const Vector3d& n)
 {
@@ -173,7 +180,7 @@ PrincipalStress principal_stress(const Matrix3d& stress)
 std::optional<Vector3d> crack_plane(const Matrix3d& stress, double threshold)
 {
     const PrincipalStress principal = principal_stress(stress);
-    if (principal.stress <= 0 || principal.stress <= threshold) return {}; // it pushes, or holds
+    if (principal.stress <= 0 || principal.stress <= threshold) return {}; // it does not crack
     return principal.direction;
 }
 
@@ -222,7 +229,7 @@ SplitMesh split_element(const TetrahedralMesh& mesh, int vertex, const Vector3d&
     SplitMesh apart = split_along_faces(result.mesh, faces);
     for (VertexOrigin& origin : apart.origins)
         origin = result.origins[origin.first];
-    apart.parents = result.parents; // in the order of the halved mesh
+    apart.parents = result.parents; // `split_along_faces` keeps the order of the halved mesh
     return apart;
 }
 

@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: MIT
-// A7.5 and A7.7: which corners of tetrahedra are one vertex.
+// Solutions of A7.5 and A7.7: they find out which corners of tetrahedra are the same vertex. A7.5
+// joins the corners of tetrahedra that share a face which is not cut; A7.7 (Molino, Bao and Fedkiw
+// 2004) first copies each cracked tetrahedron once for each part of its corners, then joins the
+// copies that share a real corner. Both use union-find on corners, and each group of corners that
+// is left becomes a vertex.
 #include "formulas/fracture.hpp"
 
 #include <algorithm>
@@ -17,13 +21,13 @@ using Eigen::Vector4d;
 using Tetrahedron = std::array<int, 4>;
 using Tetrahedra = std::vector<Tetrahedron>;
 
-// Corner c of tetrahedron t. What is joined, and what comes apart, are corners.
+// The number of corner c of tetrahedron t. Corners are what is joined or separated.
 int corner(int t, int c)
 {
     return 4 * t + c;
 }
 
-// Corners in groups, each named by its lowest.
+// Disjoint groups of corners (union-find). The lowest corner of a group represents it.
 class Groups {
 public:
     explicit Groups(std::size_t corners) : above_(corners)
@@ -59,7 +63,7 @@ bool is_mesh(const TetrahedralMesh& mesh)
     return true;
 }
 
-using FaceVertices = std::array<int, 3>; // ascending
+using FaceVertices = std::array<int, 3>; // in ascending order
 
 FaceVertices face_vertices(const Tetrahedron& t, int face)
 {
@@ -73,7 +77,7 @@ struct SharedFace {
     int t1, t2; // the tetrahedra that share it
 };
 
-// The faces at some of the vertices that two tetrahedra share.
+// The faces that two tetrahedra share and that have at least one vertex with `is_some`.
 std::vector<SharedFace> shared_faces(const Tetrahedra& tetrahedra, const std::vector<bool>& is_some)
 {
     std::vector<std::pair<FaceVertices, int>> faces;
@@ -97,8 +101,8 @@ int corner_of(const Tetrahedron& t, int vertex)
     return static_cast<int>(std::find(t.begin(), t.end(), vertex) - t.begin());
 }
 
-// Gives each group of corners a vertex of its own where `may_double`; the first of a vertex keeps its
-// number. Returns the parent of each vertex.
+// Gives each group of corners its own vertex, for the vertices with `may_double`. The first group
+// of a vertex keeps its number. Returns the parent of each vertex.
 std::vector<int> separate(Tetrahedra& tetrahedra, Groups& groups,
                           const std::vector<bool>& may_double)
 {
@@ -120,16 +124,17 @@ std::vector<int> separate(Tetrahedra& tetrahedra, Groups& groups,
     return parents;
 }
 
-// A tetrahedron inside a cracked one: a column of barycentric coordinates a corner.
+// A tetrahedron inside a cracked one, given by the barycentric coordinates of its corners, one
+// column for each corner.
 using Piece = Matrix4d;
 
-// A part of the matter of a cracked tetrahedron.
+// A part of the material of a cracked tetrahedron.
 struct Part {
     Tetrahedron real = {1, 1, 1, 1};
     std::vector<Piece> pieces = {Piece::Identity()};
 };
 
-// Halves a piece until no edge of it crosses the plane. h: heights of its corners.
+// Halves a piece until none of its edges crosses the plane. h: the heights of its corners.
 void clip(const Piece& piece, const Vector4d& h, std::vector<Piece>& above,
           std::vector<Piece>& below)
 {
@@ -149,7 +154,8 @@ void clip(const Piece& piece, const Vector4d& h, std::vector<Piece>& above,
     }
 }
 
-// A crack divides the parts that have corners on both its sides. h: heights of the corners.
+// Divides the parts that have corners on both sides of a crack. h: the heights of the corners above
+// the plane of the crack.
 void divide(std::vector<Part>& parts, const Vector4d& h)
 {
     for (std::size_t i = 0, count = parts.size(); i < count; ++i) {
@@ -195,7 +201,7 @@ SplitMesh split_along_faces(const TetrahedralMesh& mesh, const std::vector<MeshF
             may_double[v] = true;
     }
 
-    // Around a vertex, what shares a face that is not cut stays together.
+    // Around a vertex, tetrahedra that share a face which is not cut stay connected.
     Groups groups(4 * tetrahedra.size());
     for (const SharedFace& face : shared_faces(tetrahedra, may_double))
         if (!cut.contains(face.vertices))
@@ -219,7 +225,7 @@ EmbeddedMesh virtual_nodes(const TetrahedralMesh& mesh, const std::vector<Elemen
     std::vector<bool> may_double(mesh.vertices.size(), false);
     for (const ElementCrack& crack : cracks) {
         if (!is_index(crack.tetrahedron, mesh.tetrahedra.size())) continue;
-        Vector4d h; // n · (x - p) of each corner
+        Vector4d h; // n · (x - p) for each corner
         for (int c = 0; c < 4; ++c) {
             const int v = mesh.tetrahedra[crack.tetrahedron][c];
             h[c] = crack.normal.dot(mesh.vertices[v] - crack.point);
@@ -230,7 +236,8 @@ EmbeddedMesh virtual_nodes(const TetrahedralMesh& mesh, const std::vector<Elemen
     }
 
     EmbeddedMesh result;
-    std::vector<int> holder(4 * mesh.tetrahedra.size()); // the copy where a corner is real
+    // For each corner, the copy in which it is real.
+    std::vector<int> holder(4 * mesh.tetrahedra.size());
     for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t) {
         const int parent = static_cast<int>(t);
         std::vector<Part> parts(1);
@@ -248,7 +255,7 @@ EmbeddedMesh virtual_nodes(const TetrahedralMesh& mesh, const std::vector<Elemen
         }
     }
 
-    // Copies that have a real corner in common have the whole face in common.
+    // Two copies that have a real corner in common share the whole face.
     Tetrahedra& copies = result.mesh.tetrahedra;
     Groups groups(4 * copies.size());
     for (const SharedFace& face : shared_faces(mesh.tetrahedra, may_double))

@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// Solutions of assignment A2: mass, center of mass and inertia. Simple solids have closed forms;
+// grid cells and random samples become point masses; a triangle mesh becomes a sum over signed
+// tetrahedra. Each function first computes the mass and the center of mass, then the inertia about
+// this center.
 #include "formulas/inertia.hpp"
 
 #include <numbers>
@@ -9,10 +13,11 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-// Moments at most this fraction of the largest are what rounding left of 0: some thousand eps.
+// A moment at most this fraction of the largest one counts as 0, because it is a rounding error.
+// The fraction is a few thousand times the machine epsilon.
 constexpr double zero_moment = 1e-12;
 
-// A point mass where each density was sampled, standing for `volume` around it.
+// One point mass at each sample, with the mass of the given volume.
 std::vector<Particle> lumped(const std::vector<DensitySample>& samples, double volume)
 {
     std::vector<Particle> particles;
@@ -22,7 +27,7 @@ std::vector<Particle> lumped(const std::vector<DensitySample>& samples, double v
     return particles;
 }
 
-// Inertia about X of a mass M in the one point x: M (x - X)*ᵀ (x - X)* = M (dᵀd δ - d dᵀ), d = x - X.
+// Inertia about X of a point mass M at x: M (x - X)*ᵀ (x - X)* = M (dᵀd δ - d dᵀ), d = x - X.
 Matrix3d point_inertia(double M, const Vector3d& d)
 {
     return M * (d.dot(d) * Matrix3d::Identity() - d * d.transpose());
@@ -39,7 +44,7 @@ MassProperties particle_mass_properties(const std::vector<Particle>& particles)
         M += particle.mass;
         X += particle.mass * particle.position;
     }
-    if (M == 0) return {}; // nothing there
+    if (M == 0) return {}; // no mass
     X /= M;
 
     // I = Σ mᵢ (dᵢᵀdᵢ δ - dᵢ dᵢᵀ),  dᵢ = pᵢ - X
@@ -63,11 +68,11 @@ Matrix3d world_inverse_inertia(const Matrix3d& R, const Matrix3d& I_body_inverse
 
 PrincipalAxes principal_axes(const Matrix3d& I)
 {
-    // I = Q diag(moments) Qᵀ by QR iterations: the solver's closed form (computeDirect) loses half
-    // the digits where moments are close
+    // I = Q diag(moments) Qᵀ by QR iterations. The solver's closed form (computeDirect) would lose
+    // half of the digits where moments are close to each other.
     const Eigen::SelfAdjointEigenSolver<Matrix3d> eigen(I);
     Matrix3d Q = eigen.eigenvectors();
-    if (Q.determinant() < 0) Q.col(0) = -Q.col(0); // a reflection: turn one axis round
+    if (Q.determinant() < 0) Q.col(0) = -Q.col(0); // a reflection: reverse one axis
     return {Q, eigen.eigenvalues().cwiseMax(0)};
 }
 
@@ -150,8 +155,8 @@ MassProperties mesh_mass_properties(const TriangleMesh& mesh, double density)
 {
     if (mesh.triangles.empty()) return {};
 
-    // Any apex gives a closed mesh the same sum; one on the mesh itself keeps the terms as small as
-    // the body is, however far from the origin that lies.
+    // For a closed mesh, the sum does not depend on the common apex o of the tetrahedra. An apex on
+    // the mesh keeps the terms as small as the body, however far the body is from the origin.
     const auto vertex = [&](int i) -> const Vector3d& { return mesh.vertices[i]; };
     const Vector3d o = vertex(mesh.triangles[0][0]);
 
@@ -170,7 +175,7 @@ MassProperties mesh_mass_properties(const TriangleMesh& mesh, double density)
                (s * s.transpose() + a * a.transpose() + b * b.transpose() + c * c.transpose());
     }
     const double M = density * V;
-    if (M == 0) return {}; // encloses nothing
+    if (M == 0) return {}; // no volume or no density
 
     // X = ρ/M ∫ x dV    C = ρ ∫ d dᵀ dV,  d = x - X    I = ρ ∫ (dᵀd δ - d dᵀ) dV = Tr(C) δ - C
     const Vector3d X = Vx / V;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Solutions of assignment A1: points, velocities and the equations of motion of a rigid body. Each
+// formula is the one of the lecture "Rigid bodies", in the order of the tasks.
 #include "formulas/kinematics.hpp"
 
 namespace rigor {
@@ -26,7 +28,7 @@ Vector3d object_point(const Matrix3d& R, const Vector3d& X, const Vector3d& x)
 
 Vector3d angular_velocity(const Matrix3d& R_dot, const Matrix3d& R)
 {
-    // ω* = Ṙ Rᵀ, and of a matrix that is not quite skew, its skew part
+    // ω* = Ṙ Rᵀ, or the skew part of this matrix if it is not exactly skew-symmetric
     const Matrix3d A = R_dot * R.transpose();
     const Matrix3d w_x = (A - A.transpose()) / 2;
     return {w_x(2, 1), w_x(0, 2), w_x(1, 0)};
@@ -72,7 +74,7 @@ Wrench net_wrench(const std::vector<PointForce>& forces, const Vector3d& X)
 MatrixStateRate equations_of_motion(const MatrixState& state, double inverse_mass,
                                     const Matrix3d& I_inverse, const Wrench& wrench)
 {
-    if (inverse_mass == 0) return {}; // static: held where it is
+    if (inverse_mass == 0) return {}; // a static body does not move
 
     const Matrix3d& R = state.rotation;
     const Vector3d& V = state.velocity;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Solution of assignment A0: the kinetic energy of a rigid body.
 #include "formulas/pipeline.hpp"
 
 namespace rigor {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Solutions of assignment A6: the von Mises stress and the plastic flow of a solid. The formulas
+// are those of the lecture "Rigid bodies", in the order of the tasks.
 #include "formulas/plasticity.hpp"
 
 #include <algorithm>
@@ -33,7 +35,7 @@ double von_mises_frobenius(const Matrix3d& stress)
 
     // √(3/2) √(‖σ‖² - ⅓ Tr(σ)²)
     const double square = stress.squaredNorm() - trace * trace / 3;
-    return sqrt_3_2 * std::sqrt(std::max(square, 0.0)); // below 0 by rounding only
+    return sqrt_3_2 * std::sqrt(std::max(square, 0.0)); // negative only by rounding
 }
 
 double von_mises(const Matrix3d& stress)
@@ -69,7 +71,7 @@ Matrix3d plastic_flow(const Matrix3d& plastic_strain, const Matrix3d& stress, do
 
     // f(σ) = √(3/2) ‖dev σ‖ - σ_Y
     const double f = sqrt_3_2 * s.norm() - yield_stress;
-    if (f <= 0 || shear_modulus == 0) return plastic_strain; // elastic, or nothing to give way
+    if (f <= 0 || shear_modulus == 0) return plastic_strain; // elastic, or no stiffness
 
     // f(σ_new) = f(σ) - 3 G γ = 0
     const double gamma = f / (3 * shear_modulus);

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Solutions of assignment A3: rotation matrices, Euler angles, quaternions and the time integration
+// of a rigid body. `step_buss` is the augmented second-order method of Buss (2000); the other
+// formulas are those of the lecture "Inertia, rotation, impulses", in the order of the tasks.
 #include "formulas/rotation.hpp"
 
 #include "formulas/kinematics.hpp"
@@ -21,7 +24,7 @@ Vector3d direction(const Vector3d& v)
     return scaled / scaled.norm();
 }
 
-// I⁻¹ = R I_body⁻¹ Rᵀ of the body in orientation q.
+// I⁻¹ = R I_body⁻¹ Rᵀ for the body in orientation q.
 Matrix3d inverse_inertia_world(const Quaternion& q, const BodyInertia& body)
 {
     const Matrix3d R = to_matrix(q);
@@ -46,7 +49,7 @@ Matrix3d gram_schmidt(const Matrix3d& R)
     b -= a.dot(b) * a;
     if (b.norm() <= 4 * eps) b = a.unitOrthogonal(); // R₁ depends on R₀
     b.normalize();
-    b = direction(b - a.dot(b) * a); // again: a short rest is mostly rounding, also along a
+    b = direction(b - a.dot(b) * a); // again, because a short b has a rounding error along a
 
     Matrix3d Q;
     Q << a, b, a.cross(b); // det = +1
@@ -94,7 +97,7 @@ Quaternion normalize(const Quaternion& q)
 {
     // The largest component becomes ±1, so that no square under- or overflows.
     const double largest = std::max(std::abs(q.s), q.v.lpNorm<Eigen::Infinity>());
-    if (largest == 0) return {1, Vector3d::Zero()}; // no direction at all
+    if (largest == 0) return {1, Vector3d::Zero()}; // the zero quaternion
     const double s = q.s / largest;
     const Vector3d v = q.v / largest;
 
@@ -111,7 +114,7 @@ Vector3d rotate(const Quaternion& q, const Vector3d& p)
 
 Matrix3d to_matrix(const Quaternion& q)
 {
-    // the columns of R are the rotated axes
+    // The columns of R are the rotated axes.
     Matrix3d R;
     R << rotate(q, Vector3d::UnitX()), rotate(q, Vector3d::UnitY()), rotate(q, Vector3d::UnitZ());
     return R;
@@ -125,7 +128,7 @@ Quaternion quaternion_rate(const Quaternion& q, const Vector3d& omega)
 
 Quaternion advance_exact(const Quaternion& q, const Vector3d& omega, double time_step)
 {
-    if (omega.isZero(0)) return q; // no axis to turn about
+    if (omega.isZero(0)) return q; // there is no axis to turn about
 
     // (cos|Δt ω/2|, sin|Δt ω/2| ω/|ω|) q
     constexpr double largest = std::numeric_limits<double>::max(); // sin(∞) is NaN
@@ -167,7 +170,7 @@ RigidState step_symplectic_euler(const RigidState& state, const BodyInertia& bod
     const Vector3d X_new = X + time_step * V_new;
     const Vector3d L_new = L + time_step * tau;
 
-    // ω = I⁻¹ L': the new L, the old q
+    // ω = I⁻¹ L', with the new L and the old q
     const Vector3d w = inverse_inertia_world(q, body) * L_new;
     return {X_new, advance_linear(q, w, time_step), V_new, L_new};
 }
@@ -185,7 +188,8 @@ RigidState step_buss(const RigidState& state, const BodyInertia& body, const Wre
     const Vector3d w = I_inv * L;
     const Vector3d w_dot = I_inv * (tau - w.cross(L));
 
-    // Ω = ω + Δt/2 ω̇ + Δt²/12 (ω̇ × ω): the mean rate, and that rotations do not commute
+    // Ω = ω + Δt/2 ω̇ + Δt²/12 (ω̇ × ω): the mean angular velocity, and a correction because
+    // rotations do not commute
     const Vector3d W = w + h / 2 * w_dot + h * h / 12 * w_dot.cross(w);
 
     // X' = X + Δt V + ½ Δt² F/M    q' = advance_exact(q, Ω, Δt)    V' = V + Δt F/M    L' = L + Δt τ

@@ -6,7 +6,7 @@
 
 namespace rigor {
 
-// A4.1  φ(p), trilinear in the cell that holds p
+// A4.1  φ(p), trilinear in the cell that contains p
 double sample_level_set(const LevelSet& grid, const Vector3d& p)
 {
     throw NotImplemented("collision::sample_level_set");
@@ -58,7 +58,7 @@ Vector3d sliding_friction_impulse(const Matrix3d& K, const Vector3d& v, const Ve
     throw NotImplemented("collision::sliding_friction_impulse");
 }
 
-// A4.9  separating: nothing; else static, if in the cone; else sliding
+// A4.9  separating: zero; else the static impulse if it is in the cone; else the sliding impulse
 Vector3d collision_impulse(const Matrix3d& K, const Vector3d& v, const Vector3d& n,
                            double restitution, double friction)
 {

@@ -14,21 +14,21 @@ double contact_restitution(int k, int n)
     throw NotImplemented("contact::contact_restitution");
 }
 
-// A5.2  one contact at a time, the deepest first, ε rising to 0
+// A5.2  one contact at a time, the deepest first, while ε rises to 0
 ContactResult resolve_contacts(const std::vector<Body>& bodies,
                                const std::vector<BodyContact>& contacts, int n)
 {
     throw NotImplemented("contact::resolve_contacts");
 }
 
-// A5.3  0 for static bodies, else one more than the highest below; a cycle shares a level
+// A5.3  0 for static bodies, else one more than the highest level below; a cycle shares one level
 std::vector<int> contact_levels(const std::vector<std::vector<int>>& rests_on,
                                 const std::vector<bool>& is_static)
 {
     throw NotImplemented("contact::contact_levels");
 }
 
-// A5.4  level by level from the ground up, all that lies below held
+// A5.4  level by level from the ground up, while all bodies of lower levels are held
 ContactResult shock_propagation(const std::vector<Body>& bodies,
                                 const std::vector<BodyContact>& contacts,
                                 const std::vector<int>& levels, int n)

@@ -20,7 +20,7 @@ PrincipalStress principal_stress(const Matrix3d& stress)
     throw NotImplemented("fracture::principal_stress");
 }
 
-// A7.3  d where σ₁ pulls and exceeds the threshold
+// A7.3  d if σ₁ is positive and exceeds the threshold, else empty
 std::optional<Vector3d> crack_plane(const Matrix3d& stress, double threshold)
 {
     throw NotImplemented("fracture::crack_plane");
@@ -32,19 +32,19 @@ int closest_face(const std::array<Vector3d, 4>& tetrahedron, const Vector3d& nor
     throw NotImplemented("fracture::closest_face");
 }
 
-// A7.5  a vertex for each group of tetrahedra that faces hold together around it
+// A7.5  one vertex for each group of tetrahedra around it that faces connect
 SplitMesh split_along_faces(const TetrahedralMesh& mesh, const std::vector<MeshFace>& faces)
 {
     throw NotImplemented("fracture::split_along_faces");
 }
 
-// A7.6  halve what crosses the plane, then come apart along it
+// A7.6  halve the tetrahedra that cross the plane, then split the mesh along it
 SplitMesh split_element(const TetrahedralMesh& mesh, int vertex, const Vector3d& normal)
 {
     throw NotImplemented("fracture::split_element");
 }
 
-// A7.7  a copy of the tetrahedron for each part of its corners
+// A7.7  one copy of the tetrahedron for each part of its corners
 EmbeddedMesh virtual_nodes(const TetrahedralMesh& mesh, const std::vector<ElementCrack>& cracks)
 {
     throw NotImplemented("fracture::virtual_nodes");

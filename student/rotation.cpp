@@ -24,7 +24,7 @@ Matrix3d euler_to_matrix(const Vector3d& angles)
     throw NotImplemented("rotation::euler_to_matrix");
 }
 
-// A3.4  solve ω = ψ̇ e_z + R_z(ψ) (θ̇ e_y + R_y(θ) φ̇ e_x); empty at gimbal lock
+// A3.4  the solution of ω = ψ̇ e_z + R_z(ψ) (θ̇ e_y + R_y(θ) φ̇ e_x); empty at gimbal lock
 std::optional<Vector3d> euler_rates(const Vector3d& angles, const Vector3d& omega)
 {
     throw NotImplemented("rotation::euler_rates");
@@ -54,7 +54,7 @@ Vector3d rotate(const Quaternion& q, const Vector3d& p)
     throw NotImplemented("rotation::rotate");
 }
 
-// A3.9  its columns are the rotated axes
+// A3.9  R, whose columns are the rotated axes
 Matrix3d to_matrix(const Quaternion& q)
 {
     throw NotImplemented("rotation::to_matrix");
@@ -91,7 +91,7 @@ Wrench gravity_wrench(double mass, const Vector3d& gravity)
 }
 
 // A3.15  V' = V + Δt F/M    X' = X + Δt V'    L' = L + Δt τ    q' = advance_linear(q, ω, Δt)
-//        with ω = R I_body⁻¹ Rᵀ L', R that of the old q
+//        with ω = R I_body⁻¹ Rᵀ L', where R is the matrix of the old q
 RigidState step_symplectic_euler(const RigidState& state, const BodyInertia& body,
                                  const Wrench& wrench, double time_step)
 {

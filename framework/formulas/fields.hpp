@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The fields of the plain types, by name and in order. Sending, comparing, printing and checking a
-// value for NaN all walk this one list: a new field is one more name here.
+// The fields of the plain types, by name and in order. The code that sends, compares or prints a
+// value, or checks it for NaN, uses this one list. A new field needs one more name here.
 #pragma once
 
 #include "formulas/types.hpp"
@@ -9,8 +9,8 @@
 
 namespace rigor {
 
-/// `Fields<Body>::each(body, visit)` calls visit(name, field) for each field. Listed below, one row
-/// a struct.
+/// The list of the fields of T: `Fields<Body>::each(body, visit)` calls visit(name, field) for each
+/// field. Below there is one row for each struct.
 template <class T> struct Fields;
 
 /// A struct whose fields are listed here.
@@ -30,7 +30,7 @@ concept Plain = requires
         }                                                                                          \
     };
 
-// The preprocessor's way to do something for each of up to 256 arguments.
+// RIGOR_EACH(macro, ...) expands `macro` for each of up to 256 arguments.
 #define RIGOR_PARENTHESES ()
 #define RIGOR_EXPAND(...) RIGOR_EXPAND_3(RIGOR_EXPAND_3(RIGOR_EXPAND_3(__VA_ARGS__)))
 #define RIGOR_EXPAND_3(...) RIGOR_EXPAND_2(RIGOR_EXPAND_2(RIGOR_EXPAND_2(__VA_ARGS__)))

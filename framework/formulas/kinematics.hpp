@@ -27,13 +27,13 @@ Vector3d object_point(const Matrix3d& R, const Vector3d& X, const Vector3d& x);
 /// A1.4 Angular velocity ω [rad/s] of a rotating frame, from Ṙ Rᵀ = ω*.
 /// Lecture: "Skew-symmetry".
 ///
-/// Where rounding or a finite difference left A = Ṙ Rᵀ not quite skew, ω belongs to its skew part,
-/// ½ (A - Aᵀ).
+/// Rounding or finite differences may make A = Ṙ Rᵀ not exactly skew-symmetric. Then ω is taken
+/// from its skew part, ½ (A - Aᵀ).
 ///
 /// @param R_dot  Ṙ [1/s]
 Vector3d angular_velocity(const Matrix3d& R_dot, const Matrix3d& R);
 
-/// A1.5 World-space velocity of the body's point at x, v = ω × (x - X) + V [m/s].
+/// A1.5 World-space velocity of the point of the body at x, v = ω × (x - X) + V [m/s].
 Vector3d point_velocity(const Vector3d& V, const Vector3d& omega, const Vector3d& X,
                         const Vector3d& x);
 
@@ -44,8 +44,8 @@ Matrix36d velocity_modes(const Vector3d& X, const Vector3d& x);
 /// A1.7 Generalized mass, Sᵀ M S = Σ mᵢ S(xᵢ)ᵀ S(xᵢ), a 6×6 matrix.
 /// Lecture: "Constrained dynamics", "Working it out".
 ///
-/// X is any point to rotate about; the off-diagonal blocks vanish exactly when it is the center of
-/// mass. No particle: zero.
+/// X is the point to rotate about and may be any point; the off-diagonal blocks vanish exactly when
+/// it is the center of mass. No particle: zero.
 ///
 /// @param particles  in world space
 Matrix6d generalized_mass(const std::vector<Particle>& particles, const Vector3d& X);
@@ -53,7 +53,7 @@ Matrix6d generalized_mass(const std::vector<Particle>& particles, const Vector3d
 /// A1.8 Net force F = Σ fᵢ and net torque τ = Σ (xᵢ - X) × fᵢ.
 /// Lecture: "What about the external forces?".
 ///
-/// It is Sᵀ F_ext; the transpose turns X* - x* into (x - X)*. No force: zero.
+/// This is Sᵀ F_ext; the transpose turns X* - x* into (x - X)*. No force: zero.
 Wrench net_wrench(const std::vector<PointForce>& forces, const Vector3d& X);
 
 /// A1.9 Equations of motion.

@@ -6,8 +6,8 @@
 
 namespace rigor {
 
-/// Thrown by a stub, `throw NotImplemented("inertia::combine");`. A test then says "not implemented
-/// yet", not "wrong".
+/// The exception that a stub throws: `throw NotImplemented("inertia::combine");`. The test then
+/// reports "not implemented yet" instead of "wrong".
 struct NotImplemented : std::logic_error {
     /// @param formula  `<topic>::<formula>`
     explicit NotImplemented(const std::string& formula) : std::logic_error(formula) {}

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Topic `pipeline`, assignment A0: one line of mathematics, to learn how to build, fail, read, fix
-// and pass. Conventions: types.hpp.
+// Topic `pipeline`, assignment A0: one line of mathematics, to learn how to build the project, see
+// a test fail, read its message, fix the code and see the test pass. Conventions: types.hpp.
 #pragma once
 
 #include "formulas/not_implemented.hpp"

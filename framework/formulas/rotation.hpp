@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Topic `rotation`, assignment A3: why not R, Euler angles, quaternions, time integration, gravity.
+// Topic `rotation`, assignment A3: drift of rotation matrices, Euler angles, quaternions, time
+// integration, gravity.
 // Source: lecture "Inertia, rotation, impulses". Conventions: types.hpp. Angular velocities are in
 // world space.
 #pragma once
@@ -10,15 +11,17 @@
 namespace rigor {
 
 /// A3.1 R + Δt ω* R, the naive update.
-/// Lecture: "Numerical integration". It drifts from a rotation: kept to show that.
+/// Lecture: "Numerical integration".
+///
+/// The result drifts away from a rotation. The function is here to show this.
 Matrix3d advance_matrix(const Matrix3d& R, const Vector3d& omega, double time_step);
 
-/// A3.2 Gram–Schmidt on the columns of R, from the first to the last: expensive and biased, kept to
-/// show that.
+/// A3.2 Gram–Schmidt on the columns of R, from the first to the last. It is expensive and biased;
+/// the function is here to show this.
 ///
-/// The first column keeps its direction, the second gives up its part along the first, the third
-/// follows from both, so the result is a rotation (orthonormal, det +1). A column that is zero, or
-/// that depends on those before it: any completion to a rotation.
+/// The first column keeps its direction, the second loses its part along the first, and the third
+/// follows from both, so the result is a rotation (orthonormal, det +1). If a column is zero or
+/// linearly dependent on those before it, any completion to a rotation is correct.
 Matrix3d gram_schmidt(const Matrix3d& R);
 
 /// A3.3 Rotation matrix of Euler angles (φ, θ, ψ): R = R_z(ψ) R_y(θ) R_x(φ), so x is turned first.
@@ -30,7 +33,7 @@ Matrix3d euler_to_matrix(const Vector3d& angles);
 ///
 ///     ω = ψ̇ e_z + R_z(ψ) (θ̇ e_y + R_y(θ) φ̇ e_x)
 ///
-/// At gimbal lock, |cos θ| < 1e-12, they do not exist: empty.
+/// At gimbal lock, |cos θ| < 1e-12, the rates do not exist and the result is empty.
 std::optional<Vector3d> euler_rates(const Vector3d& angles, const Vector3d& omega);
 
 /// A3.5 Quaternion product a b = (s_a s_b - v_a·v_b,  s_a v_b + s_b v_a + v_a × v_b). It does not
@@ -40,8 +43,8 @@ Quaternion multiply(const Quaternion& a, const Quaternion& b);
 /// A3.6 Conjugate q̄ = (s, -v), the inverse of a unit quaternion.
 Quaternion conjugate(const Quaternion& q);
 
-/// A3.7 q / |q|. The zero quaternion: the identity. The sign of q is kept. However small or
-/// large q is, no square under- or overflows.
+/// A3.7 q / |q|. The zero quaternion gives the identity. The sign of q is kept. No square
+/// underflows or overflows, however small or large q is.
 Quaternion normalize(const Quaternion& q);
 
 /// A3.8 Rotated vector, q (0, p) q̄.
@@ -60,17 +63,17 @@ Quaternion quaternion_rate(const Quaternion& q, const Vector3d& omega);
 
 /// A3.11 Exact update for constant ω: (cos|Δt ω/2|, sin|Δt ω/2| ω/|ω|) q.
 ///
-/// As ω → 0 it goes smoothly to q, with no 0/0, down to denormal numbers.
+/// As ω → 0 the result goes smoothly to q, without 0/0, also for denormal numbers.
 Quaternion advance_exact(const Quaternion& q, const Vector3d& omega, double time_step);
 
-/// A3.12 Linear update, q + Δt/2 (0, ω) q, renormalized. About a fixed axis it turns by 2
-/// atan(|ω|Δt/2).
+/// A3.12 Linear update, q + Δt/2 (0, ω) q, renormalized. About a fixed axis it turns by
+/// 2 atan(|ω|Δt/2).
 Quaternion advance_linear(const Quaternion& q, const Vector3d& omega, double time_step);
 
-/// A3.13 Longest step [s] that turns by no more than a quarter turn, (π/2)/|ω|.
+/// A3.13 Longest time step [s] in which the body turns by at most a quarter turn, (π/2)/|ω|.
 /// Lecture: "Integrating rotation".
 ///
-/// ω = 0: infinity, the one result that need not be finite.
+/// ω = 0: infinity, an exception to the rule that results are finite.
 double max_time_step(const Vector3d& omega);
 
 /// A3.14 Gravity on a rigid body: the force M g and no torque.
@@ -97,9 +100,9 @@ RigidState step_symplectic_euler(const RigidState& state, const BodyInertia& bod
 ///     ω  = I⁻¹ L                        ω̇  = I⁻¹ (τ - ω × L)        I⁻¹ = R(q) I_body⁻¹ R(q)ᵀ
 ///     Ω  = ω + Δt/2 ω̇ + Δt²/12 (ω̇ × ω)  q' = advance_exact(q, Ω, Δt)  L' = L + Δt τ
 ///
-/// The last term is what a third-order method adds because turns do not commute; only its ω̈/6 is
-/// left out. With the other sign the order is still 2: only the error's size tells. Static body:
-/// unchanged.
+/// The last term of Ω appears in third-order methods, because rotations do not commute; compared
+/// with these, only the term with ω̈/6 is omitted. With the wrong sign of this term the order is
+/// still 2, so only the size of the error shows the mistake. Static body: unchanged.
 RigidState step_buss(const RigidState& state, const BodyInertia& body, const Wrench& wrench,
                      double time_step);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Every formula once: tag, topic, function, the names of its arguments. The worker's dispatch, the
-// proxy, `rigor list` and every message about a formula follow from this table; the types follow
-// from the function's own declaration.
+// The table of all formulas: tag, topic, function and the names of its arguments. The worker's
+// dispatch, the proxy, `rigor list` and every message about a formula are generated from this
+// table; the types come from the declaration of the function.
 #pragma once
 
 #include "formulas/collision.hpp"
@@ -105,14 +105,14 @@ struct Formula {
 inline constexpr Formula formulas[] = {RIGOR_FORMULAS(RIGOR_ROW)};
 #undef RIGOR_ROW
 
-/// Index of a formula in the table, `FormulaIndex::combine`.
+/// The index of a formula in the table, for example `FormulaIndex::combine`.
 #define RIGOR_ROW(tag, topic, function, ...) function,
 enum class FormulaIndex : unsigned { RIGOR_FORMULAS(RIGOR_ROW) };
 #undef RIGOR_ROW
 
 inline constexpr unsigned formula_count = std::size(formulas);
 
-/// The sentence about a stub: `A4.10 apply_impulse is not implemented yet (student/collision.cpp)`.
+/// The message about a stub: `A4.10 apply_impulse is not implemented yet (student/collision.cpp)`.
 inline std::string describe(const NotImplemented& stub)
 {
     const std::string_view thrown = stub.what();

@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: MIT
-// The plain data that formulas take and return. Numbers, fixed-size Eigen types and vectors of
-// them: nothing that could not be sent to another process.
+// The plain data that formulas take and return: numbers, fixed-size Eigen types and vectors of
+// them. All of it can be sent to another process.
 //
-// Conventions, for every topic:
+// Conventions for every topic:
 //   * SI units. World space is right-handed, y points up.
 //   * X, V, L are the position of the center of mass, its velocity and the angular momentum about
-//   it, in world space.
+//     it, in world space.
 //   * R and the unit quaternion q rotate object space into world space: x = R p + X.
 //   * Bodies 1 and 2: the unit normal n points from 2 to 1, v = v1 - v2, body 1 receives +j and
-//   body 2 -j;
-//     v.n < 0 is approaching.
-//   * A static body has inverse mass 0 and inverse inertia 0. Nothing divides by its mass.
+//     body 2 receives -j. The bodies approach where v.n < 0.
+//   * A static body has inverse mass 0 and inverse inertia 0. No formula divides by its mass.
 //   * Every formula is total: for finite input it returns a finite result.
 #pragma once
 
@@ -27,8 +26,8 @@ using Eigen::Vector3d;
 using Matrix36d = Eigen::Matrix<double, 3, 6>;
 using Matrix6d = Eigen::Matrix<double, 6, 6>;
 
-/// A quaternion s + v.x i + v.y j + v.z k, scalar first. It has no operators: its algebra is an
-/// assignment.
+/// A quaternion s + v.x i + v.y j + v.z k, scalar first. It has no operators, because its algebra
+/// is an assignment.
 struct Quaternion {
     double s = 1;
     Vector3d v = Vector3d::Zero();
@@ -52,7 +51,7 @@ struct Wrench {
     Vector3d torque = Vector3d::Zero(); // [N m]
 };
 
-/// What a body's matter amounts to.
+/// Mass, center of mass and inertia of a body.
 struct MassProperties {
     double mass = 0;                            // [kg]
     Vector3d center_of_mass = Vector3d::Zero(); // [m]
@@ -101,13 +100,13 @@ struct RigidState {
     Vector3d angular_momentum = Vector3d::Zero(); // L [kg m²/s]
 };
 
-/// What of a body's matter its motion depends on.
+/// The inverse mass and the inverse inertia of a body, as its equations of motion use them.
 struct BodyInertia {
     double inverse_mass = 0;                     // 1/M [1/kg], 0 if static
     Matrix3d inverse_inertia = Matrix3d::Zero(); // I_body⁻¹, object space [1/(kg m²)], 0 if static
 };
 
-/// A rigid body at the moment of a collision, all of it in world space.
+/// A rigid body at the moment of a collision. All its quantities are in world space.
 struct Body {
     double inverse_mass = 0;                     // 1/M [1/kg], 0 if static
     Matrix3d inverse_inertia = Matrix3d::Zero(); // I(t)⁻¹ = R I_body⁻¹ Rᵀ [1/(kg m²)], 0 if static
@@ -127,27 +126,28 @@ struct ContactPoint {
     Vector3d relative_velocity = Vector3d::Zero(); // v = v1 - v2 at x [m/s]
 };
 
-/// A point where two of several bodies touch, or are about to.
+/// A point where two of several bodies touch or are about to touch.
 struct BodyContact {
     int body1 = 0, body2 = 0;            // indices of the bodies
     Vector3d point = Vector3d::Zero();   // x, world space [m]
     Vector3d normal = Vector3d::UnitY(); // n, unit, from body 2 to body 1
     double depth = 0;                    // penetration, positive inside [m]
     double friction = 0;                 // μ
-    double separation_speed = 0;         // s: the least v·n afterwards; -gap/h for bodies that may
-                                         // still close a gap in the step h [m/s]
-    Vector3d impulse = Vector3d::Zero(); // on body 1, a first guess at the answer [N s]
+    double separation_speed = 0;         // s, the smallest v·n allowed afterwards; it is -gap/h
+                                         // if the bodies may still close a gap in the time
+                                         // step h [m/s]
+    Vector3d impulse = Vector3d::Zero(); // on body 1, an initial guess of the result [N s]
 };
 
 /// Bodies after their contacts were resolved.
 struct ContactResult {
     std::vector<Body> bodies;
-    std::vector<Vector3d> impulses; // of each contact, on body 1 [N s]
+    std::vector<Vector3d> impulses; // one for each contact, on body 1 [N s]
 };
 
 /// Signed distance to a surface, negative inside, sampled at the nodes of a grid.
-/// Node (i, j, k) lies at origin + cell_size (i, j, k); its value is distances[i + size[0] (j +
-/// size[1] k)].
+/// Node (i, j, k) lies at origin + cell_size (i, j, k). Its value is
+/// distances[i + size[0] (j + size[1] k)].
 struct LevelSet {
     Vector3d origin = Vector3d::Zero();  // position of node (0, 0, 0) [m]
     double cell_size = 1;                // [m]
@@ -155,17 +155,17 @@ struct LevelSet {
     std::vector<double> distances;       // [m]
 };
 
-/// A solid of tetrahedra. Each has positive volume: det(x₁ - x₀, x₂ - x₀, x₃ - x₀) > 0. Its face f is
-/// the one opposite its vertex f.
+/// A solid made of tetrahedra. Each tetrahedron has a positive volume:
+/// det(x₁ - x₀, x₂ - x₀, x₃ - x₀) > 0. Its face f is the one opposite its vertex f.
 struct TetrahedralMesh {
     std::vector<Vector3d> vertices;             // [m]
     std::vector<std::array<int, 4>> tetrahedra; // indices into vertices
 };
 
-/// A face of a tetrahedral mesh, from either of the tetrahedra that share it.
+/// A face of a tetrahedral mesh, given by either of the tetrahedra that share it.
 struct MeshFace {
     int tetrahedron = 0;
-    int face = 0; // 0 … 3: opposite that vertex of the tetrahedron
+    int face = 0; // 0 … 3, the face opposite the vertex of this number
 };
 
 /// The largest eigenvalue of a stress and the direction that it pulls in.
@@ -174,8 +174,8 @@ struct PrincipalStress {
     Vector3d direction = Vector3d::UnitX(); // unit, of either sign
 };
 
-/// Where a vertex of a changed mesh comes from: (1 - t) x_first + t x_second of the mesh before. What
-/// lives on vertices (position, velocity) is carried over the same way.
+/// The origin of a vertex of a changed mesh: it is (1 - t) x_first + t x_second of the mesh before
+/// the change. Quantities stored at vertices (position, velocity) are interpolated the same way.
 struct VertexOrigin {
     int first = 0, second = 0;
     double fraction = 0; // t, 0 … 1; 0 where first = second
@@ -184,8 +184,8 @@ struct VertexOrigin {
 /// A mesh that was split.
 struct SplitMesh {
     TetrahedralMesh mesh;
-    std::vector<VertexOrigin> origins; // of each vertex
-    std::vector<int> parents;          // of each tetrahedron, the one of the mesh before
+    std::vector<VertexOrigin> origins; // one for each vertex
+    std::vector<int> parents;          // for each tetrahedron, its number before the split
 };
 
 /// A plane that cracks one tetrahedron.
@@ -195,15 +195,15 @@ struct ElementCrack {
     Vector3d normal = Vector3d::UnitY(); // unit, of either sign
 };
 
-/// A mesh some of whose tetrahedra stand there several times, each copy filled by a part of the matter.
+/// A mesh in which some tetrahedra are duplicated. Each copy holds a part of the material.
 struct EmbeddedMesh {
     TetrahedralMesh mesh;
-    std::vector<int> vertex_parents;      // of each vertex, the one that it is a copy of
-    std::vector<int> parents;             // of each tetrahedron, the one that it is a copy of
-    std::vector<std::array<int, 4>> real; // of each tetrahedron: 1 where the copy's part of the
-                                          // matter holds that corner, 0 where the corner is
-                                          // virtual
-    std::vector<double> fractions;        // of each tetrahedron: its share of the parent's
+    std::vector<int> vertex_parents;      // for each vertex, the vertex that it is a copy of
+    std::vector<int> parents;             // for each tetrahedron, the one that it is a copy of
+    std::vector<std::array<int, 4>> real; // for each tetrahedron and corner: 1 if the corner
+                                          // belongs to the copy's part of the material, 0 if
+                                          // the corner is virtual
+    std::vector<double> fractions;        // for each tetrahedron, its share of the parent's
                                           // volume, 0 … 1
 };
 

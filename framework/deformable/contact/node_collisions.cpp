@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Applies impulses and position correction at the contacts of nodes, one contact after the other.
+// The impulse is `collision_impulse` of assignment A4, between the node as a point mass and the
+// rigid body.
 #include "deformable/contact/node_collisions.hpp"
 
 #include "formulas/collision.hpp"
@@ -25,7 +28,7 @@ void collide_nodes(Deformable& solid, const std::vector<char>& is_held,
                    const NodeContacts& contacts, RigidColliders& rigid, double time_step,
                    bool with_restitution, Counters& counters)
 {
-    // Gravity stops slower rebounds within two steps: such contacts count as resting [m/s].
+    // Gravity stops slower rebounds within two steps, so such contacts count as resting [m/s].
     const double resting_speed = 2 * time_step * rigid.world.settings.gravity.norm();
     for (const NodeContact& c : contacts.all()) {
         const Vector3d x = solid.positions[c.node], n = c.normal;
@@ -40,7 +43,7 @@ void collide_nodes(Deformable& solid, const std::vector<char>& is_held,
         const Matrix3d K =
             inverse_mass * Matrix3d::Identity() +
             impulse_matrix(body.inverse_mass, body.inverse_inertia, body.position, x);
-        // Without restitution the node may approach by as much as closes the gap within the step.
+        // Without restitution the node may still close the gap within the step.
         const Vector3d closing = with_restitution ? v : v + std::max(c.gap, 0.0) / time_step * n;
         const Vector3d j =
             collision_impulse(K, closing, n, with_restitution ? c.restitution : 0.0, c.friction);
@@ -53,7 +56,8 @@ void collide_nodes(Deformable& solid, const std::vector<char>& is_held,
 void correct_positions(Deformable& solid, const std::vector<char>& is_held,
                        const NodeContacts& contacts, double step_share, double farthest)
 {
-    // Share of the penetration that a step removes: slow enough that stacked nodes do not jitter.
+    // Share of the penetration that a step removes. It is small enough that stacked nodes do not
+    // jitter.
     constexpr double corrected_share = 0.2;
     for (const NodeContact& c : contacts.all()) {
         if (c.gap >= 0 || is_held[c.node]) continue;

@@ -6,17 +6,17 @@
 
 namespace rigor {
 
-/// Applies a collision impulse to each node that would be inside a body after `time_step`, and its
-/// opposite to the body: `collision_impulse` with K = δ/m + K of the body. A substep calls it
-/// twice. Before the forces it acts with restitution; after them without, and a remaining gap may
-/// close within the substep.
+/// Applies a collision impulse to each node that would be inside a body after `time_step`, and the
+/// opposite impulse to the body: `collision_impulse` with K = δ/m + K of the body. A substep calls
+/// it twice: before the forces with restitution, after them without. In the second call a remaining
+/// gap may close within the substep.
 void collide_nodes(Deformable& solid, const std::vector<char>& is_held,
                    const NodeContacts& contacts, RigidColliders& rigid, double time_step,
                    bool with_restitution, Counters& counters);
 
 /// Position correction: moves nodes out of bodies without changing velocities.
 ///
-/// @param step_share  the substep over the step; a step removes a fifth of the penetration
+/// @param step_share  substep divided by step; a whole step removes a fifth of the penetration
 /// @param farthest    the largest correction [m]
 void correct_positions(Deformable& solid, const std::vector<char>& is_held,
                        const NodeContacts& contacts, double step_share, double farthest);

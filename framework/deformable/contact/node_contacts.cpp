@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Finds the nodes that may touch rigid bodies within a step. Bounding boxes select the parts of
+// bodies near the solid and the nodes near each part; signed distances then select the nodes that
+// the part may reach.
 #include "deformable/contact/node_contacts.hpp"
 
 #include "geometry/shapes/shape_bounds.hpp"
@@ -19,8 +22,8 @@ Bounds bounds_of_nodes(const Deformable& solid)
     return bounds;
 }
 
-// An upper bound of how far a node may approach a body within a step [m]. The margin of a half
-// allows for nodes that accelerate.
+// An upper bound of the distance by which a node may approach a body within a step [m]. The margin
+// of one half allows for nodes that accelerate.
 double reach_of(const Deformable& solid, const Body& body, double radius, const Vector3d& gravity,
                 double time_step)
 {

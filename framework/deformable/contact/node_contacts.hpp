@@ -8,12 +8,12 @@
 
 namespace rigor {
 
-/// A node that touches a part of a rigid body, or may do so within the step.
+/// A node that touches a part of a rigid body, or may touch it within the step.
 struct NodeContact {
     int node = 0, body = 0;
-    int part = 0;                        // its number among the parts near the solid
-    double gap = 0;                      // negative inside [m]
-    Vector3d normal = Vector3d::UnitY(); // outer normal of the body
+    int part = 0;                        // number of the part among those near the solid
+    double gap = 0;                      // distance to the part, negative inside [m]
+    Vector3d normal = Vector3d::UnitY(); // outward normal of the body
     double restitution = 0, friction = 0;
 };
 

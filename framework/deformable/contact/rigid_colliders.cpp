@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Keeps copies of the rigid bodies during a step of the deformable solids. Impulses act on the
+// copies, substeps move their surfaces, and at the end the new velocities go to the world.
 #include "deformable/contact/rigid_colliders.hpp"
 
 #include "rigid/bodies/orientation.hpp"
@@ -33,7 +35,8 @@ RigidColliders::RigidColliders(const World& of) : world(of), is_pushed(of.bodies
     surfaces.reserve(of.bodies.size());
     for (const RigidBody& rigid : of.bodies) {
         bodies.push_back(rigid_in_world(of, rigid));
-        surfaces.push_back({body_rotation(of.settings.integrator, rigid.state), rigid.state.position});
+        surfaces.push_back(
+            {body_rotation(of.settings.integrator, rigid.state), rigid.state.position});
     }
 }
 
@@ -67,8 +70,8 @@ void RigidColliders::apply_to(World& to, double time_step) const
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         if (!is_pushed[i]) continue;
         if (to.bodies[i].rest.is_asleep()) wake(to, {static_cast<int>(i)});
-        // The rigid step will move it by h V + ½ g h². As the nodes carry it, it has to move with
-        // its velocity at the end of the step, V + g h, which is ½ g h² more.
+        // The rigid step will move the body by h V + ½ g h². As the nodes carry the body, it has to
+        // move with its velocity at the end of the step, V + g h, which adds ½ g h².
         if (!has_supports(static_cast<int>(i)))
             to.bodies[i].state.position += 0.5 * time_step * time_step * to.settings.gravity;
         to.bodies[i].state.velocity = bodies[i].velocity;

@@ -7,15 +7,15 @@
 
 namespace rigor {
 
-/// The rigid bodies during a step of the deformable solids. Impulses act at the poses of its start,
-/// as in the rigid step, so that angular momentum is kept to rounding. The surfaces move on in
-/// substeps.
+/// The rigid bodies during a step of the deformable solids. Impulses act at the poses of the start
+/// of the step, as in the rigid step, so that angular momentum is conserved to rounding. The
+/// surfaces move in substeps.
 struct RigidColliders {
     explicit RigidColliders(const World& world);
 
     /// Moves the surfaces by a substep [s].
     void advance(double time_step);
-    /// Writes the velocities after impulses to the world, and wakes the bodies that got any.
+    /// Writes the velocities after the impulses to the world, and wakes the bodies that got any.
     void apply_to(World& to, double time_step) const;
     /// Whether a body is in contact with other rigid bodies, or asleep.
     bool has_supports(int body) const;

@@ -6,13 +6,13 @@
 //
 //     p(s) = s⁴ - 2 ‖F‖² s² - 8 det F s + ‖F‖⁴ - 4 ‖cof F‖²
 //
-// (Horn 1987, "Closed-form solution of absolute orientation using unit quaternions"; the other
-// roots have two signs turned). Newton's method falls to it from √3 ‖F‖. As s is the support
-// function of the rotations, R = ∂s/∂F = -∂p/∂F / ∂p/∂s:
+// (Horn 1987, "Closed-form solution of absolute orientation using unit quaternions"; in each of the
+// other roots, two of the sᵢ change sign). Newton's method decreases to s from √3 ‖F‖. As s is the
+// support function of the rotations, R = ∂s/∂F = -∂p/∂F / ∂p/∂s:
 //
 //     R = ((s² + ‖F‖²) F + 2 s cof F - 2 F Fᵀ F) / (s³ - ‖F‖² s - 2 det F)
 //
-// The denominator is 2 (s₁ + s₂)(s₂ + s₃)(s₃ + s₁): 0 where R is not unique.
+// The denominator is 2 (s₁ + s₂)(s₂ + s₃)(s₃ + s₁). It is 0 where R is not unique.
 #pragma once
 
 #include "formulas/types.hpp"
@@ -79,8 +79,9 @@ template <class Number> struct ClosedPolar {
     Number last_step;    // last step of Newton's method, over s
 };
 
-inline constexpr double small_step = 1e-12; // step of Newton's method over s from where on only
-                                            // rounding is left; it converges quadratically
+// Newton's method has converged if its step, divided by s, is below this. The method converges
+// quadratically, so that after such a step only rounding errors remain.
+inline constexpr double small_step = 1e-12;
 
 /// Whether the closed form is accurate. Below a conditioning of 0.01 cancellation costs two digits
 /// or more, and the caller takes the eigenvector instead.
@@ -90,8 +91,8 @@ inline bool is_exact(double conditioning, double last_step)
 }
 
 /// @param start   √3 ‖F‖, not below s
-/// @param is_end  whether a step, over s, is small enough to stop after it; near rest the fourth
-/// one is
+/// @param is_end  whether a step, divided by s, is small enough to stop after it; near rest this is
+///                the fourth step
 template <class Number, class IsEnd>
 [[gnu::always_inline]] inline ClosedPolar<Number>
 closed_polar(const Square3<Number>& F, Number norm2, Number start, const IsEnd& is_end)

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Computes deformation gradient, elastic strain, stress and energy of one corotated linear
+// tetrahedron (Müller and Gross 2004), each from the one before.
 #include "deformable/elasticity/element.hpp"
 
 #include "deformable/elasticity/polar_decomposition.hpp"

@@ -15,7 +15,7 @@ Matrix3d elastic_strain(const Deformable& solid, int element);
 /// σ = λ Tr(ε - ε_p) δ + 2 G (ε - ε_p), by `isotropic_stress` [Pa].
 Matrix3d stress_of(const Deformable& solid, int element);
 
-/// Stress of each element by its elastic strain, in its rest space [Pa].
+/// Stress of each element from its elastic strain, in its rest space [Pa].
 std::vector<Matrix3d> element_stresses(const Deformable& solid);
 
 /// ½ σ : (ε - ε_p) [J/m³]

@@ -6,7 +6,7 @@
 
 namespace rigor {
 
-/// Derived from a solid, for as long as its mesh and material stay the same.
+/// Data derived from a solid. It is valid as long as the mesh and the material stay the same.
 struct ElementWorkspace {
     explicit ElementWorkspace(const Deformable& solid);
 

@@ -43,7 +43,7 @@ struct Symmetric {
     return D;
 }
 
-// R, S and s of both elements. Where the closed form is inaccurate an eigenvector gives R.
+// R, S and s of both elements. Where the closed form is inaccurate, R comes from an eigenvector.
 struct PolarPair {
     Square3<Two> R;
     Symmetric S;
@@ -82,8 +82,8 @@ struct PolarPair {
     return polar;
 }
 
-// z = (s δ - S)⁻¹ a, by cofactors. Where R is nearly not unique, z and the stiffness would grow
-// without bound: there z fades to 0.
+// z = (s δ - S)⁻¹ a, by cofactors. Where R is almost not unique, z and the stiffness would grow
+// without bound; there z is reduced to 0 gradually.
 [[gnu::always_inline]] inline void solve_spin(const PolarPair& polar, const Two (&a)[3],
                                               Two (&z)[3])
 {
@@ -95,8 +95,8 @@ struct PolarPair {
     const Two det = xx * cxx - S.xy * cxy - S.xz * cxz;
     Two inverse{0, 0};
     for (int lane = 0; lane < 2; ++lane) {
-        // Conditioning below which z is 0 and above which it is whole. It is 0.59 at rest, and
-        // below 0.01 R itself is inaccurate (see is_exact).
+        // z is 0 below the first conditioning and unreduced above the second. The conditioning is
+        // 0.59 at rest; below 0.01 R itself is inaccurate (see is_exact).
         constexpr double none = 0.02, all = 0.1;
         const double part = std::clamp((polar.conditioning[lane] - none) / (all - none), 0.0, 1.0);
         inverse[lane] = part > 0 ? part / det[lane] : 0;
@@ -113,8 +113,7 @@ struct PolarPair {
             S.xy - plastic[3],       S.xz - plastic[4],       S.yz - plastic[5]};
 }
 
-// Ṡ = A - W S with A = Rᵀ Ḟ, where W = Rᵀ Ṙ is what makes it symmetric: (s δ - S) w = axial(A -
-// Aᵀ).
+// Ṡ = A - W S with A = Rᵀ Ḟ. The spin W = Rᵀ Ṙ makes it symmetric: (s δ - S) w = axial(A - Aᵀ).
 [[gnu::always_inline]] inline Symmetric strain_rate(const Square3<Two>& A, const PolarPair& polar)
 {
     const auto& a = A.a;

@@ -13,12 +13,12 @@ namespace rigor {
 /// One number for each of two elements.
 using Two [[gnu::vector_size(16)]] = double;
 
-/// What the inner loop reads for two elements. If the number of elements is odd, the last one is
-/// paired with a copy of itself of volume 0.
+/// The data that the inner loop reads for two elements. If the number of elements is odd, the last
+/// one is paired with a copy of itself that has volume 0.
 struct ElementPair {
     int nodes[2][4];
     Square3<Two> B; // [X₁ - X₀, X₂ - X₀, X₃ - X₀]⁻¹ [1/m]; its row i is ∇N of corner i + 1
-    Two volume;     // volume of matter [m³]
+    Two volume;     // volume of the material [m³]
     Two plastic[6]; // ε_p: xx, yy, zz, xy, xz, yz
     bool is_plastic;
 };
@@ -36,9 +36,10 @@ public:
 
     /// Adds to each node the elastic and the damping forces of its elements, -V P ∇N [N].
     ///
-    /// P = R (σ - [z]×), with σ of the elastic strain and of β times the strain's rate. Where σ and
-    /// S do not commute, for plastic strain or damping, z = (s δ - S)⁻¹ axial(σ S - S σ) makes P
-    /// the derivative of an energy that depends on S alone; so no element turns itself.
+    /// P = R (σ - [z]×), where σ is the stress of the elastic strain plus β times the strain rate.
+    /// If there is plastic strain or damping, σ and S do not commute. Then z = (s δ - S)⁻¹
+    /// axial(σ S - S σ) makes P the derivative of an energy that depends on S alone, so that the
+    /// forces of an element have no torque on it.
     void add_forces(std::span<const Vector3d> positions, std::span<const Vector3d> velocities,
                     std::vector<Vector3d>& forces) const;
 
@@ -50,7 +51,7 @@ public:
 
     void set_plastic_strain(int element, const Matrix3d& strain);
 
-    /// ∇N of each corner, in its rest space [1/m].
+    /// ∇N of each corner of an element, in its rest space [1/m].
     std::array<Vector3d, 4> gradients(int element) const;
     double volume(int element) const { return pairs_[element / 2].volume[element % 2]; }
     std::array<int, 4> nodes(int element) const;

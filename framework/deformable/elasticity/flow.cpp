@@ -23,7 +23,7 @@ double shear_strain2(const Matrix3d& strain)
     return 1.5 * dev.squaredNorm();
 }
 
-// A plastic strain limited so that the new shape at rest, δ + ε_p, keeps a third of its height: as
+// A plastic strain, limited so that the new shape at rest, δ + ε_p, keeps a third of its height. As
 // ε_p has no trace, its lowest eigenvalue is at least -√⅔ ‖ε_p‖, which has to stay above -⅔.
 Matrix3d limited(const Matrix3d& plastic_strain)
 {

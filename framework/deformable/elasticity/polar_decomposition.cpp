@@ -30,7 +30,7 @@ Matrix3d closest_rotation(const Matrix3d& F)
     N(2, 1) = F(0, 1) + F(1, 0);
     N(3, 1) = F(2, 0) + F(0, 2);
     N(3, 2) = F(1, 2) + F(2, 1);
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> solver(N); // reads the lower triangle
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> solver(N); // it reads the lower triangle
     const Eigen::Vector4d q = solver.eigenvectors().col(3);
     return Eigen::Quaterniond(q[0], q[1], q[2], q[3]).normalized().toRotationMatrix();
 }

@@ -15,8 +15,8 @@ namespace {
 
 constexpr std::array<std::array<int, 2>, 6> tetrahedron_edges = {
     {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
-constexpr double least_cosine = 0.5;   // cos 60°, the largest turn of a crack as it continues
-constexpr double similar_cosine = 0.7; // about that of 45°: nearer planes count as the same crack
+constexpr double least_cosine = 0.5;   // cos 60°, for the largest turn of a crack as it continues
+constexpr double similar_cosine = 0.7; // about cos 45°; nearer planes count as the same crack
 
 std::pair<int, int> edge_of(const std::array<int, 4>& t, const std::array<int, 2>& edge)
 {
@@ -51,8 +51,9 @@ struct Best {
         cosine = c;
         crack = ElementCrack{0, point, normal};
     }
-    // Whether corners lie on both sides, none of them nearly on the plane: its copy would have no
-    // matter and its node no mass. Heights are compared relative to the largest one.
+    // Whether corners lie on both sides and none of them is nearly on the plane; the copy of such a
+    // corner would have no material and its node no mass. Heights are compared relative to the
+    // largest one.
     bool separates(const Vector3d& point, const Vector3d& normal) const
     {
         int above = 0, below = 0;
@@ -132,7 +133,7 @@ ElementCrack CrackEdges::continued(int parent, const std::array<int, 4>& real,
                 three.offer(p[i], (p[j] - p[i]).cross(p[k] - p[i]));
         }
     }
-    Vector3d middle = Vector3d::Zero(); // mean of the corners with matter [m]
+    Vector3d middle = Vector3d::Zero(); // mean of the corners with material [m]
     int count = 0;
     for (int i = 0; i < 4; ++i)
         if (real[i]) {

@@ -15,12 +15,14 @@ class CrackEdges {
 public:
     explicit CrackEdges(const Deformable& solid);
 
-    /// The crack of an element whose normal is as near as possible to the wanted one and whose
-    /// plane passes through the cuts that cracks of neighbours made on its edges: through three,
-    /// two or one of them, as many as leave its normal less than 60° from the wanted one; else
-    /// through the middle.
+    /// A crack of an element that continues the cracks of its neighbours. Its plane passes through
+    /// the points where these cracks cut edges of the element: through three, two or one of them,
+    /// as many as possible while its normal stays less than 60° from the wanted one; otherwise
+    /// through the middle of the element. Among such planes, the normal is as near as possible to
+    /// the wanted one.
     /// @param parent  the element of the uncracked mesh
-    /// @param real    1 for the corners with matter, at least two, which the crack is to separate
+    /// @param real    1 for the corners with material, at least two, which the crack has to
+    ///                separate
     ElementCrack continued(int parent, const std::array<int, 4>& real,
                            const Vector3d& normal) const;
 
@@ -34,8 +36,8 @@ private:
     std::vector<Vector3d> cuts(int parent, const std::array<int, 4>& real) const;
 
     const Deformable& solid_;
-    std::map<std::pair<int, int>, Vector3d>
-        cuts_; // the cut on each edge, whose vertices are ascending [m]
+    // The point where each edge is cut, by the two vertices of the edge in ascending order [m].
+    std::map<std::pair<int, int>, Vector3d> cuts_;
     std::vector<std::vector<int>> cracks_of_; // for each element
 };
 

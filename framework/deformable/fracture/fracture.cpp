@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Opens cracks normal to the largest principal tension where it exceeds the strength (Rankine's
 // criterion). The mesh follows by one of three methods: along faces, by splitting elements, or with
-// virtual nodes (Molino, Bao and Fedkiw 2004). First a bound on the stresses is tried, then
-// stresses are smoothed and candidates sorted, then the chosen ones crack.
+// virtual nodes (Molino, Bao and Fedkiw 2004). First a bound on the stresses excludes most
+// elements, then stresses are smoothed and candidates sorted, then the chosen ones crack.
 #include "deformable/fracture/fracture.hpp"
 
 #include "deformable/fracture/crack_edges.hpp"
@@ -103,7 +103,7 @@ private:
     std::vector<char> is_taken_;
 };
 
-// @return the number of cracks
+// Cracks elements along their faces. @return the number of cracks
 int crack_faces(Deformable& solid, const ElementWorkspace& work,
                 const std::vector<Candidate>& found)
 {
@@ -129,7 +129,7 @@ int crack_faces(Deformable& solid, const ElementWorkspace& work,
     return cracks;
 }
 
-// The least height of an element over one of its faces.
+// The smallest height of an element over one of its faces.
 double least_height(const TetrahedralMesh& mesh, int element)
 {
     double largest = 0; // twice the area of a face
@@ -147,8 +147,7 @@ double least_height(const TetrahedralMesh& mesh)
     return least;
 }
 
-// A cut that would leave a sliver is refused, because a sliver needs shorter substeps than all
-// other elements.
+// Whether a cut leaves no sliver. A sliver would need shorter substeps than all other elements.
 bool is_fine_enough(const Deformable& solid, const SplitMesh& split)
 {
     if (split.mesh.tetrahedra.size() > most_tetrahedra) return false;
@@ -162,18 +161,18 @@ bool is_fine_enough(const Deformable& solid, const SplitMesh& split)
 }
 
 // The vertex of an element through which the crack runs: the one with the largest sum of stresses
-// around.
+// of the candidates around it.
 int crack_tip(const Deformable& solid, const std::vector<double>& pull, int element)
 {
     const auto& t = solid.rest.tetrahedra[element];
     return *std::max_element(t.begin(), t.end(), [&](int a, int b) { return pull[a] < pull[b]; });
 }
 
-// @return the number of cracks. Each crack changes the mesh and may renumber its vertices and
-// elements, so the next one finds its vertex by its position at rest.
+// Cracks elements by splitting them. Each crack changes the mesh and may renumber its vertices and
+// elements, so the next one finds its vertex by its position at rest. @return the number of cracks
 int crack_elements(Deformable& solid, const std::vector<Candidate>& found)
 {
-    // A fifth keeps the stable substep within about a fifth of that of the mesh as given.
+    // With a fifth of the height, the stable substep stays above about a fifth of its first value.
     constexpr double least_share = 0.2;
     if (solid.least_height == 0) solid.least_height = least_share * least_height(solid.rest);
     std::vector<double> pull(solid.rest.vertices.size(), 0.0);
@@ -207,7 +206,7 @@ int crack_elements(Deformable& solid, const std::vector<Candidate>& found)
     return cracks;
 }
 
-// @return the number of cracks
+// Cracks elements with virtual nodes. @return the number of cracks
 int crack_with_virtual_nodes(Deformable& solid, const std::vector<Candidate>& found)
 {
     constexpr int most_in_element = 3;
@@ -219,7 +218,7 @@ int crack_with_virtual_nodes(Deformable& solid, const std::vector<Candidate>& fo
     const bool is_embedded = !solid.embedded.parents.empty();
     CrackedNodes taken(solid);
     int cracks = 0;
-    bool one_goes_on = false; // then no less stressed element begins a new crack
+    bool one_goes_on = false; // whether a crack continues; then less stressed elements start none
     for (const Candidate& c : found) {
         if (cracks == most_cracks) break;
         const int parent = is_embedded ? solid.embedded.parents[c.element] : c.element;
@@ -227,7 +226,7 @@ int crack_with_virtual_nodes(Deformable& solid, const std::vector<Candidate>& fo
         const bool is_divisible = std::accumulate(real.begin(), real.end(), 0) > 1;
         const auto& t = solid.rest.tetrahedra[c.element];
         if (!is_divisible || count[parent] >= most_in_element || taken.any(t)) continue;
-        if (edges.has_similar(parent, c.normal)) continue; // its first crack has to open before
+        if (edges.has_similar(parent, c.normal)) continue; // the first crack has to open before
         const bool goes_on = edges.meets(parent, real);
         if (one_goes_on && !goes_on) continue;
         one_goes_on |= goes_on;

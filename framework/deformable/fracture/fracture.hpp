@@ -10,13 +10,13 @@ namespace rigor {
 /// most stressed elements come first, with at most one crack at a node and `most_cracks` in a step.
 /// The mesh is then split along them.
 ///
-/// Eigenvalues are skipped where a bound shows that there is no crack: none exceeds the mean stress
-/// plus ⅔ of the von Mises stress, and none of a smoothed stress exceeds the largest one that was
-/// averaged.
+/// Eigenvalues are not computed where a bound shows that there is no crack. No eigenvalue exceeds
+/// the mean stress plus ⅔ of the von Mises stress, and no eigenvalue of a smoothed stress exceeds
+/// the largest eigenvalue of the stresses that were averaged.
 void fracture(Deformable& solid, const ElementWorkspace& work, World& world);
 
-/// A crack changes the stress around it, which only the next step can see: more at once would
-/// splinter the solid.
+/// The largest number of cracks in a step. A crack changes the stress around it, but only the next
+/// step can take this into account; more cracks at once would splinter the solid.
 inline constexpr int most_cracks = 64;
 
 } // namespace rigor

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Separates elements that stay inverted for too long. It counts the time of each inverted element,
+// cracks the failed ones along all their faces, and moves each of them to its shape without stress
+// as a rigid body with the same momentum and angular momentum.
 #include "deformable/fracture/inverted_elements.hpp"
 
 #include "deformable/elasticity/element.hpp"
@@ -16,8 +19,8 @@ namespace rigor {
 
 namespace {
 
-// The time that an element may stay inverted [s]: twenty times that of a shear wave through it, and
-// ten steps. An element that can turn back does so within one or two of these.
+// The time that an element may stay inverted [s]: twenty times the time that a shear wave needs to
+// cross it, plus ten steps. An element that can turn back does so within one or two such crossings.
 double longest_inversion(const Deformable& solid, int element, double time_step)
 {
     const SolidMaterial& m = solid.material;
@@ -32,7 +35,7 @@ bool is_held(const std::vector<HeldNode>& held, const std::array<int, 4>& nodes)
     });
 }
 
-// @return whether any element has been inverted for too long
+// Counts the time of inverted elements. @return whether any has been inverted for too long
 bool count_time(Deformable& solid, const ElementWorkspace& work, const std::vector<HeldNode>& held,
                 double time_step)
 {
@@ -78,7 +81,7 @@ void mark_faces(std::vector<std::array<bool, 4>>& crack_faces,
         }
 }
 
-// With virtual nodes an element of the uncracked mesh is separated, with all its copies.
+// Separates elements with virtual nodes: the element of the uncracked mesh, with all its copies.
 void separate_copies(Deformable& solid, const std::vector<char>& is_separated)
 {
     if (solid.uncracked.tetrahedra.empty()) solid.uncracked = solid.rest;

@@ -9,7 +9,7 @@ namespace rigor {
 
 /// Gives an element that shares no node with others its shape without stress, R (δ + ε_p) X, and
 /// the motion of a rigid body. Mass, center of mass, momentum and angular momentum stay the same;
-/// energy is lost. If it spins so fast that it would gain energy, it is left as it is.
+/// energy is lost. If the element spins so fast that it would gain energy, it is not changed.
 /// @return whether it was changed
 bool relax_element(Deformable& solid, int element);
 
@@ -18,7 +18,7 @@ bool relax_element(Deformable& solid, int element);
 /// The elastic force on an inverted element is bounded, so neighbours at the limit of their plastic
 /// strain can hold it inverted for ever. The time does not count for elements with a node that a
 /// handle holds.
-/// @return whether there were any; strains from before are then out of date
+/// @return whether there were any; earlier strains are then out of date
 bool separate_inverted_elements(Deformable& solid, const ElementWorkspace& work,
                                 const std::vector<HeldNode>& held, World& world, double time_step);
 

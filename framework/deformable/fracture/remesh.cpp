@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Transfers the state of a solid to a split mesh. It carries crack faces and plastic strains from
+// parent elements, then positions, velocities, handles and loads from old nodes, then lumps the
+// masses again. Last, it restores the angular momentum that a cut has lost (remesh.hpp).
 #include "deformable/fracture/remesh.hpp"
 
 #include "deformable/solid/lumped_mass.hpp"
@@ -12,7 +15,7 @@ namespace rigor {
 
 namespace {
 
-// (1 - t) a + t b; for a copy exactly a.
+// (1 - t) a + t b for a node between a and b; exactly a for a copy of a.
 template <class T> T between(const std::vector<T>& old, const VertexOrigin& origin)
 {
     if (origin.first == origin.second) return old[origin.first];
@@ -20,7 +23,7 @@ template <class T> T between(const std::vector<T>& old, const VertexOrigin& orig
 }
 
 // The new nodes that come from listed old nodes only.
-// @param places  of the listed nodes, replaced by those of the new ones; may be empty
+// @param places  places of the listed nodes, replaced by those of the new nodes; may be empty
 std::vector<int> carried_nodes(const std::vector<int>& nodes, std::size_t old_count,
                                const std::vector<VertexOrigin>& origins,
                                const std::vector<char>& has_matter, std::vector<Vector3d>& places)
@@ -79,7 +82,8 @@ void carry_elements(Deformable& solid, const std::vector<int>& parents)
         solid.inverted_times = of_parents(solid.inverted_times, parents);
 }
 
-// The face of the parent that contains a child's face; -1: the child's face is inside the parent.
+// The face of the parent that contains a child's face, or -1 if the child's face is inside the
+// parent.
 int face_of_parent(const Deformable& solid, const SplitMesh& split, int child, int face)
 {
     const auto& parent = solid.rest.tetrahedra[split.parents[child]];
@@ -133,7 +137,7 @@ void add_angular_momentum(Deformable& solid, const std::vector<char>& is_near, c
         }
     const Vector3d w = I.ldlt().solve(L);
     if (!w.allFinite())
-        return; // All nodes on one line have no inertia about it, and lost nothing about it.
+        return; // nodes on one line have no inertia about it, and lost no momentum about it
     for (std::size_t i = 0; i < is_near.size(); ++i)
         if (is_near[i]) solid.velocities[i] += w.cross(solid.positions[i] - center);
 }
@@ -183,14 +187,14 @@ void remesh(Deformable& solid, const SplitMesh& split)
 
 void remesh(Deformable& solid, EmbeddedMesh embedded)
 {
-    // the old copies of each element of the uncracked mesh
+    // The old copies of each element of the uncracked mesh.
     const int old_count = static_cast<int>(solid.rest.tetrahedra.size());
     std::vector<std::vector<int>> copies(solid.uncracked.tetrahedra.size());
     for (int t = 0; t < old_count; ++t)
         copies[solid.embedded.parents.empty() ? t : solid.embedded.parents[t]].push_back(t);
 
-    // The parent of a copy is the old copy that held its first real corner, as cracks only divide
-    // matter.
+    // The parent of a copy is the old copy in which its first real corner was real, because cracks
+    // only divide material.
     std::vector<int> parents;
     std::vector<VertexOrigin> origins(embedded.mesh.vertices.size());
     std::vector<char> has_matter(embedded.mesh.vertices.size(), 0);

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 // Transfer of the state of a solid to a changed mesh.
 //
-// Masses are lumped anew, a quarter of each element's matter at each of its corners. So the mass of
-// the solid stays the same. Momenta follow from the origin of each new node:
+// Masses are lumped again: each corner of an element gets a quarter of its mass. So the mass of the
+// solid stays the same. Momenta follow from the origin of each new node:
 //
 //   * Copies of a node have its position and velocity, and their masses add up to its mass. Both
-//     momenta and the energy are kept.
+//     momenta and the energy are conserved.
 //   * A node p = (1-t) a + t b halves the elements at the edge a b. If an element has mass m, a
 //     keeps t m/4 of it, b keeps (1-t) m/4, and p gets m/4. With v_p = (1-t) v_a + t v_b the
-//     momentum and the center of mass are kept, but an angular momentum of
-//     t (1-t) m/4 (a - b) × (v_a - v_b) is lost. It is given back as a spin of the nodes around the
-//     cut about their own center of mass, which adds no momentum.
+//     momentum and the center of mass are conserved, but an angular momentum of t (1-t) m/4
+//     (a - b) × (v_a - v_b) is lost. It is restored by a spin of the nodes around the cut about
+//     their own center of mass, which adds no momentum.
 #pragma once
 
 #include "deformable/solid/deformable.hpp"
@@ -21,8 +21,8 @@ namespace rigor {
 /// transferred.
 void remesh(Deformable& solid, const SplitMesh& split);
 
-/// The same with virtual nodes. The parent of a copy is the old copy that held its matter. A handle
-/// holds those copies of its nodes that have matter.
+/// The same with virtual nodes. The parent of a copy is the old copy that contained its material. A
+/// handle holds those copies of its nodes that have material.
 void remesh(Deformable& solid, EmbeddedMesh embedded);
 
 /// The faces along which a crack runs.

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Finds by trial which contacts hold, stick or slide in a step of backward Euler: an active-set
-// method. Each round ties the nodes of the contacts that hold, solves the linear system and
-// corrects every contact that pulls, penetrates, or whose friction does not fit Coulomb's law.
-// Sliding friction enters the system as a damping, the friction force over the sliding speed, which
-// the rounds iterate to its fixed point.
+// Finds which contacts hold, stick or slide in a step of backward Euler, by an active-set method.
+// Each round ties the nodes of the contacts that hold, solves the linear system and corrects every
+// contact that pulls, penetrates, or violates Coulomb's law. Sliding friction enters the system as
+// a damping, the friction force divided by the sliding speed; the rounds are a fixed-point
+// iteration for it.
 #include "deformable/motion/contact_set.hpp"
 
 #include "formulas/collision.hpp"
@@ -15,14 +15,15 @@ namespace rigor {
 
 namespace {
 
-// Penetration at which a free contact starts to hold, over the solid's radius: well above what
-// rounding and the tolerance of the linear solve leave of a tied node.
+// A free contact starts to hold at this penetration, divided by the radius of the solid. It is well
+// above the penetration that rounding and the tolerance of the linear solve leave for a tied node.
 constexpr double penetration_tolerance = 1e-6;
-// Relative error of the friction force of a sliding contact that needs no further round.
+// A sliding contact needs no further round if the relative error of its friction force is below
+// this.
 constexpr double friction_tolerance = 1e-3;
-// Damping of a sliding contact over the trace of its node's block of the matrix. From here on the
-// node hardly slides, and a larger value would spoil the condition of the system: the contact
-// sticks.
+// The largest damping of a sliding contact, divided by the trace of its node's block of the matrix.
+// At this damping the node hardly slides, and a larger value would make the system ill-conditioned,
+// so the contact sticks.
 constexpr double largest_damping = 1e3;
 
 } // namespace
@@ -63,7 +64,7 @@ TiedNode ContactSet::tie(int k) const
 {
     const NodeContact& c = step_->contacts[k];
     const int number = step_->bodies.number(c.body);
-    // closes a gap within the step
+    // The velocity that closes the gap within the step.
     Vector3d surface = -std::max(c.gap, 0.0) / step_->time_step * c.normal;
     if (number < 0) surface += step_->bodies.velocity_before(step_->rigid, c.body, arm(c));
     const bool slides = holds_[k] == Hold::sliding;
@@ -83,7 +84,8 @@ bool ContactSet::revise_free(int k, const Vector3d& velocity)
     const Vector3d surface = step_->bodies.velocity_after(step_->rigid, c.body, arm(c));
     const double depth = -(c.gap + step_->time_step * c.normal.dot(velocity - surface));
     if (depth <= penetration_tolerance * step_->radius) return false;
-    // A contact that was let go in this step would be let go again if it stuck: it slides.
+    // A contact that was released in this step slides, because it would be released again if it
+    // stuck.
     const bool is_new = impulses_[k].isZero();
     holds_[k] = is_new && c.friction > 0 ? Hold::sticking : Hold::sliding;
     return true;

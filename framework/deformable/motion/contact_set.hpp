@@ -9,7 +9,7 @@
 
 namespace rigor {
 
-/// What the contacts of a step depend on. It stays as it is while the step solves.
+/// The data that the contacts of a step depend on. It does not change during the step.
 struct ContactStep {
     const Deformable& solid;
     const RigidColliders& rigid;
@@ -26,28 +26,28 @@ enum class Hold : char { off, sticking, sliding };
 
 class ContactSet {
 public:
-    /// A first guess for each contact: it sticks if the node would be inside the body after the
-    /// step.
+    /// Makes a first guess for each contact: it sticks if the node would be inside the body after
+    /// the step.
     void guess(const ContactStep& step);
 
     /// Chooses for each node the contact that ties it: the deepest of those that hold.
     void choose_ties();
-    /// Whether the node of a contact is tied by it.
+    /// Whether a contact ties its node.
     bool is_tied(int k) const { return tied_by_[step_->contacts[k].node] == k; }
-    /// For each node, the contact that ties it; -1: none.
+    /// For each node, the contact that ties it, or -1 for none.
     const std::vector<int>& tied_by() const { return tied_by_; }
-    /// The tie that a contact is in the linear system.
+    /// The tie of a contact in the linear system.
     TiedNode tie(int k) const;
 
-    /// What a tie gave its node in the latest solve [N s].
+    /// The impulse that a tie gave its node in the latest solve [N s].
     void set_impulse(int k, const Vector3d& impulse) { impulses_[k] = impulse; }
     const Vector3d& impulse(int k) const { return impulses_[k]; }
 
     /// Corrects a contact after a solve.
     ///
-    /// @param velocity  of its node, as solved for [m/s]
-    /// @param diagonal  block of the node in the system's matrix [kg]
-    /// @return whether it changed, so that its part has to be solved for again
+    /// @param velocity  velocity of its node after the solve [m/s]
+    /// @param diagonal  diagonal block of the node in the matrix of the system [kg]
+    /// @return whether the contact changed, so that its part has to be solved for again
     bool revise(int k, const Vector3d& velocity, const Matrix3d& diagonal);
 
 private:
@@ -58,7 +58,7 @@ private:
 
     std::optional<ContactStep> step_;
     std::vector<Hold> holds_;        // for each contact
-    std::vector<double> dampings_;   // for each contact that slides: friction over speed [kg]
+    std::vector<double> dampings_;   // for each sliding contact, friction impulse over speed [kg]
     std::vector<Vector3d> impulses_; // for each contact, on its node [N s]
     std::vector<int> tied_by_;       // for each node
 };

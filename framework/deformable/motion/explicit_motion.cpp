@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Moves the nodes of a solid by substeps of symplectic Euler. Each substep measures the contacts,
-// applies restitution, integrates the forces, applies contact impulses and moves the nodes. At its
-// end positions of nodes inside bodies are corrected.
+// applies restitution, integrates the forces, applies contact impulses and moves the nodes. Last,
+// the positions of nodes inside bodies are corrected.
 #include "deformable/motion/explicit_motion.hpp"
 
 #include "deformable/contact/node_collisions.hpp"

@@ -6,7 +6,7 @@
 
 namespace rigor {
 
-/// Symplectic Euler in substeps that are stable: v += h f(x, v)/m, then x += h v. Drag as
+/// Symplectic Euler in stable substeps: v += h f(x, v)/m, then x += h v. Drag replaces v by
 /// v/(1 + α h).
 void move_explicitly(const NodeMotion& motion);
 

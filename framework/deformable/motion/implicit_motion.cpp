@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Moves the nodes of a solid by one step of backward Euler, linearised at its start with the
-// rotations of the elements kept (Baraff and Witkin 1998, "Large steps in cloth simulation"; Müller
-// and Gross 2004). First restitution acts on the velocities, then the linear system is solved in
-// rounds until no contact changes, then impulses go to the rigid bodies and the positions follow
-// the new velocities.
+// Moves the nodes of a solid by one step of backward Euler, linearised at the start of the step
+// with constant rotations of the elements (Baraff and Witkin 1998, "Large steps in cloth
+// simulation"; Müller and Gross 2004). First restitution acts on the velocities. Then the linear
+// system is solved in rounds until no contact changes. Last, the impulses are applied to the rigid
+// bodies and the nodes move with their new velocities.
 #include "deformable/motion/implicit_motion.hpp"
 
 #include "deformable/contact/node_collisions.hpp"
@@ -14,8 +14,8 @@ namespace rigor {
 
 namespace {
 
-// Solves of the linear system in one step. Contacts that still change after so many rounds are
-// taken as they are: the next step begins with a new guess.
+// The largest number of solves of the linear system in one step. Contacts that still change after
+// these rounds stay as they are; the next step begins with a new guess.
 constexpr int most_rounds = 10;
 
 Matrix3d axes_of(const HeldNode& held)
@@ -34,7 +34,8 @@ void assemble_system(const NodeMotion& motion)
     work.velocity_system.assemble(solid, work, work.forces, motion.time_step);
 }
 
-// Parts that may touch the same joined bodies are solved for together.
+// Opens the parts that have to be solved for together, because they may touch the same joined
+// bodies.
 // @return whether a part is open whose contacts reach a joined body
 bool open_coupled_parts(Workspace& work)
 {
@@ -75,7 +76,7 @@ void note_impulses(Workspace& work)
             work.contact_set.set_impulse(k, impulses[contacts[k].node]);
 }
 
-// A part stays open if one of its contacts changed.
+// Revises all contacts after a solve. A part stays open if one of its contacts changed.
 void revise_contacts(Workspace& work)
 {
     const VelocitySystem& s = work.velocity_system;

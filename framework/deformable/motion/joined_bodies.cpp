@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Collects the rigid bodies that join the system of an implicit step, and gives the velocities of
+// their points before and after a solve.
 #include "deformable/motion/joined_bodies.hpp"
 
 namespace rigor {
@@ -13,7 +15,8 @@ void JoinedBodies::join(const RigidColliders& rigid, const std::vector<NodeConta
         if (body.is_static() || numbers_[c.body] >= 0 || rigid.has_supports(c.body)) continue;
         numbers_[c.body] = static_cast<int>(before_.size());
         before_.push_back({1 / body.inverse_mass, body.inverse_inertia.inverse(),
-                           body.velocity + time_step * rigid.world.settings.gravity, body.angular_velocity});
+                           body.velocity + time_step * rigid.world.settings.gravity,
+                           body.angular_velocity});
     }
 }
 

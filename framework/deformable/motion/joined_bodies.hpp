@@ -10,22 +10,22 @@ namespace rigor {
 class JoinedBodies {
 public:
     /// A dynamic body in contact joins the system, with the velocity that gravity will give it in
-    /// this step, unless it rests on other bodies. Such a body counts as static here, because it
-    /// hands the impulses on to its supports.
+    /// this step. A body that rests on other bodies does not join and counts as static here,
+    /// because it passes the impulses on to its supports.
     void join(const RigidColliders& rigid, const std::vector<NodeContact>& contacts,
               double time_step);
 
     bool is_empty() const { return before_.empty(); }
-    /// The number of a rigid body in the system; -1: it has not joined.
+    /// The number of a rigid body in the system, or -1 if it has not joined.
     int number(int body) const { return numbers_[body]; }
 
-    /// Starts a solve from the velocities without contacts. Its argument to
-    /// `ImplicitSystem::solve`.
+    /// Resets the bodies to their velocities without contacts. @return the bodies to pass to
+    /// `ImplicitSystem::solve`
     std::vector<SystemBody>& restart();
 
-    /// Velocity of the point r away from the center of a body [m/s], before contacts act.
+    /// Velocity of the point at r from the center of a body [m/s], before contacts act.
     Vector3d velocity_before(const RigidColliders& rigid, int body, const Vector3d& r) const;
-    /// The same after the latest solve that had the bodies in it.
+    /// The same after the latest solve that contained the bodies.
     Vector3d velocity_after(const RigidColliders& rigid, int body, const Vector3d& r) const;
 
 private:
@@ -33,7 +33,7 @@ private:
                       const std::vector<SystemBody>& bodies) const;
 
     std::vector<int> numbers_;               // for each rigid body
-    std::vector<SystemBody> before_, after_; // velocities without contacts, and as solved for
+    std::vector<SystemBody> before_, after_; // velocities without contacts, and after a solve
 };
 
 } // namespace rigor

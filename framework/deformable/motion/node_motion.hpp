@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What moves the nodes of a solid in a step.
+// The data for moving the nodes of a solid in a step.
 #pragma once
 
 #include "deformable/contact/rigid_colliders.hpp"
@@ -7,7 +7,7 @@
 
 namespace rigor {
 
-/// A solid, what acts on it, and the step.
+/// A solid, the bodies and gravity that act on it, and the time step.
 struct NodeMotion {
     Deformable& solid;
     Workspace& work;

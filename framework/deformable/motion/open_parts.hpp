@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which parts of a solid an implicit step still solves for.
+// The parts of a solid that an implicit step still has to solve for.
 #pragma once
 
 #include "deformable/solvers/block_matrix.hpp"
@@ -11,7 +11,8 @@ class OpenParts {
 public:
     /// Opens all parts of a system.
     void open_all(const BlockMatrix& matrix);
-    /// Closes all parts, to be opened again one by one. `was_open` tells which were open until now.
+    /// Closes all parts. They can then be opened again one by one; `was_open` tells which were
+    /// open.
     void close_all();
 
     bool is_open(int node) const { return is_open_[matrix_->part_of(node)] != 0; }
@@ -20,7 +21,7 @@ public:
 
     /// Lists the nodes of the open parts. @return whether there are any
     bool collect_nodes();
-    /// As listed by `collect_nodes`, ascending.
+    /// The nodes listed by `collect_nodes`, ascending.
     const std::vector<int>& nodes() const { return nodes_; }
 
 private:

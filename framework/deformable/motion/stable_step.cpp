@@ -11,7 +11,8 @@ namespace rigor {
 
 namespace {
 
-// Strain by the motion of a node with gradient g: (xx, yy, zz, √2 xy, √2 xz, √2 yz), of norm ‖ε‖.
+// The strain caused by the motion of a node with gradient g, as (xx, yy, zz, √2 xy, √2 xz, √2 yz),
+// a vector of norm ‖ε‖.
 Eigen::Matrix<double, 6, 3> strain_of_motion(const Vector3d& g)
 {
     const double r = std::sqrt(0.5);
@@ -21,7 +22,7 @@ Eigen::Matrix<double, 6, 3> strain_of_motion(const Vector3d& g)
     return B;
 }
 
-// C^½ of λ Tr(ε) δ + 2 G ε.
+// C^½, where C ε = λ Tr(ε) δ + 2 G ε.
 Matrix6d stiffness_root(const SolidMaterial& material)
 {
     const double G2 = 2 * material.shear_modulus(), bulk = 3 * material.lame_lambda() + G2;
@@ -30,8 +31,8 @@ Matrix6d stiffness_root(const SolidMaterial& material)
     return root;
 }
 
-// At most 3 % above the largest eigenvalue of a symmetric matrix without negative ones, and never
-// below: (Tr A⁶⁴)^(1/64).
+// An upper bound of the largest eigenvalue of a symmetric, positive semi-definite matrix, at most
+// 3 % above it: (Tr A⁶⁴)^(1/64).
 double eigenvalue_bound(Matrix6d A)
 {
     double log_scale = 0;
@@ -64,7 +65,7 @@ double stable_step(const Deformable& solid, const Elements& elements)
         const auto gradients = elements.gradients(e);
         Matrix6d A = Matrix6d::Zero(); // Σ B_i M_i⁻¹ B_iᵀ V
         for (int i = 0; i < 4; ++i) {
-            // m_i = m V|∇N|² / Σ: V cancels, and so does |∇N|² but for its sum
+            // m_i = m V|∇N|² / Σ, where Σ is the sum over the elements of the node; V cancels
             const double inverse_mass =
                 stiffness[nodes[i]] / (solid.masses[nodes[i]] * gradients[i].squaredNorm());
             const Eigen::Matrix<double, 6, 3> B = strain_of_motion(gradients[i]);
@@ -74,7 +75,7 @@ double stable_step(const Deformable& solid, const Elements& elements)
     }
     const double beta = solid.material.damping;
     if (omega2 == 0) return never;
-    // √(β² + 4/ω²) - β, without the difference
+    // √(β² + 4/ω²) - β, in a form without cancellation
     return 4 / omega2 / (std::sqrt(beta * beta + 4 / omega2) + beta);
 }
 

@@ -12,25 +12,25 @@ namespace rigor {
 struct VelocitySystem {
     /// Assembles A and b = M v₀ + h f(x₀), and starts v from v₀.
     ///
-    /// @param strains  as the step begins
-    /// @param forces   of loads and gravity on each node; elastic forces are added [N]
+    /// @param elements  with the strains at the start of the step
+    /// @param forces    sum of elastic forces, loads and gravity on each node [N]
     void assemble(const Deformable& solid, const ElementWorkspace& elements,
                   const std::vector<Vector3d>& forces, double time_step);
 
-    /// Gives each part that neither handles nor contacts hold its whole momentum, which conjugate
-    /// gradients keep to their tolerance only.
+    /// Restores the exact momentum of each part that neither handles nor contacts hold. Conjugate
+    /// gradients conserve it only up to their tolerance.
     ///
-    /// @param tied_by  for each node the contact that ties it; -1: none
+    /// @param tied_by  for each node, the contact that ties it, or -1 for none
     void restore_momentum(const Deformable& solid, const std::vector<HeldNode>& held,
                           const std::vector<int>& tied_by, double time_step);
 
     ImplicitSystem system;
-    std::vector<Vector3d> momenta;    // b of each node [N s]
-    std::vector<Vector3d> velocities; // v of each node [m/s]
+    std::vector<Vector3d> momenta;    // b for each node [N s]
+    std::vector<Vector3d> velocities; // v for each node [m/s]
     std::vector<TiedNode> ties;       // ties in the latest solve
 
 private:
-    /// Momentum that a part of the solid lacks [N s], and its mass [kg].
+    /// The missing momentum of a part of the solid [N s], and its mass [kg].
     struct Missing {
         Vector3d momentum = Vector3d::Zero();
         double mass = 0;

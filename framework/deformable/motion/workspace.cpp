@@ -19,8 +19,8 @@ bool is_same(const SolidMaterial& a, const SolidMaterial& b)
     return all(a) == all(b);
 }
 
-// Nodes that may be in contact: those on the boundary, except corners of copies without matter
-// there.
+// Nodes that may be in contact: those on the boundary, except the virtual corners of copies, which
+// have no material there.
 std::vector<char> surface_nodes(const Deformable& solid,
                                 const std::vector<std::array<int, 4>>& neighbours)
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Data that a step derives from a solid, kept until its mesh or material changes. It includes all
-// buffers, so that a step that changes neither allocates nothing.
+// Data that a step derives from a solid. It is kept until the mesh or the material changes. It
+// includes all buffers, so that a step without such a change allocates no memory.
 #pragma once
 
 #include "deformable/contact/node_contacts.hpp"
@@ -18,16 +18,16 @@ struct Workspace : ElementWorkspace {
 
     int topology;
     SolidMaterial material;
-    std::vector<char> is_surface; // for each node, whether it is on the boundary of matter
-    double stable_step = 0;       // longest stable explicit substep; 0: not computed yet [s]
+    std::vector<char> is_surface; // for each node, whether it is on the boundary of the material
+    double stable_step = 0;       // longest stable explicit substep, 0 until it is computed [s]
 
-    // buffers of a step
+    // Buffers of a step.
     std::vector<Vector3d> forces;
     std::vector<HeldNode> held;
     std::vector<char> is_held; // for each node
     NodeContacts contacts;
 
-    // only for implicit steps
+    // Data for implicit steps only.
     VelocitySystem velocity_system;
     JoinedBodies bodies;
     ContactSet contact_set;
@@ -35,7 +35,7 @@ struct Workspace : ElementWorkspace {
     std::vector<SystemBody> no_bodies; // always empty
 };
 
-/// The workspace of a solid, made anew if its mesh or material has changed.
+/// The workspace of a solid. It is made again if the mesh or the material has changed.
 Workspace& workspace_of(Deformable& solid);
 
 } // namespace rigor

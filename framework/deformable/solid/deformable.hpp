@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The state of a solid that bends, flows and breaks. Linear tetrahedra with corotated linear
-// elasticity (Müller and Gross 2004, "Interactive virtual materials"), a plastic strain in each
-// element, masses lumped at the nodes.
+// The state of a solid that bends, flows and breaks. It consists of linear tetrahedra with
+// corotated linear elasticity (Müller and Gross 2004, "Interactive virtual materials"). Each
+// element has a plastic strain, and masses are lumped at the nodes.
 //
 // Stresses and strains of an element are in its rest space: F = R S is its deformation gradient,
-// ε = ½ (S + Sᵀ) - δ its total strain, σ of the elastic strain ε - ε_p.
+// ε = ½ (S + Sᵀ) - δ its total strain, and σ the stress of its elastic strain ε - ε_p.
 #pragma once
 
 #include "deformable/solid/solid_material.hpp"
@@ -21,17 +21,18 @@ namespace rigor {
 /// How the nodes move through a time step.
 enum class NodeIntegrator {
     explicit_step, ///< symplectic Euler, in substeps no longer than the mesh and material allow
-    implicit_step, ///< backward Euler, one sparse linear system a step
+    implicit_step, ///< backward Euler, one sparse linear system for each step
 };
 
-/// What a crack does to the mesh.
+/// The way in which a crack changes the mesh.
 enum class FractureMethod {
-    faces,         ///< `split_along_faces`, along the face that `closest_face` says
+    faces,         ///< `split_along_faces`, along the face that `closest_face` returns
     elements,      ///< `split_element`
     virtual_nodes, ///< `virtual_nodes`
 };
 
-/// Where a handle has its nodes at one time. Between two moments its motion is linear in time.
+/// The place of the nodes of a handle at one time. Between two moments its motion is linear in
+/// time.
 struct HandleMoment {
     double time = 0;                          // [s]
     Vector3d displacement = Vector3d::Zero(); // from the nodes' initial places [m]
@@ -42,10 +43,10 @@ struct HandleMoment {
 /// Nodes whose motion is prescribed, in some or all of x, y and z.
 struct Handle {
     std::vector<int> nodes;
-    std::vector<Vector3d> first_places; // initial places [m]; empty: taken at the first step
+    std::vector<Vector3d> first_places; // initial places [m]; if empty, set at the first step
     std::array<bool, 3> axes = {true, true, true}; // the coordinates that it prescribes
     Vector3d pivot = Vector3d::Zero();             // world space [m]
-    std::vector<HandleMoment> path;                // times ascending; empty: held in place
+    std::vector<HandleMoment> path;                // times ascending; if empty, held in place
     double release = never;                        // the time when the nodes become free [s]
 };
 
@@ -58,8 +59,8 @@ struct NodeLoad {
 
 struct Workspace;
 
-/// What a time step derives from a solid and keeps for the next one. A copy of a solid begins
-/// without it and makes its own.
+/// The data that a time step derives from a solid and keeps for the next step. A copy of a solid
+/// starts without it and makes its own.
 struct KeptWorkspace {
     KeptWorkspace() = default;
     KeptWorkspace(const KeptWorkspace&) {}
@@ -71,7 +72,8 @@ struct KeptWorkspace {
     }
     ~KeptWorkspace() = default;
 
-    std::shared_ptr<Workspace> content; // never shared; frees a type that is incomplete here
+    // It is never shared; a shared pointer can free a type that is incomplete here.
+    std::shared_ptr<Workspace> content;
 };
 
 /// A deformable solid and its state.
@@ -88,24 +90,26 @@ struct Deformable {
     std::vector<Matrix3d> plastic_strains; // ε_p of each element
     std::vector<Handle> handles;
     std::vector<NodeLoad> loads;
-    // For each element, how long it has been inverted [s]. Empty as long as none ever was.
+    // For each element, how long it has been inverted [s]. It is empty until an element is inverted
+    // for the first time.
     std::vector<double> inverted_times;
 
-    // For each element and face, whether a crack runs there, open or still closed. Empty without
-    // cracks. With virtual nodes these are faces of `uncracked`, along which inverted elements were
-    // separated.
+    // For each element and face, whether a crack runs there, open or still closed. It is empty if
+    // there are no cracks. With virtual nodes these are faces of `uncracked`, along which inverted
+    // elements were separated.
     std::vector<std::array<bool, 4>> crack_faces;
     double least_height = 0; // smallest height that a cut may leave; set by the first cut [m]
 
-    // With virtual nodes: the solid before its first crack, its cracks, and the share of each
-    // element that matter fills. Empty without cracks, when matter fills every element.
+    // With virtual nodes, these are the mesh before the first crack, the cracks, and the elements
+    // with their copies and the share of each that material fills. They are empty if there are no
+    // cracks; then material fills every element.
     TetrahedralMesh uncracked;
     std::vector<ElementCrack> cracks;
     EmbeddedMesh embedded;
 
     int topology = 0; // number of changes of the mesh so far
 
-    KeptWorkspace workspace; // derived from all of the above; never state
+    KeptWorkspace workspace; // derived from all members above, so it is not part of the state
 };
 
 } // namespace rigor

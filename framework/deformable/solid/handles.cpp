@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Computes the prescribed velocities of held nodes from the paths of their handles, and the forces
+// of gravity and loads on nodes. A path is interpolated linearly between its moments.
 #include "deformable/solid/handles.hpp"
 
 #include <algorithm>
@@ -7,7 +9,8 @@ namespace rigor {
 
 namespace {
 
-// Linear between two moments, constant before the first and after the last.
+// The moment of a path at a time: linear between two moments, constant before the first and after
+// the last.
 HandleMoment moment_at(const std::vector<HandleMoment>& path, double time)
 {
     const auto after = std::upper_bound(path.begin(), path.end(), time,

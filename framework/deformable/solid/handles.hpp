@@ -6,11 +6,11 @@
 
 namespace rigor {
 
-/// A node of which a handle prescribes some coordinates.
+/// A node some coordinates of which a handle prescribes.
 struct HeldNode {
     int node = 0;
     std::array<bool, 3> axes = {true, true, true};
-    Vector3d velocity = Vector3d::Zero(); // takes those coordinates to their place [m/s]
+    Vector3d velocity = Vector3d::Zero(); // velocity of these coordinates to their place [m/s]
 };
 
 /// Records the initial places of the nodes of handles that have none yet.

@@ -6,8 +6,8 @@
 
 namespace rigor {
 
-/// Volume of the matter in an element at rest [m³]. In a virtual-node copy matter fills only a part
-/// of the element.
+/// Volume of the material in an element at rest [m³]. In a copy made for virtual nodes, material
+/// fills only a part of the element.
 double matter_volume(const Deformable& solid, int element);
 
 /// Mass of each node: a quarter of the mass of each of its elements [kg].

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Finds the connected pieces of a solid by union-find on its vertices: each element joins its four
+// vertices, then the sets are numbered in the order of the elements.
 #include "deformable/solid/pieces.hpp"
 
 #include <numeric>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a deformable solid is made of.
+// The material of a deformable solid.
 #pragma once
 
 #include "rigid/bodies/world.hpp"
@@ -10,15 +10,15 @@ namespace rigor {
 
 inline constexpr double never = std::numeric_limits<double>::infinity();
 
-/// What a solid is made of.
+/// The material of a deformable solid.
 struct SolidMaterial {
     double density = 1000;       // ρ [kg/m³]
     double youngs_modulus = 1e6; // E > 0 [Pa]
     double poisson_ratio = 0.3;  // ν, -1 … 0.5, both excluded
-    double damping = 0;          // β of the force -β K v, against strain rate [s]
-    double drag = 0;             // α of the force -α m v, against motion [1/s]
+    double damping = 0;          // β in the force -β K v, against the strain rate [s]
+    double drag = 0;             // α in the force -α m v, against the motion [1/s]
     double yield_stress = never; // σ_Y [Pa]
-    double strength = never;     // largest principal stress before it cracks [Pa]
+    double strength = never;     // largest principal stress before the solid cracks [Pa]
     Material surface;            // restitution and friction in contacts
 
     double lame_lambda() const // λ [Pa]

@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// Computes the factorisation A = L D Lᵀ row by row (Davis 2006, "Direct methods for sparse linear
+// systems", 4.7). The analysis orders the nodes by approximate minimum degree, grows the
+// elimination tree and finds the places of all blocks. Factorising and solving then use these
+// places only.
 #include "deformable/solvers/block_factor.hpp"
 
 #include <Eigen/OrderingMethods>
@@ -11,7 +15,7 @@ namespace rigor {
 
 namespace {
 
-// The order of elimination by approximate minimum degree: for each step, its node.
+// The order of elimination by approximate minimum degree: for each step, the node eliminated in it.
 std::vector<int> elimination_order(const std::vector<int>& row_starts,
                                    const std::vector<int>& columns)
 {
@@ -150,12 +154,12 @@ void BlockFactor::steps_of(const std::vector<int>& nodes, std::vector<int>& step
 
 void BlockFactor::solve(const std::vector<int>& steps, std::vector<Vector3d>& x) const
 {
-    for (const int k : steps) { // L y = x
+    for (const int k : steps) { // solve L y = x
         const Vector3d y = x[node_of_[k]];
         for (int q = column_starts_[k]; q < column_starts_[k + 1]; ++q)
             x[node_of_[rows_[q]]].noalias() -= L_[q] * y;
     }
-    for (auto step = steps.rbegin(); step != steps.rend(); ++step) { // Lᵀ x = D⁻¹ y
+    for (auto step = steps.rbegin(); step != steps.rend(); ++step) { // solve Lᵀ x = D⁻¹ y
         const int k = *step;
         Vector3d y = inverse_D_[k] * x[node_of_[k]];
         for (int q = column_starts_[k]; q < column_starts_[k + 1]; ++q)

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // A factorisation of a sparse, symmetric, positive definite matrix of 3 × 3 blocks:
 //
-//     A = L D Lᵀ,   L with ones on its diagonal, D with 3 × 3 blocks on its own
-// It computes L row after row (Davis 2006, "Direct methods for sparse linear systems", 4.7), with
-// the nodes in an order that keeps L sparse.
+//     A = L D Lᵀ,   L with ones on its diagonal, D with 3 × 3 blocks on its diagonal
+//
+// L is computed row by row (Davis 2006, "Direct methods for sparse linear systems", 4.7), with the
+// nodes in an order that keeps L sparse.
 //
 // Eigen has such a factorisation. We have our own because the parts of a solid are factorised one
 // at a time, only those whose contacts changed, and because a step must not allocate memory.
@@ -17,10 +18,12 @@ namespace rigor {
 
 class BlockFactor {
 public:
-    /// Finds the order of the nodes and the places of L's blocks, once for a pattern.
-    /// @param row_starts, columns  of A's blocks on and above the diagonal, each row ascending
+    /// Finds the order of the nodes and the places of L's blocks. This is needed once for a
+    /// pattern.
+    /// @param row_starts, columns  the pattern of A's blocks on and above the diagonal, each row
+    ///                             ascending
     /// @param most_work  the largest number of products of blocks that a factorisation may take
-    /// @return whether it takes no more; if it does, `factorise` must not be called
+    /// @return whether it takes no more; otherwise `factorise` must not be called
     bool analyse(const std::vector<int>& row_starts, const std::vector<int>& columns,
                  double most_work);
 
@@ -28,7 +31,7 @@ public:
     /// parts, which A does not connect with others; the functions below work on these alone.
     void steps_of(const std::vector<int>& nodes, std::vector<int>& steps) const;
 
-    /// Computes L and D. @param blocks  of A, in the order of its pattern
+    /// Computes L and D. @param blocks  blocks of A, in the order of its pattern
     void factorise(const std::vector<int>& steps, const std::vector<Matrix3d>& blocks);
 
     /// x ← A⁻¹ x
@@ -42,7 +45,7 @@ private:
     // In all of these, nodes are numbered in the order of their elimination.
     std::vector<int> node_of_, step_of_;
     // A's blocks left of the diagonal, row by row: their places in A, and whether they are
-    // transposed
+    // transposed.
     struct Entry {
         int column, block;
         bool is_transposed;
@@ -50,14 +53,14 @@ private:
     std::vector<int> entry_starts_, diagonal_;
     std::vector<int> parent_; // for each step, its parent in the elimination tree
     std::vector<Entry> entries_;
-    // L below its diagonal, column by column, and the places of each row's blocks in it
+    // L below its diagonal, column by column, and the places of each row's blocks in it.
     struct Place {
         int column, at;
     };
     std::vector<int> column_starts_, rows_, place_starts_;
     std::vector<Place> places_;
     std::vector<Matrix3d> L_, inverse_D_;
-    std::vector<Matrix3d> row_; // the row of L in the making
+    std::vector<Matrix3d> row_; // the row of L that is being computed
     double work_ = 0;
 };
 

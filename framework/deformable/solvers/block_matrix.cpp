@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Assembles the matrix of backward Euler, (1 + α h) M + h (h + β) K, with the corotated stiffness K
+// of each element. The analysis finds a place for each pair of nodes that share an element, and the
+// parts that such pairs connect. Assembly then adds the stiffness of all elements to these places.
 #include "deformable/solvers/block_matrix.hpp"
 
 #include <algorithm>
@@ -50,7 +53,7 @@ void BlockMatrix::find_parts()
 {
     part_of_.assign(nodes_, -1);
     parts_ = 0;
-    // neighbours on either side, as rows keep but the later ones
+    // Collect neighbours on both sides, because a row stores only those with a higher number.
     std::vector<std::vector<int>> neighbours(nodes_);
     for_each_block([&](int i, int j, const Matrix3d&) {
         neighbours[i].push_back(j);
@@ -120,7 +123,7 @@ void BlockMatrix::multiply(const std::vector<int>& nodes, const Vectors& x, Vect
             s0 += A[0] * v[0] + A[3] * v[1] + A[6] * v[2];
             s1 += A[1] * v[0] + A[4] * v[1] + A[7] * v[2];
             s2 += A[2] * v[0] + A[5] * v[1] + A[8] * v[2];
-            double* w = y[columns_[k]].data(); // adds the block below the diagonal, Aᵀ, times x
+            double* w = y[columns_[k]].data(); // gets the block below the diagonal, Aᵀ, times x
             w[0] += A[0] * x0 + A[1] * x1 + A[2] * x2;
             w[1] += A[3] * x0 + A[4] * x1 + A[5] * x2;
             w[2] += A[6] * x0 + A[7] * x1 + A[8] * x2;

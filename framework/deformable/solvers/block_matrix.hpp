@@ -6,20 +6,20 @@
 
 namespace rigor {
 
-/// A symmetric matrix with a block for each pair of nodes that share an element. It is block
-/// diagonal with a block for each of its parts: the pieces of the solid, which nothing but rigid
-/// bodies joins. So they are solved for together or apart.
+/// A symmetric matrix with a block for each pair of nodes that share an element. Its parts are the
+/// pieces of the solid. No block connects two parts, only rigid bodies may, so that parts can be
+/// solved for together or one at a time.
 class BlockMatrix {
 public:
-    /// The places of the blocks: once for a mesh.
+    /// Finds the places of the blocks. This is needed once for a mesh.
     void analyse(const Elements& elements, int nodes);
 
-    /// The blocks: once a step.
+    /// Computes the blocks. This is needed once in each step.
     void assemble(const Elements& elements, const std::vector<ElementStrain>& strains,
                   const std::vector<double>& masses, const SolidMaterial& material,
                   double time_step);
 
-    /// y ← A x for these nodes, all of some parts.
+    /// y ← A x for these nodes, which must be all nodes of some parts.
     void multiply(const std::vector<int>& nodes, const std::vector<Vector3d>& x,
                   std::vector<Vector3d>& y) const;
 
@@ -27,14 +27,14 @@ public:
     int parts() const { return parts_; }
     int part_of(int node) const { return part_of_[node]; }
 
-    // The blocks on and above the diagonal are kept, row by row.
+    // The blocks on and above the diagonal are stored, row by row.
     const std::vector<int>& row_starts() const { return row_starts_; }
     const std::vector<int>& columns() const { return columns_; }
     const std::vector<Matrix3d>& blocks() const { return blocks_; }
     int diagonal_place(int node) const { return diagonal_[node]; }
     const Matrix3d& diagonal(int node) const { return blocks_[diagonal_[node]]; }
 
-    /// Calls `visit(i, j, A_ij)` for each block that is kept: those with i ≤ j.
+    /// Calls `visit(i, j, A_ij)` for each block that is stored, those with i ≤ j.
     template <class Visit> void for_each_block(const Visit& visit) const
     {
         for (int i = 0; i < nodes_; ++i)

@@ -2,7 +2,7 @@
 // Solves the system of backward Euler by preconditioned conjugate gradients (Hestenes and Stiefel
 // 1952). Tied coordinates are projected out in each iteration, as in Baraff and Witkin 1998, "Large
 // steps in cloth simulation". First comes the preconditioner, a factorisation with the ties or the
-// inverse diagonal blocks, then a start that the ties allow, then the iterations.
+// inverse diagonal blocks, then a start that satisfies the ties, then the iterations.
 #include "deformable/solvers/implicit_system.hpp"
 
 #include <algorithm>
@@ -16,9 +16,9 @@ void ImplicitSystem::analyse(const Elements& elements, int nodes)
     matrix_.analyse(elements, nodes);
     nodes_ = nodes;
     inverse_diagonal_.resize(nodes);
-    // Products of blocks that a factorisation may take, for each block of A. An iteration of
-    // conjugate gradients takes two products of a block and a vector for each: above this limit it
-    // is cheaper to iterate.
+    // The number of products of blocks that a factorisation may take, for each block of A. An
+    // iteration of conjugate gradients takes two products of a block and a vector for each block,
+    // so above this limit it is cheaper to iterate.
     constexpr double most_work = 40;
     is_factor_cheap_ = factor_.analyse(matrix_.row_starts(), matrix_.columns(),
                                        most_work * static_cast<double>(matrix_.blocks().size()));
@@ -91,7 +91,8 @@ void ImplicitSystem::add_damping(const Vectors& x, Vectors& y) const
     }
 }
 
-// Factorises A with the ties for the active nodes: P (A + d) P + s N, with P = δ - N of each node.
+// Factorises A with the ties, P (A + d) P + s N, for the active nodes, with P = δ - N for each
+// node.
 void ImplicitSystem::factorise()
 {
     for (const int i : *active_) {
@@ -173,7 +174,7 @@ int ImplicitSystem::solve(const Vectors& b, const std::vector<int>& nodes,
                           const std::vector<TiedNode>& tied, std::vector<SystemBody>& bodies,
                           Vectors& velocities)
 {
-    // Relative error in the norm of the preconditioner: below all other tolerances of a step.
+    // Relative error in the norm of the preconditioner. It is below all other tolerances of a step.
     constexpr double tolerance = 1e-7;
     const std::size_t n = nodes_ + 2 * bodies.size();
     active_ = &nodes;
@@ -183,7 +184,7 @@ int ImplicitSystem::solve(const Vectors& b, const std::vector<int>& nodes,
         v->resize(n);
     prepare_preconditioner(bodies);
 
-    // start from velocities that the ties allow
+    // Start from velocities that satisfy the ties.
     for (const int i : nodes) {
         x_[i] = velocities[i];
         r_[i] = b[i];
@@ -210,7 +211,7 @@ int ImplicitSystem::solve(const Vectors& b, const std::vector<int>& nodes,
     return iterations;
 }
 
-// Iterates from x_ and r_ = b until r·z is at most `enough`. @return iterations
+// Iterates from x_ and r_ = b until r·z is at most `enough`. @return the number of iterations
 int ImplicitSystem::iterate(double enough)
 {
     const auto for_each = [&](const auto& visit) {
@@ -233,7 +234,7 @@ int ImplicitSystem::iterate(double enough)
         multiply(p_, q_);
         add_damping(p_, q_);
         reduce(q_);
-        const double pq = dot(p_, q_); // tied coordinates of q are 0
+        const double pq = dot(p_, q_); // the tied coordinates of q are 0
         if (!(pq > 0)) break;
         const double a = rz / pq;
         for_each([&](int i) {

@@ -4,8 +4,8 @@
 //     A v = b,   A = (1 + α h) M + h (h + β) K,   b = M v₀ + h f(x₀)
 //
 // K = R K_rest Rᵀ for each element, with the rotations at the start of the step. Some coordinates
-// are not free: a handle prescribes them, or a contact ties them to a rigid body, which then is
-// part of the system with six coordinates of its own.
+// are not free: a handle prescribes them, or a contact ties them to a rigid body. The rigid body is
+// then part of the system, with six coordinates of its own.
 #pragma once
 
 #include "deformable/solvers/block_factor.hpp"
@@ -17,11 +17,12 @@ namespace rigor {
 /// The system of one solid: its matrix, and the solution by conjugate gradients.
 class ImplicitSystem {
 public:
-    /// The places of the blocks, and whether a factorisation is cheap: once for a mesh.
+    /// Finds the places of the blocks, and whether a factorisation is cheap. This is needed once
+    /// for a mesh.
     void analyse(const Elements& elements, int nodes);
     bool is_analysed() const { return matrix_.nodes() > 0; }
 
-    /// The blocks: once a step.
+    /// Computes the blocks. This is needed once in each step.
     void assemble(const Elements& elements, const std::vector<ElementStrain>& strains,
                   const std::vector<double>& masses, const SolidMaterial& material,
                   double time_step)
@@ -30,19 +31,20 @@ public:
     }
     const BlockMatrix& matrix() const { return matrix_; }
 
-    /// Solves for the velocities of some parts, by conjugate gradients from those that are passed
-    /// in. They come out within 1e-7 of the right-hand side in the preconditioner's norm. That is a
-    /// factorisation of A with its ties, where this is cheap: then one iteration is enough, but for
-    /// rounding and for bodies. Else it is the diagonal blocks of A.
-    /// @param nodes  ascending, all of these parts, with every part that is tied to a body
-    /// @param tied   of these nodes
-    /// @return iterations
+    /// Solves for the velocities of some parts by conjugate gradients, which start from the
+    /// velocities passed in. The relative error is 1e-7 in the norm of the preconditioner. If it is
+    /// cheap, the preconditioner is a factorisation of A with its ties; then one iteration is
+    /// enough, apart from rounding and from rigid bodies. Otherwise it consists of the diagonal
+    /// blocks of A.
+    /// @param nodes  ascending, all nodes of these parts, with every part that is tied to a body
+    /// @param tied   the ties of these nodes
+    /// @return the number of iterations
     int solve(const std::vector<Vector3d>& b, const std::vector<int>& nodes,
               const std::vector<TiedNode>& tied, std::vector<SystemBody>& bodies,
               std::vector<Vector3d>& velocities);
 
-    /// A v - b of each of these nodes, of whole parts, after `solve`: where ties are, the impulses
-    /// that they and their damping give [N s].
+    /// A v - b for each of these nodes, after `solve`. The nodes must be all nodes of some parts.
+    /// For a tied node it is the impulse of its ties and their damping [N s].
     const std::vector<Vector3d>& residual(const std::vector<Vector3d>& b,
                                           const std::vector<int>& nodes,
                                           const std::vector<Vector3d>& velocities);
@@ -64,12 +66,12 @@ private:
     BlockFactor factor_; // factors of A with the ties
     bool is_factor_cheap_ = false;
     std::vector<Matrix3d> tied_blocks_;
-    std::vector<Matrix3d> free_; // for each node, the projector on what no tie holds
+    std::vector<Matrix3d> free_; // for each node, the projector on the untied directions
     std::vector<char> is_tied_;
 
-    // of the solve at hand
-    const std::vector<int>* active_ = nullptr; // nodes
-    std::vector<int> steps_;                   // in the factorisation
+    // The data of the current solve.
+    const std::vector<int>* active_ = nullptr; // the nodes
+    std::vector<int> steps_;                   // their steps in the factorisation
     const std::vector<TiedNode>* tied_ = nullptr;
     std::vector<SystemBody>* bodies_ = nullptr;
     std::vector<Matrix3d> inverse_diagonal_;

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: MIT
-// What ties nodes of an implicit system, and the rigid bodies that belong to it.
+// The ties of nodes in an implicit system, and the rigid bodies that belong to the system.
 #pragma once
 
 #include "formulas/types.hpp"
 
 namespace rigor {
 
-/// A node whose velocity within a subspace is prescribed: N v = N (c + V + ω × r), with the motion
-/// (V, ω) of a rigid body that the system solves for, or of none. What it does against that motion
-/// in the rest of space is damped by the impulse -d (δ - N) (v - c - V - ω × r): so friction takes
-/// energy, whatever d is.
+/// A node whose velocity is prescribed within a subspace: N v = N (c + V + ω × r). Here (V, ω) is
+/// the motion of a rigid body that the system solves for, or zero without a body. In the other
+/// directions the relative motion is damped by the impulse -d (δ - N) (v - c - V - ω × r), so that
+/// friction dissipates energy for any d.
 struct TiedNode {
     int node = 0;
     Matrix3d N = Matrix3d::Zero(); // orthogonal projector: δ, n nᵀ, or axes
     Vector3d c = Vector3d::Zero(); // [m/s]
-    int body = -1;                 // its number in the system; -1: none
+    int body = -1;                 // number of the body in the system, or -1 for none
     Vector3d r = Vector3d::Zero(); // from the center of the body [m]
     double damping = 0;            // d [kg]
 };
@@ -24,7 +24,7 @@ struct SystemBody {
     double mass = 0;
     Matrix3d inertia = Matrix3d::Zero(); // in world space
     Vector3d V = Vector3d::Zero(),
-             w = Vector3d::Zero(); // before contacts; after a solve, with them
+             w = Vector3d::Zero(); // without contacts; after a solve, with contacts
 };
 
 } // namespace rigor

@@ -9,7 +9,7 @@ namespace rigor {
 
 /// Rigid bodies and deformable solids.
 struct DeformableWorld {
-    World rigid; // its gravity and time are those of all
+    World rigid; // its gravity and time also apply to the solids
     std::vector<Deformable> solids;
 };
 

@@ -9,8 +9,8 @@ namespace rigor {
 /// One time step: motion of the nodes with contacts, plastic flow and fracture of each solid, and
 /// then the step of the rigid bodies. Work is counted in world.rigid.counters.
 ///
-/// In a solid with a strength, an element has failed if it stays inverted for longer than it takes
-/// to turn back and no handle holds it. It is separated by cracks along all its faces and gets its
+/// In a solid with a strength, an element has failed if it stays inverted for longer than it needs
+/// to turn back, and no handle holds it. It is separated by cracks along all its faces and gets its
 /// shape without stress. Mass, volume, momentum and angular momentum stay the same; energy is lost.
 /// @return the contacts among rigid bodies that got an impulse
 std::vector<ContactRecord> step(DeformableWorld& world, double time_step);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Clips an element of a cracked solid to the matter of one of its copies, as virtual nodes need it
+// Clips an element of a cracked solid to the material of one of its copies, for virtual nodes
 // (Molino, Bao and Fedkiw 2004, "A virtual node algorithm for changing mesh topology during
 // simulation"). Each face is a convex polygon that is clipped by one crack plane after the other
 // (Sutherland and Hodgman 1974). The points where a plane meets the faces are then sorted by angle
-// and close the cut.
+// and form the polygon that closes the cut.
 #include "deformable/surface/clipped_element.hpp"
 
 #include "geometry/tetrahedra/tetrahedra.hpp"
@@ -17,7 +17,7 @@ namespace {
 
 using Weights = Eigen::Vector4d;
 
-// The part of a polygon where `height` · weights ≥ 0. Points on the plane are added to `rim`.
+// The part of a polygon where `height` · weights ≥ 0. Points on the plane are appended to `rim`.
 std::vector<Weights> clipped(const std::vector<Weights>& polygon, const Weights& height,
                              std::vector<Weights>& rim)
 {
@@ -76,7 +76,7 @@ void cut(std::vector<ClippedFace>& faces, const std::array<Vector3d, 4>& corners
     if (closing.weights.size() >= 3) faces.push_back(std::move(closing));
 }
 
-// The area of triangle a b x, in units of the face's, is the result · x.
+// The result r gives the area of the triangle a b x as r · x, in units of the area of the face.
 Weights triangle_height(const Weights& a, const Weights& b, int face)
 {
     const auto& [i, j, k] = tetrahedron_faces[face];
@@ -130,8 +130,8 @@ std::vector<ClippedFace> clipped_element(const Deformable& solid, int element)
             face.weights.push_back(Weights::Unit(i));
         faces.push_back(face);
     }
-    std::array<bool, 4> is_together = {true, true, true,
-                                       true}; // with the first real corner, so far
+    // For each corner, whether it is still in one part with the first real corner.
+    std::array<bool, 4> is_together = {true, true, true, true};
     const auto first = std::find(real.begin(), real.end(), 1) - real.begin();
     for (const ElementCrack& crack : solid.cracks) {
         if (crack.tetrahedron != parent) continue;

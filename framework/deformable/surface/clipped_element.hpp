@@ -1,27 +1,27 @@
 // SPDX-License-Identifier: MIT
-// The part of an element that the matter of a virtual-node copy fills.
+// The part of an element that the material of a copy fills, for virtual nodes.
 #pragma once
 
 #include "deformable/solid/deformable.hpp"
 
 namespace rigor {
 
-/// A face of the part of an element that a virtual-node copy holds: a convex polygon,
-/// counter-clockwise seen from outside.
+/// A face of the material of a copy: a convex polygon, counter-clockwise seen from outside.
 struct ClippedFace {
     std::vector<Eigen::Vector4d> weights; // barycentric coordinates of its vertices
-    int face = -1;                        // the face of the element that contains it; -1: a crack
+    int face = -1;                        // face of the element that contains it, -1 for a crack
 };
 
-/// The faces that bound the matter of a copy. They come from its tetrahedron, cut in turn by each
-/// crack that separates its real corners from corners which earlier cracks had left connected to
-/// them.
+/// The faces that bound the material of a copy. They are those of its tetrahedron, cut by one crack
+/// after the other: by each crack that separates its real corners from corners that earlier cracks
+/// left connected to them.
 std::vector<ClippedFace> clipped_element(const Deformable& solid, int element);
 
-/// The part of a convex polygon that another one in the same face of an element does not cover, in
-/// convex pieces. Pieces below 1e-12 of the area of the face are rounding and left out.
+/// The part of a convex polygon that another polygon in the same face of an element does not cover,
+/// as convex pieces. Pieces with less than 1e-12 of the area of the face are rounding errors and
+/// are omitted.
 ///
-/// @param polygon, cover  barycentric coordinates of their vertices in the same element
+/// @param polygon, cover  barycentric coordinates of the vertices in the same element
 std::vector<std::vector<Eigen::Vector4d>> uncovered(std::vector<Eigen::Vector4d> polygon,
                                                     const std::vector<Eigen::Vector4d>& cover,
                                                     int face);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Extracts the triangles that are drawn for a solid. Without virtual nodes they are the boundary of
-// its mesh. With virtual nodes (Molino, Bao and Fedkiw 2004) they bound the matter of each copy:
+// its mesh. With virtual nodes (Molino, Bao and Fedkiw 2004) they bound the material of each copy:
 // first its cracks, then the parts of its faces that no connected neighbour covers.
 #include "deformable/surface/surface.hpp"
 
@@ -18,7 +18,7 @@ namespace {
 
 using Polygon = std::vector<Eigen::Vector4d>; // barycentric coordinates of its vertices
 
-// Collects triangles. Points with the same weights of the same nodes become one.
+// Collects triangles. Points with the same weights of the same nodes become one point.
 class Builder {
 public:
     explicit Builder(const Deformable& solid)
@@ -44,7 +44,7 @@ public:
 private:
     using Place = std::array<std::pair<int, long long>, 4>; // nodes and their shares
 
-    // Weights are compared in units of 2⁻⁴⁰, coarse enough for those that differ by rounding.
+    // Weights are compared in units of 2⁻⁴⁰, so that weights that differ by rounding are equal.
     Place place(int element, const Eigen::Vector4d& weights) const
     {
         Place result;
@@ -77,7 +77,7 @@ private:
     const Deformable& solid_;
     EmbeddedSurface surface_;
     std::vector<int> corner_;    // the point of each vertex of the mesh
-    std::map<Place, int> point_; // likewise between vertices
+    std::map<Place, int> point_; // the point at each place between vertices
 };
 
 Polygon whole_face(int face)
@@ -101,7 +101,7 @@ EmbeddedSurface boundary_surface(const Deformable& solid)
     return builder.finish();
 }
 
-// The matter of a solid with virtual nodes, element by element.
+// The material of a solid with virtual nodes, element by element.
 class Matter {
 public:
     explicit Matter(const Deformable& solid)
@@ -136,13 +136,13 @@ public:
     }
 
 private:
-    // Whether an inverted element was separated along this face.
+    // Whether an inverted element was separated at this face.
     bool has_come_off(int parent, int face) const
     {
         return !solid_.crack_faces.empty() && solid_.crack_faces[parent][face];
     }
 
-    // The polygon of matter in a face of an element.
+    // The polygon of the material in a face of an element.
     Polygon matter_in(int element, int face) const
     {
         if (!is_cracked_[solid_.embedded.parents[element]]) return whole_face(face);
@@ -166,14 +166,14 @@ private:
         return open;
     }
 
-    // The polygon of matter of another element in this face. It is empty unless both elements share
-    // the three nodes of the face, so that they cannot separate.
+    // The polygon of the material of another element in this face. It is empty unless both elements
+    // share the three nodes of the face, so that they cannot separate.
     Polygon matter_against(int element, int face, int other) const
     {
         const auto &nodes = solid_.rest.tetrahedra[element],
                    &others = solid_.rest.tetrahedra[other];
-        std::array<int, 4> corner = {-1, -1, -1,
-                                     -1}; // for each corner, its number in the other element
+        // For each corner, its number in the other element.
+        std::array<int, 4> corner = {-1, -1, -1, -1};
         int opposite = 0 + 1 + 2 + 3;
         for (const int i : tetrahedron_faces[face]) {
             const auto at = std::find(others.begin(), others.end(), nodes[i]);
@@ -194,8 +194,8 @@ private:
     std::vector<std::array<int, 4>> neighbours_; // elements of the uncracked mesh across each face
     std::vector<char> is_cracked_;
     std::vector<std::vector<int>> copies_; // for each element of the uncracked mesh, its copies
-    std::vector<std::vector<ClippedFace>>
-        parts_; // what bounds each copy, where its parent is cracked
+    // For each copy of a cracked element, the faces that bound its material.
+    std::vector<std::vector<ClippedFace>> parts_;
 };
 
 EmbeddedSurface embedded_surface(const Deformable& solid)

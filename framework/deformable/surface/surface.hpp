@@ -6,7 +6,7 @@
 
 namespace rigor {
 
-/// A point of the drawn surface, embedded in an element: x = Σ weights[i] x_corner i.
+/// A point of the drawn surface, embedded in an element: x = Σ weights[i] x_i over its corners i.
 struct EmbeddedPoint {
     int element = 0;
     Eigen::Vector4d weights = Eigen::Vector4d::Zero(); // barycentric, sum 1
@@ -16,7 +16,7 @@ struct EmbeddedPoint {
 struct EmbeddedTriangle {
     std::array<int, 3> points = {0, 0, 0};
     int element = 0;       // the element that it bounds
-    bool is_crack = false; // opened by a crack
+    bool is_crack = false; // whether a crack opened it
 };
 
 /// The surface of a deformable solid. It changes only with `topology`.

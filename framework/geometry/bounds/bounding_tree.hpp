@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A tree of bounding boxes: the one under every search, of a mesh's triangles, of the points of its
-// surface, and of the broad phase's bodies (`overlap_tree.hpp`).
+// A tree of bounding boxes. All searches use it: for triangles of a mesh, for points on its
+// surface, and for bodies in the broad phase (`overlap_tree.hpp`).
 #pragma once
 
 #include "geometry/bounds/bounds.hpp"
@@ -35,7 +35,7 @@ public:
 
     /// A tree over some of the items, in parts that can be built at the same time.
     ///
-    /// @param boxes    of all items, finite
+    /// @param boxes    boxes of all items, finite
     /// @param members  items that belong to the tree
     /// @param parts    about how many parts
     /// @param share    share(n, work) calls work(k) for each k in [0, n), in any order or at once
@@ -75,8 +75,8 @@ public:
     /// The items, leaf after leaf.
     const std::vector<int>& order() const { return order_; }
 
-    /// Calls visit(item) for the items of each leaf whose box, and whose parents' boxes, enter(box)
-    /// accepts; always in the same order.
+    /// Calls visit(item) for the items of each leaf if enter(box) is true for the box of the leaf
+    /// and for the boxes of all nodes above it. The order is always the same.
     template <class Enter, class Visit> void walk(const Enter& enter, const Visit& visit) const
     {
         if (!nodes_.empty()) walk(0, enter, visit);

@@ -30,7 +30,7 @@ OverlapTree::OverlapTree(const std::vector<Bounds>& boxes, std::vector<int> memb
 {
 }
 
-// The leaves of one stretch of the nodes, of so many stretches.
+// Fills the leaves in one of `stretches` equal stretches of the nodes.
 void OverlapTree::fill_leaves(const std::vector<Bounds>& boxes, int stretches, int stretch)
 {
     const std::size_t n = tree_.nodes().size();

@@ -34,7 +34,7 @@ public:
     template <class Visit> void for_each_overlap(const Bounds& bounds, const Visit& visit) const
     {
         if (tree_.empty()) return;
-        std::array<int, 64> open; // nodes still to look at: one for each level, and one more
+        std::array<int, 64> open; // nodes still to visit: one for each level, and one more
         int size = 0;
         open[size++] = 0;
         while (size > 0) {
@@ -49,16 +49,16 @@ public:
         }
     }
 
-    /// Two nodes, whose members may overlap each other's; or one node twice.
+    /// Two nodes whose members may overlap each other, or the same node twice.
     using NodePair = std::pair<int, int>;
 
-    /// Calls visit(i, j) once for each two members whose boxes overlap.
+    /// Calls visit(i, j) once for each pair of members whose boxes overlap.
     template <class Visit> void for_each_pair(const Visit& visit) const
     {
         if (!tree_.empty()) for_each_pair({0, 0}, visit);
     }
 
-    /// The same for the members of these nodes alone.
+    /// The same, only for the members of these nodes.
     template <class Visit> void for_each_pair(const NodePair& nodes, const Visit& visit) const
     {
         std::vector<NodePair> open{nodes};
@@ -76,19 +76,19 @@ public:
         }
     }
 
-    /// The search for all pairs, in parts: at least `least` pairs of nodes, if there are as many.
-    /// No pair of members belongs to two parts.
+    /// The search for all pairs, divided into parts. A part is a pair of nodes; there are at least
+    /// `least` of them, if the tree has as many. No pair of members belongs to two parts.
     std::vector<NodePair> parts(std::size_t least) const;
 
 private:
     using Node = BoundingTree::Node;
 
-    // Four numbers side by side in a register, and the outcome of comparing them.
+    // Four numbers in a vector register, and the result of comparing them.
     using Numbers [[gnu::vector_size(16)]] = float;
     using Mask [[gnu::vector_size(16)]] = std::int32_t;
     static bool any(const Mask& mask) { return (mask[0] | mask[1] | mask[2] | mask[3]) != 0; }
 
-    // The boxes of a leaf; where it has fewer than four, boxes that overlap nothing.
+    // The four boxes of a leaf. If it has fewer, boxes that overlap nothing fill the rest.
     struct Leaf {
         std::array<Numbers, 3> low, high;
 
@@ -107,8 +107,8 @@ private:
 
     void fill_leaves(const std::vector<Bounds>& boxes, int stretches, int stretch);
 
-    // Appends the pairs of nodes that a pair, not both leaves, consists of; without those that do
-    // not overlap. The node with more members is divided.
+    // Divides a pair of nodes that are not both leaves, at the node with more members, and appends
+    // the resulting pairs that overlap.
     void divide(const NodePair& nodes, std::vector<NodePair>& parts) const
     {
         const auto add = [&](int a, int b) {
@@ -130,7 +130,7 @@ private:
         }
     }
 
-    // Calls visit(k, l) for the boxes of two leaves that overlap, k of p and l of q.
+    // Calls visit(k, l) for each box k of leaf p and box l of leaf q that overlap.
     template <class Visit> void compare(const Node& p, const Node& q, const Visit& visit) const
     {
         const Leaf &a = leaves_[p.leaf], &b = leaves_[q.leaf];

@@ -12,8 +12,8 @@ namespace rigor {
 
 namespace {
 
-// Twice the area of a triangle, divided by the square of its longest edge, below which it is a line
-// but for rounding and has no normal.
+// A triangle has no normal if twice its area, divided by the square of its longest edge, is below
+// this: then it is a line, except for rounding.
 constexpr double flat = 1e-14;
 
 } // namespace
@@ -53,8 +53,8 @@ void ExpandingPolytope::find_nearest()
 
 bool ExpandingPolytope::add(const Vector3d& p)
 {
-    // Remove the faces that see the point. An edge that only one of them had is on the rim of the
-    // hole.
+    // Remove the faces that see the point. An edge that belongs to only one of them is on the rim
+    // of the hole.
     std::vector<std::pair<int, int>> rim;
     std::vector<Face> kept;
     for (const Face& face : faces_) {

@@ -16,14 +16,14 @@ public:
     /// @param corners  four points whose tetrahedron contains the origin [m]
     explicit ExpandingPolytope(const std::array<Vector3d, 4>& corners);
 
-    /// Whether it has faces; without them, if the tetrahedron was flat, it cannot grow.
+    /// Whether it has faces. If the tetrahedron was flat it has none and cannot grow.
     bool is_solid() const { return !faces_.empty(); }
 
     /// Outward normal of the face nearest to the origin, and its distance [m].
     const Vector3d& nearest_normal() const { return faces_[nearest_].normal; }
     double nearest_distance() const { return faces_[nearest_].distance; }
 
-    /// Adds a point beyond the nearest face. False if rounding does not allow it.
+    /// Adds a point beyond the nearest face. Returns false if rounding does not allow it.
     bool add(const Vector3d& p);
 
 private:

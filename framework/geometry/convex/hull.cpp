@@ -14,15 +14,16 @@ namespace rigor {
 
 namespace {
 
-// Distance from a plane, divided by the size, within which a point is in the plane: above the
-// rounding of coordinates from a file, far below any dent that is meant.
+// A point is in a plane if its distance, divided by the size, is below this. It is above the
+// rounding of coordinates from a file, and far below any intended dent.
 constexpr double flat = 1e-9;
 
-// Difference of unit normals of triangles in one flat face. Normals are less exact than positions
-// by the shape of a triangle, hence more than above.
+// Triangles are in one flat face if their unit normals differ by less than this. It is more than
+// the value above, because the shape of a triangle makes its normal less exact than positions are.
 constexpr double same_normal = 1e-7;
 
-// Face normals that a separation tries as directions, at most. It bounds the time of one attempt.
+// The largest number of face normals that a separation tries as directions. It limits the time of
+// one attempt.
 constexpr std::size_t most_normals = 32;
 
 double size_of(const TriangleMesh& mesh)
@@ -138,8 +139,8 @@ Vector3d Hull::support(const Vector3d& direction) const
 
 Feature Hull::feature_towards(const Vector3d& d) const
 {
-    // Cosine and sine of about 25 degrees: a face may turn away from the direction by as much, and
-    // an edge may be as far from perpendicular to it.
+    // Cosine and sine of about 25 degrees: the largest angle between the direction and the normal
+    // of a face, and the largest deviation of an edge from perpendicular to the direction.
     constexpr double looks_there = 0.9, across = 0.436;
     const auto facing =
         std::max_element(faces_.begin(), faces_.end(), [&](const Face& a, const Face& b) {

@@ -10,11 +10,11 @@
 
 namespace rigor {
 
-/// The convex solid that a mesh is: its triangles merged to flat faces.
+/// A convex mesh as a solid. Its triangles are merged into flat faces.
 class Hull {
 public:
-    // Meshes with more vertices are treated by their level set: here every vertex is compared with
-    // every triangle once.
+    // Meshes with more vertices are treated by their level set, because here every vertex is
+    // compared with every triangle once.
     static constexpr std::size_t most_vertices = 1000;
 
     /// @param mesh  convex (`is_hull`)
@@ -44,7 +44,7 @@ private:
     std::vector<Face> faces_;
     std::vector<Vector3d> face_normals_;
     std::vector<std::vector<int>> neighbours_; // for each vertex, those it has an edge to
-    std::array<int, 6> extremes_ = {}; // farthest along ±x, ±y, ±z: a search starts there
+    std::array<int, 6> extremes_ = {};         // farthest along ±x, ±y, ±z, where searches start
 };
 
 /// Whether a closed mesh is convex (no vertex is above the plane of any face by more than 1e-9 of

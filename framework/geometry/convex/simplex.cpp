@@ -53,8 +53,8 @@ Simplex nearest_on_triangle(const Vertex& a, const Vertex& b, const Vertex& c)
                   nearer(nearest_on_segment(b, c), nearest_on_segment(c, a)));
 }
 
-// Whether the origin and d are on different sides of the plane through a, b, c. A flat tetrahedron
-// has no inside.
+// Whether the origin and d are on different sides of the plane through a, b, c. It is true for a
+// flat tetrahedron, which has no inside.
 bool is_beyond(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& d)
 {
     const Vector3d n = (b.w - a.w).cross(c.w - a.w);

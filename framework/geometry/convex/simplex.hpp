@@ -12,7 +12,7 @@ struct Vertex {
 };
 
 /// The vertices whose convex combination v = Σ weights w is the point of a simplex nearest to the
-/// origin; none of them can be left out.
+/// origin. All of them are needed for it.
 struct Simplex {
     std::array<Vertex, 4> vertices;
     std::array<double, 4> weights = {};

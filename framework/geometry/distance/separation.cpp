@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Computes distance or penetration depth of two convex shapes. Distances are found by the algorithm
-// of Gilbert, Johnson and Keerthi 1988, depths by pushing the shapes apart, with a start from the
-// expanding polytope of van den Bergen 2001. The shapes are taken as apart first; only where that
-// fails, the directions are tried, and only where these are not enough, the polytope.
+// Computes the distance or the penetration depth of two convex shapes. Distances are found by the
+// GJK algorithm (Gilbert, Johnson and Keerthi 1988), depths by pushing the shapes apart along
+// candidate directions. GJK is tried first. If the shapes overlap, the candidate directions follow,
+// and only if these are not enough, a direction from the expanding polytope (van den Bergen 2001).
 #include "geometry/distance/separation.hpp"
 
 #include "geometry/convex/expanding_polytope.hpp"
@@ -20,31 +20,37 @@ namespace rigor {
 
 namespace {
 
-// Steps of GJK and of the polytope, at most. Both usually need far fewer: the limit guards against
-// cycles that rounding causes.
+// The largest number of steps of GJK and of the polytope. Both usually need far fewer; the limit
+// guards against cycles that rounding causes.
 constexpr int most_steps = 100;
 
 // Relative error at which GJK's distance has converged: a few thousand times the rounding of a
 // double.
 constexpr double gjk_tolerance = 1e-12;
 
-// All of the following are divided by the size, the smaller bounding radius of the two shapes.
-constexpr double least_distance = 1e-6;     // nearer, the direction would be mostly rounding
-constexpr double least_gjk_length = 1e-9;   // the same where a margin is known to be between them
-constexpr double inside_tolerance = 1e-12;  // origin on the simplex: the shapes touch there
-constexpr double first_push = 1e-6;         // together, if the origin is not inside; then ten times
-constexpr double most_push = 1e-3;          // more would be another position
-constexpr double polytope_tolerance = 1e-7; // growth of the polytope that ends it
-constexpr double first_margin = 0.02;       // apart by as much, the direction is free of rounding
-constexpr double least_margin = 1e-5;       // the same for the last steps
-constexpr double least_gain = 1e-13;        // less depth gained is rounding
-constexpr double least_difference = 1e-9;   // the polytope's depth must be smaller by more
-constexpr double shallow = 0.02;            // at less depth no other direction is much shorter
+// The following lengths are relative to the size, the smaller bounding radius of the two shapes.
+//
+// The smallest distance that GJK accepts; at smaller ones the direction is mostly rounding.
+constexpr double least_distance = 1e-6;
+// The same if the shapes are known to be a margin apart.
+constexpr double least_gjk_length = 1e-9;
+// The shapes touch if the origin is nearer to the simplex than this.
+constexpr double inside_tolerance = 1e-12;
+// If the origin is not inside, the shapes are pushed together by this, then each time by ten times
+// as much.
+constexpr double first_push = 1e-6;
+constexpr double most_push = 1e-3;          // a longer push would change the position too much
+constexpr double polytope_tolerance = 1e-7; // the polytope is finished if it grows by less
+constexpr double first_margin = 0.02;       // at this margin the direction is free of rounding
+constexpr double least_margin = 1e-5;       // the margin of the last steps
+constexpr double least_gain = 1e-13;        // a smaller gain of depth is rounding
+constexpr double least_difference = 1e-9;   // the polytope must reduce the depth by more
+constexpr double shallow = 0.02;            // below this depth no other direction is much better
 
-// Difference of unit vectors that count as the same direction.
+// Unit vectors count as the same direction if their difference is below this.
 constexpr double same_direction = 1e-6;
 
-// The reach of a distance that is wanted exactly [m].
+// The reach that asks for the exact distance [m].
 constexpr double unlimited = 1e300;
 
 // The Minkowski difference of shape 1, moved by `shift`, and shape 2.
@@ -64,11 +70,11 @@ public:
         return v;
     }
 
-    // Signed distance of shape 1 above shape 2 along the unit vector n; negative: they overlap.
+    // Signed distance of shape 1 above shape 2 along the unit vector n, negative if they overlap.
     double along(const Vector3d& n) const { return n.dot(support_along(-n).w); }
 
-    // GJK: the shortest vector from shape 2 to shape 1. Nothing if it is at most `least` long or
-    // the shapes overlap; then `simplex` is the last simplex of the search.
+    // GJK: the shortest vector from shape 2 to shape 1. The result is empty if the shapes overlap
+    // or the vector is not longer than `least`; then `simplex` is the last simplex of the search.
     std::optional<Separation> apart(const Vector3d& shift, double least, double reach,
                                     Simplex& simplex) const
     {
@@ -137,14 +143,14 @@ std::vector<Vector3d> directions(const Shape& shape1, const Pose& pose, const Sh
 }
 
 struct PushOut : Separation {
-    // Whether the normal found outside is the direction of the push: then the depth has a local
-    // minimum.
+    // Whether the normal of the separated shapes is the direction of the push. Then the depth has a
+    // local minimum.
     bool is_settled = false;
 };
 
 // Pushes the shapes apart along n, a margin farther than needed, and then along the normal found
-// there, as long as the depth becomes smaller. The margin shrinks: the nearer, the more a step
-// improves.
+// there, as long as the depth becomes smaller. The margin shrinks from step to step, because a step
+// with a smaller margin improves the depth more.
 PushOut push_out(const MinkowskiDifference& difference, Vector3d n, double size)
 {
     double margin = first_margin * size;
@@ -168,8 +174,8 @@ PushOut push_out(const MinkowskiDifference& difference, Vector3d n, double size)
     return result;
 }
 
-// EPA: the normal of the face of an expanding polytope that is nearest to the origin. Empty if the
-// origin is not inside, even with the shapes pushed together a little.
+// EPA: the normal of the face of an expanding polytope that is nearest to the origin. The result is
+// empty if the origin is not inside, even after the shapes are pushed together a little.
 std::optional<Vector3d> expanding_polytope_normal(const MinkowskiDifference& difference,
                                                   double size)
 {

@@ -6,27 +6,26 @@
 
 namespace rigor {
 
-/// Where two convex shapes are nearest to each other, or overlap most.
+/// The place where two convex shapes are nearest to each other, or where they overlap.
 struct Separation {
-    double distance = 0;                 // negative: the penetration depth [m]
+    double distance = 0;                 // if negative, minus the penetration depth [m]
     Vector3d normal = Vector3d::UnitY(); // unit, from shape 2 to shape 1
-    Vector3d point1, point2;             // on each surface [m]
+    Vector3d point1, point2;             // points on the surfaces [m]
 };
 
 /// The distance of two convex shapes, exact to rounding, or their penetration depth: the length of
-/// the shortest translation that separates them. All in the frame of shape 2.
+/// the shortest translation that separates them. All vectors are in the frame of shape 2.
 ///
-/// Apart: the point of the Minkowski difference nearest to the origin (Gilbert, Johnson and Keerthi
-/// 1988, "A fast procedure for computing the distance between complex objects"). Overlapping: shape
-/// 1 is pushed out along the best of some directions until the shapes are just apart; the normal
-/// found there is the next direction, as long as the depth along it is smaller. Where this does not
-/// converge, or the overlap is deep, an expanding polytope finds a better first direction
-/// (expanding_polytope.hpp).
+/// If the shapes are apart, the point of the Minkowski difference nearest to the origin is found
+/// (Gilbert, Johnson and Keerthi 1988, "A fast procedure for computing the distance between complex
+/// objects"). If they overlap, shape 1 is pushed out along the best of some directions until the
+/// shapes are just apart. The normal found there is the next direction, as long as the depth along
+/// it is smaller. If this does not converge, or the overlap is deep, an expanding polytope finds a
+/// better first direction (expanding_polytope.hpp).
 ///
-/// @param pose   of shape 1
+/// @param pose   pose of shape 1
 /// @param reach  if the shapes are farther apart than this, the result may be any lower bound of
-/// their
-///               distance that is at least as large [m]
+///               their distance that is at least `reach` [m]
 Separation separation(const Shape& shape1, const Pose& pose, const Shape& shape2, double reach);
 
 } // namespace rigor

@@ -30,8 +30,8 @@ struct Cylindrical {
     Vector3d outward = Vector3d::UnitX();
 };
 
-// The distance to a circle of points around (a, b) in the half-plane of distance and height: the
-// distance to its center less the radius.
+// The signed distance to a circle around (a, b) in the half-plane of distance and height: the
+// distance to its center minus the radius.
 SurfaceDistance from_core(const Cylindrical& p, double a, double b, double radius)
 {
     const double d = std::hypot(p.distance - a, p.height - b);
@@ -74,7 +74,7 @@ SurfaceDistance signed_distance(const Cylinder& cylinder, const Vector3d& p)
     const Cylindrical at(p);
     const double up = at.height < 0 ? -1 : 1;
     const double a = at.distance - cylinder.radius, b = std::abs(at.height) - cylinder.height / 2;
-    if (a <= 0 && b <= 0) // inside: side or cap, whichever is nearer
+    if (a <= 0 && b <= 0) // inside, where side or cap is nearer
         return a > b ? SurfaceDistance{a, at.outward} : SurfaceDistance{b, at.direction(0, up)};
     const double d = std::hypot(std::max(a, 0.0), std::max(b, 0.0));
     return {d, at.direction(std::max(a, 0.0) / d, up * std::max(b, 0.0) / d)};
@@ -85,7 +85,7 @@ SurfaceDistance signed_distance(const Cone& cone, const Vector3d& p)
     const Cylindrical at(p);
     const double base = -cone.height / 4;
     const double length = std::hypot(cone.radius, cone.height);
-    // coordinates from the rim: along the slope up to the tip, and perpendicular to it
+    // Coordinates relative to the rim: along the slope up to the tip, and perpendicular to it.
     const double x = at.distance - cone.radius, y = at.height - base;
     const double along = (-cone.radius * x + cone.height * y) / length;
     const double away = (cone.height * x + cone.radius * y) / length;
@@ -102,7 +102,7 @@ namespace {
 
 // The nearest point of an ellipsoid with radii e₀ ≥ e₁ ≥ e₂ to a point with no coordinate < 0:
 // xᵢ = rᵢ yᵢ/(u + rᵢ - 1), rᵢ = (eᵢ/e₂)², where u > 0 is the root of
-// F(u) = Σ (rᵢ zᵢ/(u + rᵢ - 1))² - 1 (rᵢ → eᵢ/e₂ for zᵢ = yᵢ/e₂), which falls and is convex.
+// F(u) = Σ (rᵢ zᵢ/(u + rᵢ - 1))² - 1 (rᵢ → eᵢ/e₂ for zᵢ = yᵢ/e₂), which is decreasing and convex.
 Vector3d nearest_in_octant(const Vector3d& e, const Vector3d& y)
 {
     // A coordinate of 0 is replaced by a number too small to change the result, because x₂ could be

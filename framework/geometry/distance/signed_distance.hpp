@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Exact signed distances to all shapes but meshes.
+// Exact signed distances to all shapes except meshes.
 #pragma once
 
 #include "geometry/shapes/shape.hpp"
@@ -13,8 +13,8 @@ struct SurfaceDistance {
     Vector3d normal = Vector3d::UnitY();
 };
 
-// Where several surface points are equally near (on an axis, in a center), always the same one is
-// taken.
+// If several surface points are equally near (on an axis, in a center), always the same one is
+// used.
 SurfaceDistance signed_distance(const Sphere& sphere, const Vector3d& p);
 SurfaceDistance signed_distance(const Capsule& capsule, const Vector3d& p);
 SurfaceDistance signed_distance(const Torus& torus, const Vector3d& p);
@@ -26,7 +26,7 @@ SurfaceDistance signed_distance(const Cone& cone, const Vector3d& p);
 SurfaceDistance signed_distance(const Ellipsoid& ellipsoid, const Vector3d& p);
 SurfaceDistance signed_distance(const Plane& plane, const Vector3d& p);
 
-/// The signed distance of any shape but a mesh, for which there is the level set.
+/// The signed distance to any shape except a mesh, which has a level set instead.
 SurfaceDistance signed_distance(const Shape& shape, const Vector3d& p);
 
 } // namespace rigor

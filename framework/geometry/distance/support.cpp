@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Support functions of the shapes (Gilbert, Johnson and Keerthi 1988, "A fast procedure for
-// computing the distance between complex objects") and the features beside the support point. Each
-// is a visitor with one function for a shape. First come points, then features, then the normals of
+// computing the distance between complex objects") and the features at the support point. Each is a
+// visitor with one function for each shape. First come points, then features, then the normals of
 // faces.
 #include "geometry/distance/support.hpp"
 
@@ -15,8 +15,8 @@ namespace rigor {
 
 namespace {
 
-// Cosine of 25 degrees. A face that is turned away from the direction by less is in contact as a
-// face.
+// Cosine of 25 degrees. A face whose normal is nearer to the direction than this angle is in
+// contact as a whole face.
 constexpr double looks_there = 0.9;
 
 // The unit vector away from the y axis; along x for a direction on the axis.

@@ -10,15 +10,15 @@
 
 namespace rigor {
 
-/// Whether the shape is one of those, as the functions below require.
+/// Whether the shape is one of these, as the functions below require.
 bool is_convex_solid(const Shape& shape);
 
 /// The point of a convex shape that is farthest along a direction [m].
 Vector3d support(const Shape& shape, const Vector3d& direction);
 
-/// The feature of a convex shape that faces a direction: a face, or a line on a round side, whose
-/// normal is within 25 degrees of it; else an edge that is nearly perpendicular to it; else a
-/// point.
+/// The feature of a convex shape that faces a direction. It is a face, or a line on a round side,
+/// whose normal is within 25 degrees of the direction; else an edge that is nearly perpendicular to
+/// the direction; else a point.
 Feature feature_towards(const Shape& shape, const Vector3d& direction);
 
 /// Appends the outward unit normals of a convex shape's faces, candidates for a separating axis; at

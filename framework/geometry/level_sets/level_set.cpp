@@ -15,11 +15,11 @@ namespace rigor {
 
 namespace {
 
-// Pseudonormals: of a face its normal, of an edge the sum of two, of a vertex the sum weighted by
-// angles.
+// Pseudonormals: the normal of a face, the sum of the two normals at an edge, and at a vertex the
+// sum of the normals weighted by angles.
 struct PseudoNormals {
     std::vector<Vector3d> faces, vertices;
-    std::vector<std::array<Vector3d, 3>> edges; // ab, bc, ca of each triangle
+    std::vector<std::array<Vector3d, 3>> edges; // for each triangle, those at ab, bc, ca
 
     explicit PseudoNormals(const TriangleMesh& mesh)
         : faces(triangle_normals(mesh)), vertices(mesh.vertices.size(), Vector3d::Zero()),
@@ -44,7 +44,7 @@ struct PseudoNormals {
     }
 };
 
-// Signed distances of points, each of which is expected to be near the one before.
+// Signed distances of points. The search is fast if each point is near the one before.
 class SignedDistance {
 public:
     explicit SignedDistance(const TriangleMesh& mesh) : mesh_(mesh), tree_(mesh), normals_(mesh) {}
@@ -67,8 +67,9 @@ private:
     int last_ = 0; // the triangle nearest to the last point
 };
 
-// Distance of a ray's point from a triangle, divided by the length of the ray, that is rounding: a
-// ray through an edge must not slip between two triangles.
+// A ray hits a triangle if it passes it at a distance of at most this, divided by the length of the
+// ray. This distance is a rounding error; a ray through an edge must not slip between two
+// triangles.
 constexpr double on_edge = 1e-9;
 
 // The distance from a face's middle inwards to the opposite side [m]; infinite if a ray finds none.
@@ -92,7 +93,7 @@ double thickness_at(const TriangleMesh& mesh, const TriangleTree& tree, int face
         const Triangle other = triangle_of(mesh, t);
         const Vector3d n = other.area_normal();
         const double towards = n.dot(d);
-        if (t == face || towards <= 0) return; // the ray would enter here, not leave
+        if (t == face || towards <= 0) return; // the ray would enter the solid here
         const double distance = n.dot(other.a - start) / towards;
         if (distance <= 0 || distance >= nearest) return;
         const Vector3d p = start + distance * d;
@@ -108,7 +109,7 @@ double thickness_at(const TriangleMesh& mesh, const TriangleTree& tree, int face
 LevelSet make_level_set(const TriangleMesh& mesh, int cells)
 {
     constexpr int margin = 2;         // cells around the bounds
-    constexpr double rounding = 1e-9; // cells: an extent of whole cells needs no other cell
+    constexpr double rounding = 1e-9; // in cells, so that rounding does not add another cell
     const Bounds bounds = bounds_of(mesh);
     const Vector3d extent = bounds.high - bounds.low;
     LevelSet grid;

@@ -12,7 +12,7 @@ namespace rigor {
 /// angle weighted pseudonormal"). The grid is symmetric about the middle of the mesh's bounds and
 /// extends two cells beyond them.
 ///
-/// @param cells  along the longest side of the bounds
+/// @param cells  number of cells along the longest side of the bounds
 LevelSet make_level_set(const TriangleMesh& mesh, int cells);
 
 /// The resolution at which a wall is three cells thick, within 32 … 64 cells along the longest

@@ -11,10 +11,10 @@ namespace rigor {
 
 /// A token as an error message shows it: cut off after 24 characters, and without control
 /// characters.
-/// @param end  name of the end, where the token is empty
+/// @param end  what to show instead of an empty token, at the end of a line or text
 std::string quoted(std::string_view token, const char* end);
 
-/// Reads the whole token as a number, with or without a plus sign. Whether it is one.
+/// Reads the whole token as a number, with or without a plus sign. Returns whether it is a number.
 template <class Number> bool parse(std::string_view token, Number& number)
 {
     if (!token.empty() && token[0] == '+') token.remove_prefix(1);

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Reads an OBJ file line by line. Faces refer to vertices by number, and each face is divided into
+// a fan of triangles. Last, vertices that no face uses are removed.
 #include "geometry/mesh_files/obj.hpp"
 
 #include "geometry/mesh_files/mesh_text.hpp"
@@ -93,7 +95,7 @@ private:
 
     void read_face(Words& words)
     {
-        std::array<int, 3> fan{}; // the first vertex, the last but one and the last
+        std::array<int, 3> fan{}; // the first vertex, and the last two that were read
         int corners = 0;
         for (std::string_view word = words.next(); !word.empty(); word = words.next()) {
             const int index = vertex_index(word);

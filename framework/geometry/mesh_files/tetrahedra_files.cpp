@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Reads tetrahedral meshes from Gmsh and Medit texts, section by section. Vertices keep the numbers
+// of the text until the end; then the used vertices are numbered again, and the others are removed.
 #include "geometry/mesh_files/tetrahedra_files.hpp"
 
 #include "geometry/mesh_files/mesh_text.hpp"
@@ -13,12 +15,12 @@ namespace rigor {
 
 namespace {
 
-// Elements of any kind in a Gmsh file: points, lines and triangles are there beside the tetrahedra.
+// Elements of any kind in a Gmsh file: it may also contain points, lines and triangles.
 constexpr std::size_t most_entities = 10 * most_tetrahedra;
 constexpr long long any = std::numeric_limits<long long>::max();
 
-// The mesh in the numbers of the text: vertices by their number there, and tetrahedra of such
-// numbers.
+// The mesh with the numbers of the text: vertices have their number from the text, and tetrahedra
+// refer to these numbers.
 class NumberedMesh {
 public:
     void add_vertex(long long tag, Tokenizer& tokens)

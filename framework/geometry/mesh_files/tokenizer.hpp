@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The text of a mesh as tokens between blanks, with the line of each.
+// The text of a mesh as tokens between blanks, each with its line.
 #pragma once
 
 #include "geometry/meshes/mesh_error.hpp"
@@ -9,7 +9,7 @@
 
 namespace rigor {
 
-/// Reads a text token by token. What it did not expect it refuses with a MeshError.
+/// Reads a text token by token. It refuses an unexpected token with a MeshError.
 class Tokenizer {
 public:
     explicit Tokenizer(std::string_view text) : rest_(text) {}

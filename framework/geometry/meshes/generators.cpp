@@ -33,8 +33,8 @@ bool is_inside(const PlanePoint& p, const PlanePoint& a, const PlanePoint& b, co
     return turn(a, b, p) >= 0 && turn(b, c, p) >= 0 && turn(c, a, p) >= 0;
 }
 
-// A simple polygon divided into triangles, one ear after the other. The ear that is largest for its
-// width comes first, which avoids slivers.
+// The triangles of a simple polygon, found by clipping one ear after the other. The ear with the
+// largest area for the length of its new edge comes first, which avoids slivers.
 std::vector<std::array<int, 3>> triangulated(const std::vector<PlanePoint>& polygon)
 {
     std::vector<int> rest(polygon.size());

@@ -21,7 +21,7 @@ TriangleMesh surface_of_revolution(const std::vector<PlanePoint>& profile, int s
 
 /// An extrusion: a polygon in the plane of x and y, from z = -thickness/2 to z = thickness/2.
 ///
-/// @param outline  (x, y), counter-clockwise seen from +z, crossing itself nowhere
+/// @param outline  (x, y), counter-clockwise seen from +z, without self-intersections
 TriangleMesh extruded(const std::vector<PlanePoint>& outline, double thickness);
 
 /// A box of twelve triangles about the origin.
@@ -39,7 +39,7 @@ TriangleMesh ring_mesh(double inner_radius, double outer_radius, double height, 
 
 /// Three square bars along x, y and z, joined in the middle.
 ///
-/// @param length, width  of a bar, width < length
+/// @param length, width  length and width of each bar, width < length
 TriangleMesh cross_mesh(double length, double width);
 
 /// The lower half of a hollow ball, its rim at y = 0. @param thickness  < radius
@@ -49,7 +49,7 @@ TriangleMesh bowl_mesh(double radius, double thickness, int sides);
 /// = π radius / teeth is half the circular pitch. Two gears of the same d run together with a
 /// little backlash, if their axes are as far apart as the sum of their radii.
 ///
-/// @param radius  of the pitch circle [m]
+/// @param radius  radius of the pitch circle [m]
 /// @param bore    radius of the hole, less than radius - 0.6 d; 0: none [m]
 TriangleMesh gear_mesh(int teeth, double radius, double bore, double thickness);
 
@@ -57,11 +57,11 @@ TriangleMesh gear_mesh(int teeth, double radius, double bore, double thickness);
 /// is the origin.
 ///
 /// @param size   full extent along x, y, z
-/// @param width  of foot and post, less than size x and y
+/// @param width  width of foot and post, less than size x and y
 TriangleMesh angle_mesh(const Vector3d& size, double width);
 
-/// The keystone of a round arch about z: the part of a wedge of so many degrees between two radii,
-/// with flat faces. Copies turned about z by multiples of `degrees` make an arch.
+/// The keystone of a round arch about z: the part of a wedge with the angle `degrees` between two
+/// radii, with flat faces. Copies turned about z by multiples of `degrees` make an arch.
 TriangleMesh voussoir_mesh(double inner_radius, double outer_radius, double degrees,
                            double thickness);
 

@@ -18,16 +18,18 @@ namespace rigor {
 
 namespace {
 
-// Area of a face, divided by the square of its longest edge, that is rounding [1].
+// A face has no area if its area, divided by the square of its longest edge, is at most this: such
+// an area is a rounding error [1].
 constexpr double least_area = 1e-12;
 
-// Volume, divided by the cube of the size, that is rounding [1].
+// A mesh has no volume if its volume, divided by the cube of its size, is at most this: such a
+// volume is a rounding error [1].
 constexpr double least_volume = 1e-12;
 
 // Length of the sum of two unit normals that count as opposite.
 constexpr double folded = 1e-9;
 
-// Error of a winding number, which is a whole number or, on a face, a half.
+// The allowed error of a winding number, which is a whole number or, on a face, a half.
 constexpr double winding_tolerance = 0.01;
 
 // Each piece is compared with all faces: the limit guards the time.
@@ -205,8 +207,8 @@ private:
         }
     }
 
-    // The solid angle of a face seen from p, divided by 4π: its share of the winding number around
-    // p.
+    // The contribution of a face to the winding number around p: its solid angle seen from p,
+    // divided by 4π.
     double winding(const Triangle& triangle, const Vector3d& p) const
     {
         const Vector3d a = triangle.a - p, b = triangle.b - p, c = triangle.c - p;
@@ -216,8 +218,8 @@ private:
         return 2 * std::atan2(volume, rest) / (4 * std::numbers::pi);
     }
 
-    // Each piece must have matter on the inner side of its faces and none on the outer side: there
-    // the winding number of the whole surface is 1, here 0.
+    // Each piece must have material on the inner side of its faces, where the winding number of the
+    // whole surface is 1, and none on the outer side, where it is 0.
     void pieces(const std::vector<HalfEdge>& edges) const
     {
         const int count = static_cast<int>(mesh_.triangles.size());
@@ -243,8 +245,8 @@ private:
         for (const int first : firsts) {
             const Triangle triangle = triangle_of(mesh_, first);
             const Vector3d middle = (triangle.a + triangle.b + triangle.c) / 3;
-            // On the face itself, which adds nothing, the winding number is the mean of both sides:
-            // 1/2.
+            // On the face, which itself contributes nothing, the winding number is the mean of both
+            // sides, 1/2.
             double sum = 0;
             for (int t = 0; t < count; ++t)
                 if (t != first) sum += winding(triangle_of(mesh_, t), middle);
@@ -266,7 +268,7 @@ private:
 double signed_volume(const TriangleMesh& mesh)
 {
     if (mesh.vertices.empty()) return 0;
-    const Vector3d& o = mesh.vertices.front(); // near the triangles: less cancels
+    const Vector3d& o = mesh.vertices.front(); // an apex near the triangles reduces cancellation
     double volume = 0;
     for (const auto& [i, j, k] : mesh.triangles) {
         const Vector3d a = mesh.vertices[i] - o, b = mesh.vertices[j] - o, c = mesh.vertices[k] - o;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a triangle mesh must be to have an inside.
+// The conditions under which a triangle mesh encloses a solid.
 #pragma once
 
 #include "formulas/types.hpp"

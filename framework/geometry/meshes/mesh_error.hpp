@@ -6,7 +6,8 @@
 
 namespace rigor {
 
-/// A mesh that is refused: the message says what was expected and what was found, `line` where.
+/// The error for a mesh that is refused. The message says what was expected and what was found;
+/// `line` says where.
 struct MeshError : std::runtime_error {
     MeshError(int in_line, const std::string& message) : std::runtime_error(message), line(in_line)
     {

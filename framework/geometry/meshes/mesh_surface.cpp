@@ -18,8 +18,8 @@ namespace {
 // facets of a round surface meet in such edges.
 constexpr double sharp = 0.17;
 
-// Length of the difference of unit vectors that count as equal, and cosine of vectors that count as
-// orthogonal. It is far above the rounding of normals and far below any angle that matters.
+// Unit vectors count as equal if the length of their difference is below this, and as orthogonal if
+// their cosine is. It is far above the rounding of normals and far below any angle that matters.
 constexpr double same = 1e-6;
 
 } // namespace
@@ -80,7 +80,7 @@ void MeshSurface::add_edges(const TriangleMesh& mesh, const std::vector<Vector3d
         const bool is_convex = edge.bend > same;
         if (!is_convex) continue;
         const Vector3d along = (to - from).normalized();
-        // directions in the faces, away from the edge
+        // Directions in the faces, away from the edge.
         const Vector3d into1 = n1.cross(along), into2 = along.cross(n2);
         const int cone = add_cone({n1, n2}, {along, -along, into1, into2});
         // A thin wedge bends by almost 180 degrees, where the sine is small again.
@@ -91,13 +91,13 @@ void MeshSurface::add_edges(const TriangleMesh& mesh, const std::vector<Vector3d
     }
 }
 
-// In rows parallel to the longest side.
+// Adds points on each face, in rows parallel to its longest side.
 void MeshSurface::add_faces(const TriangleMesh& mesh, const std::vector<Vector3d>& normals)
 {
     const double spacing = 2 * spacing_;
     for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
         Triangle triangle = triangle_of(mesh, t);
-        for (int turns = 0; turns < 2; ++turns) // until ab is the longest
+        for (int turns = 0; turns < 2; ++turns) // until ab is the longest side
             if ((triangle.b - triangle.a).norm() <
                 std::max((triangle.c - triangle.b).norm(), (triangle.a - triangle.c).norm()))
                 triangle = {triangle.b, triangle.c, triangle.a};

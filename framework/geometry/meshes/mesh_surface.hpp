@@ -22,9 +22,9 @@ struct SharpEdge {
     int cone = 0;
 };
 
-/// Sample points about one spacing apart on faces and along convex edges, and the sharp edges,
-/// whose faces meet at more than ten degrees, each in a bounding tree. Concave edges have none:
-/// another part of the surface always touches first.
+/// Sample points on faces and along convex edges, about one spacing apart, and the sharp edges,
+/// whose faces meet at more than ten degrees. Points and edges have a bounding tree each. Concave
+/// edges have no points, because another part of the surface always touches first.
 class MeshSurface {
 public:
     /// @param spacing  > 0 [m]
@@ -37,10 +37,11 @@ public:
     const BoundingTree& point_tree() const { return point_tree_; }
     const BoundingTree& edge_tree() const { return edge_tree_; }
 
-    /// The unit vector of a normal cone nearest to the unit vector d: the direction along which
-    /// another body can touch the surface there from outside. On a face that is its normal, on an
-    /// edge any direction between two normals, at a vertex any between several. A saddle has no
-    /// tangent plane that stays on one side of the surface; there the result is d itself.
+    /// The unit vector of a normal cone that is nearest to the unit vector d. From the directions
+    /// of the cone, another body can touch the surface from outside: on a face from its normal, on
+    /// an edge from any direction between two normals, at a vertex from any direction between
+    /// several. A saddle has no tangent plane that stays on one side of the surface; there the
+    /// result is d.
     Vector3d nearest_normal(int cone, const Vector3d& d) const;
 
 private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The triangles of a mesh in a bounding tree, to find the nearest.
+// The triangles of a mesh in a bounding tree, to find the nearest one.
 #pragma once
 
 #include "geometry/bounds/bounding_tree.hpp"
@@ -7,7 +7,8 @@
 
 namespace rigor {
 
-/// Answers which point of a mesh is nearest to a point, and where the distance has local minima.
+/// Finds the point of a mesh that is nearest to a given point, and the local minima of the
+/// distance.
 class TriangleTree {
 public:
     /// @param mesh  must live longer than the tree
@@ -20,13 +21,12 @@ public:
     };
 
     /// The point of the mesh nearest to p.
-    /// @param near  a triangle from which the search starts; the nearer it is, the shorter the
-    /// search
+    /// @param near  the triangle from which the search starts; a near one makes the search shorter
     Found nearest(const Vector3d& p, int near = 0) const;
 
-    /// Local minima of the distance to p, those nearer than `within` [m], the nearest first: for
-    /// each triangle its nearest point, unless that point also belongs to a triangle that comes
-    /// nearer.
+    /// The local minima of the distance to p that are below `within` [m], the nearest first. They
+    /// are the nearest points of the triangles, without those that also belong to a triangle which
+    /// comes nearer to p.
     std::vector<Found> local_minima(const Vector3d& p, double within) const;
 
     const BoundingTree& tree() const { return tree_; }

@@ -13,14 +13,15 @@
 namespace rigor {
 
 /// The solid that a closed mesh encloses, and its hull, surface, tree and level set. It never
-/// changes. What not every scene needs is computed lazily, when a thread first asks for it.
+/// changes. The parts that not every scene needs are computed lazily, when a thread first asks for
+/// them.
 class SolidMesh {
 public:
     /// Limits of `cells`: a coarser level set has no room for detail, a finer one costs too much
     /// time and memory.
     static constexpr int least_cells = 8, most_cells = 128;
 
-    /// @param mesh   passed `check_mesh`
+    /// @param mesh   a mesh that passed `check_mesh`
     /// @param cells  along the longest side of the level set; 0: `suggested_cells(mesh)`
     explicit SolidMesh(TriangleMesh mesh, std::string name = "mesh", int cells = 0);
 

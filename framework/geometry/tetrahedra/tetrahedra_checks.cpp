@@ -15,8 +15,8 @@ namespace rigor {
 
 namespace {
 
-// Volume of a tetrahedron, divided by the cube of its longest edge, below which it is flat. A
-// regular one has 0.12; the formulas divide by the volume.
+// A tetrahedron is flat if its volume, divided by the cube of its longest edge, is below this. A
+// regular one has 0.12. Flat ones are refused because the formulas divide by the volume.
 constexpr double least_volume = 1e-9;
 
 class Check {

@@ -17,8 +17,8 @@ namespace rigor {
 /// @param cells  along x, y, z; at least 1 each
 TetrahedralMesh block_tetrahedra(const Vector3d& size, const std::array<int, 3>& cells);
 
-/// A block with a notch in the middle of its upper side, which runs through the whole block along
-/// z.
+/// A block with a notch in the middle of its upper side. The notch runs through the whole block
+/// along z.
 ///
 /// @param notch  number of missing cells along x and down along y, each less than `cells` has there
 TetrahedralMesh notched_tetrahedra(const Vector3d& size, const std::array<int, 3>& cells,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A scene as its file describes it: nothing computed yet, no formula called.
+// A scene as its file describes it. Nothing is computed yet, and no formula has been called.
 #pragma once
 
 #include "deformable/solid/deformable.hpp"
@@ -16,33 +16,34 @@ namespace rigor {
 
 struct BodyDescription {
     std::string name;
-    std::vector<Part> parts; // in the body's own frame, as written
+    std::vector<Part> parts; // in the body's own frame, as in the file
     Material material;
     bool is_static = false;
     std::optional<double> mass; // given instead of densities [kg]
-    // given with mass, about the center of mass, which is the frame's origin [kg m²]
+    // The inertia is given together with the mass, about the center of mass, which is the origin of
+    // the frame [kg m²].
     std::optional<Matrix3d> inertia;
-    Vector3d position = Vector3d::Zero(); // where the frame's origin is [m]
+    Vector3d position = Vector3d::Zero(); // position of the frame's origin [m]
     Quaternion orientation;
-    Vector3d velocity = Vector3d::Zero();         // the center of mass's [m/s]
+    Vector3d velocity = Vector3d::Zero();         // velocity of the center of mass [m/s]
     Vector3d angular_velocity = Vector3d::Zero(); // world space [rad/s]
     std::optional<Vector3d> color;                // red, green, blue in 0 … 1
 };
 
-/// A solid that deforms.
+/// A deformable solid.
 struct SolidDescription {
     std::string name;
-    std::shared_ptr<const TetrahedralMesh> mesh; // in the solid's own frame, as written
+    std::shared_ptr<const TetrahedralMesh> mesh; // in the solid's own frame, as in the file
     SolidMaterial material;
     NodeIntegrator integrator = NodeIntegrator::implicit_step;
     FractureMethod fracture_method = FractureMethod::faces;
-    Vector3d position = Vector3d::Zero(); // where the frame's origin is [m]
+    Vector3d position = Vector3d::Zero(); // position of the frame's origin [m]
     Quaternion orientation;
-    Vector3d velocity = Vector3d::Zero();         // the center of mass's [m/s]
+    Vector3d velocity = Vector3d::Zero();         // velocity of the center of mass [m/s]
     Vector3d angular_velocity = Vector3d::Zero(); // world space [rad/s]
     std::optional<Vector3d> color;                // red, green, blue in 0 … 1
-    std::vector<Handle> handles;                  // in world space already
-    std::vector<NodeLoad> loads;                  // in world space already
+    std::vector<Handle> handles;                  // already in world space
+    std::vector<NodeLoad> loads;                  // already in world space
 };
 
 struct Camera {
@@ -51,25 +52,25 @@ struct Camera {
     double field_of_view = 40; // vertical [degrees]
 };
 
-/// What the colors of deformable solids mean.
+/// The quantity that the colors of deformable solids show.
 enum class SolidColors { color, stress, plastic_strain };
 
-/// What to draw besides the bodies.
+/// The additional things to draw.
 struct Overlays {
     bool axes = false, angular_velocity = false, angular_momentum = false, contacts = false,
          labels = false, grid = true;
     SolidColors solids = SolidColors::color;
-    std::optional<std::array<double, 2>> solids_range; // what the colors span [Pa, or no unit]
+    std::optional<std::array<double, 2>> solids_range; // range of the colors [Pa, or no unit]
 };
 
 struct Scene {
-    std::string name;        // the file's, without its ending
-    std::string description; // one sentence: what to see
-    std::string text;        // the file itself
+    std::string name;        // name of the file, without its ending
+    std::string description; // one sentence about what there is to see
+    std::string text;        // the text of the file
     std::vector<BodyDescription> bodies;
     std::vector<SolidDescription> solids;
-    std::vector<Spring> springs;              // their points in the bodies' frames, as written
-    std::vector<AppliedForce> forces;         // points as those of springs
+    std::vector<Spring> springs;              // points in the bodies' frames, as in the file
+    std::vector<AppliedForce> forces;         // points in the bodies' frames, as in the file
     Vector3d gravity = Vector3d(0, -9.81, 0); // [m/s²]
     Integrator integrator = Integrator::runge_kutta;
     ContactMethod contact_method = ContactMethod::built_in;
@@ -81,10 +82,11 @@ struct Scene {
     Overlays overlays;
 };
 
-/// How many time steps lead to the end of the scene.
+/// The number of time steps until the end of the scene.
 std::int64_t step_count(const Scene& scene);
 
-/// How many frames it has, with the first at time 0; and the step nearest to the time of a frame.
+/// The number of frames of the scene, the first of which is at time 0; and the step nearest to the
+/// time of a frame.
 std::int64_t frame_count(const Scene& scene);
 std::int64_t frame_step(const Scene& scene, std::int64_t frame);
 

@@ -42,7 +42,7 @@ struct BodyDraft {
     BodyDescription body;
     const Value *shape = nullptr, *parts = nullptr, *density = nullptr, *mass = nullptr,
                 *inertia = nullptr, *motion = nullptr, *grid = nullptr;
-    const Value* part_density = nullptr; // where the first part has its own
+    const Value* part_density = nullptr; // the first density that a part gives
 };
 
 constexpr Key<BodyDraft> body_keys[] = {
@@ -132,8 +132,8 @@ Matrix3d read_inertia(const Value& value)
     if ((I - I.transpose()).norm() > rounding)
         throw Mistake{value.line, "expected a symmetric inertia, found rows that differ from the "
                                   "columns"};
-    // D = ∫ x xᵀ dm = ½ tr(I) δ - I has no negative eigenvalue: the moments are not negative, and
-    // none is larger than the sum of the other two.
+    // D = ∫ x xᵀ dm = ½ tr(I) δ - I must have no negative eigenvalue. Then no moment is negative,
+    // and none is larger than the sum of the other two.
     const Matrix3d D = 0.5 * I.trace() * Matrix3d::Identity() - I;
     Eigen::SelfAdjointEigenSolver<Matrix3d> eigen;
     eigen.compute(D, Eigen::EigenvaluesOnly);
@@ -146,7 +146,7 @@ Matrix3d read_inertia(const Value& value)
     return I;
 }
 
-// Mass, with inertia or spread evenly over the volume.
+// Reads a mass. Either it comes with an inertia, or it is distributed evenly over the volume.
 void read_mass(BodyDraft& draft)
 {
     if (draft.inertia && !draft.mass)

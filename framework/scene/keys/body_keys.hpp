@@ -7,7 +7,7 @@
 
 namespace rigor {
 
-/// Appends the body of an entry of "bodies", or all bodies of its grid.
+/// Appends the body that an entry of "bodies" describes, or all bodies of its grid.
 /// @throws Mistake
 void read_body(const Value& value, MeshLibrary& meshes, std::vector<BodyDescription>& bodies);
 

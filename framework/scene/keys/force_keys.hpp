@@ -6,7 +6,7 @@
 
 namespace rigor {
 
-/// Springs and forces. Their points are in the frames of the bodies as written.
+/// Reads springs and forces. Their points are in the frames of the bodies, as in the file.
 /// @throws Mistake
 std::vector<Spring> read_springs(const Value& value, const std::vector<BodyDescription>& bodies);
 std::vector<AppliedForce> read_forces(const Value& value,

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Makes the copies of a body in a grid: x changes first, then z, then y. Each copy is moved and
+// rotated by random numbers from the seed.
 #include "scene/keys/grid_keys.hpp"
 
 #include "scene/keys/limits.hpp"
@@ -12,8 +14,8 @@ namespace rigor {
 
 namespace {
 
-// Random numbers with the same bits on every platform (Steele, Lea and Flood 2014, "Fast splittable
-// pseudorandom number generators").
+// Random numbers that are the same bits on every platform (Steele, Lea and Flood 2014, "Fast
+// splittable pseudorandom number generators").
 class Jitter {
 public:
     explicit Jitter(std::int64_t seed) : state_(static_cast<std::uint64_t>(seed)) {}

@@ -6,7 +6,7 @@
 
 namespace rigor {
 
-/// Copies of a body along a grid: {"count": [5, 4, 5], "spacing": [1.1, 1.1, 1.1], …}.
+/// Appends copies of a body in a grid: {"count": [5, 4, 5], "spacing": [1.1, 1.1, 1.1], …}.
 /// @throws Mistake
 void read_grid(const Value& value, const BodyDescription& body,
                std::vector<BodyDescription>& bodies);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What holds and pulls the nodes of a solid.
+// The handles that hold nodes of a solid, and the loads that pull them.
 #include "errors/quotes.hpp"
 #include "geometry/bounds/bounds.hpp"
 #include "geometry/shapes/pose.hpp"
@@ -30,7 +30,7 @@ std::string text(const Vector3d& v)
     return fmt::format("({:.6g}, {:.6g}, {:.6g})", v.x(), v.y(), v.z());
 }
 
-// The nodes in a box.
+// The nodes of a solid that lie in a region, a box.
 std::vector<int> nodes_in(const Value& value, const SolidDescription& solid)
 {
     Region region;
@@ -44,7 +44,7 @@ std::vector<int> nodes_in(const Value& value, const SolidDescription& solid)
     Bounds bounds;
     for (const Vector3d& v : solid.mesh->vertices)
         bounds.include({v, v});
-    // a border that goes through nodes has them inside, however their places were rounded
+    // Nodes on the border of the region count as inside, despite the rounding of their positions.
     const double rounding = 1e-9 * (bounds.high - bounds.low).norm();
     std::vector<int> nodes;
     for (std::size_t i = 0; i < solid.mesh->vertices.size(); ++i) {
@@ -78,7 +78,7 @@ constexpr Key<Rotation> rotation_keys[] = {
      [](Rotation& r, const Value& v) { r.degrees = &v; }},
 };
 
-// Axis times angle: unlike an orientation it tells more than one turn.
+// Axis times angle. Unlike a quaternion, it can describe more than one full turn.
 Vector3d rotation_vector(const Value& value)
 {
     Rotation rotation;
@@ -103,7 +103,7 @@ constexpr Key<MomentDraft> moment_keys[] = {
      [](MomentDraft& d, const Value& v) { d.moment.rotation = rotation_vector(v); }},
 };
 
-// A path starts in place at time 0.
+// Reads a path. It starts at time 0 without a displacement.
 std::vector<HandleMoment> read_path(const Value& value)
 {
     std::vector<HandleMoment> path(1);

@@ -6,7 +6,7 @@
 
 namespace rigor {
 
-/// What holds and pulls a solid's nodes, once its mesh and its place are known.
+/// Reads the handles and loads of a solid whose mesh, position and orientation are known.
 /// @throws Mistake
 std::vector<Handle> read_handles(const Value& value, const SolidDescription& solid);
 std::vector<NodeLoad> read_loads(const Value& value, const SolidDescription& solid);

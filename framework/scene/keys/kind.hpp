@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// An object of one kind, whose keys are its sizes: a shape, a mesh.
+// The reader of an object of one kind, a shape or a mesh, whose keys are its sizes.
 #pragma once
 
 #include "scene/language/keys.hpp"
@@ -10,7 +10,7 @@
 
 namespace rigor {
 
-/// The keys of a shape of one kind; each of `needed` must be there.
+/// Reads the keys of an object of one kind. Each key of `needed` is required.
 template <class T>
 T read_kind(const Value& value, Keys<T> keys, std::initializer_list<std::string_view> needed)
 {
@@ -21,7 +21,7 @@ T read_kind(const Value& value, Keys<T> keys, std::initializer_list<std::string_
     return kind;
 }
 
-/// Refuses a length that leaves no room for another one.
+/// Refuses a length that is not below a limit, which another length sets.
 inline void less(const Value& object, std::string_view key, double limit)
 {
     const Value& value = *find(object, key);

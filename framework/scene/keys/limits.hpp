@@ -5,7 +5,8 @@
 
 namespace rigor {
 
-/// The largest scene that is read: a text of some kilobytes must not ask for all memory.
+/// Larger scenes are refused: the limits guard against a text of a few kilobytes that needs all
+/// memory.
 constexpr std::size_t most_bodies = 100'000, most_shapes = 200'000;
 constexpr std::size_t most_scene_tetrahedra = 200'000;
 

@@ -16,7 +16,7 @@ int whole(const Value& value, std::string_view what, int low, int high)
     return static_cast<int>(integer(value, what, low, high));
 }
 
-// What the keys of a mesh say; each kind reads some of them.
+// The values of the keys of a mesh. Each kind of mesh reads some of them.
 struct MeshDraft {
     const Value* file = nullptr;
     double scale = 1;
@@ -108,7 +108,7 @@ constexpr MeshKey voussoir_keys[] = {
     cells_key,
 };
 
-// A mesh of a generator, known by all that its keys say.
+// Sets the shape to a generated mesh. The values of all keys identify it in the library.
 void set_mesh(ShapeDraft& draft, const Value& value, const MeshDraft& m,
               const std::function<TriangleMesh()>& make)
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The shapes that are meshes: one reader a kind.
+// The shapes that are meshes, with one reader for each kind.
 #pragma once
 
 #include "geometry/shapes/shape.hpp"
@@ -16,7 +16,7 @@ struct ShapeDraft {
     std::optional<Shape> shape;
 };
 
-// Shapes that are meshes. Each throws a Mistake.
+// The readers of shapes that are meshes. Each may throw a Mistake.
 void read_ring(ShapeDraft& draft, const Value& value);
 void read_cross(ShapeDraft& draft, const Value& value);
 void read_bowl(ShapeDraft& draft, const Value& value);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How a scene looks.
+// The keys that say how a scene is drawn.
 #include "scene/keys/picture_keys.hpp"
 
 #include "scene/language/values.hpp"

@@ -6,7 +6,7 @@
 
 namespace rigor {
 
-/// Where to look from, and what to draw besides the bodies.
+/// Reads the camera, and the additional things to draw.
 /// @throws Mistake
 Camera read_camera(const Value& value);
 Overlays read_overlays(const Value& value);

@@ -148,7 +148,7 @@ void read_solids(const Value& value, MeshLibrary& meshes, std::vector<SolidDescr
     }
 }
 
-// Refuses a name that stands there twice.
+// Refuses a name that two bodies or solids have.
 void check_names(const SceneDraft& draft)
 {
     std::set<std::string_view> names;

@@ -7,7 +7,7 @@
 
 namespace rigor {
 
-/// A shape, an object of one key.
+/// Reads a shape, an object with one key.
 /// @throws Mistake
 Shape read_shape(const Value& value, MeshLibrary& meshes);
 

@@ -7,7 +7,7 @@
 
 namespace rigor {
 
-/// Appends the deformable solid of an entry of "solids".
+/// Appends the deformable solid that an entry of "solids" describes.
 /// @throws Mistake
 void read_solid(const Value& value, MeshLibrary& meshes, std::vector<SolidDescription>& solids);
 

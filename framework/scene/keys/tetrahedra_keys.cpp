@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The meshes of solids: one reader a kind.
+// The meshes of deformable solids, with one reader for each kind.
 #include "geometry/tetrahedra/tetrahedra_generators.hpp"
 #include "scene/keys/kind.hpp"
 #include "scene/keys/limits.hpp"
@@ -12,7 +12,7 @@ namespace {
 
 using SharedTetrahedra = std::shared_ptr<const TetrahedralMesh>;
 
-// What the keys of a block say; each kind reads some of them.
+// The values of the keys of a block. Each kind of mesh reads some of them.
 struct BlockDraft {
     Vector3d size = Vector3d::Zero();
     std::array<int, 3> cells = {1, 1, 1};

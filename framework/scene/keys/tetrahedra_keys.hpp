@@ -6,7 +6,7 @@
 
 namespace rigor {
 
-/// The mesh of a solid, an object of one kind or of a file.
+/// Reads the mesh of a deformable solid: an object of one kind, or a file.
 /// @throws Mistake
 std::shared_ptr<const TetrahedralMesh> read_solid_mesh(const Value& value, MeshLibrary& meshes);
 

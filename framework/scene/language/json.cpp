@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Builds the tree of a JSON text from the events of a parser. An iterator counts the lines while
+// the parser reads, so that each value and each error knows its line.
 #include "scene/language/json.hpp"
 
 #include "errors/quotes.hpp"
@@ -14,12 +16,13 @@ namespace {
 
 constexpr std::size_t most_values = 1'000'000, most_levels = 32, most_keys = 64;
 
-// How far the parser has read, and what it read last.
+// The number of newlines that the parser has read, and the last character.
 struct Progress {
     int newlines = 0;
     char last = 0;
 
-    // The parser looks one character past a number: a newline there belongs to the number's line.
+    // The parser reads one character past a number. A newline there still belongs to the line of
+    // the number.
     int line() const { return 1 + newlines - (last == '\n' ? 1 : 0); }
 };
 
@@ -64,8 +67,8 @@ std::string between(const std::string& text, std::string_view before, std::strin
     return text.substr(start, to == std::string::npos ? to : to - start);
 }
 
-// The parser's complaint in our form: it says "… - unexpected X; expected Y" or "… - invalid Z;
-// last read: 'W'".
+// The parser's error message in the form of this project. The parser says "… - unexpected X;
+// expected Y" or "… - invalid Z; last read: 'W'".
 std::string syntax_message(const std::string& complaint)
 {
     std::string wanted = "valid JSON", found = between(complaint, "unexpected ", "; expected ");
@@ -92,7 +95,7 @@ std::string syntax_message(const std::string& complaint)
     return fmt::format("expected {}, found {}", wanted, found);
 }
 
-// Receives the parser's events and grows the tree.
+// Receives the parser's events and builds the tree.
 class TreeBuilder {
 public:
     explicit TreeBuilder(const Progress& progress) : progress_(progress) {}
@@ -175,7 +178,9 @@ private:
     }
 
     const Progress& progress_;
-    std::vector<Value*> open_; // from the root to the innermost: their parents no longer move
+    // The open arrays and objects, from the root to the innermost. The pointers stay valid, because
+    // nothing is added to the items of an outer value while an inner one is open.
+    std::vector<Value*> open_;
     std::string key_;
     std::size_t count_ = 0;
 };

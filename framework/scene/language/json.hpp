@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A JSON text as a tree whose every value knows its line, so that an error can name it.
+// A JSON text as a tree. Every value stores its line, so that an error can name it.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace rigor {
 
-/// What is wrong with a text, and in which line. The loader adds the file's name.
+/// An error in a text, and its line. The loader adds the name of the file.
 struct Mistake {
     int line = 1;
     std::string message;
@@ -20,19 +20,20 @@ struct Value {
     int line = 1;
     bool truth = false;
     double number = 0;
-    std::string text;         // what a string says
-    std::vector<Value> items; // what an array or object holds, in the order of the file
-    std::string key;          // its name, if an object holds it
+    std::string text;         // content of a string
+    std::vector<Value> items; // elements of an array or object, in the order of the file
+    std::string key;          // key of this value, if it is part of an object
 };
 
-/// The tree of a text. Limits keep hostile texts small: 1 000 000 values, 32 levels, 64 keys an
-/// object. Every number is finite, no key comes twice in an object.
+/// The tree of a text. Limits guard against hostile texts: 1 000 000 values, 32 levels, 64 keys in
+/// one object. Every number is finite, and no object has the same key twice.
 /// @throws Mistake
 Value parse_json(std::string_view text);
 
-/// A value in an error's words: `-3`, `"bal"`, `an array of 2`.
+/// A value as an error message shows it: `-3`, `"bal"`, `an array of 2`.
 std::string describe(const Value& value);
 
+/// Throws the error for an unexpected value.
 /// @throws Mistake `expected …, found …` in the line of the value
 [[noreturn]] void expected(std::string_view what, const Value& found);
 

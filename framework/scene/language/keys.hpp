@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A grammar as tables: each key with its meaning and its reader. The documentation, the reading and
-// the suggestion of the nearest key all follow from the table.
+// The grammar of the scene language as tables. A row holds a key with its meaning and its reader.
+// The documentation, the reader and the suggestion of the nearest key all use the tables.
 #pragma once
 
 #include "scene/language/json.hpp"
@@ -26,14 +26,15 @@ struct KeyMeaning {
     std::string_view object, key, meaning;
 };
 
-/// Names as an error lists them: `"sphere", "box"`.
+/// Names as an error message lists them: `"sphere", "box"`.
 std::string list_of(std::span<const std::string_view> names);
 
+/// Throws the error for an unknown key.
 /// @throws Mistake `unknown key "restituton"; did you mean "restitution"?`
 [[noreturn]] void unknown_key(const Value& value, std::span<const std::string_view> names);
 
-/// Reads each key of an object by its row of the table.
-/// @param what  the object in an error's words: "a body"
+/// Reads each key of an object with the reader of its row in the table.
+/// @param what  the object as an error message names it: "a body"
 /// @throws Mistake
 template <class T>
 void read_object(const Value& value, std::string_view what, Keys<T> keys, T& target)
@@ -53,7 +54,7 @@ void read_object(const Value& value, std::string_view what, Keys<T> keys, T& tar
     }
 }
 
-/// The value of a key, or null.
+/// The value of a key, or null if the object has no such key.
 const Value* find(const Value& object, std::string_view key);
 
 /// Appends the rows of a table to the documentation of `object`.

@@ -6,7 +6,8 @@
 
 namespace rigor {
 
-/// {"axis": …, "degrees": …}, {"quaternion": [s, x, y, z]} or {"euler_degrees": [φ, θ, ψ]}.
+/// Reads an orientation: {"axis": …, "degrees": …}, {"quaternion": [s, x, y, z]} or
+/// {"euler_degrees": [φ, θ, ψ]}.
 /// @throws Mistake
 Quaternion orientation(const Value& value);
 

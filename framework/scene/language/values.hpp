@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The readers of plain values. Each throws a Mistake that says what it expected; `what` names the
-// quantity. Numbers are at most 1e12 in size, positive ones at least 1e-12, so that no product of a
-// few of them overflows or vanishes.
+// The readers of plain values. Each throws a Mistake that says what was expected; `what` names the
+// quantity. The size of a number is at most 1e12, and a positive number is at least 1e-12, so that
+// a product of a few of them neither overflows nor underflows.
 #pragma once
 
 #include "formulas/types.hpp"
@@ -30,7 +30,7 @@ Vector3d positive3(const Value& value, std::string_view what);
 Vector3d color(const Value& value);
 const std::vector<Value>& array(const Value& value, std::string_view what);
 
-/// One of several words.
+/// Reads one of several words. Returns its index.
 std::size_t one_of(const Value& value, std::span<const std::string_view> words);
 
 } // namespace rigor

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The meshes of a scene: each is made once, and shared by all bodies that name it.
+// The meshes of a scene. Each mesh is made once and is shared by all bodies that name it.
 #pragma once
 
 #include "geometry/shapes/solid_mesh.hpp"
@@ -16,22 +16,22 @@ using SharedMesh = std::shared_ptr<const SolidMesh>;
 
 class MeshLibrary {
 public:
-    /// The key "meshes" of a scene: texts of meshes by file name.
+    /// Reads the key "meshes" of a scene: the texts of meshes by file name.
     /// @throws Mistake
     void read_texts(const Value& value);
 
-    /// The mesh of a file, from its text in "meshes", times `scale`.
-    /// @param file  its name, where the scene says it
+    /// The mesh of a file, read from its text in "meshes" and multiplied by `scale`.
+    /// @param file  the value in the scene that holds the file name
     /// @throws Mistake
     SharedMesh from_file(const Value& file, double scale, int cells);
 
-    /// The tetrahedra of a file, likewise.
+    /// The tetrahedral mesh of a file, read and scaled in the same way.
     /// @throws Mistake
     std::shared_ptr<const TetrahedralMesh> tetrahedra(const Value& file, double scale);
 
-    /// The mesh of this key, made by `make` unless it is known already.
-    /// @param key    names the kind and every parameter
-    /// @param value  where the scene says it
+    /// The mesh of this key. It is made by `make` at the first call with the key.
+    /// @param key    names the kind of mesh and every parameter
+    /// @param value  the value in the scene that describes the mesh
     /// @throws Mistake
     SharedMesh generated(const std::string& key, const Value& value, int cells,
                          const std::function<TriangleMesh()>& make);

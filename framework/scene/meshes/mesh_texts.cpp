@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Adds the texts of mesh files to the text of a scene: it finds the file names in the scene, reads
+// and checks each file once, and inserts the texts as the key "meshes" at the start of the scene.
 #include "scene/meshes/mesh_texts.hpp"
 
 #include "errors/input_error.hpp"
@@ -24,10 +26,10 @@ constexpr std::uintmax_t most_mesh_bytes = 64'000'000, most_scene_bytes = 16'000
 // A mesh file that the scene names.
 struct NamedFile {
     const Value* name;
-    bool is_solid; // a mesh of tetrahedra
+    bool is_solid; // whether it is a mesh of tetrahedra
 };
 
-// The names of mesh files under a value, {"mesh": {"file": …}}.
+// Collects the names of mesh files below a value, {"mesh": {"file": …}}.
 void find_files(const Value& value, bool in_solids, std::vector<NamedFile>& files)
 {
     for (const Value& item : value.items) {
@@ -37,7 +39,7 @@ void find_files(const Value& value, bool in_solids, std::vector<NamedFile>& file
     }
 }
 
-// A mesh, checked, as the shortest text of the same mesh.
+// The shortest text of the same mesh, after the mesh was checked.
 std::string checked_text(std::string_view text, bool is_solid)
 {
     if (is_solid) {
@@ -79,7 +81,7 @@ std::string mesh_text(const NamedFile& file, const std::filesystem::path& scene_
     return {};
 }
 
-// A text between the quotes of a JSON string.
+// The text as the content of a JSON string, without the quotes around it.
 std::string escaped(std::string_view text)
 {
     std::string result;

@@ -6,12 +6,13 @@
 
 namespace rigor {
 
-/// A scene's text with the texts of all mesh files that it names under "meshes", so that the scene
-/// is whole wherever it is sent. Lines keep their numbers; a text that names no file stays as it
-/// is.
+/// The text of a scene, with the texts of all mesh files that it names added under "meshes". The
+/// scene is then complete wherever it is sent. Lines keep their numbers. A text that names no file
+/// is returned unchanged.
 ///
-/// @param scene_file  that the mesh files' paths start from
-/// @throws Mistake at the line that names a file which is not there, InputError at a line of a mesh
+/// @param scene_file  file of the scene; the paths of the mesh files are relative to its folder
+/// @throws Mistake at the line that names a missing file
+/// @throws InputError at a line of a mesh file
 std::string with_mesh_texts(const std::string& text, const std::filesystem::path& scene_file);
 
 } // namespace rigor

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Makes the world of a scene: first the rigid bodies with their mass and state, then springs and
+// forces with their points moved to object space, last the deformable solids.
 #include "scene/run/make_world.hpp"
 
 #include "deformable/elasticity/totals.hpp"
@@ -13,8 +15,8 @@ namespace rigor {
 
 namespace {
 
-// Each mesh of the scene once more: what a world makes of it in its steps, its level set above all,
-// is the world's own, so that each world of a scene does and counts the same.
+// Copies of the meshes of the scene, one for each mesh. Each world computes its own data of a mesh,
+// such as the level set, so that all worlds of a scene do the same work and have the same counters.
 class OwnMeshes {
 public:
     void take(std::vector<Part>& parts)
@@ -32,7 +34,7 @@ private:
     std::map<const SolidMesh*, std::shared_ptr<const SolidMesh>> own_;
 };
 
-// A solid in its place, moving as a rigid body would.
+// A solid at its place, which starts to move like a rigid body.
 Deformable make_solid(const SolidDescription& described)
 {
     Deformable solid = make_deformable(described.name, *described.mesh, described.material,
@@ -83,7 +85,7 @@ RecordedWorld make_recorded_world(const Scene& scene, const RunSettings& setting
         body.is_static = described.is_static;
         Vector3d center = Vector3d::Zero();
         if (body.is_static) {
-            // no mass: nothing moves it
+            // A static body keeps mass 0.
         } else if (described.mass) {
             set_mass(body, *described.mass, described.inertia.value());
         } else {
@@ -96,7 +98,8 @@ RecordedWorld make_recorded_world(const Scene& scene, const RunSettings& setting
                       R * (body.inertia * (R.transpose() * w))};
         made.bodies.push_back({body.is_static, body.mass, center, body.inertia});
     }
-    // From the frames as written to object space, whose origin is the center of mass.
+    // Moves a point from the frame of the scene file to object space, whose origin is the center of
+    // mass.
     const auto shift = [&](int body, Vector3d& point) {
         if (body >= 0) point -= made.bodies[static_cast<std::size_t>(body)].center_of_mass;
     };

@@ -8,21 +8,22 @@
 
 namespace rigor {
 
-/// What the one who runs a scene decides, not its file.
+/// The settings of a run that are not part of the scene file.
 struct RunSettings {
     bool formulas_are_reference = false; // see World
     int threads = 1;
 };
 
-/// Shapes to bodies: calls the formulas of topic `inertia` where the scene gives densities.
+/// The rigid bodies of a scene. Where the scene gives densities, the formulas of topic `inertia`
+/// are called.
 World make_world(const Scene& scene, const RunSettings& settings = {});
 
-/// The same, and the deformable solids.
+/// The rigid bodies and the deformable solids of a scene.
 DeformableWorld make_deformable_world(const Scene& scene, const RunSettings& settings = {});
 
-/// A world, and what its trajectory records about the bodies.
+/// A world, and the data of its bodies that a trajectory records.
 struct RecordedWorld {
-    DeformableWorld world; // without solids: the rigid one is all of it
+    DeformableWorld world; // it contains the rigid world, and possibly no solids
     std::vector<RecordedBody> bodies;
 };
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Makes a frame of a deformable solid: its mesh if that has changed, its totals, the state of its
+// nodes, and stress and plastic strain of its elements. Last, all numbers are checked for NaN.
 #include "scene/run/record_solid.hpp"
 
 #include "deformable/elasticity/totals.hpp"
@@ -25,7 +27,8 @@ std::shared_ptr<const SolidTopology> topology_of(const Deformable& solid)
     return topology;
 }
 
-// By the framework's own algebra, so that a wrong formula of an assignment cannot hide.
+// The stress is computed without formulas of the assignments, so that the error of a wrong formula
+// stays visible.
 double von_mises_stress(const Matrix3d& stress)
 {
     // √(3/2) ‖dev σ‖
@@ -34,7 +37,7 @@ double von_mises_stress(const Matrix3d& stress)
 
 double equivalent_strain(const Matrix3d& plastic_strain)
 {
-    // √(2/3) ‖ε_p‖: of a bar that was pulled, how much longer it has become for good
+    // √(2/3) ‖ε_p‖. For a bar that was pulled, it is the permanent relative elongation.
     return std::sqrt(2.0 / 3) * plastic_strain.norm();
 }
 

@@ -7,17 +7,17 @@
 
 namespace rigor {
 
-/// What a trajectory records of a deformable solid, frame by frame. Its mesh is looked at only
-/// where it changed.
+/// Makes the frames of a deformable solid for a trajectory. The mesh is examined again only if it
+/// has changed.
 class SolidRecorder {
 public:
-    /// @param time  for the error [s]
+    /// @param time  time of the frame, for the error message [s]
     /// @throws NonFiniteState
     SolidFrame frame(const Deformable& solid, double time);
 
 private:
-    std::shared_ptr<const SolidTopology> topology_; // as in the frame before
-    int change_ = 0;                                // the change of the mesh that it belongs to
+    std::shared_ptr<const SolidTopology> topology_; // that of the frame before
+    int change_ = 0; // the number of mesh changes when `topology_` was made
 };
 
 } // namespace rigor

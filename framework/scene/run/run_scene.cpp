@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "rigid/step/step.hpp"
+// Runs a scene and writes its trajectory: the start with the bodies, the initial frame, then the
+// frames of the chosen steps, and last the counters.
 #include "deformable/step/step.hpp"
 #include "scene/run/record_solid.hpp"
 #include "scene/run/run_scene.hpp"
+
+#include "rigid/step/step.hpp"
 
 #include <cmath>
 #include <stdexcept>
@@ -11,7 +14,8 @@ namespace rigor {
 
 namespace {
 
-// One step to `number`: time is counted in steps, so that it carries no sum of roundings.
+// The step with this number. Time is computed from the number of steps, so that rounding errors do
+// not accumulate.
 std::vector<ContactRecord> step_to(DeformableWorld& world, const Scene& scene, std::int64_t number)
 {
     double& time = world.rigid.time;
@@ -31,7 +35,7 @@ std::vector<RigidState> states_of(const World& world)
     return states;
 }
 
-// The frames of a run, one after the other.
+// Makes the frames of a run, one after the other.
 class Recorder {
 public:
     explicit Recorder(const DeformableWorld& world) : world_(world), solids_(world.solids.size()) {}

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the readers of a trajectory's records share.
+// Helpers that the readers of a trajectory's records share: errors, checks and a cursor.
 #pragma once
 
 #include "errors/input_error.hpp"
@@ -45,7 +45,7 @@ inline std::size_t count_of(const std::string& where, std::string_view what, std
     return count;
 }
 
-/// Bytes that are known to be there, read one value after the other.
+/// Reads values one after the other from bytes that are known to suffice.
 class ByteCursor {
 public:
     explicit ByteCursor(std::span<const std::byte> bytes) : bytes_(bytes) {}

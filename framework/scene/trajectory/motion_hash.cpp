@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Computes the FNV-1a hash of the bytes that the writer makes from bodies and frames.
 #include "scene/trajectory/motion_hash.hpp"
 
 #include "scene/trajectory/writer.hpp"
@@ -15,7 +16,7 @@ void MotionHash::take(std::span<const std::byte> bytes)
 
 void MotionHash::take(const std::vector<RecordedBody>& bodies)
 {
-    take(encode_start({}, bodies)); // without name and text
+    take(encode_start({}, bodies)); // an empty scene has no name and no text
 }
 
 void MotionHash::take(const Frame& frame)

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
-// A motion as one number: equal if and only if (but for chance) every bit of it is.
+// The hash of a motion. Two motions have the same hash if and only if all their bits are equal,
+// except for a small chance of a collision.
 //
-// What makes a motion the same bits. For one program nothing else than its scene: no clock,
-// address, order of a hash map or number of threads has a part in it. For two builds of the same
-// tree: IEEE doubles and -ffp-contract=off -fno-fast-math round + - * / and the square root the
-// same everywhere, and no -march lets Eigen add in another order. What is left are the functions of
-// the C library (sin, cos, atan2, ...): they are not rounded correctly, differ between its versions
-// and between processors with and without fused multiply-add, and where an argument is known while
-// compiling, gcc puts in the correctly rounded value. So other compilers and libraries may part in
-// the last bit, and a stored hash would be a promise about them; nobody stores one.
+// Within one program the bits of a motion depend on the scene alone: not on a clock, an address,
+// the order of a hash map or the number of threads. Between two builds of the same sources, IEEE
+// doubles and -ffp-contract=off -fno-fast-math make + - * / and the square root round the same
+// everywhere, and without -march Eigen adds in the same order. The functions of the C library (sin,
+// cos, atan2, ...) remain: they are not correctly rounded, they differ between versions of the
+// library and between processors with and without fused multiply-add, and gcc inserts the correctly
+// rounded value where it knows the argument at compile time. So with other compilers and libraries
+// the last bit may differ. A stored hash would be valid for one of them only, therefore no hash is
+// stored.
 #pragma once
 
 #include "scene/trajectory/trajectory.hpp"
@@ -21,8 +23,8 @@
 
 namespace rigor {
 
-/// FNV-1a with 64 bits (Fowler, Noll and Vo) over the bodies and frames of a trajectory. Names and
-/// the text of the scene are no part of it; mass, inertia, states and contacts are.
+/// FNV-1a with 64 bits (Fowler, Noll and Vo) over the bodies and frames of a trajectory. Mass,
+/// inertia, states and contacts are part of it; names and the text of the scene are not.
 class MotionHash {
 public:
     void take(const std::vector<RecordedBody>& bodies);

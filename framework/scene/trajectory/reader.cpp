@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Reads a trajectory in stages. Each stage needs a known number of bytes, reads them, checks them,
+// and names the next stage: first the header with scene and bodies, then a tag and its record,
+// again and again until the end record.
 #include "scene/trajectory/reader.hpp"
 
 #include "errors/input_error.hpp"
@@ -22,7 +25,7 @@ void check_state(const RigidState& state, std::int64_t step, const std::string& 
     const bool is_finite = state.position.allFinite() && std::isfinite(state.orientation.s) &&
                            state.orientation.v.allFinite() && state.velocity.allFinite() &&
                            state.angular_momentum.allFinite();
-    if (is_finite) return; // no text is made for the usual case
+    if (is_finite) return; // the usual case needs no text for an error
     const std::string where = fmt::format("step {}, body {}", step, in_quotes(body));
     check_finite(state.position, where, "position");
     check_finite(state.orientation.s, where, "orientation");
@@ -64,7 +67,7 @@ void TrajectoryReader::feed(std::span<const std::byte> bytes)
     if (broken_) fail("trajectory", "no more after its error", "more");
     pending_.insert(pending_.end(), bytes.begin(), bytes.end());
     std::size_t used = 0;
-    broken_ = true; // unless it gets through
+    broken_ = true; // it stays true if a stage throws
     while (!complete_ && pending_.size() - used >= needed_) {
         ByteCursor cursor{std::span<const std::byte>(pending_).subspan(used, needed_)};
         used += needed_;

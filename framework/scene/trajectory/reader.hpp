@@ -10,9 +10,9 @@
 
 namespace rigor {
 
-/// Takes the bytes of a trajectory as they come, in pieces of any size, and calls back for each
-/// whole record. The bytes may be hostile: every count is checked before it is believed, every
-/// number is finite. Once it has thrown, it takes no more.
+/// Reads the bytes of a trajectory as they arrive, in chunks of any size, and calls a handler for
+/// each complete record. The bytes are not trusted: every count is checked before it is used, and
+/// every number must be finite. After it has thrown, the reader accepts no more bytes.
 class TrajectoryReader {
 public:
     struct Handlers {
@@ -21,10 +21,10 @@ public:
         std::function<void(const Counters&)> on_end;
     };
     explicit TrajectoryReader(Handlers handlers);
-    /// Collects everything in `whole`.
+    /// Stores everything in `whole`.
     explicit TrajectoryReader(Trajectory& whole);
 
-    /// @throws InputError if the bytes are not a trajectory; names the record and the quantity
+    /// @throws InputError if the bytes are not a trajectory; it names the record and the quantity
     void feed(std::span<const std::byte> bytes);
 
     bool started() const { return started_; }
@@ -50,28 +50,28 @@ private:
     void read_mesh(ByteCursor& bytes);
     void expect_solid_state();
     void read_solid_state(ByteCursor& bytes);
-    std::string solid_place() const; // names the solid being read in an error
+    std::string solid_place() const; // names the solid being read, for an error
     void finish_frame();
     void read_counter_count(ByteCursor& bytes);
     void read_counters(ByteCursor& bytes);
 
     Handlers handlers_;
-    std::vector<std::byte> pending_; // not yet enough for the next stage
+    std::vector<std::byte> pending_; // too few bytes for the next stage so far
     Stage stage_;
-    std::size_t needed_ = 0; // bytes that it takes
+    std::size_t needed_ = 0; // number of bytes that the stage needs
     Scene scene_;
     std::uint32_t version_ = 1;
     std::string name_;
-    std::vector<RecordedBody> bodies_; // as the header has them
-    Frame frame_;                      // the one being read
-    bool is_new_topology_ = false;     // whether the solid being read has one
+    std::vector<RecordedBody> bodies_; // from the header
+    Frame frame_;                      // the frame being read
+    bool is_new_topology_ = false;     // whether the solid being read has a new mesh
     TopologyCounts counts_;            // sizes of the mesh being read
-    std::vector<std::shared_ptr<const SolidTopology>> topologies_; // the last one of each solid
+    std::vector<std::shared_ptr<const SolidTopology>> topologies_; // the last mesh of each solid
     std::int64_t last_step_ = -1;
     bool started_ = false, complete_ = false, broken_ = false;
 };
 
-/// A whole trajectory from a file, or as much of it as is there. @throws InputError
+/// The trajectory of a file, as far as the file goes. @throws InputError
 Trajectory load_trajectory(const std::filesystem::path& file);
 
 } // namespace rigor

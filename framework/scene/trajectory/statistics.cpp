@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Sums energy, momentum and penetration over a recorded frame: first over the rigid bodies, then
+// over the deformable solids, the springs and the contacts.
 #include "scene/trajectory/statistics.hpp"
 
 #include "deformable/elasticity/totals.hpp"
@@ -10,7 +12,8 @@ namespace rigor {
 
 namespace {
 
-// The inverse, but 0 where a moment is 0: matter on a line cannot be seen to turn about it.
+// The inverse of an inertia tensor, but 0 where a moment is 0: a rotation of a thin rod about its
+// own axis has no effect.
 Matrix3d pseudo_inverse(const Matrix3d& I)
 {
     const Eigen::SelfAdjointEigenSolver<Matrix3d> eigen(0.5 * (I + I.transpose()));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Energy, momentum and penetration along a trajectory, by the framework's own algebra: no formula
-// of an assignment is called, so that a wrong one cannot hide.
+// Energy, momentum and penetration along a trajectory. They are computed by the framework itself,
+// without formulas of the assignments, so that the error of a wrong formula stays visible.
 #pragma once
 
 #include "deformable/elasticity/totals.hpp"
@@ -16,7 +16,7 @@ struct SolidStatistics {
     double largest_plastic_strain = 0; // equivalent, over the elements
 };
 
-/// Sums over the bodies that move, and the solids.
+/// Sums over the moving bodies and the solids.
 struct FrameStatistics {
     double time = 0;                              // [s]
     double kinetic_energy = 0;                    // [J]
@@ -24,7 +24,7 @@ struct FrameStatistics {
     Vector3d momentum = Vector3d::Zero();         // [kg m/s]
     Vector3d angular_momentum = Vector3d::Zero(); // about the world's origin [kg m²/s]
     double deepest_penetration = 0;               // among the recorded contacts [m]
-    std::vector<SolidStatistics> solids;          // one a solid
+    std::vector<SolidStatistics> solids;          // one for each solid
     double total_energy() const { return kinetic_energy + potential_energy; }
 };
 
@@ -36,7 +36,8 @@ public:
 
     FrameStatistics of(const Frame& frame) const;
 
-    /// ω = I(t)⁻¹ L of a body [rad/s]; zero about axes without inertia, and for static bodies.
+    /// ω = I(t)⁻¹ L of a body [rad/s]. It is zero about axes without inertia, and for static
+    /// bodies.
     Vector3d angular_velocity(std::size_t body, const RigidState& state) const;
 
 private:

@@ -1,25 +1,25 @@
 // SPDX-License-Identifier: MIT
-// The recorded motion of a scene: written by a worker, streamed, stored, read while it is being
-// written.
+// The recorded motion of a scene. A worker writes it; it can be sent as a stream or stored, and it
+// can be read while it is still being written.
 //
-// Little-endian binary:
+// The format is little-endian binary:
 //     "RIGORTRJ"  u32 version: 1 without deformable solids, 2 with
 //     u32 bytes, name of the scene       u32 bytes, scene file as text
 //     u32 bodies, each: u8 is_static, f64 mass, 3 f64 center of mass, 9 f64 inertia (I_body by
 //         columns)
 //     version 2: u32 solids
-// then records until the end:
+// Then follow records until the end:
 //     'F'  i64 step, f64 time, bodies × 13 f64 (X, q = s x y z, V, L),
 //          u32 contacts, each: i32 body1, i32 body2, f64 depth, 9 f64 (point, normal, impulse)
-//          version 2, each solid: u8 whether its mesh is another than in the frame before, if so
+//          version 2, each solid: u8 whether its mesh differs from that of the frame before; if so,
 //              u32 nodes, u32 elements, u32 points, u32 triangles, u32 pieces,
 //              elements × 4 i32 (nodes), points × (i32 element, 4 f32 weights),
 //              triangles × (3 i32 points, i32 element, u8 is_crack);
 //              then 13 f64 (mass, volume, kinetic energy, elastic energy, momentum, angular
 //              momentum, center of mass), nodes × 6 f64 (x, v),
 //              elements × 2 f32 (von Mises stress [Pa], equivalent plastic strain √(2/3) ‖ε_p‖)
-//     'E'  u32 counters, each u64 in the order of Counters: the run is complete
-// A file that stops before 'E' holds the run up to there.
+//     'E'  u32 counters, each u64 in the order of Counters; the run is complete
+// A file that ends before 'E' contains the run up to that moment.
 #pragma once
 
 #include "deformable/elasticity/totals.hpp"
@@ -36,23 +36,24 @@
 
 namespace rigor {
 
-/// The mesh of a deformable solid, as far as it is drawn. It changes only where the solid cracks.
+/// The mesh of a deformable solid, as far as it is needed for drawing. It changes only when the
+/// solid cracks.
 struct SolidTopology {
     std::size_t nodes = 0;
-    std::vector<std::array<int, 4>> elements; // their nodes
-    EmbeddedSurface surface;                  // its weights with the precision of a float
+    std::vector<std::array<int, 4>> elements; // the nodes of each element
+    EmbeddedSurface surface;                  // its weights have the precision of a float
     std::size_t pieces = 0;
 };
 
 /// A deformable solid at one moment.
 struct SolidFrame {
     std::shared_ptr<const SolidTopology> topology; // not null
-    bool is_new_topology = true;                   // another one than in the frame before
+    bool is_new_topology = true;                   // whether it differs from the frame before
     DeformableTotals totals;
-    std::vector<Vector3d> positions;    // one a node, world space [m]
-    std::vector<Vector3d> velocities;   // one a node [m/s]
-    std::vector<float> stresses;        // one an element, von Mises [Pa]
-    std::vector<float> plastic_strains; // one an element, equivalent: √(2/3) ‖ε_p‖
+    std::vector<Vector3d> positions;    // one for each node, world space [m]
+    std::vector<Vector3d> velocities;   // one for each node [m/s]
+    std::vector<float> stresses;        // one for each element, von Mises [Pa]
+    std::vector<float> plastic_strains; // one for each element, equivalent: √(2/3) ‖ε_p‖
 };
 
 /// The world at one moment.
@@ -60,15 +61,15 @@ struct Frame {
     std::int64_t step = 0;
     double time = 0; // [s]
     std::vector<RigidState> bodies;
-    std::vector<ContactRecord> contacts; // those of the step that led here
+    std::vector<ContactRecord> contacts; // contacts of the step that ended here
     std::vector<SolidFrame> solids = {};
 };
 
-/// Mass and inertia of a body as the worker computed them.
+/// Mass and inertia of a body, as the worker computed them.
 struct RecordedBody {
     bool is_static = false;
     double mass = 0;                            // [kg]
-    Vector3d center_of_mass = Vector3d::Zero(); // in the body's frame as the scene file has it [m]
+    Vector3d center_of_mass = Vector3d::Zero(); // in the body's frame of the scene file [m]
     Matrix3d inertia = Matrix3d::Zero();        // I_body [kg m²]
 };
 
@@ -77,10 +78,10 @@ struct Trajectory {
     std::vector<RecordedBody> bodies;
     std::vector<Frame> frames;
     Counters counters;
-    bool complete = false; // the end record was there
+    bool complete = false; // whether the end record was read
 };
 
-/// The counters by name, in the order of the end record.
+/// The counters with their names, in the order of the end record.
 struct CounterField {
     std::string_view name;
     std::uint64_t Counters::*member;

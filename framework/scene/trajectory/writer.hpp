@@ -17,17 +17,17 @@ Bytes encode_start(const Scene& scene, const std::vector<RecordedBody>& bodies);
 Bytes encode_frame(const Frame& frame);
 Bytes encode_end(const Counters& counters);
 
-/// A trajectory on its way to a file: whole records only, so that it can be read while it is
-/// written.
+/// The file that a trajectory is written to. Only whole records are written, so that the file can
+/// be read at the same time.
 class TrajectoryFile {
 public:
-    /// @throws InputError if the file cannot be written; so do the others
+    /// @throws InputError if the file cannot be written, as `write` does
     explicit TrajectoryFile(const std::filesystem::path& path);
     ~TrajectoryFile();
     TrajectoryFile(const TrajectoryFile&) = delete;
     TrajectoryFile& operator=(const TrajectoryFile&) = delete;
 
-    /// One or more whole records.
+    /// Writes one or more whole records.
     void write(std::span<const std::byte> records);
 
 private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A scene's motion and its hash.
+// The motion of a scene and its hash.
 #include "scene/keys/scene_keys.hpp"
 #include "scene/run/run_scene.hpp"
 #include "scene/trajectory/motion_hash.hpp"
@@ -56,13 +56,13 @@ TEST_CASE("determinism: a scene gives the same bytes twice", "[scene]")
 TEST_CASE("determinism: the names of the bodies have no part in the motion", "[scene]")
 {
     const Motion plain = run(heap("box")), renamed = run(heap("a much longer name"));
-    REQUIRE(plain.bytes != renamed.bytes); // the text of the scene is in them
+    REQUIRE(plain.bytes != renamed.bytes); // they contain the text of the scene
     REQUIRE(plain.hash.text() == renamed.hash.text());
 }
 
 TEST_CASE("determinism: the hash is FNV-1a of all that moves", "[scene]")
 {
-    REQUIRE(MotionHash().text() == "cbf29ce484222325"); // of no byte
+    REQUIRE(MotionHash().text() == "cbf29ce484222325"); // the hash of no bytes
     Frame frame;
     frame.bodies.resize(1);
     frame.contacts.resize(1);
@@ -78,7 +78,7 @@ TEST_CASE("determinism: the hash is FNV-1a of all that moves", "[scene]")
         return hashes.insert(hash_of(other)).second;
     };
     REQUIRE(changed([](Frame& f) { f.bodies[0].position.x() = std::nextafter(0.0, 1.0); }));
-    REQUIRE(changed([](Frame& f) { f.bodies[0].velocity.z() = -0.0; })); // a bit, though equal
+    REQUIRE(changed([](Frame& f) { f.bodies[0].velocity.z() = -0.0; })); // -0 has another bit
     REQUIRE(changed([](Frame& f) { f.bodies[0].orientation.s = std::nextafter(1.0, 2.0); }));
     REQUIRE(changed([](Frame& f) { f.contacts[0].impulse.y() = 1e-300; }));
     REQUIRE(changed([](Frame& f) { f.step = 1; }));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Files of tetrahedra that a scene names.
+// Files of tetrahedral meshes that a scene names.
 #include "errors/input_error.hpp"
 #include "scene/keys/scene_keys.hpp"
 #include "support/close.hpp"
@@ -25,7 +25,7 @@ template <class Read> std::string refusal_of(const Read& read)
     return "accepted";
 }
 
-// Two tetrahedra on one face, as Medit writes them; `second` are the vertices of the second.
+// Two tetrahedra that share a face, as a Medit text. `second` holds the vertices of the second one.
 std::string medit(const std::string& second)
 {
     return "MeshVersionFormatted 2\nDimension 3\nVertices\n5\n0 0 0 0\n1 0 0 0\n0 1 0 0\n0 0 1 0\n"
@@ -69,7 +69,7 @@ TEST_CASE("solids: a file that is no solid is refused with its place")
           }).find(":2: expected a mesh file, found nothing at") != std::string::npos);
     CHECK(refused_file(medit("2 3 4 5")) == "accepted");
     for (const char* bad :
-         {"2 3 5 4", "2 3 4 4", "1 2 3 4", "2 3 4 9"}) // inverted, flat, twice, none
+         {"2 3 5 4", "2 3 4 4", "1 2 3 4", "2 3 4 9"}) // inverted, flat, repeated, missing
         CHECK(refused_file(medit(bad)).rfind(":13: expected", 0) == 0);
     CHECK(refused_file("hello").rfind(":1: expected", 0) == 0);
     CHECK(refused_file("").find("expected") != std::string::npos);

@@ -37,7 +37,8 @@ TEST_CASE("make_world: object space has its origin at the center of mass")
     const World world = make_world(dumbbell());
     const RigidBody& body = world.bodies.at(0);
     CHECK_THAT(body.mass, IsClose(4.0, Rounding(4)));
-    // cubes of mass 1 and 3, 3 m and 1 m from the center: I = Σ m/6, and Σ m d² across
+    // Cubes of mass 1 and 3 are 3 m and 1 m from the center: I = Σ m/6 along the axis, plus Σ m d²
+    // perpendicular to it.
     CHECK_THAT(body.inertia,
                IsClose(Matrix3d(Vector3d(4 / 6.0, 4 / 6.0 + 12, 4 / 6.0 + 12).asDiagonal()),
                        Rounding(16)));

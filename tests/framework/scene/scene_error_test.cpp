@@ -10,7 +10,7 @@ using namespace rigor;
 
 namespace {
 
-// The one line that a text is refused with, without the file's name.
+// The one-line message with which a text is refused, without the name of the file.
 std::string refusal(const std::string& text)
 {
     try {
@@ -24,7 +24,8 @@ std::string refusal(const std::string& text)
     return "accepted";
 }
 
-// A scene with one ball, its keys in line 2, more keys of the body in line 3 and of the scene in 5.
+// A scene with one ball. Its keys are in line 2, more keys of the body in line 3 and more keys of
+// the scene in line 5.
 std::string scene_with(const std::string& body, const std::string& scene = "")
 {
     return "{\"bodies\": [\n{\"name\": \"ball\", \"shape\": {\"sphere\": {\"radius\": 1}}" +
@@ -148,7 +149,7 @@ TEST_CASE("scene: a body that cannot be is refused")
     CHECK(refused_body("\"mass\": 1,\n\"inertia\": [1, 1, 3]") ==
           ":4: expected an inertia that matter can have (no moment negative or larger than the sum "
           "of the other two), found [1, 1, 3]");
-    CHECK(refused_body("\"mass\": 1, \"inertia\": [1, 1, 2]") == "accepted"); // flat
+    CHECK(refused_body("\"mass\": 1, \"inertia\": [1, 1, 2]") == "accepted"); // a flat body
     CHECK(refused_body("\"mass\": 1, \"inertia\": [1, 1, 0]") == "accepted"); // a rod
     CHECK(refused_body("\"mass\": 1, \"inertia\": [[1, 2, 0], [0, 1, 0], [0, 0, 1]]") ==
           ":3: expected a symmetric inertia, found rows that differ from the columns");

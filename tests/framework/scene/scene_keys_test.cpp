@@ -117,7 +117,7 @@ TEST_CASE("scene: three ways to write an orientation agree")
         const Scene scene = scene_of(std::string("\"orientation\": ") + way);
         CHECK_THAT(scene.bodies[0].orientation, IsClose(expected, Rounding(4, 1)));
     }
-    // x is turned first: roll takes y to z, then yaw leaves z.
+    // The rotation about x comes first: roll takes y to z, then yaw does not change z.
     const Scene scene = scene_of(R"("orientation": {"euler_degrees": [90, 0, 90]})");
     const Quaternion& q = scene.bodies[0].orientation;
     const Eigen::Quaterniond rotation(q.s, q.v.x(), q.v.y(), q.v.z());

@@ -146,7 +146,7 @@ TEST_CASE("shapes: a mesh file travels inside the scene that names it")
                                         R"({"mesh": {"file": "tetra.obj", "scale": 2}})",
                                         R"({"mesh": {"file": "tetra.obj"}})"});
     const Scene loaded = load_scene(folder.write("s.json", text));
-    const Scene sent = parse_scene(loaded.text, "elsewhere"); // as a worker or a record has it
+    const Scene sent = parse_scene(loaded.text, "elsewhere"); // as a worker or a trajectory has it
     for (const Scene* scene : {&loaded, &sent}) {
         CHECK_THAT(solid(*scene, 0).volume(), IsClose(1.0 / 6, Rounding(8)));
         CHECK_THAT(solid(*scene, 1).volume(), IsClose(8.0 / 6, Rounding(8)));
@@ -158,7 +158,7 @@ TEST_CASE("shapes: a mesh file travels inside the scene that names it")
     CHECK(refusal([&] { parse_scene(text, "s"); }) ==
           "s:2: expected the text of the mesh \"tetra.obj\" among the scene's \"meshes\", found "
           "none");
-    // lines count as in the file
+    // Line numbers are those of the file.
     CHECK(refusal([&] {
               load_scene(folder.write("s.json", bodies_of({R"({"mesh": {"file": "tetra.obj"}})",
                                                            R"({"sphere": {"radius": -1}})"})));
@@ -199,7 +199,7 @@ TEST_CASE("shapes: a bad mesh file is refused with its place")
     for (int i = 0; i < 200'001; ++i)
         many += "f 1 2 3\n";
     CHECK(load_mesh(many) == "m.obj:200004: expected at most 200000 triangles, found more");
-    // a scene that brings a bad mesh itself
+    // A scene that contains a bad mesh itself.
     CHECK(refusal([&] {
               parse_scene("{\"meshes\": {\"m.obj\":\n\"v 0 0 0\\nf 1 1 1\"}," + named.substr(1),
                           "s");

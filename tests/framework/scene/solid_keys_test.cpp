@@ -15,7 +15,7 @@ namespace {
 
 const std::string bar = R"("mesh": {"bar": {"size": [2, 1, 1], "cells": [2, 1, 1]}})";
 
-// A scene with one solid, its mesh in line 2, more of its keys in line 3.
+// A scene with one solid. Its mesh is in line 2, and more of its keys are in line 3.
 std::string scene_with(const std::string& keys, const std::string& mesh = bar)
 {
     return "{\"solids\": [\n{\"name\": \"bar\", " + mesh + (keys.empty() ? "" : ",\n" + keys) +
@@ -93,14 +93,14 @@ TEST_CASE("solids: handles and loads take the nodes of a box in the solid's fram
                    "start": 1, "end": 2}])";
     const SolidDescription solid = solid_with(keys);
     const Handle& handle = solid.handles.at(0);
-    REQUIRE(handle.nodes.size() == 4); // of an end face
+    REQUIRE(handle.nodes.size() == 4); // the nodes of an end face
     for (const int node : handle.nodes)
         CHECK(solid.mesh->vertices[node].x() == -1);
     CHECK(handle.axes == std::array<bool, 3>{true, false, true});
     CHECK(handle.release == 4);
-    // the middle of the end, (-1, 0, 0), turned and moved
+    // The pivot is the middle of the end, (-1, 0, 0), rotated and moved.
     CHECK_THAT(handle.pivot, IsClose(Vector3d(0, 4, 0), Rounding(8, 5)));
-    REQUIRE(handle.path.size() == 3); // the first is how it starts
+    REQUIRE(handle.path.size() == 3); // the first is the start
     CHECK(handle.path[0].time == 0);
     CHECK(handle.path[0].displacement.isZero(0));
     CHECK(handle.path[1].displacement == Vector3d(0, 1, 0));
@@ -114,7 +114,7 @@ TEST_CASE("solids: handles and loads take the nodes of a box in the solid's fram
 
     const Scene scene = parse_scene(scene_with(keys), "s");
     const Vector3d moved = make_deformable_world(scene).solids.at(0).positions.at(handle.nodes[0]);
-    CHECK_THAT(moved.y(), IsClose(4.0, Rounding(8, 5))); // x = -1 of its frame
+    CHECK_THAT(moved.y(), IsClose(4.0, Rounding(8, 5))); // x = -1 in its frame
 }
 
 TEST_CASE("solids: a solid starts as a rigid body would move")

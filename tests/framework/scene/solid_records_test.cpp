@@ -20,7 +20,7 @@ Scene one_solid()
                        "one solid");
 }
 
-// A mesh of `elements` tetrahedra, none of which shares a node with another.
+// A mesh of `elements` tetrahedra that share no nodes.
 std::shared_ptr<const SolidTopology> topology_of(int elements)
 {
     const auto topology = std::make_shared<SolidTopology>();
@@ -114,7 +114,7 @@ TEST_CASE("trajectory of solids: what is written is what is read in pieces of an
             CHECK(b.topology->surface.triangles.back().is_crack ==
                   a.topology->surface.triangles.back().is_crack);
         }
-        // the mesh is kept where it did not change
+        // Frames share the mesh as long as it does not change.
         CHECK(trajectory.frames[0].solids[0].topology == trajectory.frames[1].solids[0].topology);
         CHECK(trajectory.frames[1].solids[0].topology != trajectory.frames[2].solids[0].topology);
     }

@@ -24,7 +24,7 @@ Scene spring_scene()
 TEST_CASE("statistics: energy and momentum by hand")
 {
     const Scene scene = spring_scene();
-    // The spring holds (1, 2, 4) of the frame, which is (0, 0, 1) of object space.
+    // The spring is attached at (1, 2, 4) of the frame, which is (0, 0, 1) of object space.
     const std::vector<RecordedBody> bodies = {
         {false, 2, Vector3d(1, 2, 3), Vector3d(1, 2, 4).asDiagonal()}, {true}};
     const Statistics statistics(scene, bodies);

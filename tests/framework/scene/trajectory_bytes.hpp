@@ -17,7 +17,7 @@ inline void append(Bytes& bytes, const Bytes& more)
     bytes.insert(bytes.end(), more.begin(), more.end());
 }
 
-/// `bytes` with `value` in place of what is at `at`.
+/// `bytes` with the bytes at `at` replaced by `value`.
 template <class T> Bytes with(Bytes bytes, std::size_t at, T value)
 {
     REQUIRE(at + sizeof value <= bytes.size());
@@ -25,7 +25,7 @@ template <class T> Bytes with(Bytes bytes, std::size_t at, T value)
     return bytes;
 }
 
-/// What a reader makes of bytes that arrive in pieces of `piece` bytes.
+/// The trajectory that a reader gets from bytes that arrive in chunks of `piece` bytes.
 inline Trajectory read(std::span<const std::byte> bytes, std::size_t piece)
 {
     Trajectory trajectory;
@@ -35,7 +35,7 @@ inline Trajectory read(std::span<const std::byte> bytes, std::size_t piece)
     return trajectory;
 }
 
-/// The one line that bytes are refused with; "accepted" if they are not.
+/// The one-line message with which bytes are refused, or "accepted" if they are not.
 inline std::string refusal(const Bytes& bytes)
 {
     try {
@@ -48,7 +48,8 @@ inline std::string refusal(const Bytes& bytes)
     return "accepted";
 }
 
-/// Cut off anywhere, `bytes` are the run up to there: ever more frames, up to all `frames`.
+/// Checks that `bytes`, cut off anywhere, contain the run up to that place: the number of frames
+/// only increases with the length, up to all `frames`.
 inline void check_cut_off_anywhere(const Bytes& bytes, std::size_t frames)
 {
     std::size_t frames_before = 0;
@@ -61,7 +62,8 @@ inline void check_cut_off_anywhere(const Bytes& bytes, std::size_t frames)
     CHECK(frames_before == frames);
 }
 
-/// Every flip in a byte from `first` on is refused, or leaves a trajectory that `check` finds harmless.
+/// Flips each byte from `first` on. The result must be refused, or be a trajectory that `check`
+/// accepts as harmless.
 /// @return how many are refused
 template <class Check>
 int flipped_bytes_refused(const Bytes& bytes, std::size_t first, const Check& check)

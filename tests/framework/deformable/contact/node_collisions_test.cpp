@@ -57,7 +57,8 @@ TEST_CASE("contact: a block lands on the floor and rests there", "[deformable]")
         const DeformableTotals sum = totals(world.solids[0]);
         check_at_most(sum.kinetic_energy, 1e-5, "kinetic energy");
         CHECK_THAT(lowest(world.solids[0]), IsClose(0.0, Order(1e-4)));
-        // ρ g H² / (2 E) = 2 mm lower than without weight, and a bit more as its sides are free
+        // ρ g H² / (2 E) = 2 mm lower than without weight, and a little more because its sides are
+        // free
         CHECK_THAT(sum.center_of_mass.y(), IsClose(0.0985, Order(1.5e-3)));
         CHECK(world.rigid.counters.node_impulses > 0);
     }
@@ -69,8 +70,8 @@ TEST_CASE("contact: on a slope a block slides or sticks as friction says", "[def
         for (const double friction : {0.2, 1.0}) {
             CAPTURE(friction);
             DeformableWorld world = block_above_floor(integrator, 0.0);
-            world.rigid.settings.gravity = {9.81 * std::sin(0.5), -9.81 * std::cos(0.5),
-                                            0}; // tan 0.546
+            // The tangent of the slope is 0.546.
+            world.rigid.settings.gravity = {9.81 * std::sin(0.5), -9.81 * std::cos(0.5), 0};
             world.solids[0].material.surface.friction = friction;
             world.rigid.bodies[0].material.friction = friction;
             run(world, 1.0 / 60, 60);
@@ -100,7 +101,7 @@ TEST_CASE("contact: a ball and a block give each other the same impulse", "[defo
             step(world, 1.0 / 120);
             speed = std::max(speed, totals(world.solids[0]).momentum.norm());
         }
-        CHECK(b.state.velocity.y() > -1); // it was thrown back, or nearly stopped
+        CHECK(b.state.velocity.y() > -1); // it rebounded, or nearly stopped
         CHECK(speed > 1);
         const bool is_explicit = integrator == NodeIntegrator::explicit_step;
         CHECK_THAT(momentum(),
@@ -132,7 +133,7 @@ TEST_CASE("contact: a block that starts deep in the floor comes out of it withou
             for (const Vector3d& v : world.solids[0].velocities)
                 fastest = std::max(fastest, v.norm());
         }
-        check_at_most(fastest, 1.5, "speed"); // of a fall from 0.11 m, twice the depth
+        check_at_most(fastest, 1.5, "speed"); // a fall from 0.11 m, twice the depth
         CHECK_THAT(lowest(world.solids[0]), IsClose(0.0, Order(1e-3)));
     }
 }

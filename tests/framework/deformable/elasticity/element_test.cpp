@@ -35,7 +35,8 @@ double largest(const std::vector<Vector3d>& vectors)
     return size;
 }
 
-// Of each component by central differences, and so to about 1e-9 of the largest.
+// The slope of the energy for each component, by central differences. The error is about 1e-9 of
+// the largest one.
 std::vector<Vector3d> energy_slopes(Deformable solid, double step)
 {
     std::vector<Vector3d> slopes(solid.positions.size());
@@ -67,7 +68,7 @@ TEST_CASE("polar: any matrix is a rotation times a symmetric one", "[deformable]
         const auto [R, S] = polar_decomposition(F);
         REQUIRE_THAT(R, IsRotation());
         REQUIRE_THAT((R * S).eval(), IsClose(F, Rounding(200)));
-        // the closest rotation: no other has a larger Tr(Rᵀ F), by the singular values
+        // R is the closest rotation: by the singular values, no other has a larger Tr(Rᵀ F).
         const Eigen::JacobiSVD<Matrix3d> svd(F);
         const Vector3d s = svd.singularValues();
         const double best = s[0] + s[1] + (F.determinant() < 0 ? -s[2] : s[2]);
@@ -91,7 +92,7 @@ TEST_CASE("element: a motion without deformation costs no force", "[deformable]"
             solid.positions[i] = R * solid.rest.vertices[i] + 5 * V;
             solid.velocities[i] = V + w.cross(solid.positions[i]);
         }
-        // E times an area of a node is 1e5 N
+        // E times the area of a node is 1e5 N.
         REQUIRE_THAT(largest(forces_of(solid)), IsClose(0.0, Rounding(200, 1e5)));
     }
 }
@@ -147,7 +148,7 @@ TEST_CASE("element: forces are the slope of the energy, whatever has flowed", "[
         const auto slopes = energy_slopes(solid, 1e-5);
         Vector3d sum = Vector3d::Zero(), torque = Vector3d::Zero();
         for (std::size_t i = 0; i < forces.size(); ++i) {
-            // central differences: the step² and rounding over the step
+            // Central differences have an error of step² and of rounding divided by the step.
             REQUIRE_THAT(forces[i], IsClose((-slopes[i]).eval(), Order(1e-7 * largest(forces))));
             sum += forces[i];
             torque += solid.positions[i].cross(forces[i]);

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::array all_real = {1, 1, 1, 1};
 
-// Two tetrahedra that share the face 1 2 3, one above it and one below.
+// Two tetrahedra that share the face 1 2 3, one above it and one below it.
 Deformable two_elements(Random& random)
 {
     TetrahedralMesh mesh{{{0, 0, 1}, {1, 0, 0}, {-0.5, 0.9, 0}, {-0.5, -0.9, 0}, {0, 0, -1}},
@@ -50,7 +50,7 @@ TEST_CASE("crack edges: a crack goes on through the cuts on the face that it com
         Random random(seed);
         Deformable solid = two_elements(random);
         const auto& x = solid.rest.vertices;
-        // about upright, so that it goes through the face
+        // The plane is nearly vertical, so that it cuts the face.
         const Vector3d n =
             (Vector3d(random.unit_vector().x(), 1, 0) + 0.2 * random.vector()).normalized();
         const Vector3d p = (x[1] + x[2] + x[3]) / 3 + 0.1 * random.vector();
@@ -71,7 +71,7 @@ TEST_CASE("crack edges: a crack goes on through the cuts on the face that it com
         REQUIRE(crack.tetrahedron == 1);
         for (const Vector3d& cut : cuts)
             REQUIRE_THAT(crack.normal.dot(cut - crack.point), IsClose(0.0, Rounding(64, 2)));
-        // of all planes through both cuts the one nearest to what was wanted
+        // Of all planes through both cuts, this is the one nearest to the wanted normal.
         const Vector3d nearest = (wanted - wanted.dot(d) * d).normalized();
         REQUIRE_THAT(crack.normal, IsClose(nearest, Rounding(64)));
     }
@@ -86,7 +86,8 @@ TEST_CASE("crack edges: a crack that would turn by more than 60 degrees does not
     const Vector3d n = Vector3d::UnitY(), p = (x[1] + x[2] + x[3]) / 3;
     solid.cracks.push_back({0, p, n});
     const CrackEdges edges(solid);
-    // along the cut: no plane through both points is near to this normal, but some through one is
+    // The wanted normal is along the cut: no plane through both points is near to it, but a plane
+    // through one point is.
     const ElementCrack crack = edges.continued(1, all_real, Vector3d::UnitX());
     CHECK_THAT(crack.normal, IsClose(Vector3d::UnitX().eval(), Rounding(8)));
     CHECK(edges.has_similar(0, Vector3d(0, -1, 0)));
@@ -121,7 +122,7 @@ TEST_CASE("crack edges: no crack goes on along a corner: what it cuts off would 
         Random random(seed);
         Deformable solid = two_elements(random);
         const auto& x = solid.rest.vertices;
-        solid.cracks.push_back({0, x[1], random.unit_vector()}); // through a corner that both have
+        solid.cracks.push_back({0, x[1], random.unit_vector()}); // through a corner of both
         const CrackEdges edges(solid);
         met += edges.meets(1, all_real);
         const ElementCrack crack = edges.continued(1, all_real, random.unit_vector());

@@ -32,7 +32,7 @@ int inverted(const Deformable& solid)
     return count;
 }
 
-// A block with randomly moved nodes, which flows in this shape.
+// A block with randomly moved nodes, with plastic flow in this shape.
 Deformable crumpled_block(unsigned seed, double strength)
 {
     Random random(seed);
@@ -46,8 +46,8 @@ Deformable crumpled_block(unsigned seed, double strength)
     return solid;
 }
 
-// The same on its way and cracked here and there, with elements inside out that have had their
-// time.
+// The same block in motion, with some cracks, and with elements that have been inverted for too
+// long.
 Deformable inverted_block(unsigned seed, FractureMethod method)
 {
     Deformable solid = crumpled_block(seed, no_pull_breaks_it);
@@ -165,7 +165,7 @@ TEST_CASE("inverted elements: what a handle holds inside out waits", "[deformabl
     }
 }
 
-// A tetrahedron with a corner pushed through its base turns back well before its time is over.
+// A tetrahedron with a corner pushed through its base turns back well before it counts as failed.
 TEST_CASE("inverted elements: an element that can turn back does", "[deformable]")
 {
     SolidMaterial material = soft_material();
@@ -197,7 +197,7 @@ TEST_CASE("inverted elements: an element that would gain energy by its shape is 
     const TetrahedralMesh mesh = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 1, 2, 3}}};
     Deformable slow = solid_of(mesh, soft_material());
     for (Vector3d& x : slow.positions)
-        x = -3 * x; // inside out, and far from its axis
+        x = -3 * x; // inverted, and far from its axis
     Deformable fast = slow;
     for (Deformable* solid : {&slow, &fast})
         for (std::size_t i = 0; i < 4; ++i)

@@ -79,7 +79,8 @@ TEST_CASE("motion: implicit steps keep the momentum to rounding and add no energ
         const double E = energy(world.solids[0]);
         run(world, time_step, 20);
         const DeformableTotals after = totals(world.solids[0]);
-        // forces between nodes have no sum, to rounding: E times an area times the step
+        // Forces between nodes sum to zero within rounding, in units of E times an area times the
+        // step.
         CHECK_THAT(after.momentum, IsClose(before.momentum, Rounding(200, 1e5 + time_step * 1e6)));
         if (time_step < 0.05) check_at_most(energy(world.solids[0]), E, "energy");
         for (const Vector3d& v : world.solids[0].velocities)
@@ -87,12 +88,12 @@ TEST_CASE("motion: implicit steps keep the momentum to rounding and add no energ
     }
 }
 
-// A solid that starts without stress: then its first half step has no force, and the method is that
-// of Störmer and Verlet.
+// The solid starts without stress. Then there is no force in the first half step, and the method is
+// that of Störmer and Verlet.
 TEST_CASE("motion: the error of explicit steps falls with the square of the step", "[deformable]")
 {
     std::vector<double> errors;
-    for (const double time_step : {0.002, 0.001, 0.0005}) { // each one substep
+    for (const double time_step : {0.002, 0.001, 0.0005}) { // each is one substep
         DeformableWorld world = world_of(tumbling(NodeIntegrator::explicit_step));
         DeformableWorld fine = world;
         run(world, time_step, static_cast<int>(std::lround(0.04 / time_step)));
@@ -120,7 +121,7 @@ TEST_CASE("motion: a bar that hangs by its end stretches as it should, to second
         const double c = bar.material.density * 1e-3 / bar.material.youngs_modulus, L = 1;
         double sum = 0, volume = 0;
         for (int t = 0; t < static_cast<int>(bar.rest.tetrahedra.size()); ++t) {
-            double u = 0, s = 0.5; // in the middle of the element; s from the held end
+            double u = 0, s = 0.5; // at the middle of the element, s from the held end
             for (const int v : bar.rest.tetrahedra[t]) {
                 u += (bar.positions[v].x() - bar.rest.vertices[v].x()) / 4;
                 s += bar.rest.vertices[v].x() / 4;
@@ -230,9 +231,9 @@ TEST_CASE("motion: no element bears more than it yields at, however fast it is p
         Handle pull;
         for (int i = 0; i < static_cast<int>(bar.positions.size()); ++i)
             if (bar.positions[i].x() > 0.5 - 1e-9) pull.nodes.push_back(i);
-        pull.path = {
-            {0, Vector3d::Zero(), Vector3d::Zero()},
-            {0.02, Vector3d(0.5, 0, 0), Vector3d::Zero()}}; // a hundred times that in one step
+        // This is a hundred times that strain in one step.
+        pull.path = {{0, Vector3d::Zero(), Vector3d::Zero()},
+                     {0.02, Vector3d(0.5, 0, 0), Vector3d::Zero()}};
         bar.handles.push_back(pull);
         step(world, 0.02);
         for (const Matrix3d& stress : element_stresses(bar)) {
@@ -257,7 +258,7 @@ TEST_CASE("motion: the same world gives the same bits", "[deformable]")
     for (const NodeIntegrator integrator : integrators) {
         DeformableWorld one = world_of(tumbling(integrator));
         run(one, 0.01, 3);
-        DeformableWorld two = one; // begins without a workspace
+        DeformableWorld two = one; // it starts without a workspace
         run(one, 0.01, 3);
         run(two, 0.01, 3);
         CHECK(one.solids[0].positions == two.solids[0].positions);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Conservation in a step: energy, angular momentum, and no inverted elements.
-// inside out.
 #include "deformable/fracture/remesh.hpp"
 #include "formulas/fracture.hpp"
 #include "support/close.hpp"
@@ -32,7 +31,7 @@ int inverted(const TetrahedralMesh& mesh, const std::vector<Vector3d>& x)
         }));
 }
 
-// A block of stiff splinters, one an element, that turns as it falls on a rough floor.
+// A block of stiff splinters, each of one element, that rotates as it falls on a rough floor.
 DeformableWorld falling_splinters(unsigned seed)
 {
     Random random(seed);
@@ -58,7 +57,7 @@ DeformableWorld falling_splinters(unsigned seed)
     return world;
 }
 
-// A bar with a nick whose ends are bent down above a floor and then let go.
+// A bar with a notch. Its ends are bent down above a floor and then released.
 DeformableWorld bent_bar(FractureMethod method)
 {
     SolidMaterial material = soft_material();
@@ -87,7 +86,8 @@ DeformableWorld bent_bar(FractureMethod method)
 
 } // namespace
 
-// A step stretches what turns by ω h by ½ (ω h)²: these are short enough for splinters that tumble.
+// A step that turns an element by ω h stretches it by ½ (ω h)². These steps are short enough for
+// tumbling splinters.
 TEST_CASE("conservation: splinters on a floor gain no energy", "[deformable]")
 {
     for (const double time_step : {0.0025, 0.005, 0.01})
@@ -108,7 +108,7 @@ TEST_CASE("conservation: a bar that snaps gains no energy once it is let go", "[
     for (const FractureMethod method :
          {FractureMethod::faces, FractureMethod::elements, FractureMethod::virtual_nodes})
         for (const double time_step : {0.005, 0.01, 0.02}) {
-            if (method == FractureMethod::virtual_nodes && time_step > 0.01) continue; // see above
+            if (method == FractureMethod::virtual_nodes && time_step > 0.01) continue; // too long
             CAPTURE(static_cast<int>(method), time_step);
             DeformableWorld world = bent_bar(method);
             for (double time = 0; time < 0.75; time += time_step)
@@ -122,8 +122,8 @@ TEST_CASE("conservation: a bar that snaps gains no energy once it is let go", "[
         }
 }
 
-// Backward Euler takes the elements' rotations from the start of a step: what turns within it makes
-// an angular momentum of the order of the step.
+// Backward Euler uses the rotations of the elements at the start of a step. Their rotation within
+// the step causes an error of the angular momentum of the order of the step.
 TEST_CASE("conservation: implicit steps lose angular momentum in proportion to their length",
           "[deformable]")
 {

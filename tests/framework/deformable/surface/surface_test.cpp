@@ -112,8 +112,7 @@ TEST_CASE("surface: the parts of a cracked element close around their share of i
 
 namespace {
 
-// A block of 2 x 1 x 1, whose elements that reach over x = 0.1 between y = lowest and the top are
-// cracked.
+// A block of 2 x 1 x 1. Its elements that cross x = 0.1 between y = lowest and the top are cracked.
 Deformable cracked_block(double lowest)
 {
     Deformable solid = solid_of(block_tetrahedra({2, 1, 1}, {4, 4, 2}), soft_material());
@@ -136,7 +135,7 @@ Deformable cracked_block(double lowest)
 TEST_CASE("surface: inside what virtual nodes left in one piece nothing is drawn", "[deformable]")
 {
     const double area = 2 * (2 * 1 + 1 * 1 + 2 * 1);
-    for (const double lowest : {-0.51, -0.01}) { // all through, or to the middle
+    for (const double lowest : {-0.51, -0.01}) { // through the whole block, or to its middle
         CAPTURE(lowest);
         const Deformable solid = cracked_block(lowest);
         const EmbeddedSurface surface = drawn_surface(solid);
@@ -150,7 +149,7 @@ TEST_CASE("surface: inside what virtual nodes left in one piece nothing is drawn
         const std::vector<int> piece = pieces(solid);
         for (std::size_t i = 0; i < surface.points.size(); ++i)
             apart.vertices[i].x() += 9 * piece[surface.points[i].element];
-        CHECK_NOTHROW(check_mesh(apart)); // each piece closed, nothing twice
+        CHECK_NOTHROW(check_mesh(apart)); // each piece is closed, no face is repeated
     }
 }
 

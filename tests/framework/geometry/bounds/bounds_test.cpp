@@ -14,5 +14,5 @@ TEST_CASE("bounds: those that share a face overlap and those apart do not", "[ge
     Bounds grown = a;
     grown.grow(0.2);
     CHECK(grown.overlaps(apart));
-    CHECK_FALSE(Bounds().overlaps(a)); // nothing overlaps nothing
+    CHECK_FALSE(Bounds().overlaps(a)); // empty bounds overlap nothing
 }

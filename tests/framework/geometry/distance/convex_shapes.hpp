@@ -12,7 +12,7 @@ inline Shape mesh_shape(const TriangleMesh& triangles)
     return Mesh{std::make_shared<SolidMesh>(triangles)};
 }
 
-/// One shape of every convex kind, and more where proportions matter.
+/// One shape of each convex kind, and several of a kind where proportions matter.
 inline const std::vector<Shape>& convex_shapes()
 {
     static const std::vector<Shape> all = {

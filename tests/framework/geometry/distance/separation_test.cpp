@@ -10,14 +10,14 @@ using namespace rigor::testing;
 
 namespace {
 
-// Distance of two shapes along a direction from 2 to 1, by their support functions.
+// Distance of two shapes along a direction from 2 to 1, from their support functions.
 double along(const Shape& a, const Pose& pose, const Shape& b, const Vector3d& n)
 {
     const Vector3d low = pose * support(a, -(pose.R.transpose() * n));
     return n.dot(low - support(b, n));
 }
 
-// The longest of the distances along many directions.
+// The largest of the distances along many directions.
 double brute_force(const Shape& a, const Pose& pose, const Shape& b)
 {
     Random random(1);
@@ -30,7 +30,7 @@ double brute_force(const Shape& a, const Pose& pose, const Shape& b)
             direction = n;
         }
     }
-    for (double step = 0.05; step > 1e-7; step *= 0.9) // downhill from there
+    for (double step = 0.05; step > 1e-7; step *= 0.9) // local search from the best one
         for (int i = 0; i < 8; ++i) {
             const Vector3d n = (direction + step * random.vector()).normalized();
             if (const double s = along(a, pose, b, n); s > best) {
@@ -56,7 +56,7 @@ TEST_CASE("separation: shapes apart are as far as their nearest points", "[geome
                 const Separation found = separation(a, pose, b, 1e9);
                 if (found.distance <= 1e-3) continue;
                 ++apart;
-                // a bound from below by the direction, from above by the points
+                // The direction gives a lower bound of the distance, the points an upper bound.
                 REQUIRE_THAT(along(a, pose, b, found.normal),
                              IsClose(found.distance, Rounding(64, 4)));
                 REQUIRE_THAT((found.point1 - found.point2).norm(),
@@ -84,8 +84,8 @@ TEST_CASE("separation: shapes that overlap a little are parted the shortest way"
                 ++overlapping;
                 REQUIRE_THAT(along(a, pose, b, found.normal),
                              IsClose(found.distance, Rounding(64, 4)));
-                // no shorter way, to the error of the polytope's last face; a shallow overlap of
-                // facets may settle on one beside the best
+                // No direction is shorter, within the error of the polytope's last face. A shallow
+                // overlap of facets may end at a facet next to the best one.
                 const double shortest = std::max(-depth, brute_force(a, pose, b));
                 REQUIRE(found.distance >= shortest * 1.01 - 1e-7);
             }

@@ -24,7 +24,7 @@ Vector3d about_y(double distance, double height, double angle)
     return {distance * std::cos(angle), height, distance * std::sin(angle)};
 }
 
-// Random points of each surface.
+// Random points on each surface.
 struct OnSurface {
     Random& random;
     double angle() const { return random.uniform(0, 2 * pi); }
@@ -122,7 +122,8 @@ TEST_CASE("signed distance: centers are as deep as they can be", "[geometry]")
     CHECK_THAT(distance(Cylinder{0.4, 1}, o), IsClose(-0.4, Rounding(4)));
     CHECK_THAT(distance(Ellipsoid{{1, 2, 3}}, o), IsClose(-1.0, Rounding(8)));
     CHECK_THAT(distance(Ellipsoid{{3, 2, 0.5}}, o), IsClose(-0.5, Rounding(8)));
-    // of a cone with half angle 45 degrees: center of mass a quarter up, base nearer than slope
+    // In a cone with half angle 45 degrees, the center of mass is at a quarter of the height, and
+    // the base is nearer than the slope.
     CHECK_THAT(distance(Cone{1, 1}, o), IsClose(-0.25, Rounding(8)));
     for (const Shape& shape : shapes) {
         CHECK(signed_distance(shape, o).normal.allFinite());

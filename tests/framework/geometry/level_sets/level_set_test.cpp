@@ -22,7 +22,7 @@ template <class Visit> void for_nodes(const LevelSet& grid, const Visit& visit)
     REQUIRE(number == grid.distances.size());
 }
 
-// How often the surface winds around p: 1 inside, 0 outside.
+// The winding number of the surface around p: 1 inside, 0 outside.
 double winding_number(const TriangleMesh& mesh, const Vector3d& p)
 {
     double sum = 0;
@@ -79,6 +79,6 @@ TEST_CASE("level set: thin walls ask for finer cells within limits", "[geometry]
     CHECK(suggested_cells(box_mesh({1, 1, 1})) == 32);
     CHECK(suggested_cells(torus_mesh(1, 0.3, 48, 24)) == 32);
     CHECK(suggested_cells(bowl_mesh(1, 0.15, 48)) ==
-          41); // 3 · 2/0.15, less for the bend of the facets
+          41); // 3 · 2/0.15, and a little more because facets are flat
     CHECK(suggested_cells(box_mesh({1, 0.01, 1})) == 64);
 }

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-// The volume of a polygon turned in n steps is that of the polygon turned smoothly times this.
+// The volume of a polygon turned in n steps, divided by that of the smooth solid of revolution.
 double in_steps(int n)
 {
     return n / (2 * pi) * std::sin(2 * pi / n);
@@ -41,13 +41,14 @@ TEST_CASE("generators: volumes are those of their closed forms", "[geometry]")
                IsClose((2 * 0.3 + 0.7 * 0.3) * 0.5, Rounding(64)));
     CHECK_THAT(volume(ring_mesh(0.5, 1, 0.3, 48)),
                IsClose(in_steps(48) * pi * 0.75 * 0.3, Rounding(256)));
-    // Pappus: area of the section times the way of its center
+    // Pappus: the volume is the area of the section times the path length of its center.
     CHECK_THAT(volume(torus_mesh(2, 0.5, 64, 32)),
                IsClose(in_steps(64) * 2 * pi * 2 * (in_steps(32) * pi * 0.25), Rounding(1024)));
     const double half = 15 * pi / 360;
     CHECK_THAT(volume(voussoir_mesh(1, 1.3, 15, 0.5)),
                IsClose((1.69 - 1) * std::sin(half) * std::cos(half) * 0.5, Rounding(64)));
-    // a gear: a triangle between each two points of its outline, less the polygon of the bore
+    // A gear: one triangle for each two neighbouring points of the outline, minus the polygon of
+    // the bore.
     const int teeth = 12;
     const double pitch = 2 * pi / teeth, depth = pi / teeth, root = 1 - 0.6 * depth,
                  tip = 1 + 0.5 * depth;

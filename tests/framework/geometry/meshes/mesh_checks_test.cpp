@@ -109,7 +109,7 @@ TEST_CASE("mesh check: numbers that are none are refused", "[geometry]")
 
 TEST_CASE("mesh check: more than two faces at an edge are refused", "[geometry]")
 {
-    // two cubes that share the vertices of an edge
+    // Two cubes share the vertices of an edge.
     TriangleMesh pair = both(cube, moved(cube, {1, 1, 0}));
     for (auto& triangle : pair.triangles)
         for (int& v : triangle)
@@ -124,7 +124,7 @@ TEST_CASE("mesh check: a surface that goes through itself is refused", "[geometr
     CHECK(begins(refusal(both(cube, moved(cube, {0.5, 0.5, 0.5}))), message));
     CHECK(begins(refusal(both(cube, moved(box_mesh({0.2, 0.2, 3}), {0.1, 0.05, 0}))), message));
     TriangleMesh dented = icosphere(1, 2);
-    dented.vertices[5] *= -1.5; // pulled through to the other side
+    dented.vertices[5] *= -1.5; // a vertex is moved through to the other side
     CHECK(begins(refusal(dented), message));
 }
 

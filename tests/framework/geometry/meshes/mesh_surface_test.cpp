@@ -31,7 +31,7 @@ TEST_CASE("surface: sharp edges are those that stick out", "[geometry]")
 {
     CHECK(MeshSurface(box_mesh({1, 1, 1}), 0.1).edges().size() == 12);
     CHECK(MeshSurface(angle_mesh({1, 1, 1}, 0.3), 0.1).edges().size() ==
-          6 + 6 + 5); // not the inner one
+          6 + 6 + 5); // without the inner edge
     CHECK(MeshSurface(torus_mesh(1, 0.3, 64, 48), 0.1).edges().empty());
 }
 
@@ -45,8 +45,8 @@ TEST_CASE("surface: a point is touched along its own normals only", "[geometry]"
             Random random(seed);
             const Vector3d d = random.unit_vector();
             const Vector3d n = surface.nearest_normal(p.cone, d);
-            // of a box: what of d points out of the faces the point is on; a face alone has one
-            // normal
+            // Expected for a box: the components of d that point out of the faces at this point. On
+            // a single face it is the normal.
             Vector3d expected = Vector3d::Zero();
             int faces = 0, last = 0;
             for (int i = 0; i < 3; ++i) {
@@ -56,7 +56,7 @@ TEST_CASE("surface: a point is touched along its own normals only", "[geometry]"
                 if (d[i] * p.point[i] > 0) expected[i] = d[i];
             }
             if (faces == 1) expected = Vector3d::Unit(last) * (p.point[last] < 0 ? -1 : 1);
-            if (expected.norm() < 1e-3) continue; // from behind: any of them
+            if (expected.norm() < 1e-3) continue; // from inside, any normal is allowed
             REQUIRE_THAT(n, IsClose(Vector3d(expected.normalized()), Rounding(1e5)));
         }
 }

@@ -8,7 +8,7 @@
 
 namespace rigor::testing {
 
-/// Distance from a point to a mesh, by a look at every triangle [m].
+/// Distance from a point to a mesh, found by testing every triangle [m].
 inline double distance_to_triangles(const TriangleMesh& mesh, const Vector3d& p)
 {
     double best = 1e300;
@@ -17,7 +17,7 @@ inline double distance_to_triangles(const TriangleMesh& mesh, const Vector3d& p)
     return best;
 }
 
-/// A mesh of every generator.
+/// One mesh of each generator.
 inline const std::vector<TriangleMesh>& solid_meshes()
 {
     static const std::vector<TriangleMesh> all = {box_mesh({1, 2, 0.5}),

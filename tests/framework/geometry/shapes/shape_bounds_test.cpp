@@ -35,7 +35,8 @@ TEST_CASE("bounds: a part lies within its bounding radius however its body turns
     for (unsigned seed = 0; seed < 50; ++seed) {
         CAPTURE(seed);
         Random random(seed);
-        const Vector3d direction = random.unit_vector(); // the support point of the turned part
+        // The support point of the rotated part is computed for this direction.
+        const Vector3d direction = random.unit_vector();
         const Pose placed = part_pose({random.rotation(), {0, 0, 0}}, part);
         const Vector3d half =
             (placed.R.transpose() * direction).cwiseAbs().cwiseProduct(Vector3d(0.5, 1, 1.5));

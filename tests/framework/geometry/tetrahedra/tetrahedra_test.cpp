@@ -37,7 +37,7 @@ TetrahedralMesh two_tetrahedra()
     return {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}}, {{0, 1, 2, 3}, {4, 1, 3, 2}}};
 }
 
-// The vertices of each tetrahedron, as places, whatever their order.
+// The positions of the vertices of each tetrahedron, in any order.
 std::set<std::set<std::array<double, 3>>> places(const TetrahedralMesh& mesh, int mirrored_axis)
 {
     std::set<std::set<std::array<double, 3>>> all;
@@ -85,7 +85,7 @@ TEST_CASE("tetrahedra: generated meshes are their own mirror images", "[geometry
           notched_tetrahedra({4, 2, 0.5}, {8, 4, 2}, {2, 2})})
         for (int axis = 0; axis < 3; ++axis) {
             CAPTURE(axis);
-            if (axis != 1 || mesh.tetrahedra.size() != 5 * (8 * 4 - 4) * 2) // the notch is above
+            if (axis != 1 || mesh.tetrahedra.size() != 5 * (8 * 4 - 4) * 2) // notch on top
                 CHECK(places(mesh, axis) == places(mesh, -1));
         }
 }
