@@ -4,9 +4,9 @@
 // together.
 #include "render/overlays.hpp"
 
-#include "geometry/shapes/shape_bounds.hpp"
-#include "geometry/shapes/pose.hpp"
 #include "geometry/bounds/bounds.hpp"
+#include "geometry/shapes/pose.hpp"
+#include "geometry/shapes/shape_bounds.hpp"
 #include "render/colors.hpp"
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A correct solution that computes otherwise than the reference must have every point. Prints topic, points, and what
-// an alternative that lost some was told.
+// Checks that a correct solution that computes differently from the reference gets every point.
+// Prints each topic with its points, and the failures of an alternative that lost some.
 //
 //     check_alternatives [TOPIC]
 #include "formulas/table.hpp"
@@ -21,10 +21,10 @@ namespace fs = std::filesystem;
 
 struct Alternative {
     std::string topic;
-    std::string explanation; // its second line
+    std::string explanation; // line 2 of its source
     fs::path worker;
     Result result;
-    std::string fault; // what lost points, or went wrong
+    std::string fault; // what lost points or went wrong
 };
 
 std::vector<Alternative> find_alternatives(const std::vector<Assignment>& assignments,

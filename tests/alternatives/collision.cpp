@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Eight weights instead of faces, columns instead of matrix products, double cross products, LU for LDLᵀ.
+// Eight weights instead of faces, columns instead of matrices, double cross products, LU for LDLᵀ.
+// A level set is a weighted sum over the eight corners of a cell. K is computed column by column.
+// Tangential parts come from double cross products, sticking contacts from an LU decomposition.
 #include "formulas/collision.hpp"
 
 #include <algorithm>
@@ -9,7 +11,7 @@ namespace rigor {
 
 namespace {
 
-// A point of the grid: cell and where in it, clamped to the grid's box.
+// A point in the grid: its cell and its place in the cell, clamped to the grid's box.
 struct Place {
     int cell[3];
     double t[3];
@@ -31,7 +33,8 @@ Place place_of(const LevelSet& grid, const Vector3d& p)
     return place;
 }
 
-// Σ φ(corner) w_x w_y w_z over the cell's eight corners; the weight along `slope` is ∓1 instead.
+// Σ φ(corner) w_x w_y w_z over the eight corners of the cell. Along the axis `slope` the weight is
+// ∓1 instead.
 double weighted(const LevelSet& grid, const Place& place, int slope = -1)
 {
     double sum = 0;
@@ -76,7 +79,7 @@ Vector3d relative_velocity(const Body& body1, const Body& body2, const Vector3d&
 Matrix3d impulse_matrix(double inverse_mass, const Matrix3d& I_inverse, const Vector3d& X,
                         const Vector3d& x)
 {
-    // column i: what a unit impulse along axis i does to the velocity of x
+    // column i is the change of the velocity of x by a unit impulse along axis i
     const Vector3d r = x - X;
     Matrix3d K = Matrix3d::Zero();
     if (inverse_mass == 0) return K;
@@ -150,7 +153,7 @@ Body apply_impulse(const Body& body, const Vector3d& x, const Vector3d& j)
 
 std::optional<int> deepest_approaching_point(const std::vector<ContactPoint>& contacts)
 {
-    // from the last to the first, so that of equals the first remains
+    // goes from the last to the first, so that the first of equally deep ones remains
     std::optional<int> deepest;
     for (int i = static_cast<int>(contacts.size()) - 1; i >= 0; --i)
         if (contacts[i].normal.dot(contacts[i].relative_velocity) < 0 &&

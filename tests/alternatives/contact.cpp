@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One list sorted by a key, Tarjan's recursion, held bodies left out of a copy, eigenvalues by a solver.
+// One sorted list of contacts, Tarjan's recursion, copies with held bodies, an eigenvalue solver.
+// Contacts are sorted once by depth. Levels come from strongly connected components (Tarjan 1972).
+// Shock propagation works on copies in which the bodies below are static.
 #include "formulas/contact.hpp"
 
 #include "formulas/collision.hpp"
@@ -12,7 +14,7 @@ namespace rigor {
 
 namespace {
 
-// What two bodies move at a contact by an impulse there.
+// K of a contact: the change of its velocity by a unit impulse, summed over both bodies.
 Matrix3d softness(const Body& body1, const Body& body2, const Vector3d& x)
 {
     return impulse_matrix(body2.inverse_mass, body2.inverse_inertia, body2.position, x) +
@@ -25,7 +27,7 @@ void push(std::vector<Body>& bodies, const BodyContact& c, const Vector3d& j)
     bodies[c.body1] = apply_impulse(bodies[c.body1], c.point, j);
 }
 
-// Strongly connected components (Tarjan 1972), each after all that it leads to, and its level.
+// Strongly connected components (Tarjan 1972) and their levels, each after all that it leads to.
 class Components {
 public:
     Components(const std::vector<std::vector<int>>& edges, const std::vector<bool>& is_static)
@@ -56,7 +58,7 @@ private:
         if (lowest_[i] == order_[i]) close(i);
     }
 
-    // the component that `first` is the first of
+    // closes the component whose first body is `first`
     void close(int first)
     {
         const auto begin = std::find(open_.rbegin(), open_.rend(), first).base() - 1;
@@ -122,7 +124,7 @@ ContactResult shock_propagation(const std::vector<Body>& bodies,
     for (const int level : std::set<int>(levels.begin(), levels.end())) {
         if (level == 0) continue;
 
-        // the contacts of this level, between copies of which those below cannot move
+        // the contacts of this level, between copies of the bodies in which lower ones cannot move
         std::vector<Body> copies = result.bodies;
         for (std::size_t i = 0; i < copies.size(); ++i)
             if (levels[i] < level) {
@@ -155,9 +157,9 @@ ContactResult resolve_simultaneously(const std::vector<Body>& bodies,
             const Body &body1 = result.bodies[c.body1], &body2 = result.bodies[c.body2];
             if (body1.inverse_mass == 0 && body2.inverse_mass == 0) continue;
             Vector3d& j = result.impulses[i];
-            Vector3d j_new = c.impulse; // before the first sweep
+            Vector3d j_new = c.impulse; // the guess is applied before the first sweep
             if (sweep > 0) {
-                // across n: P = δ - n nᵀ, and λ of P K P
+                // P = δ - n nᵀ projects across n, and λ is the largest eigenvalue of P K P
                 const Vector3d& n = c.normal;
                 const Matrix3d K = softness(body1, body2, c.point);
                 const Matrix3d P = Matrix3d::Identity() - n * n.transpose();

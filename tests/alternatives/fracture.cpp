@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Jacobi's rotations, labels that spread instead of union-find, edges halved from the last to the first, mesh lists reversed.
+// Jacobi rotations, labels that spread through links, edges halved from the last, reversed lists.
+// Principal stresses come from Jacobi's method (1846). Corners of tetrahedra that belong together
+// get the same label, spread along links until nothing changes, instead of union-find. Edges are
+// halved from the last to the first, and lists of the mesh are reversed.
 #include "formulas/fracture.hpp"
 
 #include <algorithm>
@@ -15,7 +18,8 @@ namespace {
 
 using Tetrahedron = std::array<int, 4>;
 using Face = std::array<int, 3>;
-using Links = std::vector<std::pair<int, int>>; // of corners 4 t + c
+// pairs of corners, where corner c of tetrahedron t is 4 t + c
+using Links = std::vector<std::pair<int, int>>;
 
 int corner_of(const Tetrahedron& t, int v)
 {
@@ -31,7 +35,7 @@ Face face_of(const Tetrahedron& t, int f)
     return face;
 }
 
-// Of each face, by its vertices, the tetrahedra that have it.
+// The tetrahedra that have each face, by the vertices of the face.
 std::map<Face, std::vector<int>> sides_of_faces(const std::vector<Tetrahedron>& tetrahedra)
 {
     std::map<Face, std::vector<int>> sides;
@@ -41,7 +45,7 @@ std::map<Face, std::vector<int>> sides_of_faces(const std::vector<Tetrahedron>& 
     return sides;
 }
 
-// The largest number that can be reached from each corner, spread along the links until it stays.
+// The largest number that each corner reaches, spread along the links until no label changes.
 std::vector<int> spread(std::size_t corners, const Links& links)
 {
     std::vector<int> label(corners);
@@ -57,7 +61,7 @@ std::vector<int> spread(std::size_t corners, const Links& links)
     return label;
 }
 
-// A vertex for each label, the last corner's first. @return the parent of each vertex
+// Makes a vertex for each label, the last corner's first. @return the parent of each vertex
 std::vector<int> relabel(std::vector<Tetrahedron>& tetrahedra, const std::vector<int>& label)
 {
     std::map<int, int> number;
@@ -79,7 +83,8 @@ void link(Links& links, int copy1, const Tetrahedron& t1, int copy2, const Tetra
     links.push_back({4 * copy1 + corner_of(t1, v), 4 * copy2 + corner_of(t2, v)});
 }
 
-// What lies of a tetrahedron (columns: barycentric corners) above or below a plane.
+// Pieces of a tetrahedron above or below a plane. The columns are the barycentric coordinates of
+// the corners.
 using Pieces = std::vector<Eigen::Matrix4d>;
 
 void cut(const Eigen::Matrix4d& piece, Eigen::Vector4d h, Pieces& above, Pieces& below)
@@ -104,7 +109,7 @@ struct Part {
     Pieces pieces;
 };
 
-// Recursively by the cracks from the one given on.
+// Divides a part by the cracks from `next` on, recursively.
 void divide(const Part& part, const std::vector<Eigen::Vector4d>& planes, std::size_t next,
             std::vector<Part>& parts)
 {
@@ -130,7 +135,7 @@ void divide(const Part& part, const std::vector<Eigen::Vector4d>& planes, std::s
 
 PrincipalStress principal_stress(const Matrix3d& stress)
 {
-    // Jacobi (1846): turn away one entry beside the diagonal after the other
+    // Jacobi (1846): each rotation makes one entry beside the diagonal zero
     Matrix3d A = stress, Q = Matrix3d::Identity();
     for (int sweep = 0; sweep < 50; ++sweep)
         for (const auto& [p, q] : {std::pair(0, 1), std::pair(1, 2), std::pair(0, 2)}) {
@@ -190,7 +195,7 @@ SplitMesh split_element(const TetrahedralMesh& mesh, int vertex, const Vector3d&
     for (auto& [v, height] : h)
         if (std::abs(height) < 0.05 * longest) height = 0;
 
-    // edges from below to above, the last first
+    // edges from below to above the plane, in descending order
     std::map<std::pair<int, int>, int, std::greater<>> edges;
     for (const Tetrahedron& t : mesh.tetrahedra)
         for (int a : t)
@@ -209,7 +214,7 @@ SplitMesh split_element(const TetrahedralMesh& mesh, int vertex, const Vector3d&
         h[p] = 0;
         std::vector<Tetrahedron> halves;
         std::vector<int> parents;
-        for (std::size_t i = fine.parents.size(); i-- > 0;) { // the lists turn round each time
+        for (std::size_t i = fine.parents.size(); i-- > 0;) { // this reverses the lists each time
             Tetrahedron whole = fine.mesh.tetrahedra[i];
             const int at_a = corner_of(whole, a), at_b = corner_of(whole, b);
             if (at_a >= 0 && at_b >= 0) {
@@ -225,7 +230,7 @@ SplitMesh split_element(const TetrahedralMesh& mesh, int vertex, const Vector3d&
         fine.parents = parents;
     }
 
-    // above: 1, below: -1, not at the vertex: 0
+    // 1 above the plane, -1 below it, 0 if the tetrahedron does not have the vertex
     const auto side = [&](const Tetrahedron& t) {
         if (corner_of(t, vertex) < 0) return 0;
         double sum = 0, middle = 0;

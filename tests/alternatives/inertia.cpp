@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Particles one after the other, second moments C with I = Tr(C) δ - C, Jacobi's eigenvectors, Gauss points.
+// Particles added one by one, I = Tr(C) δ - C, Jacobi's eigenvectors, Gauss points in tetrahedra.
+// C = ∫ ρ d dᵀ dV are the second moments. Principal axes come from Jacobi's rotations. A mesh is
+// replaced by four Gauss points in each signed tetrahedron, which are exact for quadratic
+// functions.
 #include "formulas/inertia.hpp"
 
 #include <array>
@@ -12,7 +15,7 @@ namespace {
 
 const double pi = std::acos(-1.0);
 
-// I = Tr(C) δ - C of C = ∫ ρ d dᵀ dV
+// I = Tr(C) δ - C for C = ∫ ρ d dᵀ dV
 Matrix3d inertia_of(const Matrix3d& C)
 {
     return C.trace() * Matrix3d::Identity() - C;
@@ -24,7 +27,7 @@ MassProperties solid(double M, const Vector3d& s)
     return {M, Vector3d::Zero(), inertia_of((M * s).asDiagonal())};
 }
 
-// By the definition, all sums with possibly negative masses.
+// Mass properties of particles by their definition, where masses may be negative.
 MassProperties weighted(const std::vector<Particle>& particles)
 {
     double M = 0;
@@ -42,7 +45,7 @@ MassProperties weighted(const std::vector<Particle>& particles)
     return {M, X, inertia_of(C)};
 }
 
-// One rotation of Jacobi's in the plane (p, q): makes A(p, q) zero.
+// One of Jacobi's rotations in the plane (p, q), which makes A(p, q) zero.
 void rotate_away(Matrix3d& A, Matrix3d& Q, int p, int q)
 {
     if (A(p, q) == 0) return;
@@ -89,7 +92,7 @@ PrincipalAxes principal_axes(const Matrix3d& I)
         for (const auto& [p, q] : {std::pair(0, 1), std::pair(0, 2), std::pair(1, 2)})
             rotate_away(A, Q, p, q);
 
-    // in ascending order: each exchange of two columns, one of them turned round, is a rotation
+    // sorts in ascending order: an exchange of two columns with one of them negated is a rotation
     for (const auto& [p, q] : {std::pair(0, 1), std::pair(1, 2), std::pair(0, 1)})
         if (A(p, p) > A(q, q)) {
             std::swap(A(p, p), A(q, q));
@@ -140,7 +143,7 @@ MassProperties grid_mass_properties(const std::vector<DensitySample>& samples, d
 
 MassProperties sampled_mass_properties(const std::vector<DensitySample>& samples, double volume)
 {
-    // densities as masses, and all scaled at the end
+    // takes densities as masses, and scales the result at the end
     std::vector<Particle> particles;
     for (auto sample = samples.rbegin(); sample != samples.rend(); ++sample)
         particles.push_back({sample->density, sample->position});
@@ -156,7 +159,7 @@ MassProperties mesh_mass_properties(const TriangleMesh& mesh, double density)
 {
     if (mesh.triangles.empty()) return {};
 
-    // four Gauss points in each signed tetrahedron: exact for squares
+    // four Gauss points in each signed tetrahedron, exact for quadratic functions
     const double b = (5 - std::sqrt(5.0)) / 20, a = 1 - 3 * b;
     const Vector3d apex = mesh.vertices[mesh.triangles.back()[1]];
     std::vector<Particle> particles;
@@ -182,7 +185,7 @@ MassProperties combine(const MassProperties& a, const MassProperties& b)
     if (a.mass == 0) return b;
     if (b.mass == 0) return a;
 
-    // the reduced mass at the distance of the two centers
+    // the reduced mass at the distance between the two centers
     const Vector3d d = b.center_of_mass - a.center_of_mass;
     const double reduced = a.mass / M * b.mass;
     return {M, a.center_of_mass + b.mass / M * d,

@@ -6,7 +6,7 @@ namespace rigor {
 
 Matrix3d cross_matrix(const Vector3d& w)
 {
-    // column i: w × eᵢ
+    // column i is w × eᵢ
     Matrix3d w_x;
     for (int i = 0; i < 3; ++i)
         w_x.col(i) = w.cross(Vector3d::Unit(i));
@@ -23,7 +23,7 @@ Vector3d world_point(const Matrix3d& R, const Vector3d& X, const Vector3d& p)
 
 Vector3d object_point(const Matrix3d& R, const Vector3d& X, const Vector3d& x)
 {
-    // R p = x - X, solved
+    // solves R p = x - X
     return R.partialPivLu().solve(x - X);
 }
 
@@ -48,7 +48,7 @@ Vector3d point_velocity(const Vector3d& V, const Vector3d& omega, const Vector3d
 
 Matrix36d velocity_modes(const Vector3d& X, const Vector3d& x)
 {
-    // column i: the velocity of x in mode i
+    // column i is the velocity of x in mode i
     Matrix36d S;
     for (int i = 0; i < 3; ++i) {
         S.col(i) = Vector3d::Unit(i);

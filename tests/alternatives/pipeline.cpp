@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Number by number: every product of two components on its own.
+// Adds the products of components one by one, in another order.
 #include "formulas/pipeline.hpp"
 
 namespace rigor {

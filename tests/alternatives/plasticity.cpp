@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Principal stresses instead of norms, Voigt's 6×6 stiffness, and the return along the radius.
+// Principal stresses instead of norms, Voigt's 6×6 stiffness, and the radial return.
+// The return scales the deviator to the yield surface; the difference becomes plastic strain.
 #include "formulas/plasticity.hpp"
 
 #include <cmath>
@@ -9,7 +10,7 @@ namespace rigor {
 
 Matrix3d deviator(const Matrix3d& stress)
 {
-    // on the diagonal ⅓ (2 σ_xx - σ_yy - σ_zz), and so on
+    // the diagonal is ⅓ (2 σ_xx - σ_yy - σ_zz), and so on
     Matrix3d s = stress;
     for (int i = 0; i < 3; ++i) {
         const int j = (i + 1) % 3, k = (i + 2) % 3;
@@ -53,7 +54,7 @@ Matrix3d isotropic_stress(const Matrix3d& strain, double lame_lambda, double she
 
 double von_mises_from_strain(const Matrix3d& strain, double shear_modulus)
 {
-    // the von Mises stress of a stress that is 2 G ε and has another pressure
+    // the von Mises stress of 2 G ε, which differs from the true stress only in its pressure
     return von_mises(2 * shear_modulus * strain);
 }
 
@@ -70,7 +71,7 @@ Matrix3d plastic_flow(const Matrix3d& plastic_strain, const Matrix3d& stress, do
     const double q = std::sqrt(1.5) * s.norm();
     if (q <= yield_stress || shear_modulus == 0) return plastic_strain;
 
-    // dev σ shrinks to σ_Y/q of what it was; what is missing has become plastic strain
+    // dev σ shrinks to σ_Y/q of its size, and the difference becomes plastic strain
     const Matrix3d s_new = yield_stress / q * s;
     return plastic_strain + (s - s_new) / (2 * shear_modulus);
 }

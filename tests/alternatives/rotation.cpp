@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Matrices written out, Householder's orthonormalization, rates from a linear system, steps in the body's frame.
+// Matrices written out, Householder's orthonormalization, rates from a linear system, body frame.
+// Quaternions and Euler matrices are computed entry by entry. The rates of Euler angles come from
+// solving ω = B (φ̇, θ̇, ψ̇). Steps apply I⁻¹ in the body's own frame.
 #include "formulas/rotation.hpp"
 
 #include <cmath>
@@ -11,7 +13,7 @@ namespace {
 
 const double quarter_turn = std::acos(0.0);
 
-// The power of two that is nearest below |x|: dividing by it rounds nothing.
+// The largest power of two that is not above |x|. A division by it causes no rounding.
 double magnitude(double x)
 {
     return std::ldexp(1.0, std::ilogb(x));
@@ -37,7 +39,8 @@ Matrix3d advance_matrix(const Matrix3d& R, const Vector3d& omega, double time_st
 
 Matrix3d gram_schmidt(const Matrix3d& R)
 {
-    // Q of Householder's Q U, its columns with the signs that make U's diagonal positive
+    // Q of Householder's decomposition Q U, with the signs of its columns chosen to make U's
+    // diagonal positive
     Matrix3d scaled = R;
     for (int i = 0; i < 3; ++i)
         if (R.col(i).lpNorm<Eigen::Infinity>() > 0)
@@ -121,7 +124,7 @@ Quaternion quaternion_rate(const Quaternion& q, const Vector3d& omega)
 
 Quaternion advance_exact(const Quaternion& q, const Vector3d& omega, double time_step)
 {
-    // |Δt ω/2| and sin(a)/a, by its series near 0
+    // sin(a)/a for a = |Δt ω/2|, by its series near 0
     constexpr double largest = std::numeric_limits<double>::max();
     const double rate = omega.stableNorm();
     const double a = std::min(std::abs(time_step) / 2 * rate, largest);
@@ -135,7 +138,7 @@ Quaternion advance_exact(const Quaternion& q, const Vector3d& omega, double time
 
 Quaternion advance_linear(const Quaternion& q, const Vector3d& omega, double time_step)
 {
-    // (1, Δt ω/2) q
+    // multiplies by (1, Δt ω/2)
     return normalize(multiply({1, time_step / 2 * omega}, q));
 }
 
@@ -174,7 +177,7 @@ RigidState step_buss(const RigidState& state, const BodyInertia& body, const Wre
     const double h = time_step;
     const Vector3d a = wrench.force * body.inverse_mass;
 
-    // L × ω for -ω × L, and ω + h/2 (ω̇ + h/6 ω̇ × ω)
+    // L × ω stands for -ω × L, and the mean is ω + h/2 (ω̇ + h/6 ω̇ × ω)
     const Quaternion& q = state.orientation;
     const Vector3d& L = state.angular_momentum;
     const Vector3d w = by_inverse_inertia(q, body, L);

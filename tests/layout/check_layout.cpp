@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Prints each file that breaks a rule of the tree. Arguments: the top of the tree.
+// Prints each place that breaks a rule of the tree. Argument: the top of the tree.
 #include "layout/layout.hpp"
 
 #include <cstdio>

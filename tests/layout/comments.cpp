@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Finds the comments of C++ files. A scanner goes through each line and skips strings and
+// characters. It remembers a raw string that goes on in the next line.
 #include "layout/comments.hpp"
 
 #include <algorithm>
@@ -15,10 +17,10 @@ bool is_word(char c)
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
 }
 
-// Reads lines one after the other, since a raw string may go on in the next line.
+// Reads lines one after the other, since a raw string may continue in the next line.
 class Reader {
 public:
-    /// Where the comment of the next line begins, or npos.
+    /// The place where the comment of the next line begins, or npos.
     std::size_t comment_start(const std::string& line)
     {
         std::size_t i = 0;
@@ -49,7 +51,8 @@ private:
             return open + 1;
         }
         if (line[i] == '"') return after_quote(line, i);
-        if (line[i] == '\'' && !follows_word) return after_quote(line, i); // not that of 1'000
+        // a quote inside 1'000 starts no character
+        if (line[i] == '\'' && !follows_word) return after_quote(line, i);
         return i + 1;
     }
 
@@ -64,7 +67,7 @@ private:
         return line.size();
     }
 
-    std::string raw_end_; // what closes the raw string that is open; else empty
+    std::string raw_end_; // the end of the open raw string, or empty
 };
 
 } // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where comments are in C++: not in strings.
+// The comments of C++ files. Slashes in strings begin no comment.
 #pragma once
 
 #include <optional>
@@ -13,7 +13,7 @@ namespace rigor::layout {
 struct Comment {
     std::size_t line; ///< counted from 1
     bool is_trailing; ///< code stands before it
-    std::string text; ///< without slashes and the spaces after them
+    std::string text; ///< without the slashes and the spaces after them
 };
 
 /// The comments that begin with two slashes.

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Commit subjects have at most 72 characters, from the commit on that brought this file.
-# Argument: the top of the tree. Ends with 1 if one is longer, with 77 if the history isn't there.
+# Checks that subjects of commits have at most 72 characters, from the commit that added this file.
+# Argument: the top of the tree. Ends with 1 if a subject is longer, with 77 if there is no history.
 skip() {
     echo "skipped: $1"
     exit 77

@@ -19,7 +19,7 @@ File read(const fs::path& top, const fs::path& path)
     return file;
 }
 
-// The files below a folder that `wanted` names. Builds, output and what is hidden are left out.
+// The files below a folder for which `wanted` is true, without builds, output and hidden folders.
 template <class Wanted>
 void collect(const fs::path& top, const fs::path& folder, const Wanted& wanted, Files& files)
 {

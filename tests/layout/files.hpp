@@ -19,10 +19,10 @@ using Files = std::vector<File>;
 /// The C++ files of framework, student, reference and tests, in the order of their names.
 Files sources(const std::filesystem::path& top);
 
-/// What has comments but is no C++: CMake files and the script `rigor`.
+/// Files that have comments but are not C++: CMake files, shell scripts and the script `rigor`.
 Files scripts(const std::filesystem::path& top);
 
-/// The Markdown files, also those beside the folders of sources.
+/// The Markdown files, also those outside the folders of sources.
 Files texts(const std::filesystem::path& top);
 
 } // namespace rigor::layout

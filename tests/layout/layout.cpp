@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// The rules of the tree, one function each. They look at folders, includes, the width of comments
+// and prose, and the first lines of files. `check_tree` applies all of them.
 #include "layout/layout.hpp"
 
 #include "layout/comments.hpp"
@@ -33,7 +35,7 @@ void check_width(const File& file, std::size_t line, Violations& violations)
              "a comment or text of " + std::to_string(columns) + " columns; the limit is 100"});
 }
 
-// One link or picture that fills a line by itself, or one word: nothing that could be broken.
+// Whether a line is one link, picture or word, which cannot be broken.
 bool is_unbreakable(const std::string& line)
 {
     const std::size_t start = line.find_first_not_of(" -*>");

@@ -27,7 +27,7 @@ Violations wide_prose(const Files& texts);
 Violations trailing_of_comments(const Files& sources);
 Violations missing_first_lines(const Files& sources);
 
-/// All of them. A tree without sources or without texts breaks a rule, too.
+/// Checks all rules. A tree without sources or without texts breaks a rule, too.
 Violations check_tree(const std::filesystem::path& top);
 
 } // namespace rigor::layout

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Each rule fires on a small tree that breaks it, and names the place.
+// Each rule finds a violation in a small tree and names its place.
 #include "support/catch.hpp"
 
 #include "layout/comments.hpp"
@@ -43,7 +43,7 @@ public:
 
     const fs::path& top() const { return top_; }
 
-    /// `place: rule` of each violation, one a line.
+    /// `place: rule` for each violation, one on each line.
     std::string violations() const
     {
         std::string text;
@@ -214,7 +214,7 @@ struct Ended {
     std::string output;
 };
 
-// Runs a line of shell.
+// Runs a shell command.
 Ended run(const std::string& line)
 {
     FILE* pipe = popen(("{ " + line + "; } 2>&1").c_str(), "r");
@@ -227,7 +227,8 @@ Ended run(const std::string& line)
     return ended;
 }
 
-// The tree with a copy of the rule about commits, and git told nothing by its surroundings.
+// A tree with its own git history and a copy of the rule about commits. Settings of the surrounding
+// repository do not affect it.
 class History {
 public:
     History()

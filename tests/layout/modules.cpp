@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Finds modules that include each other. The includes of all files make a graph of modules. Its
+// strongly connected components (Tarjan 1972) are found by a depth-first search; those of several
+// modules are cycles.
 #include "layout/modules.hpp"
 
 #include <algorithm>
@@ -21,7 +24,7 @@ public:
     std::vector<std::vector<std::string>> found;
 
 private:
-    // @return the oldest module on the path that this one reaches
+    // @return the oldest module on the path that this module reaches, as its place in the order
     std::size_t visit(const std::string& module)
     {
         const std::size_t own = order_.size();
@@ -47,7 +50,7 @@ private:
     }
 
     const Includes& includes_;
-    std::map<std::string, std::size_t> order_; // in which modules were reached
+    std::map<std::string, std::size_t> order_; // the order in which modules were reached
     std::vector<std::string> path_;
 };
 

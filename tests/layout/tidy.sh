@@ -1,14 +1,14 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Runs clang-tidy over the framework, the reference and the tests' support, by the list in
+# Runs clang-tidy over the framework, the reference and the tests' support, with the checks of
 # .clang-tidy.
 #
 #   tests/layout/tidy.sh           the sources that differ from the last commit
 #   tests/layout/tidy.sh --all     all of them
 #
-# Eigen takes longer to read than our own code. So the sources go into two files, one a processor,
-# that include them one after the other. A source that the compiler refuses there, since a helper in
-# it has the name of another's helper, waits for the next round.
+# Eigen takes longer to read than our own code. The sources therefore go into a few files, one for
+# each processor, that include them one after the other. A source waits for the next round if the
+# compiler refuses it there because two helpers have the same name.
 # Ends with 0 if all is well, 1 if something was found, 77 if clang-tidy is not installed.
 set -euo pipefail
 
@@ -27,7 +27,7 @@ trap 'rm -rf "$work"' EXIT
 options=(-std=c++20 -w -ferror-limit=0 "-I$root/framework" "-I$root/tests"
          -isystem /usr/include/eigen3)
 for text in SOURCE_DIR BINARY_DIR MODULE_DIR GL FONT VERSION COMPILER; do
-    options+=("-DRIGOR_$text=\"\"") # what CMake fills in
+    options+=("-DRIGOR_$text=\"\"") # CMake fills these in
 done
 
 folders=()
@@ -35,7 +35,7 @@ for folder in framework reference tests/support; do
     [[ ! -d $folder ]] || folders+=("$folder")
 done
 
-# A changed header is looked at through the sources that include it.
+# Lists changed sources. A changed header is checked through the sources that include it.
 changed_sources() {
     local file
     git diff --name-only --diff-filter=d HEAD -- "${folders[@]}" >"$work/changed"
@@ -56,8 +56,8 @@ including() {
     sed "s|.*|#include \"$root/&\"|" "$1"
 }
 
-# The sources of a lot that the compiler refuses in its unit. It tells for each error by which line
-# of the unit the file at fault was included.
+# The sources of a lot that the compiler refuses in its unit. For each error the compiler tells by
+# which line of the unit the faulty file was included.
 refused() {
     { clang++ -fsyntax-only "${options[@]}" "$2" 2>&1 || true; } |
         awk -v unit="$2" '
@@ -69,7 +69,7 @@ refused() {
         sort -nu | while read -r line; do sed -n "${line}p" "$1"; done
 }
 
-# One lot of sources, in rounds. What is found goes to LOT.found.
+# Checks one lot of sources in rounds. The findings go to LOT.found.
 check_lot() {
     local lot=$1 unit
     unit=$lot.cpp
@@ -99,7 +99,7 @@ for lot in "$work"/lot_??; do
 done
 wait
 
-# A finding in a header is told by every unit that includes it.
+# A finding in a header is reported by every unit that includes it.
 cat "$work"/lot_??.found | sed -nE "s|^$root/(.*: (warning\|error): .*)|\1|p" | sort -u >"$work/found"
 sed 's/^/  /' "$work/found"
 echo "$(wc -l <"$work/sources") sources, $(wc -l <"$work/found") findings"

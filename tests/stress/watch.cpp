@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "stress/watch.hpp"
 
-#include "rigid/step/step.hpp"
 #include "geometry/shapes/pose.hpp"
 #include "geometry/shapes/shape_bounds.hpp"
 #include "geometry/shapes/solid_mesh.hpp"
 #include "rigid/bodies/non_finite.hpp"
+#include "rigid/step/step.hpp"
 #include "support/bench/bench.hpp"
 #include "support/depth.hpp"
 

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Comparison of values with a tolerance, component by component. A component that is not finite
+// fails at once. Otherwise the component that exceeds its bound most is reported. The first failure
+// of a test case goes into its verdict.
 #include "support/close.hpp"
 
 #include <fmt/format.h>
@@ -22,7 +25,7 @@ void note(const std::string& status, const std::string& expected, const std::str
           const std::string& tolerance_class, const Difference& difference)
 {
     Verdict& v = verdict();
-    if (!v.status.empty()) return; // the first failure is the one to read
+    if (!v.status.empty()) return; // only the first failure is reported
     v.status = status;
     v.expected = expected;
     v.actual = actual;
@@ -32,7 +35,7 @@ void note(const std::string& status, const std::string& expected, const std::str
     v.place = difference.place;
 }
 
-// A value in short, and in full the component that is wrong.
+// A value in short, followed by its wrong component in full.
 std::string with_component(const Components& value, const Component& component)
 {
     if (value.numbers.size() == 1) return number(component.value);
@@ -112,13 +115,13 @@ Difference compare(const Components& actual, const Components& expected, const T
         const double a = found[i].value, e = wanted[i].value;
         const double bound =
             tolerance.absolute > 0 ? tolerance.absolute : tolerance.relative * wanted[i].scale;
-        if (!std::isfinite(a) && !(a == e)) { // finite first
+        if (!std::isfinite(a) && !(a == e)) { // fails at any tolerance
             const Difference difference = {true, found[i].place, infinity, bound};
             note("not_finite", expected.text, actual.text, tolerance.tolerance_class, difference);
             return difference;
         }
         const double error = a == e ? 0 : std::abs(a - e);
-        if (error == 0 || error <= bound) continue; // ∞ meets ∞, whatever 0 × ∞ is
+        if (error == 0 || error <= bound) continue; // 0 also for ∞ = ∞, where the bound may be NaN
         const double excess = bound > 0 ? error / bound : infinity;
         if (worst.any && (excess < worst_excess || error <= worst.error)) continue;
         worst = {true, found[i].place, error, bound};

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Comparing values with a tolerance that says its class. Finite first: a NaN is never close to anything.
+// Comparison of values with a tolerance that has a class. A NaN is never close to anything.
 //
 //     REQUIRE_THAT(world_inertia(R, I), IsClose(expected, Rounding(16)));
 //
-// Values are doubles, integers, bools, fixed Eigen matrices, the plain structs of formulas/fields.hpp, and optionals,
-// arrays and vectors of these. They are compared component by component; the message names the worst one.
+// Values are doubles, integers, bools, fixed Eigen matrices, the plain structs of
+// formulas/fields.hpp, and optionals, arrays and vectors of these. They are compared component by
+// component, and the message names the worst one.
 #pragma once
 
 #include "formulas/fields.hpp"
@@ -20,39 +21,39 @@ namespace rigor::testing {
 /// A bound on the absolute difference of each component.
 struct Tolerance {
     std::string tolerance_class; // "R", "O", "S", "I"
-    double absolute = 0;         // used as it is, or
-    double relative = 0;         // times the norm of the expected field
+    double absolute = 0;         // the bound itself, or
+    double relative = 0;         // a factor of the norm of the expected field
     std::string reason;          // "16 eps × 2.5"
 };
 
-/// Class R, rounding: k eps times the scale, the sum of the magnitudes of the terms.
+/// Class R, rounding: k eps times `scale`, the sum of the magnitudes of the terms.
 Tolerance Rounding(double k, double scale);
 
-/// Class R with the norm of each expected field as its scale. An expected 0 must then be met exactly.
+/// Class R with the norm of each expected field as its scale. An expected 0 must be met exactly.
 Tolerance Rounding(double k);
 
-/// Class O: the cap of an error that falls with the step; its order is checked by `check_order`.
+/// Class O: the upper bound of an error that falls with the step. `check_order` checks the order.
 Tolerance Order(double cap);
 
 /// Class S: 5 σ / √N, with σ of one sample and a fixed seed.
 Tolerance Statistical(double sigma, double n);
 
-/// Class R without any rounding: the same bits.
+/// Class R without any rounding: the values have the same bits.
 Tolerance Exactly();
 
-/// One number of a value and where it stands in it.
+/// One number of a value, and its place in the value.
 struct Component {
     std::string place; // "inertia(0, 1)"
     double value = 0;
     double scale = 0; // the norm of the field it belongs to
 };
 
-/// A value taken apart into its numbers. An empty optional has none, and says so in `shape`.
+/// The numbers of a value. An empty optional has none, and `shape` says so.
 struct Components {
     std::vector<Component> numbers;
-    std::string
-        shape; // sizes of vectors, presence of optionals: must agree before numbers are compared
-    std::string text; // for people: vectors as (1, 2, 3), matrices by rows (1 2; 3 4)
+    // sizes of vectors and presence of optionals, which must agree before numbers are compared
+    std::string shape;
+    std::string text; // to be read: vectors as (1, 2, 3), matrices by rows (1 2; 3 4)
     void add(const std::string& place, const double* data, int rows, int columns);
 };
 
@@ -92,14 +93,14 @@ template <class T> Components components(const T& value)
     return parts;
 }
 
-/// How two values differ where they differ most.
+/// The largest difference between two values.
 struct Difference {
     bool any = false;
     std::string place;           // "inertia(0, 1)"
-    double error = 0, bound = 0; // of that component
+    double error = 0, bound = 0; // error and bound of that component
 };
 
-/// Compares and, where they differ, fills in the verdict of the test case.
+/// Compares two values. If they differ, this fills in the verdict of the test case.
 Difference compare(const Components& actual, const Components& expected,
                    const Tolerance& tolerance);
 std::string describe(const Components& expected, const Tolerance& tolerance,
@@ -126,7 +127,7 @@ protected:
 private:
     Components expected_;
     Tolerance tolerance_;
-    mutable Difference difference_; // of the last match, for the message
+    mutable Difference difference_; // result of the last match, for the message
 };
 
 /// The plain type behind an Eigen expression, or the type itself.
@@ -148,7 +149,8 @@ CloseMatcher<typename Evaluated<T>::type> IsClose(const T& expected, const Toler
     return {expected, tolerance};
 }
 
-/// The very same value: for bools, indices, empty optionals, and "unchanged".
+/// Matches exactly the same value: for bools, indices, empty optionals, and values that must not
+/// change.
 template <class T> CloseMatcher<typename Evaluated<T>::type> IsExactly(const T& expected)
 {
     return {expected, Exactly()};
@@ -170,8 +172,9 @@ inline RotationMatcher IsRotation()
     return {};
 }
 
-/// Class O: errors at steps h, h/2, h/4 … fall by 2^order a time, within -0.2/+0.3 of the order, while they are above
-/// 1e3 eps. At least one pair must be above it.
+/// Class O: errors at the steps h, h/2, h/4 … fall by a factor of 2^order each. The measured order
+/// must lie within -0.2/+0.3 of `order` as long as the errors are above 1e3 eps. At least one pair
+/// must be.
 void check_order(const std::vector<double>& errors, double order);
 
 /// Class I, an exact inequality: value ≤ limit, with eps of slack relative to `scale`.
@@ -179,7 +182,7 @@ void check_at_most(double value, double limit, const std::string& what, double s
 
 } // namespace rigor::testing
 
-/// Values print as their numbers.
+/// Prints a value as its numbers.
 template <class T>
 requires(rigor::Plain<T> ||
          requires(T t) { t.colPivHouseholderQr(); }) struct Catch::StringMaker<T> {

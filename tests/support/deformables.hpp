@@ -2,8 +2,8 @@
 // Deformable solids that tests and benchmarks share.
 #pragma once
 
-#include "deformable/solid/deformable.hpp"
 #include "deformable/elasticity/totals.hpp"
+#include "deformable/solid/deformable.hpp"
 #include "deformable/solid/make_deformable.hpp"
 #include "deformable/step/step.hpp"
 #include "geometry/tetrahedra/tetrahedra.hpp"
@@ -50,7 +50,7 @@ inline std::vector<int> end_nodes(const Deformable& solid, int side)
     return nodes;
 }
 
-/// Takes both ends of a solid apart, each by `distance` along x, evenly until `time`.
+/// Pulls both ends of a solid apart, each by `distance` along x, at constant speed until `time`.
 inline void pull_apart(Deformable& solid, double distance, double time)
 {
     for (const int side : {-1, 1}) {

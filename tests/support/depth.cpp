@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Depth of the overlap of spheres, boxes and planes. A signed separation is computed for each pair
+// of shapes in closed form. For two boxes it is the largest one along the 15 axes of Gottschalk,
+// Lin and Manocha (1996). The depth is the negative separation, or 0.
 #include "support/depth.hpp"
 
 #include <algorithm>
@@ -79,7 +82,7 @@ double box_separation(const Box& box1, const Pose& pose1, const Box& box2, const
         most = std::max({most, along(A.col(i)), along(B.col(i))});
         for (int j = 0; j < 3; ++j) {
             const Vector3d l = A.col(i).cross(B.col(j));
-            const double length = l.norm(); // of parallel edges, no axis
+            const double length = l.norm(); // parallel edges give no axis
             if (length > 1e-6) most = std::max(most, along(l / length));
         }
     }

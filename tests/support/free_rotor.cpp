@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// The exact motion of a free rigid body. The angular velocity is Jacobi's solution of Euler's
+// equations (Landau and Lifshitz, "Mechanics", § 37), with elliptic functions by descending Landen
+// transformations. The orientation follows from it: the precession about L is integrated by
+// Gauss–Legendre quadrature.
 #include "support/free_rotor.hpp"
 
 #include <algorithm>
@@ -42,7 +46,8 @@ Jacobi jacobi(double u, double m)
 
 constexpr int nodes = 16;
 
-// Nodes and weights of Gauss and Legendre on [-1, 1]: roots of P₁₆ by Newton's method.
+// Nodes and weights of Gauss–Legendre quadrature on [-1, 1]. The nodes are the roots of P₁₆, found
+// by Newton's method.
 std::array<std::pair<double, double>, nodes> gauss_legendre()
 {
     std::array<std::pair<double, double>, nodes> rule;
@@ -63,7 +68,7 @@ std::array<std::pair<double, double>, nodes> gauss_legendre()
 FreeRotor::FreeRotor(const Vector3d& moments, const Vector3d& w)
     : moments_(moments), L_(moments.cwiseProduct(w)), energy_twice_(w.dot(L_))
 {
-    // ascending, I₁ < I₂ < I₃; where L circles about the smallest, 1 and 3 change names
+    // in ascending order, I₁ < I₂ < I₃; axes 1 and 3 are swapped if L circles about the smallest
     int order[] = {0, 1, 2};
     std::sort(order, order + 3, [&](int i, int j) { return moments[i] < moments[j]; });
     axis1_ = order[0], axis2_ = order[1], axis3_ = order[2];
@@ -76,7 +81,8 @@ FreeRotor::FreeRotor(const Vector3d& moments, const Vector3d& w)
     amplitude3_ = std::copysign(std::sqrt((L2 - E2 * I1) / (I3 * (I3 - I1))), w[axis3_]);
     modulus_squared_ = (I2 - I1) * (E2 * I3 - L2) / ((I3 - I2) * (L2 - E2 * I1));
 
-    // I₂ ω̇₂ = (I₃ - I₁) ω₃ ω₁ in a right-handed frame; the sign of the phase's rate carries the rest
+    // I₂ ω̇₂ = (I₃ - I₁) ω₃ ω₁ in a right-handed frame. In the other cases the rate of the phase
+    // changes its sign.
     const bool right_handed = (axis2_ - axis1_ + 3) % 3 == 1;
     const double sign = ((I3 > I1) == right_handed) == (amplitude3_ > 0) ? 1 : -1;
     rate_ = sign * std::sqrt((I3 - I2) * (L2 - E2 * I1) / (I1 * I2 * I3));
@@ -95,7 +101,8 @@ Vector3d FreeRotor::body_angular_velocity(double t) const
     return w;
 }
 
-// In object space: the part of axis 3 across L, the third direction, and L's.
+// Three axes in object space, as columns: the direction of axis 3 perpendicular to L, the direction
+// that completes the frame, and the direction of L.
 Matrix3d FreeRotor::triad(double t) const
 {
     const Vector3d m = moments_.cwiseProduct(body_angular_velocity(t)).normalized();
@@ -121,7 +128,8 @@ double FreeRotor::precession(double t) const
             }
         return half * std::sqrt(L2) * sum;
     };
-    // near the separatrix the rate has sharp peaks: as many panels as they ask for
+    // Near the separatrix the rate has sharp peaks, so the number of panels doubles until the
+    // integral converges.
     int panels = 1 + static_cast<int>(std::abs(t) / period_ * 8);
     double coarse = quadrature(panels);
     for (int doubling = 0; doubling < 10; ++doubling) {

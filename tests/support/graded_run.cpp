@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The graded tests ask a worker; what it does instead of answering becomes the verdict.
+// Setup of the graded tests, which call the formulas of a worker. A failure of the worker becomes
+// the verdict of the test case.
 #include "formulas/table.hpp"
 #include "support/catch.hpp"
 #include "support/run.hpp"
@@ -21,7 +22,7 @@ void prepare(const RunOptions& options)
     use_worker(options.worker, oracle);
 }
 
-/// A clean process a test case: nothing that one test did to it can reach the next.
+/// Starts a new worker process for each test case, so that no test case can affect the next one.
 void begin_test_case()
 {
     renew_worker();
@@ -31,7 +32,7 @@ namespace {
 
 std::string note(std::string_view status, const std::string& text)
 {
-    verdict().status = status; // what happened last ended the test case
+    verdict().status = status; // replaces earlier notes: this ended the test case
     verdict().expected = verdict().actual = "";
     return text;
 }
@@ -57,7 +58,7 @@ CATCH_TRANSLATE_EXCEPTION(const rigor::NotFinite& failure)
     return rigor::testing::note("not_finite", failure.what());
 }
 
-// Not the student's fault.
+// A failure of the oracle is not the student's fault.
 CATCH_TRANSLATE_EXCEPTION(const rigor::OracleFailure& failure)
 {
     return rigor::testing::note("internal_error", failure.what());

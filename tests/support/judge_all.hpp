@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Other implementations of the formulas, judged one after the other.
+// Helpers to judge many implementations of the formulas.
 #pragma once
 
 #include <atomic>
@@ -12,7 +12,8 @@
 
 namespace rigor::testing {
 
-/// Line 2 of an implementation's source: a comment that says `what`.
+/// The text of line 2 of an implementation's source, which must be a comment. `what` says for the
+/// error message what the comment does.
 inline std::string second_line(const std::filesystem::path& file, const std::string& what)
 {
     std::ifstream in(file);
@@ -24,7 +25,7 @@ inline std::string second_line(const std::filesystem::path& file, const std::str
     return line.substr(3);
 }
 
-/// `judge(item)` for every item, by two threads.
+/// Calls `judge(item)` for every item, on two threads.
 template <class Item, class Judge> void judge_all(std::vector<Item>& items, const Judge& judge)
 {
     std::atomic<std::size_t> next = 0;

@@ -33,7 +33,7 @@ void send(const nlohmann::ordered_json& line)
     }
 }
 
-// The task tag, "A2.14", of "[A2.14][inertia]".
+// The task tag in a list of tags: "A2.14" in "[A2.14][inertia]".
 std::string task_tag(const std::string& tags)
 {
     for (std::size_t at = tags.find("[A"); at != std::string::npos; at = tags.find("[A", at + 1))
@@ -50,7 +50,8 @@ using ListenerBase = Catch::TestEventListenerBase;
 using AssertionDone = bool;
 #endif
 
-// One JSON line a test case, in the form that framework/grading reads.
+// Sends the begin and the verdict of each test case as JSON lines, in the form that
+// framework/grading reads.
 class VerdictStream : public ListenerBase {
 public:
     using ListenerBase::ListenerBase;
@@ -80,7 +81,7 @@ public:
         if (!failed) {
             v = Verdict();
             const bool checked = stats.totals.assertions.total() > 0;
-            v.status = checked ? "passed" : "vacuous"; // nothing was checked: our fault
+            v.status = checked ? "passed" : "vacuous"; // a test without checks is our fault
         }
         if (v.status.empty()) v.status = "failed";
         const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start_;
@@ -117,7 +118,8 @@ private:
     std::chrono::steady_clock::time_point start_;
 };
 
-// Takes `--name value` out of the arguments; empty if it is not there.
+// Takes the option `name` and its value out of the arguments.
+// @return the value, or an empty string if the option is not there
 std::string take(std::vector<char*>& arguments, const char* name)
 {
     for (std::size_t i = 1; i + 1 < arguments.size(); ++i)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Mass properties compared, each field at its own scale, and summed without any formula of the assignments.
+// Comparison of mass properties, each field at its own scale, and their sum over particles, which
+// uses no formula of the assignments.
 #pragma once
 
 #include "support/close.hpp"
@@ -8,9 +9,10 @@
 
 namespace rigor::testing {
 
-/// Compares to k eps: the mass at its own scale, the center at the scale of `extent`, the inertia at mass × extent².
+/// Compares up to k eps: the mass at its own scale, the center of mass at the scale of `extent`,
+/// and the inertia at the scale of mass × extent².
 ///
-/// @param extent  the farthest that matter lies from the origin [m]
+/// @param extent  the largest distance of matter from the origin [m]
 inline void require_mass_properties(const MassProperties& actual, const MassProperties& expected,
                                     double extent, double k)
 {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Random cases from the bits of SplitMix64 (Steele, Lea & Flood 2014). The bits give uniform
+// numbers, these give directions and rotations by rejection, and bodies are made of all of them.
 #include "support/random.hpp"
 
 #include <cmath>
@@ -8,7 +10,7 @@ namespace rigor::testing {
 
 Random::Random(unsigned seed) : state_(seed)
 {
-    bits(); // neighbouring seeds part ways
+    bits(); // separates neighbouring seeds
 }
 
 // Steele, Lea & Flood 2014, "Fast splittable pseudorandom number generators".
@@ -70,7 +72,7 @@ double Random::mass()
 
 Matrix3d Random::inertia()
 {
-    // second moments along three axes make a body that could exist
+    // positive second moments s along three axes give the moments of a body that could exist
     const Vector3d s(uniform(0.1, 1), uniform(0.1, 1), uniform(0.1, 1));
     const Vector3d moments = mass() * Vector3d(s.y() + s.z(), s.z() + s.x(), s.x() + s.y());
     const Matrix3d R = rotation();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Seeded random cases, the same bits on every platform (the standard library's distributions are not).
+// Seeded random cases with the same bits on every platform, which the standard library's
+// distributions do not have.
 #pragma once
 
 #include "formulas/types.hpp"
@@ -18,10 +19,11 @@ public:
     Vector3d vector();                       // components in [-1, 1)
     Vector3d unit_vector();                  // uniform on the sphere
     Eigen::Quaterniond eigen_quaternion();   // unit, uniform over the rotations
-    Quaternion quaternion();                 // the same as the contract's type
+    Quaternion quaternion();                 // the same in the type of the formulas
     Matrix3d rotation();                     // uniform over the rotations
     double mass();                           // 0.1 … 10 kg, log-uniform
-    Matrix3d inertia();           // of a real body: each moment at most the other two's sum
+    // inertia of a real body: each moment is at most the sum of the other two
+    Matrix3d inertia();
     Matrix3d positive_definite(); // symmetric, eigenvalues 0.1 … 10
     std::vector<Particle> particles(int n);
     Body body(); // L = I ω holds

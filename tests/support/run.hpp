@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a test program does around its test cases; the graded tests and the framework's own differ only here.
+// Setup of a test program. The graded tests and the framework's own tests differ only here.
 #pragma once
 
 #include <string>
@@ -10,13 +10,14 @@ namespace rigor::testing {
 struct RunOptions {
     std::string worker; // --worker: the executable whose formulas are tested
     std::string oracle; // --oracle: the reference's worker, where there is one
-    int verdicts = -1;  // --verdicts: a descriptor for one JSON line a test case
+    int verdicts = -1;  // --verdicts: a file descriptor for JSON lines about the test cases
 };
 
-/// Once, before the first test case. Throws std::runtime_error if the options do not do.
+/// Called once, before the first test case.
+/// @throws std::runtime_error if an option is missing or wrong
 void prepare(const RunOptions& options);
 
-/// Before each test case.
+/// Called before each test case.
 void begin_test_case();
 
 } // namespace rigor::testing

@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// Runs of scenes in the worker under test, and their comparison with the oracle. `check_every_step`
+// lets the oracle take each step from the recorded state before it, and compares the two results.
+// If they differ, the oracle also starts from neighbouring states, to see whether rounding alone
+// decides the step.
 #include "support/scene_run.hpp"
 
 #include "scene/keys/scene_keys.hpp"
@@ -39,18 +43,18 @@ Scene shipped_scene(const std::string& name, std::optional<double> time_step,
     return parse_scene(text.dump(), scene.name);
 }
 
-// q and -q are the same rotation: the one nearer to `other`.
+// Of the quaternions q and -q, which are the same rotation, the one that is nearer to `other`.
 Quaternion same_sign(const Quaternion& q, const Quaternion& other)
 {
     const double dot = q.s * other.s + q.v.dot(other.v);
     return dot < 0 ? Quaternion{-q.s, -q.v} : q;
 }
 
-// A step adds and multiplies some hundred numbers of the state's own size: 1e4 eps of that size bounds the rounding
-// of any way to write the formulas, and no wrong formula is that close.
+// A step adds and multiplies some hundred numbers of the size of the state. 1e4 eps of that size
+// bounds the rounding of any way to write the formulas, and no wrong formula is that close.
 constexpr double k = 1e4, eps = std::numeric_limits<double>::epsilon();
 
-// The size of the numbers that a step to a state adds up.
+// The magnitudes of the numbers that a step adds up: positions, velocities and angular momenta.
 struct Scales {
     double X, V, L;
 };
@@ -73,7 +77,7 @@ bool agree(const RigidState& a, const RigidState& b, const Scales& scales)
            near(q.v, b.orientation.v, 1) && std::abs(q.s - b.orientation.s) <= k * eps;
 }
 
-// The state next door, some eps away.
+// A neighbouring state, some eps away.
 RigidState nudged(const RigidState& state, double mass, Random& random)
 {
     const auto nudge = [&](double scale) -> Vector3d { return 16 * eps * scale * random.vector(); };
@@ -85,8 +89,9 @@ RigidState nudged(const RigidState& state, double mass, Random& random)
     return next;
 }
 
-// Whether the reference itself goes elsewhere from next door: where points are equally deep, rounding
-// decides which of them comes first, and no way to write the formulas is the right one.
+// Whether the reference itself gets another result from a neighbouring state. Where points are
+// equally deep, rounding decides which of them comes first, and no way to write the formulas is the
+// right one.
 bool hangs_on_rounding(const Trajectory& run, const Worker::Start& start,
                        const std::vector<RigidState>& expected)
 {

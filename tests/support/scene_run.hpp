@@ -11,15 +11,15 @@
 
 namespace rigor::testing {
 
-/// The trajectory of a shipped scene, `a4-collision/rod_tip`, every step of it.
-/// @param time_step  instead of the scene's own [s]; for convergence orders
-/// @param changes    a JSON object of keys to replace, `{"contact": "simultaneous"}`
+/// The trajectory of a shipped scene, such as `a4-collision/rod_tip`, with every step of it.
+/// @param time_step  replaces the scene's own one, to measure orders of convergence [s]
+/// @param changes    a JSON object of keys to replace, such as `{"contact": "simultaneous"}`
 /// @throws as Worker::run_scene; NotFinite if a recorded number is not finite
 Trajectory run_scene(const std::string& name, std::optional<double> time_step = {},
                      const std::string& changes = "{}");
 
-/// Changes that leave a step nothing but the bodies' states to depend on, and no number of sweeps
-/// that rounding decides.
+/// Changes that make a step depend on the bodies' states alone, and that keep rounding from
+/// changing the number of sweeps.
 inline constexpr const char* without_memory =
     R"({"skip": {"warm_start": false, "sleep": false, "early_exit": false}})";
 
@@ -29,24 +29,31 @@ int body_index(const Trajectory& trajectory, const std::string& name);
 /// The state of a body at the end of the run.
 RigidState last_state(const Trajectory& trajectory, const std::string& name);
 
-/// Rotation by which two orientations differ [rad], 0 … π, exact near 0 (atan2, not acos).
+/// Angle of the rotation between two orientations [rad], 0 … π. It is exact near 0, since it uses
+/// atan2 and not acos.
 double angle_between(const Quaternion& a, const Quaternion& b);
 
-/// The time steps that led to a frame.
+/// The number of time steps up to a frame.
 inline double steps_of(const Frame& frame)
 {
     return static_cast<double>(frame.step);
 }
 
-/// Every step of a run, judged from the state before it: the worker under test and the oracle both take that one step.
-/// One wrong step is one wrong step, and chaos does not matter. Both run `without_memory`. Compares X, q (up to sign), V and L of every body, class
-/// R, and names step, body and quantity. A step is left out where rounding alone decides what the reference does (from
-/// next door it goes elsewhere); that must be fewer than half of them. Needs an oracle.
+/// Checks every step of a run from the state before it: the worker under test and the oracle both
+/// take that one step. A wrong step does not affect the later ones, and chaos does not matter. Both
+/// run `without_memory`. The test compares X, q (up to its sign), V and L of every body, class R,
+/// and names step, body and quantity.
+///
+/// A step is left out if rounding alone decides what the reference does, that is if the reference
+/// gets another result from a neighbouring state. Fewer than half of the steps may be left out.
+/// Needs an oracle.
+///
 /// @param changes  a JSON object of keys to replace in the scene
 void check_every_step(const std::string& scene_name, const std::string& changes = "{}");
 
-/// A run with deformable solids, from beginning to end: the nodes of the worker under test against those of the oracle,
-/// class R with `multiple` eps. Only for motion that forgets: pulled by handles and damped.
+/// Checks a whole run with deformable solids: compares the nodes of the worker under test with
+/// those of the oracle, class R with `multiple` eps. It fits only motion that forgets small
+/// differences, as solids do that handles pull and that are damped.
 void check_solids(const std::string& scene_name, double multiple);
 
 } // namespace rigor::testing

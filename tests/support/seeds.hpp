@@ -11,8 +11,8 @@
 
 namespace rigor::testing {
 
-/// n seeds in a row. The seed of the running case stands in the verdict, and in the message of every
-/// failure as `CAPTURE(seed)` would put it there.
+/// n seeds in a row. The seed of the running case is in the verdict, and in the message of every
+/// failure, where `CAPTURE(seed)` would put it.
 class Seeds {
 public:
     Seeds(unsigned first, unsigned n) : first_(first), n_(n) {}
@@ -43,7 +43,7 @@ private:
     void begin_case(unsigned seed);
 
     unsigned first_, n_;
-    std::optional<Catch::ScopedMessage> message_; // of the running case
+    std::optional<Catch::ScopedMessage> message_; // shows the seed of the running case
 };
 
 /// The seeds of a property, n in a row from the run's first seed.

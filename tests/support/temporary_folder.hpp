@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A folder for files of a test, gone when the test is over.
+// A folder for files of a test. It is deleted when the test is over.
 #pragma once
 
 #include <filesystem>

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: MIT
-// What a test case found out, for the report: filled in by the matchers, sent on by the runner.
+// The verdict of a test case for the report. The matchers fill it in, and the runner sends it.
 #pragma once
 
 #include <string>
 
 namespace rigor::testing {
 
-/// The first thing that went wrong in the running test case.
+/// The first failure in the running test case.
 struct Verdict {
-    std::string status;              // of result.json; empty while all is well
+    std::string status;              // a status of result.json; empty without a failure
     std::string expected, actual;    // as text
-    double error = 0, tolerance = 0; // of the worst component
+    double error = 0, tolerance = 0; // error and bound of the worst component
     std::string tolerance_class;     // "R", "O", "I", "S", "B": rounding, order, invariant, …
     std::string place;               // the field, "inertia(0, 1)"; empty for a single number
-    long seed = -1;                  // of the property's counterexample
+    long seed = -1;                  // seed of the property's counterexample
 };
 
 /// The verdict of the running test case.

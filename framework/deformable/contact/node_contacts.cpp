@@ -4,8 +4,8 @@
 // the part may reach.
 #include "deformable/contact/node_contacts.hpp"
 
-#include "geometry/shapes/shape_bounds.hpp"
 #include "geometry/bounds/bounds.hpp"
+#include "geometry/shapes/shape_bounds.hpp"
 
 #include <algorithm>
 #include <cmath>

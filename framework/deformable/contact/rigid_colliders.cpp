@@ -3,8 +3,8 @@
 // copies, substeps move their surfaces, and at the end the new velocities go to the world.
 #include "deformable/contact/rigid_colliders.hpp"
 
-#include "rigid/bodies/orientation.hpp"
 #include "formulas/collision.hpp"
+#include "rigid/bodies/orientation.hpp"
 #include "rigid/motion/free_flight.hpp"
 #include "rigid/step/sleep.hpp"
 

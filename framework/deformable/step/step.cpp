@@ -4,7 +4,6 @@
 // step of the rigid bodies, with the velocities that the solids gave them.
 #include "deformable/step/step.hpp"
 
-#include "rigid/step/step.hpp"
 #include "deformable/elasticity/flow.hpp"
 #include "deformable/fracture/fracture.hpp"
 #include "deformable/fracture/inverted_elements.hpp"
@@ -12,6 +11,7 @@
 #include "deformable/motion/implicit_motion.hpp"
 #include "deformable/solid/handles.hpp"
 #include "rigid/bodies/non_finite.hpp"
+#include "rigid/step/step.hpp"
 
 namespace rigor {
 

@@ -5,8 +5,8 @@
 // velocities.
 #include "rigid/contact/position_correction.hpp"
 
-#include "rigid/contact/blocks.hpp"
 #include "rigid/bodies/two_bodies.hpp"
+#include "rigid/contact/blocks.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -5,7 +5,6 @@
 #include "geometry/shapes/pose.hpp"
 #include "rigid/bodies/world.hpp"
 #include "rigid/detection/contact.hpp"
-#include "rigid/bodies/world.hpp"
 
 namespace rigor {
 

@@ -5,8 +5,8 @@
 // into a world of its own, with the static bodies near it, and takes two steps of half the length.
 #include "rigid/step/adaptive_substeps.hpp"
 
-#include "geometry/shapes/shape_bounds.hpp"
 #include "geometry/bounds/bounds.hpp"
+#include "geometry/shapes/shape_bounds.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -4,8 +4,8 @@
 #include "rigid/step/position_update.hpp"
 
 #include "formulas/rotation.hpp"
-#include "rigid/motion/free_flight.hpp"
 #include "rigid/bodies/non_finite.hpp"
+#include "rigid/motion/free_flight.hpp"
 
 #include <cmath>
 

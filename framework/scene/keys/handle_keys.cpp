@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The handles that hold nodes of a solid, and the loads that pull them.
+#include "scene/keys/handle_keys.hpp"
 #include "errors/quotes.hpp"
 #include "geometry/bounds/bounds.hpp"
 #include "geometry/shapes/pose.hpp"
-#include "scene/keys/handle_keys.hpp"
 #include "scene/language/values.hpp"
 
 #include <fmt/format.h>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The meshes of deformable solids, with one reader for each kind.
+#include "scene/keys/tetrahedra_keys.hpp"
 #include "geometry/tetrahedra/tetrahedra_generators.hpp"
 #include "scene/keys/kind.hpp"
 #include "scene/keys/limits.hpp"
-#include "scene/keys/tetrahedra_keys.hpp"
 #include "scene/language/values.hpp"
 
 namespace rigor {

@@ -2,10 +2,10 @@
 #include "scene/meshes/mesh_library.hpp"
 
 #include "errors/quotes.hpp"
-#include "geometry/meshes/mesh_checks.hpp"
-#include "geometry/tetrahedra/tetrahedra_checks.hpp"
 #include "geometry/mesh_files/obj.hpp"
 #include "geometry/mesh_files/tetrahedra_files.hpp"
+#include "geometry/meshes/mesh_checks.hpp"
+#include "geometry/tetrahedra/tetrahedra_checks.hpp"
 
 #include <fmt/format.h>
 

@@ -3,8 +3,8 @@
 // nodes, and stress and plastic strain of its elements. Last, all numbers are checked for NaN.
 #include "scene/run/record_solid.hpp"
 
-#include "deformable/elasticity/totals.hpp"
 #include "deformable/elasticity/element.hpp"
+#include "deformable/elasticity/totals.hpp"
 #include "deformable/solid/pieces.hpp"
 #include "rigid/bodies/non_finite.hpp"
 

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Runs a scene and writes its trajectory: the start with the bodies, the initial frame, then the
 // frames of the chosen steps, and last the counters.
-#include "deformable/step/step.hpp"
-#include "scene/run/record_solid.hpp"
+#include "scene/run/run_scene.hpp"
 #include "scene/run/run_scene.hpp"
 
+#include "deformable/step/step.hpp"
 #include "rigid/step/step.hpp"
+#include "scene/run/record_solid.hpp"
 
 #include <cmath>
 #include <stdexcept>

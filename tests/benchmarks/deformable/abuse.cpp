@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "parts.hpp"
 #include "deformable/elasticity/totals.hpp"
 #include "deformable/fracture/remesh.hpp"
 #include "deformable/solid/pieces.hpp"
 #include "formulas/fracture.hpp"
+#include "parts.hpp"
 #include "rigid/bodies/mass.hpp"
 
 #include <algorithm>

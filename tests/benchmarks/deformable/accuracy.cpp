@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "parts.hpp"
 #include "deformable/elasticity/element.hpp"
 #include "deformable/elasticity/elements.hpp"
+#include "parts.hpp"
 #include "support/bench/plot.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "parts.hpp"
 #include "deformable/fracture/fracture.hpp"
 #include "deformable/motion/workspace.hpp"
+#include "parts.hpp"
 
 #include <Eigen/SparseCholesky>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Our own engine as a contestant, and the list of all.
 #include "engine.hpp"
-#include "rigid/step/step.hpp"
 #include "rigid/bodies/mass.hpp"
+#include "rigid/step/step.hpp"
 
 namespace rigor {
 

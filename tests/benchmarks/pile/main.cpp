@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // What a step costs in a pile of cubes, and how deep the cubes sink, beside Bullet and ODE where
 // they are installed.
-#include "rigid/step/step.hpp"
 #include "nonconvex.hpp"
 #include "options.hpp"
+#include "rigid/step/step.hpp"
 #include "run.hpp"
 #include "support/bench/bench.hpp"
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "run.hpp"
 #include "nonconvex.hpp"
+#include "run.hpp"
 
-#include "rigid/step/step.hpp"
 #include "geometry/meshes/generators.hpp"
 #include "geometry/shapes/shape_bounds.hpp"
 #include "geometry/shapes/solid_mesh.hpp"
@@ -11,6 +10,7 @@
 #include "rigid/detection/contact_candidates.hpp"
 #include "rigid/motion/forces.hpp"
 #include "rigid/motion/free_flight.hpp"
+#include "rigid/step/step.hpp"
 #include "support/random.hpp"
 
 #include <algorithm>
@@ -98,8 +98,7 @@ void look_into(World world, double whole, Phases& phases)
     ThreadPool alone;
     std::vector<RigidState> flown;
     const std::vector<bool> pulled = pulled_bodies(world, pile_step);
-    const double flight =
-        seconds([&] { flown = fly_all(world, pulled, pile_step, alone); });
+    const double flight = seconds([&] { flown = fly_all(world, pulled, pile_step, alone); });
     std::vector<Pose> poses;
     std::vector<Bounds> bounds;
     for (const RigidBody& body : world.bodies) {
@@ -109,8 +108,7 @@ void look_into(World world, double whole, Phases& phases)
         if (!body.is_static) bounds.back().grow(bounding_radius(part) / 2);
     }
     const double broad = seconds([&] { near_pairs(world, poses, bounds, alone); });
-    const double near =
-        seconds([&] { contact_candidates(world, flown, pile_step, alone); });
+    const double near = seconds([&] { contact_candidates(world, flown, pile_step, alone); });
     phases.flight.push_back(flight);
     phases.broad.push_back(broad);
     phases.narrow.push_back(std::max(0.0, near - broad)); // differences of noisy times

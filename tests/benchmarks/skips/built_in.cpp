@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "run.hpp"
 #include "geometry/shapes/shape_bounds.hpp"
 #include "rigid/bodies/mass.hpp"
 #include "rigid/detection/broad_phase.hpp"
+#include "run.hpp"
 #include "stress/scenes.hpp"
 #include "support/random.hpp"
 

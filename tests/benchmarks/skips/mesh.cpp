@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "run.hpp"
 #include "geometry/meshes/generators.hpp"
 #include "geometry/shapes/solid_mesh.hpp"
+#include "run.hpp"
 #include "stress/scenes.hpp"
 
 namespace rigor {

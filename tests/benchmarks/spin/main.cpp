@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Run time against attitude error of a free rigid body, for every integrator and, where they are
 // installed, for Bullet and ODE.
-#include "run.hpp"
-#include "rigid/step/step.hpp"
 #include "rigid/bodies/mass.hpp"
 #include "rigid/bodies/world.hpp"
+#include "rigid/step/step.hpp"
+#include "run.hpp"
 #include "support/bench/bench.hpp"
 #include "support/free_rotor.hpp"
 

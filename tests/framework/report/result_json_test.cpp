@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "report/result_json.hpp"
 #include "errors/input_error.hpp"
+#include "report/result_json.hpp"
 #include "results.hpp"
 #include "scene/description/scene.hpp"
 #include "support/catch.hpp"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "geometry/shapes/shape_bounds.hpp"
 #include "rigid/detection/broad_phase.hpp"
-#include "rigid/detection/broad_phase.hpp"
 #include "worlds.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Work that a step skips changes nothing, or no more than these tests allow.
-#include "rigid/step/step.hpp"
 #include "rigid/contact/warm_start.hpp"
+#include "rigid/step/step.hpp"
 #include "support/catch.hpp"
 #include "worlds.hpp"
 

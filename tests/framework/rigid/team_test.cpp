@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Threads that share the work of a step.
-#include "rigid/step/step.hpp"
 #include "rigid/parallel/thread_pool.hpp"
+#include "rigid/step/step.hpp"
 
 #include "rigid/contact/blocks.hpp"
 #include "support/catch.hpp"

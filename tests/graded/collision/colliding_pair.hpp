@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Two bodies that approach at a point, and their mechanics in plain Eigen: what the tests of topic
-// `collision` compare with.
+// Two bodies that approach each other at a point, and their mechanics in plain Eigen, with which
+// the tests of topic `collision` compare.
 #pragma once
 
 #include "formulas/types.hpp"
@@ -10,13 +10,13 @@
 
 namespace rigor::testing {
 
-/// v = ω × (x - X) + V
+/// Velocity of the point x of a body: v = ω × (x - X) + V
 inline Vector3d velocity_at(const Body& body, const Vector3d& x)
 {
     return body.angular_velocity.cross(x - body.position) + body.velocity;
 }
 
-/// K, a column for each unit impulse: what it does to the velocity at x.
+/// K of one body. Column i is the change of the velocity at x by a unit impulse along axis i.
 inline Matrix3d response_at(const Body& body, const Vector3d& x)
 {
     const Vector3d r = x - body.position;
@@ -29,7 +29,7 @@ inline Matrix3d response_at(const Body& body, const Vector3d& x)
     return K;
 }
 
-/// ½ M V·V + ½ ω·L; a static body's does not change, so it counts as 0.
+/// Kinetic energy ½ M V·V + ½ ω·L [J]. That of a static body never changes and counts as 0.
 inline double energy(const Body& body)
 {
     if (body.is_static()) return 0;
@@ -48,7 +48,7 @@ inline Body kicked(Body body, const Vector3d& x, const Vector3d& j)
     return body;
 }
 
-/// A static body: it may be moving, as a conveyor does, but nothing changes that.
+/// A static body. It may move, as a conveyor belt does, but no impulse changes its motion.
 inline Body static_body(Random& random)
 {
     Body body = random.body();
@@ -59,15 +59,15 @@ inline Body static_body(Random& random)
 
 struct CollidingPair {
     Body body1, body2;
-    Vector3d x, n;      // where they touch; from body 2 to body 1
+    Vector3d x, n;      // contact point; unit normal, from body 2 to body 1
     Matrix3d K;         // K₁ + K₂
     Vector3d v;         // v₁ - v₂ at x, v·n < 0
     double restitution; // ε, 0 … 1
-    double size;        // |K⁻¹| |v|, about that of an impulse that changes v [N s]
-    double condition;   // |K| |K⁻¹|: how much a division by K may magnify rounding
+    double size;        // |K⁻¹| |v|, about the size of an impulse that changes v [N s]
+    double condition;   // |K| |K⁻¹|: bounds how much a division by K magnifies rounding
 };
 
-/// Of random bodies; the second of every third pair is static.
+/// A pair of random bodies. Body 2 of every third pair is static.
 inline CollidingPair colliding_pair(unsigned seed)
 {
     Random random(seed);
@@ -87,8 +87,8 @@ inline CollidingPair colliding_pair(unsigned seed)
     return pair;
 }
 
-/// K of a uniform sphere of mass 1 and any radius where it touches a static floor, the normal along
-/// y. A tangential impulse moves that point 7/2 times as far as a normal one.
+/// K of a uniform sphere of mass 1 and any radius where it touches a static floor with its normal
+/// along y. A tangential impulse changes the velocity there 7/2 times as much as a normal one.
 inline Matrix3d sphere_on_floor()
 {
     return Vector3d(3.5, 1, 3.5).asDiagonal();

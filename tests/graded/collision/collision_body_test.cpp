@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A4.10 and A4.11: what an impulse does to a body, and which contact gets it first.
+// A4.10 and A4.11: the effect of an impulse on a body, and the contact that gets an impulse first.
 #include "colliding_pair.hpp"
 #include "formulas/collision.hpp"
 #include "support/close.hpp"
@@ -36,7 +36,7 @@ void check_deepest(const Contacts& contacts, std::optional<int> expected)
 
 TEST_CASE("collision: a rod bounces off its tip and starts to spin", "[A4.10][collision]")
 {
-    // M = L = 1 at 45°, its tip at the origin, 1 m/s down, hit by 0.6 N s upwards
+    // a rod with M = L = 1 at 45°, its tip at the origin, falls at 1 m/s and gets 0.6 N s upwards
     const Vector3d d = Vector3d(1, 1, 0) / std::sqrt(2.0);
     Body rod;
     rod.inverse_mass = 1;
@@ -79,7 +79,7 @@ TEST_CASE("collision: an impulse changes momentum and angular momentum about any
         const double momentum = M * body.velocity.norm() + j.norm();
         REQUIRE_THAT(Vector3d(M * after.velocity),
                      IsClose(M * body.velocity + j, Rounding(16, momentum)));
-        const double scale = body.angular_momentum.norm() + 16 * momentum; // arms of 8 m at most
+        const double scale = body.angular_momentum.norm() + 16 * momentum; // arms are at most 8 m
         REQUIRE_THAT(angular_momentum(after, c),
                      IsClose(Vector3d(before + (x - c).cross(j)), Rounding(16, scale)));
     }
@@ -126,7 +126,7 @@ TEST_CASE("collision: an impulse moves no body and changes no mass", "[A4.10][co
     REQUIRE_THAT(after.position, IsExactly(body.position));
     REQUIRE_THAT(after.inverse_mass, IsExactly(body.inverse_mass));
     REQUIRE_THAT(after.inverse_inertia, IsExactly(body.inverse_inertia));
-    // no impulse, no change; ω may be computed anew from L
+    // a zero impulse changes nothing, but ω may be computed again from L
     const double spin = body.inverse_inertia.norm() * body.angular_momentum.norm();
     REQUIRE_THAT(apply_impulse(body, random.vector(), Vector3d::Zero()),
                  IsClose(body, Rounding(8, spin)));
@@ -141,7 +141,7 @@ TEST_CASE("collision: opposite impulses keep the momentum of a pair", "[A4.10][c
         const Body after1 = apply_impulse(body1, x, j), after2 = apply_impulse(body2, x, -j);
 
         const double M1 = 1 / body1.inverse_mass, M2 = 1 / body2.inverse_mass;
-        const double momentum = 2 * (M1 + M2) + 4; // speeds and impulses of √3 at most
+        const double momentum = 2 * (M1 + M2) + 4; // speeds and impulses are at most √3
         REQUIRE_THAT(Vector3d(M1 * after1.velocity + M2 * after2.velocity),
                      IsClose(M1 * body1.velocity + M2 * body2.velocity, Rounding(16, momentum)));
         const double scale =
@@ -178,10 +178,10 @@ TEST_CASE("collision: contacts that separate already are passed over", "[A4.11][
 
 TEST_CASE("collision: whether a contact approaches is seen along its normal", "[A4.11][collision]")
 {
-    ContactPoint wall = contact(0.2, Vector3d(-1, 3, 0)); // a wall on the left, run into
+    ContactPoint wall = contact(0.2, Vector3d(-1, 3, 0)); // it runs into a wall on the left
     wall.normal = Vector3d(1, 0, 0);
     check_deepest({contact(0.1, approaching), wall}, 1);
-    wall.normal = Vector3d(-1, 0, 0); // on the right, run away from
+    wall.normal = Vector3d(-1, 0, 0); // it moves away from a wall on the right
     check_deepest({contact(0.1, approaching), wall}, 0);
 }
 

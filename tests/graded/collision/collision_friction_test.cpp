@@ -16,7 +16,7 @@ namespace {
 const Vector3d up(0, 1, 0);
 constexpr double degree = std::numbers::pi / 180;
 
-// A vector across n, of length 1.
+// A unit vector perpendicular to n.
 Vector3d across(const Vector3d& n, double angle)
 {
     const Vector3d a = n.unitOrthogonal();
@@ -27,7 +27,7 @@ Vector3d across(const Vector3d& n, double angle)
 
 TEST_CASE("collision: an oblique sphere that sticks", "[A4.6][collision]")
 {
-    // mass 1, r = 0.1, v = (3, -2), ε = 0.5: j_T = -3 · 2/7, jₙ = 3
+    // a sphere of mass 1 and r = 0.1, v = (3, -2), ε = 0.5: j_T = -3 · 2/7, jₙ = 3
     const Vector3d j = static_friction_impulse(sphere_on_floor(), Vector3d(3, -2, 0), up, 0.5);
     REQUIRE_THAT(j, IsClose(Vector3d(-6.0 / 7, 3, 0), Rounding(16)));
 
@@ -46,8 +46,9 @@ TEST_CASE("collision: a sphere that sticks rolls on with five sevenths of its sp
 
 TEST_CASE("collision: a rocking block keeps seven tenths of its spin", "[A4.6][collision]")
 {
-    // 1 wide, 2 high, mass 1: it turns about its left edge at -1 rad/s, until its right edge hits the
-    // floor and, perfectly plastic, becomes the one it turns about
+    // A block 1 m wide and 2 m high, of mass 1, turns about its left edge at -1 rad/s until its
+    // right edge hits the floor. The impact is perfectly plastic, and the block then turns about
+    // its right edge.
     const double w = 1, h = 2, I = (w * w + h * h) / 12;
     const Vector3d r(w / 2, -h / 2, 0), omega(0, 0, -1);
     const Vector3d V = omega.cross(Vector3d(w / 2, h / 2, 0));
@@ -98,7 +99,7 @@ TEST_CASE("collision: no impulse leaves less energy than plastic sticking", "[A4
 
 TEST_CASE("collision: a bouncing rod that sticks may gain energy", "[A4.6][collision]")
 {
-    // M = L = 1 at 45°, falling by 1 m/s and spinning so that its tip moves by (1.5, -2.5); ε = 1
+    // a rod with M = L = 1 at 45° falls at 1 m/s and spins; its tip moves by (1.5, -2.5), ε = 1
     Matrix3d K;
     K << 2.5, -1.5, 0, //
         -1.5, 2.5, 0,  //
@@ -107,7 +108,7 @@ TEST_CASE("collision: a bouncing rod that sticks may gain energy", "[A4.6][colli
 
     const Vector3d j = static_friction_impulse(K, v, up, 1);
 
-    // the formula is a model, and this its flaw: 1.25 J become 1.953125 J
+    // a flaw of the model behind the formula: 1.25 J become 1.953125 J
     REQUIRE_THAT(j, IsClose(Vector3d(0.9375, 2.5625, 0), Rounding(64)));
     REQUIRE_THAT(1.25 + j.dot(v + K * j / 2), IsClose(1.953125, Rounding(64, 8)));
 }
@@ -115,7 +116,8 @@ TEST_CASE("collision: a bouncing rod that sticks may gain energy", "[A4.6][colli
 TEST_CASE("collision: static friction on long levers", "[A4.6][collision]")
 {
     for (Random random : seeds(50)) {
-        // 1/M is 1, a lever adds up to 1e4: from any j the v that needs it
+        // 1/M is 1, and the lever adds up to 1e4. The test chooses j and computes the v that needs
+        // j.
         const double lever = std::pow(10, random.uniform(0, 4));
         const Matrix3d R = random.rotation();
         const Matrix3d K = R * Vector3d(1, lever, 1 + lever).asDiagonal() * R.transpose();
@@ -125,7 +127,8 @@ TEST_CASE("collision: static friction on long levers", "[A4.6][collision]")
         const double v_n = -change.dot(n) / (1 + restitution);
         const Vector3d v = -change - restitution * v_n * n;
 
-        // an inverse matrix errs by the square of the condition number at worst, and is allowed
+        // A solution may use an inverse matrix, whose error at worst grows with the square of the
+        // condition number.
         const double condition = 1 + lever;
         REQUIRE_THAT(static_friction_impulse((K + K.transpose()) / 2, v, n, restitution),
                      IsClose(j, Rounding(16, condition * condition)));
@@ -184,7 +187,7 @@ TEST_CASE("collision: friction is a cone and not a pyramid", "[A4.7][collision]"
     for (Random random : seeds(50)) {
         const Vector3d n = random.unit_vector();
         const double mu = random.uniform(0.05, 2), j_n = random.mass();
-        for (int angle = 0; angle < 360; angle += 17) { // turned about the normal
+        for (int angle = 0; angle < 360; angle += 17) { // all around the normal
             CAPTURE(angle);
             const Vector3d T = across(n, angle * degree);
             REQUIRE(inside_friction_cone(j_n * n + 0.99 * mu * j_n * T, n, mu));
@@ -195,7 +198,7 @@ TEST_CASE("collision: friction is a cone and not a pyramid", "[A4.7][collision]"
 
 TEST_CASE("collision: the oblique sphere sticks from a friction of 2/7 on", "[A4.7][collision]")
 {
-    const Vector3d j(-6.0 / 7, 3, 0); // what stops its sliding
+    const Vector3d j(-6.0 / 7, 3, 0); // the impulse that stops the sliding
     const double d = 1e-12;           // class B: the outcome flips within this bracket
     REQUIRE_THAT(inside_friction_cone(j, up, 2.0 / 7 * (1 + d)), IsExactly(true));
     REQUIRE_THAT(inside_friction_cone(j, up, 2.0 / 7 * (1 - d)), IsExactly(false));
@@ -206,7 +209,8 @@ TEST_CASE("collision: a block rests on an incline up to the angle of friction", 
     for (double theta : {5.0, 30.0, 60.0}) {
         CAPTURE(theta);
         const double mu = std::tan(theta * degree);
-        // what holds a block of weight 1 on an incline: straight up, whatever the normal
+        // The force that holds a block of weight 1 on an incline points straight up, whatever the
+        // normal is.
         const auto rests = [&](double angle) {
             const Vector3d n(std::sin(angle * degree), std::cos(angle * degree), 0);
             return inside_friction_cone(up, n, mu);

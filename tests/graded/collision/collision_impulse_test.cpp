@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A4.9: the impulse of a collision, which is none, sticking or sliding.
+// A4.9: the impulse of a collision, which is zero or makes the contact stick or slide.
 #include "formulas/collision.hpp"
 #include "sliding_pair.hpp"
 #include "support/close.hpp"
@@ -14,7 +14,7 @@ TEST_CASE("collision: bodies that separate are left alone", "[A4.9][collision]")
 {
     REQUIRE_THAT(collision_impulse(sphere_on_floor(), Vector3d(3, 2, 0), up, 0.5, 0.3),
                  IsExactly(Vector3d(0, 0, 0)));
-    // so are those that slide along each other, neither approaching nor separating
+    // bodies that slide along each other, neither approaching nor separating, get no impulse either
     REQUIRE_THAT(collision_impulse(sphere_on_floor(), Vector3d(3, 0, 0), up, 0.5, 0.3),
                  IsExactly(Vector3d(0, 0, 0)));
     for (unsigned seed : seeds(50)) {
@@ -35,7 +35,7 @@ TEST_CASE("collision: the oblique sphere slides below a friction of 2/7 and stic
         REQUIRE_THAT(collision_impulse(K, v, up, 0.5, friction),
                      IsClose(Vector3d(-6.0 / 7, 3, 0), Rounding(16)));
 
-    // class B: whether it still slides flips between 2/7 (1 - d) and 2/7 (1 + d)
+    // class B: the outcome, whether it still slides, flips between 2/7 (1 - d) and 2/7 (1 + d)
     const double d = 1e-9;
     const auto slides_on = [&](double friction) {
         const Vector3d after = v + K * collision_impulse(K, v, up, 0.5, friction);
@@ -53,7 +53,8 @@ TEST_CASE("collision: inside the cone it sticks and outside it slides", "[A4.9][
         const auto& [body1, body2, x, n, K, v, restitution, size, condition] = pair;
         const double friction = Random(seed + 1000).uniform(0, 1);
         const double inside = margin(pair, friction);
-        if (std::abs(inside) < 1e-6 || !slides_easily(pair, friction)) continue; // a near thing
+        // rounding may decide a case that is too close to a border
+        if (std::abs(inside) < 1e-6 || !slides_easily(pair, friction)) continue;
 
         const Vector3d j = collision_impulse(K, v, n, restitution, friction);
 

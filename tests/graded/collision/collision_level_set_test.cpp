@@ -24,14 +24,16 @@ LevelSet sampled(const Vector3d& origin, double h, const std::array<int, 3>& siz
     return grid;
 }
 
-// One cell of a unit sphere's level set, `at` of the way through it at a point p of the sphere.
+// One cell of the level set of a unit sphere. The point p of the sphere is in the cell, at the
+// fractions `at` of its edges.
 LevelSet cell_of_sphere(const Vector3d& p, double h, const Vector3d& at)
 {
     const auto sphere = [](const Vector3d& x) { return x.norm() - 1; };
     return sampled(p - h * at, h, {2, 2, 2}, sphere);
 }
 
-// a + b x + c y + d z + e xy + f yz + g zx + h xyz: what trilinear interpolation reproduces.
+// The function a + b x + c y + d z + e xy + f yz + g zx + h xyz, which trilinear interpolation
+// reproduces exactly.
 struct Trilinear {
     std::array<double, 8> c{};
 
@@ -67,7 +69,7 @@ Vector3d point_inside(Random& random, const LevelSet& grid)
     return grid.origin + Vector3d(x, y, z);
 }
 
-// φ = x - 1 on [0, 2] × [0, 3] × [0, 4]
+// The level set φ = x - 1 on [0, 2] × [0, 3] × [0, 4].
 const LevelSet slab =
     sampled(Vector3d::Zero(), 1, some_size, [](const Vector3d& p) { return p.x() - 1; });
 
@@ -111,11 +113,11 @@ TEST_CASE("collision: inside a solid the distance is negative", "[A4.1][collisio
 
 TEST_CASE("collision: outside the grid the distance to its box is added", "[A4.1][collision]")
 {
-    // off a face, an edge and a corner; the nearest points have φ = 1, 1, -1
+    // points beyond a face, an edge and a corner; φ = 1, 1, -1 at the nearest points of the box
     REQUIRE_THAT(sample_level_set(slab, Vector3d(5, 1, 1)), IsClose(1 + 3.0, Rounding(16)));
     REQUIRE_THAT(sample_level_set(slab, Vector3d(5, 7, 1)), IsClose(1 + 5.0, Rounding(16)));
     REQUIRE_THAT(sample_level_set(slab, Vector3d(-2, -3, 10)), IsClose(-1 + 7.0, Rounding(16)));
-    // beside it, where φ = -0.5
+    // a point beside the box, where φ = -0.5
     REQUIRE_THAT(sample_level_set(slab, Vector3d(0.5, -2, 1)), IsClose(-0.5 + 2, Rounding(16)));
     // on the border nothing is added
     REQUIRE_THAT(sample_level_set(slab, Vector3d(2, 3, 4)), IsClose(1.0, Rounding(16)));
@@ -167,7 +169,7 @@ TEST_CASE("collision: the normal of a plane's level set is the plane's", "[A4.2]
                                       [&](const Vector3d& x) { return x.dot(n) - 0.2; });
         const Vector3d p = point_inside(random, grid);
 
-        // differences over a cell: the rounding of the distances, magnified by 1/h
+        // A difference over a cell magnifies the rounding of the distances by 1/h.
         REQUIRE_THAT(level_set_normal(grid, p), IsClose(n, Rounding(32, 1 / 0.3)));
     }
 }
@@ -180,7 +182,7 @@ TEST_CASE("collision: the normal is the gradient inside the cell", "[A4.2][colli
         const Vector3d p = point_inside(random, grid);
         const Vector3d gradient = phi.gradient(p);
 
-        // the rounding of φ over the cell size, relative to the gradient it is in
+        // the rounding of φ, divided by the cell size, relative to the gradient
         const double scale = 8 * 8 / 0.3 / gradient.norm();
         REQUIRE_THAT(level_set_normal(grid, p),
                      IsClose(gradient.normalized(), Rounding(32, scale)));
@@ -220,7 +222,7 @@ TEST_CASE("collision: a point on a face between cells belongs to the higher cell
         REQUIRE_THAT(at(0.5), IsClose(level, Rounding(8)));
         REQUIRE_THAT(at(1), IsClose(rising, Rounding(8)));
         REQUIRE_THAT(at(1.5), IsClose(rising, Rounding(8)));
-        REQUIRE_THAT(at(2), IsClose(rising, Rounding(8))); // the last face, the last cell
+        REQUIRE_THAT(at(2), IsClose(rising, Rounding(8))); // on the last face the last cell counts
     }
 }
 
@@ -249,7 +251,7 @@ TEST_CASE("collision: where the gradient is zero the normal points up", "[A4.2][
     REQUIRE_THAT(level_set_normal(level, Vector3d(0.5, 1.25, 3.5)), IsExactly(Vector3d(0, 1, 0)));
     REQUIRE_THAT(level_set_normal(level, Vector3d(9, 1.25, -3)), IsExactly(Vector3d(0, 1, 0)));
 
-    // a saddle, at its middle
+    // the middle of a saddle, where the gradient is 0
     const LevelSet saddle = sampled(Vector3d::Zero(), 1, {2, 2, 2}, [](const Vector3d& p) {
         return (p.x() - 0.5) * (p.y() - 0.5) * (p.z() - 0.5);
     });
@@ -265,7 +267,8 @@ TEST_CASE("collision: the normal of a sampled sphere points outward", "[A4.2][co
             const LevelSet grid = cell_of_sphere(p, h, Vector3d(0.1, 0.3, 0.8));
             const Vector3d n = level_set_normal(grid, p);
             errors.push_back((n - p).norm());
-            // a second derivative is at most 1, and p at most 0.4 h from the middle of its axis
+            // second derivatives are at most 1, and p is at most 0.4 h from the middle of the cell
+            // along each axis
             REQUIRE_THAT(n, IsClose(p, Order(h)));
         }
         check_order(errors, 1);

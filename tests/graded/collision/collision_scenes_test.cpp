@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// A4.12: scenes of balls that bounce and roll, blocks on inclines, a rod on ice, a pile of boxes.
 #include "support/scene_run.hpp"
 
 #include <algorithm>
@@ -9,7 +10,7 @@ using namespace rigor::testing;
 
 namespace {
 
-// Heights of a body above its place at rest, at the top of each flight.
+// The height of a body above its place at rest, at the top of each flight [m].
 std::vector<double> apexes(const Trajectory& run, int body)
 {
     std::vector<double> result;
@@ -38,7 +39,7 @@ TEST_CASE("collision: a ball bounces to restitution squared times its height",
             const Trajectory run = run_scene("a4-collision/bouncing_spheres", h);
             const std::vector<double> heights = apexes(run, body_index(run, name));
             REQUIRE_FALSE(heights.empty());
-            // first bounce from 2 m: e² 2 m
+            // the first bounce from 2 m reaches e² 2 m
             errors.push_back(std::abs(heights[0] / (e * e * 2) - 1));
         }
         // an impact is found to within a step: the error is at most the fall in one step, v h
@@ -94,7 +95,7 @@ TEST_CASE("collision: a block slides down an incline at g times sine minus frict
         const double a = 9.81 * (std::sin(angle) - mu * std::cos(angle));
         for (const Frame& frame : run.frames) {
             const double n = steps_of(frame);
-            if (n > 150) break; // the fastest comes to the edge of the incline
+            if (n > 150) break; // then the fastest reaches the edge of the incline
             CAPTURE(name, n);
             // x = a t² / 2
             const double x = a * h * h * n * n / 2;
@@ -138,7 +139,7 @@ TEST_CASE("collision: a rod that falls on ice drops straight down", "[A4.12][col
         REQUIRE_THAT(state.position.z(), IsClose(start.position.z(), Rounding(k, 1)));
         turned = turned || state.angular_momentum.norm() > 0.01;
     }
-    REQUIRE(turned); // it did meet the floor
+    REQUIRE(turned); // it has met the floor
 }
 
 TEST_CASE("collision: colliding balls never gain energy", "[A4.12][collision][scene]")

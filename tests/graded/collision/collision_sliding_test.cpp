@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A4.8: sliding friction, and where it jams.
+// A4.8: sliding friction, and contacts that jam.
 #include "formulas/collision.hpp"
 #include "sliding_pair.hpp"
 #include "support/close.hpp"
@@ -13,8 +13,8 @@ namespace rigor::testing {
 
 namespace {
 
-// A thin rod, M = L = 1, whose tip slides along x on the floor, its body behind it and leaning at
-// atan 2 = 63.4349°: K = 4 δ - 3 d dᵀ.
+// K of a thin rod with M = L = 1 whose tip slides along x on the floor. The rod trails behind its
+// tip and leans at atan 2 = 63.4349°: K = 4 δ - 3 d dᵀ.
 Matrix3d leaning_rod()
 {
     const Vector3d d = Vector3d(-1, 2, 0) / std::sqrt(5.0);
@@ -25,7 +25,7 @@ Matrix3d leaning_rod()
 
 TEST_CASE("collision: an oblique sphere that slides", "[A4.8][collision]")
 {
-    // mass 1, r = 0.1, v = (3, -2), ε = 0.5, μ = 0.1: jₙ = 3, j_T = -0.3
+    // a sphere of mass 1 and r = 0.1, v = (3, -2), ε = 0.5, μ = 0.1: jₙ = 3, j_T = -0.3
     const Vector3d j =
         sliding_friction_impulse(sphere_on_floor(), Vector3d(3, -2, 0), up, 0.5, 0.1);
     REQUIRE_THAT(j, IsClose(Vector3d(-0.3, 3, 0), Rounding(16)));
@@ -36,8 +36,9 @@ TEST_CASE("collision: an oblique sphere that slides", "[A4.8][collision]")
 TEST_CASE("collision: friction takes speed from a block that slides down an incline",
           "[A4.8][collision]")
 {
-    // 30°, μ = 0.2, mass 2: in a time step gravity adds g h, the plastic impulse of the incline takes
-    // its normal part, and friction μ of that: g (sin θ - μ cos θ) h is left
+    // An incline of 30° with μ = 0.2 and a block of mass 2. In a time step gravity adds g h, the
+    // plastic impulse of the incline takes away the normal part, and friction takes away μ times
+    // that part: g (sin θ - μ cos θ) h is left.
     const double h = 0.01, theta = std::numbers::pi / 6;
     const Vector3d n(std::sin(theta), std::cos(theta), 0);
     const Vector3d downhill(std::cos(theta), -std::sin(theta), 0);
@@ -76,15 +77,15 @@ TEST_CASE("collision: sliding without friction is the frictionless impulse", "[A
 
 TEST_CASE("collision: what does not slide gets no sliding friction", "[A4.8][collision]")
 {
-    // straight down on a contact that couples pushing with sliding: 1.5 · 2 / nᵀ K n
+    // the point moves straight down, and K couples normal and tangential motion: 1.5 · 2 / nᵀ K n
     const Vector3d j =
         sliding_friction_impulse(jamming_contact(), Vector3d(0, -2, 0), up, 0.5, 0.3);
     REQUIRE_THAT(j, IsClose(Vector3d(0, 0.75, 0), Rounding(8)));
-    // nor does what is at rest
+    // a point at rest gets no impulse either
     REQUIRE_THAT(sliding_friction_impulse(jamming_contact(), Vector3d::Zero(), up, 0.5, 0.3),
                  IsExactly(Vector3d(0, 0, 0)));
 
-    // straight down along any normal, where rounding leaves a tangential speed of some eps
+    // motion straight along any normal, where rounding leaves a tangential speed of some eps
     for (unsigned seed : seeds(50)) {
         const CollidingPair pair = colliding_pair(seed);
         const Vector3d& n = pair.n;
@@ -110,12 +111,12 @@ TEST_CASE("collision: a jammed contact gets the static impulse shortened to the 
     const auto jammed = [&](double friction) {
         return sliding_friction_impulse(jamming_contact(), v, up, 0.5, friction);
     };
-    // just before it jams, nᵀ K (n - μ T) = 1, the formula still holds
+    // just before the contact jams, where nᵀ K (n - μ T) = 1, the formula still holds
     REQUIRE_THAT(jammed(1.5), IsClose(Vector3d(-4.5, 3, 0), Rounding(16)));
-    // at 2 it jams: |j_T| = 5 is shortened to μ · 2
+    // at μ = 2 the contact jams: |j_T| = 5 is shortened to μ · 2
     REQUIRE_THAT(jammed(2), IsClose(Vector3d(-3.2, 2, 2.4), Rounding(64)));
     REQUIRE_THAT(jammed(2.25), IsClose(Vector3d(-3.6, 2, 2.7), Rounding(64)));
-    // from 2.5 on there is nothing to shorten
+    // from μ = 2.5 on, j_T needs no shortening
     REQUIRE_THAT(jammed(3), IsClose(Vector3d(-4, 2, 3), Rounding(64)));
     REQUIRE_THAT(jammed(1e6), IsClose(Vector3d(-4, 2, 3), Rounding(64)));
 }
@@ -141,10 +142,12 @@ TEST_CASE("collision: Painleve's rod jams from a friction of 4/3 on", "[A4.8][co
     const Vector3d v(1, -1, 0);
     const double d = 1e-3;
 
-    // before: nᵀ K (n - μ T) = 8/5 - μ 6/5 is small, and the impulse 1.5 over it large
+    // below the critical μ: nᵀ K (n - μ T) = 8/5 - μ 6/5 is small, and the impulse 1.5 divided by
+    // it is large
     const Vector3d sliding = sliding_friction_impulse(K, v, up, 0.5, 4.0 / 3 * (1 - d));
     REQUIRE_THAT(sliding.y(), IsClose(1.5 / (1.6 * d), Rounding(64, 1 / (d * d))));
-    // after: it sticks, for in the plane the static impulse of a jammed contact is in the cone
+    // above it the contact sticks, since in the plane the static impulse of a jammed contact is in
+    // the cone
     const Vector3d sticking = sliding_friction_impulse(K, v, up, 0.5, 4.0 / 3 * (1 + d));
     REQUIRE_THAT(Vector3d(v + K * sticking), IsClose(Vector3d(0, 0.5, 0), Rounding(64)));
 }
@@ -159,7 +162,7 @@ TEST_CASE("collision: whatever the friction a sliding impulse is in the cone", "
         check_at_most(tangential(j, n).norm(), friction * j.dot(n), "|j_T| against μ jₙ", scale);
     };
     CollidingPair rod = {{}, {}, {}, up, leaning_rod(), Vector3d(1, -1, 0), 0.5, 1, 1};
-    check(rod, 4.0 / 3); // nᵀ K (n - μ T) is 0 or what rounding makes of it
+    check(rod, 4.0 / 3); // nᵀ K (n - μ T) is 0 up to rounding
     for (unsigned seed : seeds(50)) {
         const CollidingPair pair = colliding_pair(seed);
         for (double friction : {0.0, 0.3, 1.0, 3.0, 30.0, 1e6}) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A4.3, A4.4, A4.5: relative velocity, impulse matrix, frictionless impulse.
+// A4.3 to A4.5: relative velocity, impulse matrix and frictionless impulse.
 #include "colliding_pair.hpp"
 #include "formulas/collision.hpp"
 #include "support/close.hpp"
@@ -13,7 +13,7 @@ namespace rigor::testing {
 
 namespace {
 
-// The lecture's v = ω × (x - X) + V for a body that matters for nothing else.
+// A body with the position X and the velocities V and ω. Its mass has no effect on velocities.
 Body moving(const Vector3d& X, const Vector3d& V, const Vector3d& omega)
 {
     Body body;
@@ -26,15 +26,15 @@ Body moving(const Vector3d& X, const Vector3d& V, const Vector3d& omega)
     return body;
 }
 
-// A thin rod, M = L = 1, that leans at 45°, its lower tip at the origin. It cannot be turned about
-// its own axis d, and I⁻¹ = 12 (δ - d dᵀ).
+// A thin rod with M = L = 1 that leans at 45°, with its lower tip at the origin. No impulse can
+// turn it about its own axis d: I⁻¹ = 12 (δ - d dᵀ).
 struct Rod {
     Vector3d d = Vector3d(1, 1, 0) / std::sqrt(2.0);
     Vector3d X = d / 2;
     Matrix3d I_inverse = 12 * (Matrix3d::Identity() - d * d.transpose());
 };
 
-// What bounds the terms of a velocity at x.
+// Upper bound of the terms of the velocity at x [m/s].
 double speed(const Body& body, const Vector3d& x)
 {
     return body.velocity.norm() + body.angular_velocity.norm() * (x.norm() + body.position.norm());
@@ -45,7 +45,8 @@ double speed(const Body& body, const Vector3d& x)
 TEST_CASE("collision: the relative velocity is that of body 1 less that of body 2",
           "[A4.3][collision]")
 {
-    // a wheel of radius 2 that turns by 3 rad/s about z, seen at its top; a cart that moves along x
+    // a wheel of radius 2 turns by 3 rad/s about z and is looked at on its top; a cart moves along
+    // x
     const Body wheel = moving({0, 1, 0}, {0, 0, 0}, {0, 0, 3});
     const Body cart = moving({5, 5, 5}, {1, 0, 0}, {0, 0, 0});
     const Vector3d top(0, 3, 0);
@@ -68,7 +69,7 @@ TEST_CASE("collision: two parts of one moving body have no relative velocity", "
 {
     for (Random random : seeds(100)) {
         const Body body1 = random.body();
-        Body body2 = random.body(); // of another mass and place, carried along by body 1
+        Body body2 = random.body(); // another mass and place; it is carried along by body 1
         body2.velocity = velocity_at(body1, body2.position);
         body2.angular_velocity = body1.angular_velocity;
         const Vector3d x = random.vector();
@@ -105,7 +106,7 @@ TEST_CASE("collision: the impulse matrix of a leaning rod at its tip", "[A4.4][c
 
 TEST_CASE("collision: the impulse matrix of a sphere on the floor", "[A4.4][collision]")
 {
-    // I = 2/5 M r² at any size and mass: 7/2 along the floor, 1 across it, over M
+    // I = 2/5 M r² for any size and mass, so K is 7/2 along the floor and 1 across it, divided by M
     for (double r : {1e-3, 0.1, 50.0})
         for (double M : {1e-3, 1.0, 1e4}) {
             CAPTURE(r, M);
@@ -164,7 +165,7 @@ TEST_CASE("collision: K is symmetric and at least the inverse mass", "[A4.4][col
 
 TEST_CASE("collision: a rod tip on a frictionless floor", "[A4.5][collision]")
 {
-    // M = L = 1 at 45°, 1 m/s down: nᵀ K n = 2.5, j = 1.5/2.5
+    // a rod with M = L = 1 at 45° falls at 1 m/s: nᵀ K n = 2.5, j = 1.5/2.5
     Matrix3d K;
     K << 2.5, -1.5, 0, -1.5, 2.5, 0, 0, 0, 4;
     REQUIRE_THAT(frictionless_impulse(K, Vector3d(0, -1, 0), Vector3d(0, 1, 0), 0.5),
@@ -173,7 +174,7 @@ TEST_CASE("collision: a rod tip on a frictionless floor", "[A4.5][collision]")
 
 TEST_CASE("collision: Newton's cradle passes its speed on one ball at a time", "[A4.5][collision]")
 {
-    // three balls of mass 2 on the x-axis; body 1 is the one to the right, so n = eₓ
+    // three balls of mass 2 on the x-axis; body 1 is the right one of a pair, so n = eₓ
     const Matrix3d K = (0.5 + 0.5) * Matrix3d::Identity();
     double V[3] = {1, 0, 0};
     for (int i = 0; i < 2; ++i) {
@@ -208,14 +209,14 @@ TEST_CASE("collision: a frictionless impulse takes the energy that restitution s
 
         const Vector3d j = frictionless_impulse(K, v, n, restitution);
 
-        // ΔE = -½ (1 - ε²) vₙ² / (nᵀ K n) where both bodies are free or one of them is at rest: the
-        // work of j by the mean of the velocities before and after
+        // ΔE = -½ (1 - ε²) vₙ² / (nᵀ K n) if both bodies are free or one of them is at rest. It is
+        // the work of j at the mean of the velocities before and after.
         const double work = j.dot(v + K * j / 2);
         const double v_n = v.dot(n);
         const double expected = -(1 - restitution * restitution) * v_n * v_n / n.dot(K * n) / 2;
         const double scale = size * v.norm() * condition * condition;
         REQUIRE_THAT(work, IsClose(expected, Rounding(16, scale)));
-        if (body2.is_static()) continue; // it works on body 1, if it moves
+        if (body2.is_static()) continue; // if it moves, it does work on body 1
         const double before = energy(body1) + energy(body2);
         const double after = energy(kicked(body1, x, j)) + energy(kicked(body2, x, -j));
         check_at_most(after, before, "kinetic energy after against before", 16 * (before + scale));

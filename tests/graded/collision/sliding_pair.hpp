@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Two bodies that slide on each other: when, how much it matters, and the laws of the impulse.
+// Two bodies that slide on each other: how far they are from sticking and from jamming, and the
+// laws of the sliding impulse.
 #pragma once
 
 #include "colliding_pair.hpp"
@@ -11,7 +12,7 @@ namespace rigor::testing {
 
 inline const Vector3d up(0, 1, 0);
 
-/// v without its part along n.
+/// The part of v that is perpendicular to n.
 inline Vector3d tangential(const Vector3d& v, const Vector3d& n)
 {
     return v - v.dot(n) * n;
@@ -22,7 +23,7 @@ inline Matrix3d turn(double degrees, const Vector3d& axis)
     return Eigen::AngleAxisd(degrees * std::numbers::pi / 180, axis).toRotationMatrix();
 }
 
-/// nᵀ K (n - μ T) over nᵀ K n: 1 without friction, 0 where it jams.
+/// nᵀ K (n - μ T) / nᵀ K n, which is 1 without friction and 0 where the contact jams.
 inline double ease(const CollidingPair& pair, double friction)
 {
     const Vector3d T = tangential(pair.v, pair.n).normalized();
@@ -30,8 +31,8 @@ inline double ease(const CollidingPair& pair, double friction)
     return 1 - friction * Kn.dot(T) / Kn.dot(pair.n);
 }
 
-/// How far the static impulse is from the border of the friction cone, relative to its size; inside
-/// it is positive.
+/// Distance of the static impulse from the border of the friction cone, relative to the size of the
+/// impulse; positive inside the cone.
 inline double margin(const CollidingPair& pair, double friction)
 {
     const double v_n = pair.v.dot(pair.n);
@@ -39,7 +40,7 @@ inline double margin(const CollidingPair& pair, double friction)
     return (friction * j.dot(pair.n) - tangential(j, pair.n).norm()) / j.norm();
 }
 
-/// Far from jamming, so that the division magnifies nobody's rounding by more than 2.
+/// Whether the contact is so far from jamming that the division magnifies rounding by 2 at most.
 inline bool slides_easily(const CollidingPair& pair, double friction)
 {
     return ease(pair, friction) > 0.5;
@@ -68,9 +69,9 @@ inline void check_sliding(const CollidingPair& pair, double friction, const Vect
     check_at_most(0, j.dot(n), "0 against jₙ", scale);
 }
 
-/// A contact that friction presses down harder than the push lifts it, once it slides along x with
-/// μ ≥ 2.
-/// From v = (2, -2, 0) with ε = 0.5 the static impulse is (-4, 2, 3).
+/// K of a contact that jams if it slides along x with μ ≥ 2: then friction presses it down harder
+/// than the normal impulse lifts it.
+/// For v = (2, -2, 0) and ε = 0.5 the static impulse is (-4, 2, 3).
 inline Matrix3d jamming_contact()
 {
     Matrix3d K;

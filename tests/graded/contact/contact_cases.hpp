@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Bodies that touch, by hand and at random: what the tests of topic `contact` start from.
+// Bodies that touch, made by hand and at random: the cases of the tests of topic `contact`.
 #pragma once
 
 #include "formulas/contact.hpp"
@@ -15,7 +15,7 @@ struct ContactCase {
     Contacts contacts;
 };
 
-/// A body that an impulse pushes but does not turn: what it is in a motion along one line.
+/// A body that an impulse can push but not turn, for motion along one line.
 inline Body block(double mass, const Vector3d& V = {0, 0, 0}, const Vector3d& X = {0, 0, 0})
 {
     Body body;
@@ -25,7 +25,7 @@ inline Body block(double mass, const Vector3d& V = {0, 0, 0}, const Vector3d& X 
     return body;
 }
 
-/// A uniform ball of radius 0.1 that does not spin. With its lowest point as the contact, K is
+/// A uniform ball of radius 0.1 that does not spin. With the contact at its lowest point, K is
 /// diag(3.5, 1, 3.5)/M.
 inline Body ball(double mass, const Vector3d& V, const Vector3d& X = {0, 0.1, 0})
 {
@@ -34,8 +34,9 @@ inline Body ball(double mass, const Vector3d& V, const Vector3d& X = {0, 0.1, 0}
     return body;
 }
 
-/// A thin rod along x about the origin, M = 1, its ends at x = ±1: I = 1/3 across it. An impulse
-/// upwards at an end moves that end by 4 times itself, the other end by -2 times.
+/// A thin rod along x about the origin, with M = 1 and its ends at x = ±1; I = 1/3 across it. An
+/// upward impulse j at one end changes the velocity of that end by 4 j, and of the other end by -2
+/// j.
 inline Body rod(const Vector3d& V)
 {
     Body body = block(1, V);
@@ -55,7 +56,7 @@ inline BodyContact touch(int body1, int body2, double depth, const Vector3d& poi
     return contact;
 }
 
-/// Body 0 is the ground; bodies 1, 2, … of these masses, one upon the other, fall at 1 m/s.
+/// Body 0 is the ground. Bodies 1, 2, … of these masses form a stack that falls at 1 m/s.
 inline ContactCase stack(const std::vector<double>& masses)
 {
     ContactCase stack{{Body()}, {}};
@@ -67,8 +68,9 @@ inline ContactCase stack(const std::vector<double>& masses)
     return stack;
 }
 
-/// A seesaw that falls at 1 m/s: a plank, M = 2 and I = 1 about z, on a ridge below its middle, with
-/// a block of 6 kg on its left end and one of 2 kg on its right end, both 1 m from the middle.
+/// A seesaw that falls at 1 m/s. A plank with M = 2 and I = 1 about z lies on a ridge below its
+/// middle. A block of 6 kg is on its left end and one of 2 kg on its right end, both 1 m from the
+/// middle.
 ///
 /// No block leaves the plank, so all three turn as one about the ridge:
 /// ω = (m₁ - m₂) a / (I + (m₁ + m₂) a²) = 4/9.
@@ -80,7 +82,7 @@ inline ContactCase seesaw()
             {touch(1, 0, 0.03), touch(2, 1, 0.02, {-1, 0, 0}), touch(3, 1, 0.01, {1, 0, 0})}};
 }
 
-/// The seesaw as it moves on.
+/// The bodies of the seesaw after the impact.
 inline Bodies tilting_seesaw()
 {
     Bodies bodies = seesaw().bodies;
@@ -101,16 +103,16 @@ inline Matrix3d impulse_matrix_of(const Bodies& bodies, const BodyContact& c)
     return response_at(bodies[c.body1], c.point) + response_at(bodies[c.body2], c.point);
 }
 
-/// The larger eigenvalue of K across n.
+/// The larger eigenvalue of K in the plane perpendicular to n.
 inline double tangential_eigenvalue(const Matrix3d& K, const Vector3d& n)
 {
     const Matrix3d P = Matrix3d::Identity() - n * n.transpose();
     return Eigen::SelfAdjointEigenSolver<Matrix3d>(P * K * P).eigenvalues().maxCoeff();
 }
 
-/// Three to six bodies and twice as many contacts, anywhere, with distinct depths. Friction is so
-/// small, μ² λ ≤ nᵀ K n, that no contact can jam or raise the energy by friction (the handout proves
-/// it: "What friction may do").
+/// Three to six random bodies, and twice as many contacts at random points with distinct depths.
+/// Friction is so small, μ² λ ≤ nᵀ K n, that no contact can jam or raise the energy by friction
+/// (the handout proves it: "What friction may do").
 inline ContactCase random_case(unsigned seed, bool with_statics)
 {
     Random random(seed);
@@ -135,8 +137,9 @@ inline ContactCase random_case(unsigned seed, bool with_statics)
     return result;
 }
 
-/// Balls of different sizes that touch each other in a heap, some of them, and a static one. Here K
-/// does not mix push and slide, so where a contact starts to slide its impulse does not jump.
+/// A heap of balls of different sizes, some of which touch each other, and a static body. For balls
+/// K does not couple normal and tangential motion, so the impulse does not jump where a contact
+/// starts to slide.
 inline ContactCase heap_of_balls(unsigned seed)
 {
     Random random(seed);
@@ -164,7 +167,7 @@ inline ContactCase heap_of_balls(unsigned seed)
     return heap;
 }
 
-/// All of it turned by R about the origin.
+/// The whole case, turned by R about the origin.
 inline ContactCase turned(ContactCase problem, const Matrix3d& R)
 {
     for (Body& body : problem.bodies) {

@@ -14,7 +14,7 @@ ContactResult resolved(const ContactCase& problem, int sweeps)
     return resolve_simultaneously(problem.bodies, problem.contacts, sweeps);
 }
 
-// With a first guess at the impulses, good or bad.
+// A random case with a first guess of the impulses, which may be good or bad.
 ContactCase guessed_case(unsigned seed, bool with_statics)
 {
     ContactCase problem = random_case(seed, with_statics);
@@ -31,8 +31,8 @@ int visits(const ContactCase& problem)
     return (few + 1) * static_cast<int>(problem.contacts.size());
 }
 
-// Three cubes of edge 1, one upon the other, that fall at 1 m/s; the topmost is pushed aside and
-// twisted. Each rests on its four corners.
+// Three cubes of edge 1, one on top of the other, that fall at 1 m/s. The topmost is pushed aside
+// and twisted. Each cube rests on its four corners.
 ContactCase pushed_tower(double friction)
 {
     ContactCase tower{{Body()}, {}};
@@ -50,7 +50,7 @@ ContactCase pushed_tower(double friction)
     return tower;
 }
 
-// The laws of every contact at once, to rounding.
+// Checks the laws of all contacts at once, up to rounding.
 void check_laws(const ContactCase& problem, const ContactResult& result, double k)
 {
     check_cones(problem, result, 16);
@@ -63,7 +63,7 @@ void check_laws(const ContactCase& problem, const ContactResult& result, double 
         CAPTURE(i);
         check_at_most(c.separation_speed, v_n, "s against v.n", k * size);
         check_at_most((v_n - c.separation_speed) * j_n, 0, "(v.n - s) jₙ", k * size * size);
-        // friction takes all the power it can: j_T.v_T = -μ jₙ |v_T|
+        // friction removes as much power as it can: j_T.v_T = -μ jₙ |v_T|
         check_at_most(j_T.dot(v_T) + c.friction * j_n * v_T.norm(), 0,
                       "what friction could still take, j_T.v_T + μ jₙ |v_T|", k * size * size);
     }
@@ -138,7 +138,7 @@ TEST_CASE("contact: two sweeps are one sweep and then another", "[A5.5][contact]
     for (unsigned seed : seeds(50)) {
         const ContactCase problem = guessed_case(seed, seed % 2 == 0);
         const ContactResult whole = resolved(problem, few);
-        ContactCase rest = problem; // from the impulses of some sweeps on
+        ContactCase rest = problem; // continues after the first sweeps
         const std::vector<Vector3d> guess = resolved(problem, few - 3).impulses;
         for (std::size_t i = 0; i < guess.size(); ++i)
             rest.contacts[i].impulse = guess[i];

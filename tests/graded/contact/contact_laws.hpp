@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The laws that hold whoever resolves the contacts, and in whatever way.
+// The laws that hold for every way to resolve contacts.
 #pragma once
 
 #include "contact_cases.hpp"
@@ -15,7 +15,7 @@ inline Vector3d momentum(const Bodies& bodies)
     return sum;
 }
 
-/// About the origin.
+/// Total angular momentum about the origin [N m s].
 inline Vector3d angular_momentum(const Bodies& bodies)
 {
     Vector3d sum = Vector3d::Zero();
@@ -33,7 +33,7 @@ inline double energy(const Bodies& bodies)
     return sum;
 }
 
-/// What bounds the momenta that were passed on, for rounding [N s].
+/// Upper bound of the momenta that are passed on, the scale of their rounding [N s].
 inline double impulse_size(const ContactCase& problem, const ContactResult& result)
 {
     double sum = 0;
@@ -47,7 +47,7 @@ inline double impulse_size(const ContactCase& problem, const ContactResult& resu
     return sum;
 }
 
-/// Positions, masses and whatever is static: exactly as before.
+/// Checks that positions, masses and static bodies are exactly as before.
 inline void check_untouched(const ContactCase& problem, const ContactResult& result)
 {
     REQUIRE(result.bodies.size() == problem.bodies.size());
@@ -62,9 +62,9 @@ inline void check_untouched(const ContactCase& problem, const ContactResult& res
     }
 }
 
-/// Each body has changed by the impulses that are reported, and by nothing else.
-/// @param visits    of contacts: how many impulses were added up
-/// @param receives  receives(body, contact): whether this body gets its part of it
+/// Checks that each body has changed by the reported impulses and by nothing else.
+/// @param visits    number of impulses that were added up
+/// @param receives  receives(body, contact): whether the body gets the impulse of the contact
 template <class Receives>
 void check_bookkeeping(const ContactCase& problem, const ContactResult& result, int visits,
                        Receives receives)
@@ -99,7 +99,7 @@ inline void check_bookkeeping(const ContactCase& problem, const ContactResult& r
     check_bookkeeping(problem, result, visits, [](int, const BodyContact&) { return true; });
 }
 
-/// Momentum and angular momentum are those from before.
+/// Checks that momentum and angular momentum are conserved.
 inline void check_momenta(const ContactCase& problem, const ContactResult& result, int visits)
 {
     const double k = 64.0 * (1 + visits), size = impulse_size(problem, result);
@@ -108,7 +108,7 @@ inline void check_momenta(const ContactCase& problem, const ContactResult& resul
                  IsClose(angular_momentum(problem.bodies), Rounding(k, 4 * size)));
 }
 
-/// Contacts push, and friction is at most μ times as strong.
+/// Checks that contacts push, and that friction is at most μ times the normal impulse.
 inline void check_cones(const ContactCase& problem, const ContactResult& result, int visits)
 {
     REQUIRE(result.impulses.size() == problem.contacts.size());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A5.3: how high bodies stand.
+// A5.3: the levels of bodies, which say how high a body stands.
 #include "formulas/contact.hpp"
 #include "support/close.hpp"
 #include "support/random.hpp"
@@ -28,7 +28,7 @@ void check_levels(const Edges& rests_on, const Levels& expected)
     REQUIRE_THAT(contact_levels(rests_on, on_the_ground(rests_on.size())), IsExactly(expected));
 }
 
-// reaches[i][j]: whether i rests on j, directly or through others that are not static.
+// reaches[i][j] tells whether i rests on j, directly or through others that are not static.
 std::vector<std::vector<bool>> reachable(const Edges& rests_on, const std::vector<bool>& is_static)
 {
     const std::size_t n = rests_on.size();
@@ -44,7 +44,7 @@ std::vector<std::vector<bool>> reachable(const Edges& rests_on, const std::vecto
     return reaches;
 }
 
-// The header's sentences, one by one, on levels that somebody found.
+// Checks levels against each sentence of their definition in the header.
 void check_definition(const Edges& rests_on, const std::vector<bool>& is_static,
                       const Levels& levels)
 {
@@ -71,10 +71,10 @@ TEST_CASE("contact: the level of a body is the longest way down", "[A5.3][contac
 {
     check_levels({{}, {0}, {1}, {2}}, {0, 1, 2, 3});               // a stack
     check_levels({{}, {2}, {3}, {0}}, {0, 3, 2, 1});               // numbered from the top
-    check_levels({{}, {0}, {0}, {1, 2}, {3, 0}}, {0, 1, 1, 2, 3}); // a table, and a leaning board
+    check_levels({{}, {0}, {0}, {1, 2}, {3, 0}}, {0, 1, 1, 2, 3}); // a table and a leaning board
     check_levels({{}, {0}, {1}, {2, 0}, {0, 3}},
                  {0, 1, 2, 3, 4});                    // the ground is never the highest
-    check_levels({{}, {0}, {1, 1, 0, 1}}, {0, 1, 2}); // points of one contact repeat
+    check_levels({{}, {0}, {1, 1, 0, 1}}, {0, 1, 2}); // several points of one contact
 }
 
 TEST_CASE("contact: what rests on nothing has level 1", "[A5.3][contact]")
@@ -95,22 +95,22 @@ TEST_CASE("contact: static bodies have level 0 whatever they rest on", "[A5.3][c
 
 TEST_CASE("contact: a cycle shares one level", "[A5.3][contact]")
 {
-    check_levels({{}, {0, 2}, {1}}, {0, 1, 1});                 // two cards that lean on each other
-    check_levels({{}, {0, 3}, {1}, {2}, {2}}, {0, 1, 1, 1, 2}); // three, and something upon them
+    check_levels({{}, {0, 2}, {1}}, {0, 1, 1});                 // two cards lean on each other
+    check_levels({{}, {0, 3}, {1}, {2}, {2}}, {0, 1, 1, 1, 2}); // three cards, and a body on them
     check_levels({{}, {0}, {1, 3}, {2}, {3}}, {0, 1, 2, 2, 3}); // a pair of cards on a block
-    check_levels({{}, {2}, {1}}, {0, 1, 1});                    // a pair that rests on nothing else
-    check_levels({{}, {1, 0}, {1, 2}}, {0, 1, 2});              // what rests on itself
+    check_levels({{}, {2}, {1}}, {0, 1, 1});                    // a pair rests on nothing else
+    check_levels({{}, {1, 0}, {1, 2}}, {0, 1, 2});              // a body rests on itself
 }
 
 TEST_CASE("contact: the level of a cycle is above all that any of it rests on", "[A5.3][contact]")
 {
-    // 4 and 5 lean on each other; 4 on the ground, 5 on a stack of three
+    // 4 and 5 lean on each other; 4 rests on the ground, 5 on a stack of three
     check_levels({{}, {0}, {1}, {2}, {0, 5}, {3, 4}, {4}}, {0, 1, 2, 3, 4, 4, 5});
-    // a figure of eight: two cycles that share body 1 are one
+    // a figure of eight: two cycles that share body 1 count as one
     check_levels({{}, {2, 3, 0}, {1}, {1}, {3}}, {0, 1, 1, 1, 2});
-    // one cycle upon another
+    // one cycle on top of another
     check_levels({{}, {0, 2}, {1}, {2, 4}, {3}, {4}}, {0, 1, 1, 2, 2, 3});
-    // a long way round: 1 → 2 → 3 → 4 → 1, with a short cut 3 → 1
+    // a long cycle 1 → 2 → 3 → 4 → 1 with a shortcut 3 → 1
     check_levels({{}, {2}, {3}, {4, 1}, {1, 0}}, {0, 1, 1, 1, 1});
 }
 
@@ -145,7 +145,7 @@ TEST_CASE("contact: levels do not depend on how bodies are numbered", "[A5.3][co
     const Levels expected = {0, 1, 2, 3, 4, 4, 5, 6};
     const int n = static_cast<int>(rests_on.size());
     for (Random random : seeds(50)) {
-        std::vector<int> number(n); // of each body its new one
+        std::vector<int> number(n); // new number of each body
         std::iota(number.begin(), number.end(), 0);
         for (int i = n - 1; i > 0; --i)
             std::swap(number[i], number[static_cast<int>(random.uniform(0, i + 1))]);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A5.2: the laws of contacts one point at a time, on random bodies.
+// A5.2: the laws of contacts that are resolved one point at a time, on random bodies.
 #include "contact_laws.hpp"
 #include "support/seeds.hpp"
 
@@ -123,7 +123,7 @@ TEST_CASE("contact: one at a time starts from nothing and spares those who touch
         ContactCase guessed = problem;
         Random random(seed);
         for (BodyContact& c : guessed.contacts)
-            c.impulse = random.vector(); // a guess, for another formula
+            c.impulse = random.vector(); // a guess, used by another formula
         guessed.bodies.push_back(random.body());
 
         const ContactResult result = resolved(problem), again = resolved(guessed);

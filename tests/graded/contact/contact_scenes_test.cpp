@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A5.6: what stands, stands; what falls, falls; and who carries whom.
+// A5.6: bodies that must stay, bodies that must fall, and the loads that they carry.
 #include "support/scene_run.hpp"
 
 #include <algorithm>
@@ -17,7 +17,7 @@ bool is_called(const Trajectory& run, std::size_t body, const std::string& prefi
     return run.scene.bodies[body].name.starts_with(prefix);
 }
 
-// The farthest that a body of this name gets from where it started, until some time [m].
+// Largest distance from the start of the bodies called `prefix`, up to the time `until` [m].
 double farthest(const Trajectory& run, const std::string& prefix, double until)
 {
     double distance = 0;
@@ -50,7 +50,8 @@ double rattle(const Trajectory& run)
     return largest;
 }
 
-// The momentum of each body changes by its weight and by the impulses of its contacts, step by step.
+// Checks in each step that the momentum of each body changes by its weight and by the impulses of
+// its contacts.
 void check_every_contact_is_recorded(const Trajectory& run)
 {
     const Vector3d gravity(0, -g, 0);
@@ -71,14 +72,14 @@ void check_every_contact_is_recorded(const Trajectory& run)
             const Vector3d V0 = before.bodies[i].velocity, V = after.bodies[i].velocity;
             const double scale = M * (V0.norm() + V.norm() + h * g) + sizes[i];
             CAPTURE(n, run.scene.bodies[i].name);
-            // every sweep rounds, hundreds of them
+            // hundreds of sweeps add rounding errors
             REQUIRE_THAT(Vector3d(M * (V - V0)),
                          IsClose(Vector3d(sums[i] + M * h * gravity), Rounding(4096, scale)));
         }
     }
 }
 
-// What the floor, body 0, carries in the last step, over the weight of all bodies.
+// The load that the floor, body 0, carries in the last step, divided by the weight of all bodies.
 double share_of_the_floor(const Trajectory& run)
 {
     double carried = 0, weight = 0;
@@ -91,7 +92,7 @@ double share_of_the_floor(const Trajectory& run)
     return carried / weight;
 }
 
-// How far a body's y-axis has turned from the vertical, as a cosine.
+// Cosine of the angle between a body's y-axis and the vertical.
 double uprightness(const Frame& frame, int body)
 {
     const Quaternion& q = frame.bodies[static_cast<std::size_t>(body)].orientation;
@@ -190,9 +191,9 @@ TEST_CASE("contact: a seesaw tilts as its whole weight lets it", "[A5.6][contact
         return statistics.angular_velocity(plank, run.frames[1].bodies[plank]).z() /
                run.scene.time_step;
     };
-    // few contacts, which the engine sweeps until nothing changes but rounding
+    // there are few contacts, and the engine sweeps until only rounding changes
     REQUIRE_THAT(first_step("simultaneous"), IsClose(alpha, Rounding(4096)));
-    // one at a time the weight above is not lost, if not exact
+    // one contact at a time the result is not exact, but the weight above must not be lost
     check_at_most(std::abs(first_step("shock_propagation") / alpha - 1), 0.2,
                   "relative error of the angular acceleration by shock propagation");
 }

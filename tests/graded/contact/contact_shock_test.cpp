@@ -18,7 +18,7 @@ ContactResult propagated(const ContactCase& problem, const Levels& levels, int i
     return shock_propagation(problem.bodies, problem.contacts, levels, iterations);
 }
 
-// Static bodies at 0, the others anywhere above: not in every level is one.
+// Random levels: 0 for static bodies and more for the others. Some levels may have no body.
 Levels random_levels(const ContactCase& problem, unsigned seed)
 {
     Random random(seed + 1000);
@@ -40,7 +40,7 @@ TEST_CASE("contact: a stack is stopped whole in one pass", "[A5.4][contact]")
     for (int iterations : {1, 2, 10}) {
         const ContactCase problem = stack({3, 1, 4, 1, 5});
         const ContactResult result = propagated(problem, {0, 1, 2, 3, 4, 5}, iterations);
-        // whatever is below is held, so each contact stops its upper body alone
+        // everything below is held, so each contact stops its upper body alone
         for (int i = 0; i < 5; ++i) {
             CAPTURE(iterations, i);
             const double mass = 1 / problem.bodies[i + 1].inverse_mass;
@@ -63,13 +63,13 @@ TEST_CASE("contact: a stack far heavier above than below", "[A5.4][contact]")
 TEST_CASE("contact: the blocks on a seesaw follow the plank that their weight has tilted",
           "[A5.4][contact]")
 {
-    // the plank moves as the whole weight above lets it; the blocks do not know yet
+    // the plank already moves as the whole weight above lets it, but the blocks do not
     ContactCase problem = seesaw();
     const Bodies expected = tilting_seesaw();
     problem.bodies[1] = expected[1];
     const ContactResult result = propagated(problem, {0, 1, 2, 2});
 
-    REQUIRE_THAT(result.bodies[1], IsExactly(expected[1])); // held, and its own contact is at rest
+    REQUIRE_THAT(result.bodies[1], IsExactly(expected[1])); // held; its own contact is at rest
     REQUIRE_THAT(result.bodies, IsClose(expected, Rounding(64, 1)));
     // each block is stopped against the plank: 6 (1 - 4/9) and 2 (1 + 4/9)
     REQUIRE_THAT(
@@ -87,7 +87,7 @@ TEST_CASE("contact: a seesaw that moves as its weight lets it is left as it is",
 
 TEST_CASE("contact: a body that is held keeps moving and drags what rests on it", "[A5.4][contact]")
 {
-    // a cart on ice with a block on it that falls, held by friction; both ways to name the contact
+    // A block falls on a cart on ice and is held by friction. The contact is named in both ways.
     ContactCase problem{{Body(), block(2, {0.5, 0, 0}), block(1, {0, -1, 0}, up)},
                         {touch(1, 0, 0.01), touch(2, 1, 0.01, 0.5 * up, 1)}};
     ContactResult result = propagated(problem, {0, 1, 2});
@@ -105,7 +105,7 @@ TEST_CASE("contact: a body that is held keeps moving and drags what rests on it"
 
 TEST_CASE("contact: bodies of one level move each other", "[A5.4][contact]")
 {
-    // 3 kg at 1 m/s run into 1 kg at rest: both at 3/4 m/s
+    // a body of 3 kg at 1 m/s runs into one of 1 kg at rest: both move on at 3/4 m/s
     ContactCase problem{{block(1), block(3, -up)}, {touch(1, 0, 0.01)}};
     for (int level : {1, 4}) {
         const ContactResult result = propagated(problem, {level, level});
@@ -123,7 +123,7 @@ TEST_CASE("contact: bodies of one level move each other", "[A5.4][contact]")
 
 TEST_CASE("contact: within a level the deepest contact comes first and gently", "[A5.4][contact]")
 {
-    // the rod of A5.2, two iterations; and the same upon a body that is held
+    // the rod of A5.2 with two iterations, and the same rod on a body that is held
     for (int below : {0, 1}) {
         CAPTURE(below);
         const ContactCase problem{

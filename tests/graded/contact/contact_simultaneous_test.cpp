@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A5.5: all contacts at once. Single sweeps and exact answers.
+// A5.5: all contacts at once. These tests are about single sweeps and exact answers.
 #include "contact_laws.hpp"
 
 namespace rigor::testing {
@@ -23,7 +23,8 @@ void check_impulses(const ContactResult& result, const std::vector<Vector3d>& ex
     REQUIRE_THAT(result.impulses, IsClose(expected, Rounding(64, 4)));
 }
 
-// A ball on the floor that asks for a separation speed: its speed upwards after a few sweeps.
+// Upward speed of a ball on the floor after a few sweeps, if the contact asks for a separation
+// speed.
 double upwards(double V, double separation_speed)
 {
     ContactCase problem = ball_on_floor({0, V, 0}, 0);
@@ -37,12 +38,12 @@ TEST_CASE("contact: one sweep stops a ball on the floor", "[A5.5][contact]")
 {
     for (int sweeps : {1, 2, 10}) {
         CAPTURE(sweeps);
-        // K is diag(3.5, 1, 3.5), λ = 3.5: it sticks
+        // K is diag(3.5, 1, 3.5) and λ = 3.5, so the ball sticks
         const ContactResult stuck = resolved(ball_on_floor({3, -2, 0}, 0.5), sweeps);
         check_impulses(stuck, {{-6.0 / 7, 2, 0}});
         REQUIRE_THAT(stuck.bodies[1].velocity, IsClose(Vector3d(15.0 / 7, 0, 0), Rounding(64, 2)));
     }
-    // along x and z by 3 and 4, it wants 5/3.5: with μ = 0.5 it sticks no longer
+    // it slides by 3 along x and 4 along z, which needs friction of 5/3.5: μ = 0.5 is not enough
     check_impulses(resolved(ball_on_floor({3, -2, 4}, 0.5), 1), {{-0.6, 2, -0.8}});
     check_impulses(resolved(ball_on_floor({3, -2, 4}, 0.1), 1), {{-0.12, 2, -0.16}});
     check_impulses(resolved(ball_on_floor({3, -2, 4}, 0), 1), {{0, 2, 0}});
@@ -58,8 +59,8 @@ TEST_CASE("contact: a ball that leaves the floor gets no impulse", "[A5.5][conta
 
 TEST_CASE("contact: the ends of a rod in turn", "[A5.5][contact]")
 {
-    // 1/4 stops the first end and brings the other to 1.5 m/s; 1.5/4 stops that and brings the first
-    // to 0.75 m/s; and so on: what is missing from 1/2 is a quarter of what it was a sweep before
+    // 1/4 stops the first end and brings the other to 1.5 m/s; 1.5/4 stops that one and brings the
+    // first to 0.75 m/s; and so on. In each sweep the difference from 1/2 falls to a quarter.
     ContactCase problem{{Body(), rod(-up)},
                         {touch(1, 0, 0.01, {-1, 0, 0}), touch(1, 0, 0.02, {1, 0, 0})}};
     check_impulses(resolved(problem, 1), {0.25 * up, 0.375 * up});
@@ -74,19 +75,20 @@ TEST_CASE("contact: the ends of a rod in turn", "[A5.5][contact]")
 TEST_CASE("contact: friction is stepped by the larger eigenvalue across the normal",
           "[A5.5][contact]")
 {
-    // a rod, M = L = 1, leans at 45° in the plane z = 0, its tip at the origin: K is
-    // (2.5 -1.5 0; -1.5 2.5 0; 0 0 4), λ = 4
+    // A rod with M = L = 1 leans at 45° in the plane z = 0, its tip at the origin. K is
+    // (2.5 -1.5 0; -1.5 2.5 0; 0 0 4), and λ = 4.
     const Vector3d d = Vector3d(1, 1, 0) / std::sqrt(2.0);
     Body leaning = block(1, -up, d / 2);
     leaning.inverse_inertia = 12 * (Matrix3d::Identity() - d * d.transpose());
     const ContactCase problem{{Body(), leaning}, {touch(1, 0, 0, {0, 0, 0}, 1)}};
 
-    // jₙ = 1/2.5; then the tip slides by -0.6, and 0.6/4 is less than jₙ
+    // jₙ = 1/2.5; then the tip slides at -0.6 m/s, and 0.6/4 is less than jₙ
     check_impulses(resolved(problem, 1), {{0, 0.4, 0}});
     check_impulses(resolved(problem, 2), {{0.15, 0.4, 0}});
-    // that lifts the tip by -0.225 and leaves it at -0.225: 0.4 + 0.09 and 0.15 + 0.05625
+    // then both the normal and the tangential velocity of the tip are -0.225 m/s:
+    // 0.4 + 0.225/2.5 = 0.49 and 0.15 + 0.225/4 = 0.20625
     check_impulses(resolved(problem, 3), {{0.20625, 0.49, 0}});
-    // in the end it sticks: K⁻¹ (0, 1, 0)
+    // in the end it sticks: j = K⁻¹ (0, 1, 0)
     check_impulses(resolved(problem, 200), {{0.375, 0.625, 0}});
     REQUIRE_THAT(velocity_of(resolved(problem, 200).bodies, problem.contacts[0]),
                  IsClose(Vector3d(0, 0, 0), Rounding(256, 1)));
@@ -95,8 +97,8 @@ TEST_CASE("contact: friction is stepped by the larger eigenvalue across the norm
 TEST_CASE("contact: how far a push moves its contact along the normal has no part in friction",
           "[A5.5][contact]")
 {
-    // a plate that turns in its own plane z = 0 alone: K is (1.75 -0.75 0; -0.75 1.75 0; 0 0 1), so
-    // that λ = 1.75; 2.5 would be the eigenvalue of a direction half along the normal
+    // A plate can turn in its own plane z = 0 only. K is (1.75 -0.75 0; -0.75 1.75 0; 0 0 1), so λ
+    // = 1.75. The value 2.5 would be the eigenvalue of a direction that is half along the normal.
     Body plate = block(1, -up, {0.5, 0.5, 0});
     plate.inverse_inertia.diagonal() = Vector3d(0, 0, 3);
     const ContactCase problem{{Body(), plate}, {touch(1, 0, 0, {0, 0, 0}, 1)}};
@@ -109,7 +111,7 @@ TEST_CASE("contact: how far a push moves its contact along the normal has no par
 
 TEST_CASE("contact: friction is shortened by the new push", "[A5.5][contact]")
 {
-    // a guess that pushes four times too hard, all of it on the border of the cone
+    // the guess pushes four times too hard and lies on the border of the cone
     const ContactResult result = resolved(ball_on_floor({3, -2, 0}, 0.1, {-0.8, 8, 0}), 1);
     check_impulses(result, {{-0.2, 2, 0}});
     REQUIRE_THAT(result.bodies[1].velocity, IsClose(Vector3d(2.8, 0, 0), Rounding(64, 8)));
@@ -120,7 +122,7 @@ TEST_CASE("contact: a push that was too hard is taken back", "[A5.5][contact]")
     ContactResult result = resolved(ball_on_floor({0, -1, 0}, 0, 10 * up), 1);
     check_impulses(result, {up});
     REQUIRE_THAT(result.bodies[1].velocity, IsClose(Vector3d(0, 0, 0), Rounding(64, 10)));
-    // as a whole it never pulls
+    // the total impulse never pulls
     result = resolved(ball_on_floor({0, 3, 0}, 0, 10 * up), 1);
     check_impulses(result, {{0, 0, 0}});
     REQUIRE_THAT(result.bodies[1].velocity, IsClose(Vector3d(0, 3, 0), Rounding(64, 10)));
@@ -131,11 +133,11 @@ TEST_CASE("contact: a push that was too hard is taken back", "[A5.5][contact]")
 TEST_CASE("contact: a simultaneous contact ends with the separation speed it asks for",
           "[A5.5][contact]")
 {
-    REQUIRE_THAT(upwards(-1, 0.25), IsClose(0.25, Rounding(64, 2)));    // pushed apart
-    REQUIRE_THAT(upwards(-1, -0.25), IsClose(-0.25, Rounding(64, 2)));  // may close a gap
-    REQUIRE_THAT(upwards(0.125, 0.25), IsClose(0.25, Rounding(64, 2))); // not fast enough
-    REQUIRE_THAT(upwards(-0.25, -0.5), IsClose(-0.25, Rounding(8)));    // slow enough
-    REQUIRE_THAT(upwards(0.5, 0.25), IsClose(0.5, Rounding(8)));        // fast enough
+    REQUIRE_THAT(upwards(-1, 0.25), IsClose(0.25, Rounding(64, 2)));    // it is pushed apart
+    REQUIRE_THAT(upwards(-1, -0.25), IsClose(-0.25, Rounding(64, 2)));  // it may close a gap
+    REQUIRE_THAT(upwards(0.125, 0.25), IsClose(0.25, Rounding(64, 2))); // it is not fast enough
+    REQUIRE_THAT(upwards(-0.25, -0.5), IsClose(-0.25, Rounding(8)));    // it is slow enough
+    REQUIRE_THAT(upwards(0.5, 0.25), IsClose(0.5, Rounding(8)));        // it is fast enough
 }
 
 TEST_CASE("contact: each contact of a stack carries all that lies above it", "[A5.5][contact]")
@@ -165,7 +167,7 @@ TEST_CASE("contact: a seesaw tilts as if its blocks were glued on", "[A5.5][cont
 {
     const ContactResult result = resolved(seesaw(), 400);
     REQUIRE_THAT(result.bodies, IsClose(tilting_seesaw(), Rounding(64, 10)));
-    // 10 kg fell by 1 m/s; now their momentum is -6 · 4/9 + 2 · 4/9
+    // 10 kg fell at 1 m/s; now their momentum is -6 · 4/9 + 2 · 4/9
     REQUIRE_THAT(result.impulses,
                  IsClose(std::vector<Vector3d>{74.0 / 9 * up, 10.0 / 3 * up, 26.0 / 9 * up},
                          Rounding(64, 10)));
@@ -173,11 +175,11 @@ TEST_CASE("contact: a seesaw tilts as if its blocks were glued on", "[A5.5][cont
 
 TEST_CASE("contact: three balls in a row end together", "[A5.5][contact]")
 {
-    // the first runs into two at rest; these contacts are plastic
+    // The first ball runs into two at rest. These contacts are plastic.
     ContactCase row{{block(1, {1, 0, 0}), block(1), block(1)}, {touch(1, 0, 0), touch(2, 1, 0)}};
     for (BodyContact& c : row.contacts)
         c.normal = Vector3d::UnitX();
-    // the first contact alone, then the second
+    // the first contact is resolved alone, then the second
     const ContactResult once = resolved(row, 1);
     REQUIRE_THAT(once.impulses,
                  IsClose(std::vector<Vector3d>{{0.5, 0, 0}, {0.25, 0, 0}}, Rounding(64, 1)));
@@ -190,8 +192,8 @@ TEST_CASE("contact: three balls in a row end together", "[A5.5][contact]")
 
 TEST_CASE("contact: a block that slides in a groove", "[A5.5][contact]")
 {
-    // walls at 45°: each pushes with 1/√2 to hold the falling block, and both together rub √2 μ along
-    // the groove, more than a floor would
+    // Walls at 45°: each pushes with 1/√2 to hold the falling block, and the friction of both along
+    // the groove is √2 μ, which is more than that of a floor.
     const auto along_the_groove = [](double friction) {
         ContactCase groove{
             {Body(), block(1, {0, -1, 0.3})},

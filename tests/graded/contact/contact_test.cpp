@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A5.1 and A5.2: contacts one point at a time, gently first.
+// A5.1 and A5.2: contacts resolved one point at a time, at first gently.
 #include "contact_laws.hpp"
 
 #include <limits>
@@ -10,7 +10,7 @@ namespace {
 
 constexpr int most = std::numeric_limits<int>::max(), least = std::numeric_limits<int>::min();
 
-// A ball of 1 kg that meets the floor.
+// A ball of 1 kg that hits the floor.
 ContactCase ball_on_floor(const Vector3d& V, double friction, double separation_speed = 0)
 {
     ContactCase result{{Body(), ball(1, V)}, {touch(1, 0, 0.01, {0, 0, 0}, friction)}};
@@ -18,7 +18,7 @@ ContactCase ball_on_floor(const Vector3d& V, double friction, double separation_
     return result;
 }
 
-// The rod falls flat at 1 m/s, both its ends on the floor.
+// The rod falls flat at 1 m/s, with both its ends on the floor.
 ContactCase falling_rod(double left_depth, double right_depth)
 {
     return {{Body(), rod(-up)},
@@ -30,7 +30,7 @@ ContactResult resolved(const ContactCase& problem, int n)
     return resolve_contacts(problem.bodies, problem.contacts, n);
 }
 
-// The rod's two impulses upwards.
+// Checks the upward impulses at the two ends of the rod.
 void check_ends(const ContactResult& result, double left, double right)
 {
     REQUIRE(result.impulses.size() == 2);
@@ -88,13 +88,13 @@ TEST_CASE("contact: one ball on the floor is stopped in any number of iterations
 {
     for (int n : {1, 2, 10, 33}) {
         CAPTURE(n);
-        // it sticks: its lowest point stops, by -0.3/3.5 across the normal
+        // it sticks: an impulse of -0.3/3.5 across the normal stops its lowest point
         const ContactResult stuck = resolved(ball_on_floor({0.3, -2, 0}, 0.5), n);
         REQUIRE_THAT(stuck.impulses,
                      IsClose(std::vector{Vector3d(-0.3 / 3.5, 2, 0)}, Rounding(64, 2)));
         REQUIRE_THAT(stuck.bodies[1].velocity,
                      IsClose(Vector3d(0.3 - 0.3 / 3.5, 0, 0), Rounding(64, 2)));
-        // it slides: friction is 0.1 of the push in each iteration, and so in all
+        // it slides: friction is 0.1 times the push in each iteration, and so it is in total
         const ContactResult sliding = resolved(ball_on_floor({3, -2, 0}, 0.1), n);
         REQUIRE_THAT(sliding.impulses, IsClose(std::vector{Vector3d(-0.2, 2, 0)}, Rounding(64, 2)));
     }
@@ -102,20 +102,21 @@ TEST_CASE("contact: one ball on the floor is stopped in any number of iterations
 
 TEST_CASE("contact: the deepest end of a rod is stopped first", "[A5.2][contact]")
 {
-    // one iteration, ε = 0. The left end first: 1/4 stops it and presses the other down by 2/4, to
-    // 1.5 m/s; then that gets 1.5/4.
+    // One iteration with ε = 0. The left end comes first: 1/4 stops it and pushes the other end
+    // down by 2/4 to 1.5 m/s, which then gets 1.5/4.
     check_ends(resolved(falling_rod(0.02, 0.01), 1), 0.25, 0.375);
     check_ends(resolved(falling_rod(0.01, 0.02), 1), 0.375, 0.25);
-    // of equal depths the first one
+    // with equal depths the first contact of the list comes first
     check_ends(resolved(falling_rod(0.01, 0.01), 1), 0.25, 0.375);
-    // a gap is less than any depth, and depth may be all gaps
+    // a gap is less than any depth, and all contacts may have gaps
     check_ends(resolved(falling_rod(-0.02, -0.01), 1), 0.375, 0.25);
 }
 
 TEST_CASE("contact: a gentle sweep shares the load more evenly", "[A5.2][contact]")
 {
-    // two iterations. ε = -1/2: 1/8 takes half the left end's speed and brings the other to 1.25 m/s,
-    // which gets 0.625/4. ε = 0: the ends have 0.8125 and, after the left one is stopped, 1.03125 m/s.
+    // Two iterations. With ε = -1/2 an impulse of 1/8 halves the left end's speed and brings the
+    // other to 1.25 m/s, which gets 0.625/4. With ε = 0 the left end has 0.8125 m/s. After it is
+    // stopped, the right end has 1.03125 m/s.
     const ContactResult result = resolved(falling_rod(0.02, 0.01), 2);
     check_ends(result, 0.328125, 0.4140625);
     REQUIRE_THAT(velocity_at(result.bodies[1], {-1, 0, 0}),
@@ -126,7 +127,8 @@ TEST_CASE("contact: a gentle sweep shares the load more evenly", "[A5.2][contact
 
 TEST_CASE("contact: ten gentle iterations on a rod", "[A5.2][contact]")
 {
-    // the ends' speeds, a recurrence: an impulse j at one adds 4 j to it and -2 j to the other
+    // a recurrence for the speeds of the ends: an impulse j adds 4 j to its own end and -2 j to the
+    // other
     double v[2] = {-1, -1}, j[2] = {0, 0};
     for (int k = 0; k < 10; ++k)
         for (int end : {1, 0}) {
@@ -138,21 +140,21 @@ TEST_CASE("contact: ten gentle iterations on a rod", "[A5.2][contact]")
         }
     const ContactResult result = resolved(falling_rod(0.01, 0.02), 10);
     check_ends(result, j[0], j[1]);
-    // of the 1 m/s of the end that was stopped first this is left, after one iteration 0.75
+    // what is left of the 1 m/s of the end that was stopped first; after one iteration it is 0.75
     REQUIRE_THAT(velocity_at(result.bodies[1], {1, 0, 0}),
                  IsClose(Vector3d(0, -0.0162932134258535, 0), Rounding(64, 1)));
 }
 
 TEST_CASE("contact: a contact sees what those before it have done", "[A5.2][contact]")
 {
-    // two blocks of 1 kg, one upon the other, fall at 1 m/s; one iteration
+    // two blocks of 1 kg, one on top of the other, fall at 1 m/s; one iteration
     ContactCase blocks = stack({1, 1});
     blocks.contacts[0].depth = 0.02;
     const ContactResult upwards = resolved(blocks, 1);
     REQUIRE_THAT(upwards.impulses, IsClose(std::vector<Vector3d>{up, 0.5 * up}, Rounding(16, 1)));
     REQUIRE_THAT(upwards.bodies[1].velocity, IsClose(Vector3d(0, -0.5, 0), Rounding(16)));
     REQUIRE_THAT(upwards.bodies[2].velocity, IsClose(Vector3d(0, -0.5, 0), Rounding(16)));
-    // the upper contact first: there nothing approaches yet, and it is not looked at again
+    // with the upper contact first, nothing approaches there yet, and it is not visited again
     blocks.contacts[0].depth = 0.005;
     const ContactResult downwards = resolved(blocks, 1);
     REQUIRE_THAT(downwards.impulses, IsClose(std::vector<Vector3d>{up, 0 * up}, Rounding(16, 1)));
@@ -179,18 +181,18 @@ TEST_CASE("contact: a contact ends with the separation speed it asks for", "[A5.
                          IsClose(result.bodies[1].velocity.y() - V, Rounding(64, 4)));
             return result.bodies[1].velocity.y();
         };
-        REQUIRE_THAT(upwards(-1, 0.25), IsClose(0.25, Rounding(64, 2)));    // pushed apart
-        REQUIRE_THAT(upwards(-1, -0.25), IsClose(-0.25, Rounding(64, 2)));  // may close a gap
-        REQUIRE_THAT(upwards(0.125, 0.25), IsClose(0.25, Rounding(64, 2))); // not fast enough
-        REQUIRE_THAT(upwards(-0.25, -0.5), IsExactly(-0.25));               // slow enough
-        REQUIRE_THAT(upwards(0.5, 0.25), IsExactly(0.5));                   // fast enough
+        REQUIRE_THAT(upwards(-1, 0.25), IsClose(0.25, Rounding(64, 2)));    // it is pushed apart
+        REQUIRE_THAT(upwards(-1, -0.25), IsClose(-0.25, Rounding(64, 2)));  // it may close a gap
+        REQUIRE_THAT(upwards(0.125, 0.25), IsClose(0.25, Rounding(64, 2))); // it is not fast enough
+        REQUIRE_THAT(upwards(-0.25, -0.5), IsExactly(-0.25));               // it is slow enough
+        REQUIRE_THAT(upwards(0.5, 0.25), IsExactly(0.5));                   // it is fast enough
     }
 }
 
 TEST_CASE("contact: friction is bounded by the whole push", "[A5.2][contact]")
 {
-    // to leave at 0.5 m/s takes 2.5, of which 0.4 is more than the 6/7 that the sliding needs; of
-    // the 2 that would stop it, it is not
+    // It takes a push of 2.5 to leave at 0.5 m/s. 0.4 times 2.5 is more than the 6/7 that the
+    // sliding needs, but 0.4 times the push of 2 that would stop the ball is less.
     const ContactResult result = resolved(ball_on_floor({3, -2, 0}, 0.4, 0.5), 1);
     REQUIRE_THAT(result.impulses,
                  IsClose(std::vector{Vector3d(-6.0 / 7, 2.5, 0)}, Rounding(64, 3)));
@@ -213,7 +215,7 @@ TEST_CASE("contact: without iterations or contacts nothing changes", "[A5.2][con
 TEST_CASE("contact: between two static bodies nothing happens", "[A5.2][contact]")
 {
     Random random(1);
-    const Bodies bodies = {static_body(random), static_body(random)}; // moving, as conveyors do
+    const Bodies bodies = {static_body(random), static_body(random)}; // moving as conveyor belts do
     for (int sign : {-1, 1}) {
         BodyContact c = touch(0, 1, 0.1);
         c.normal = sign * up;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Meshes of tetrahedra, by hand and at random: what the tests of topic `fracture` start from.
+// Meshes of tetrahedra, made by hand and at random: the cases of the tests of topic `fracture`.
 #pragma once
 
 #include "formulas/fracture.hpp"
@@ -17,13 +17,13 @@ namespace rigor::testing {
 
 using Tetrahedron = std::array<int, 4>;
 
-/// The one tetrahedron x, y, z ≥ 0, x + y + z ≤ 1.
+/// The tetrahedron x, y, z ≥ 0, x + y + z ≤ 1.
 inline TetrahedralMesh unit_tetrahedron()
 {
     return {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 1, 2, 3}}};
 }
 
-/// The unit tetrahedron, and a second one upon its face 0, with the vertex 4 at (1, 1, 1).
+/// The unit tetrahedron, and a second one on its face 0, with the vertex 4 at (1, 1, 1).
 inline TetrahedralMesh two_tetrahedra()
 {
     TetrahedralMesh mesh = unit_tetrahedron();
@@ -32,7 +32,8 @@ inline TetrahedralMesh two_tetrahedra()
     return mesh;
 }
 
-/// |x| + |y| + |z| ≤ 1, eight tetrahedra around the vertex 0 in the middle. Volume 4/3.
+/// The octahedron |x| + |y| + |z| ≤ 1: eight tetrahedra around the vertex 0 in the middle, volume
+/// 4/3.
 inline TetrahedralMesh octahedron()
 {
     TetrahedralMesh mesh = {
@@ -51,8 +52,8 @@ inline int block_vertex(int nx, int ny, int i, int j, int k)
     return i + (nx + 1) * (j + (ny + 1) * k);
 }
 
-/// nx ny nz unit cubes from the origin, six tetrahedra each, all around its diagonal from the lowest
-/// corner to the highest (Kuhn 1960).
+/// nx ny nz unit cubes from the origin on. Each has six tetrahedra around its diagonal from the
+/// lowest corner to the highest (Kuhn 1960).
 inline TetrahedralMesh block(int nx, int ny, int nz)
 {
     TetrahedralMesh mesh;
@@ -62,7 +63,7 @@ inline TetrahedralMesh block(int nx, int ny, int nz)
                 mesh.vertices.push_back(Vector3d(i, j, k));
     const int ways[6][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}};
     for (int cell = 0; cell < nx * ny * nz; ++cell)
-        for (int way = 0; way < 6; ++way) { // along x, y, z in one of six orders
+        for (int way = 0; way < 6; ++way) { // along x, y and z, in one of six orders
             int place[3] = {cell % nx, cell / nx % ny, cell / (nx * ny)};
             Tetrahedron t = {block_vertex(nx, ny, place[0], place[1], place[2])};
             for (int corner = 1; corner < 4; ++corner) {
@@ -75,7 +76,7 @@ inline TetrahedralMesh block(int nx, int ny, int nz)
     return mesh;
 }
 
-/// The mesh of unit cubes with each vertex moved, by so little that nothing is inverted.
+/// The mesh of unit cubes with each vertex moved by so little that nothing is inverted.
 inline TetrahedralMesh jiggled(TetrahedralMesh mesh, Random& random)
 {
     for (Vector3d& x : mesh.vertices)
@@ -130,7 +131,7 @@ inline std::array<int, 3> face_vertices(const Tetrahedron& t, int face)
     return result;
 }
 
-/// All faces whose three vertices lie where `is_there(x)` says.
+/// All faces for whose three vertices is_there(x) is true.
 template <class IsThere>
 std::vector<MeshFace> faces_where(const TetrahedralMesh& mesh, IsThere is_there)
 {

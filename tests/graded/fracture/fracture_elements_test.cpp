@@ -7,10 +7,11 @@ namespace rigor::testing {
 
 namespace {
 
-constexpr double snap_distance = 0.05; // of the longest edge, as the header says
+constexpr double snap_distance = 0.05; // fraction of the longest edge, as in the header
 
-// How far above the plane the vertices are of the tetrahedra that have `vertex`, 0 where they count as
-// on it; and the least that one of them is off from where that flips, of the longest edge.
+// Heights above the plane of the vertices of all tetrahedra that have `vertex`. A vertex that
+// counts as on the plane has the height 0. `margin` is the least distance of a height from the
+// threshold where this flips, as a fraction of the longest edge.
 struct Heights {
     std::map<int, double> of;
     double margin = 1;
@@ -34,12 +35,12 @@ Heights heights(const TetrahedralMesh& mesh, int vertex, const Vector3d& n)
     return result;
 }
 
-// New vertices are where the edges of the vertex's tetrahedra meet the plane, each once.
+// Checks that there is one new vertex wherever an edge of the vertex's tetrahedra meets the plane.
 void check_new_vertices(const TetrahedralMesh& mesh, const SplitMesh& result, int vertex,
                         const Vector3d& n)
 {
     const std::map<int, double> h = heights(mesh, vertex, n).of;
-    std::map<std::array<int, 2>, double> expected; // of each edge a < b: t
+    std::map<std::array<int, 2>, double> expected; // t of each edge a < b
     for (const Tetrahedron& t : mesh.tetrahedra)
         if (corner_of(t, vertex) < 4)
             for (int a : t)
@@ -49,7 +50,7 @@ void check_new_vertices(const TetrahedralMesh& mesh, const SplitMesh& result, in
 
     std::set<std::array<int, 2>> found;
     for (const auto& [first, second, t] : result.origins) {
-        if (first == second || t == 0 || t == 1) continue; // a vertex from before
+        if (first == second || t == 0 || t == 1) continue; // an old vertex
         const std::array<int, 2> edge = {std::min(first, second), std::max(first, second)};
         INFO("a new vertex, on an edge that the plane cuts");
         CAPTURE(edge[0], edge[1]);
@@ -61,17 +62,18 @@ void check_new_vertices(const TetrahedralMesh& mesh, const SplitMesh& result, in
     REQUIRE(found.size() == expected.size());
 }
 
-// Around each copy of the vertex all matter is on one side of the plane, and both sides have one.
+// Checks that all matter around each copy of the vertex is on one side of the plane, and that both
+// sides have a copy.
 void check_sides(const TetrahedralMesh& mesh, const SplitMesh& result, int vertex,
                  const Vector3d& n)
 {
     const std::map<int, double> h = heights(mesh, vertex, n).of;
-    const auto height_of = [&](int v) { // in the mesh that was split
+    const auto height_of = [&](int v) { // height of a vertex of `result`
         const auto& [first, second, t] = result.origins[v];
         const bool is_old = first == second || t == 0 || t == 1;
         return is_old ? h.at(t == 1 ? second : first) : 0.0;
     };
-    std::map<int, std::array<bool, 2>> sides; // of each copy: something above, something below
+    std::map<int, std::array<bool, 2>> sides; // matter above and below each copy
     for (const Tetrahedron& t : result.mesh.tetrahedra)
         for (int copy : t) {
             const VertexOrigin& origin = result.origins[copy];
@@ -110,7 +112,7 @@ void check_unchanged(const TetrahedralMesh& mesh, int vertex, const Vector3d& n)
     REQUIRE(tetrahedron_count(result.mesh) == tetrahedron_count(mesh));
 }
 
-// A vertex with tetrahedra left and right of x = 1; -1: none.
+// A vertex with tetrahedra left and right of x = 1, or -1 if there is none.
 int two_sided_vertex(const TetrahedralMesh& mesh)
 {
     for (int v = 0; v < vertex_count(mesh); ++v) {
@@ -127,7 +129,7 @@ int two_sided_vertex(const TetrahedralMesh& mesh)
 
 TEST_CASE("fracture: a plane through two vertices halves a tetrahedron", "[A7.6][fracture]")
 {
-    // through 0 and 3, and the middle of the edge between 1 and 2
+    // the plane goes through 0 and 3, and through the middle of the edge between 1 and 2
     for (const double sign : {1.0, -1.0}) {
         const SplitMesh result =
             split(unit_tetrahedron(), 0, sign * Vector3d(1, -1, 0).normalized());
@@ -140,7 +142,8 @@ TEST_CASE("fracture: a plane through two vertices halves a tetrahedron", "[A7.6]
 
 TEST_CASE("fracture: a plane through one vertex cuts off a corner", "[A7.6][fracture]")
 {
-    // 2x = y + z: the edges from 1 to 2 and to 3 are cut at a third of their length from the other end
+    // The plane 2x = y + z cuts the edges from 1 to 2 and from 1 to 3 at a third of their length
+    // from their other end.
     const SplitMesh result = split(unit_tetrahedron(), 0, Vector3d(2, -1, -1).normalized());
     REQUIRE(tetrahedron_count(result.mesh) == 3);
     REQUIRE(vertex_count(result.mesh) == 4 + 5);
@@ -151,7 +154,8 @@ TEST_CASE("fracture: a plane through one vertex cuts off a corner", "[A7.6][frac
 
 TEST_CASE("fracture: a vertex near the plane counts as on it", "[A7.6][fracture]")
 {
-    // class B: through 0, with vertex 3 above by a little less and more than 0.05 of the edge of √2
+    // class B: the plane goes through 0, with vertex 3 above it by a little less and a little more
+    // than 0.05 of the edge of √2
     const auto tilted = [](double height) {
         const double h = height * std::numbers::sqrt2, a = std::sqrt((1 - h * h) / 2);
         return Vector3d(a, -a, h);
@@ -180,14 +184,14 @@ TEST_CASE("fracture: a plane beside all tetrahedra of the vertex changes nothing
         check_unchanged(block(2, 2, 2), 0, sign * Vector3d(1, 2, 2) / 3);
         check_unchanged(block(2, 2, 2), block_vertex(2, 2, 1, 1, 2), sign * Vector3d::UnitZ());
     }
-    // below by less than 0.05 of the longest edge
+    // the vertex is below the plane by less than 0.05 of the longest edge
     check_unchanged(unit_tetrahedron(), 0, Vector3d(1, 1, -0.06).normalized());
 }
 
 TEST_CASE("fracture: a neighbour is halved with the edge that it shares", "[A7.6][fracture]")
 {
-    // the plane through 0, 3 and the middle of the edge 1 2, which the second tetrahedron has too; it is
-    // cut, but does not come apart: only vertex 0 doubles
+    // The plane goes through 0, 3 and the middle of the edge 1 2, which the second tetrahedron has
+    // too. That one is cut, but does not come apart, since only vertex 0 is doubled.
     const SplitMesh result = split(two_tetrahedra(), 0, Vector3d(1, -1, 0).normalized());
     REQUIRE(tetrahedron_count(result.mesh) == 4);
     REQUIRE(vertex_count(result.mesh) == 5 + 1 + 1);
@@ -221,7 +225,7 @@ TEST_CASE("fracture: every plane through its middle halves an octahedron", "[A7.
 
 TEST_CASE("fracture: the area of a crack through an octahedron", "[A7.6][fracture]")
 {
-    // x + y + z = 0 meets the edges in their middles: a regular hexagon of side 1/√2
+    // the plane x + y + z = 0 meets the edges in their middles: a regular hexagon of side 1/√2
     const SplitMesh result = split(octahedron(), 0, Vector3d(1, 1, 1).normalized());
     REQUIRE(vertex_count(result.mesh) == 6 + 2 * 7);
     const double hexagon = 1.5 * std::numbers::sqrt3 / 2;
@@ -230,7 +234,8 @@ TEST_CASE("fracture: the area of a crack through an octahedron", "[A7.6][fractur
 
 TEST_CASE("fracture: cuts at the vertices of a section break a bar there", "[A7.6][fracture]")
 {
-    // at one after another that still has matter on both sides; two may be enough, four always are
+    // Cuts at one vertex after another that still has matter on both sides. Two cuts may be enough,
+    // four always are.
     SplitMesh bar;
     bar.mesh = block(2, 1, 1);
     int cuts = 0;
@@ -288,7 +293,7 @@ TEST_CASE("fracture: the way a mesh is numbered does not matter to where it is c
         const Vector3d n = random.unit_vector();
         if (heights(mesh, vertex, n).margin < 1e-6) continue; // too close to call
         const Renumbered other = renumbered(mesh, random);
-        // the other way round, too
+        // the second normal points the other way
         const SplitMesh one = split_element(mesh, vertex, n);
         const SplitMesh two = split_element(other.mesh, other.vertex[vertex], -n);
         REQUIRE(vertex_count(two.mesh) == vertex_count(one.mesh));
@@ -305,7 +310,7 @@ TEST_CASE("fracture: a large mesh is cut at one vertex", "[A7.6][fracture]")
     const SplitMesh result =
         split_element(cube, block_vertex(16, 16, 8, 8, 8), Vector3d(1, 2, 3).normalized());
     REQUIRE(vertex_count(result.mesh) > vertex_count(cube) + 1);
-    REQUIRE_THAT(volume(result.mesh), IsClose(4096.0, Rounding(24576, 4096))); // a sum of so many
+    REQUIRE_THAT(volume(result.mesh), IsClose(4096.0, Rounding(24576, 4096))); // 24576 summands
 }
 
 } // namespace rigor::testing

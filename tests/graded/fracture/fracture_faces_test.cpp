@@ -9,7 +9,7 @@ namespace {
 
 using Faces = std::vector<MeshFace>;
 
-// Splits, and checks what holds for every split along faces: no tetrahedron has changed.
+// Splits a mesh and checks what holds for every split along faces: no tetrahedron has changed.
 SplitMesh split(const TetrahedralMesh& mesh, const Faces& faces)
 {
     const SplitMesh result = split_along_faces(mesh, faces);
@@ -36,7 +36,7 @@ void check_unchanged(const TetrahedralMesh& mesh, const Faces& faces)
     REQUIRE_THAT(canonical(result.mesh.tetrahedra), IsExactly(canonical(mesh.tetrahedra)));
 }
 
-// Each face with the chance given, from a side at random.
+// Random faces: each is taken with the probability `chance`, and named from a random side.
 Faces random_faces(const TetrahedralMesh& mesh, Random& random, double chance)
 {
     Faces result;
@@ -46,7 +46,7 @@ Faces random_faces(const TetrahedralMesh& mesh, Random& random, double chance)
     return result;
 }
 
-// By the definition: corners that faces hold together are one vertex, and others are not.
+// Checks the definition: corners that faces hold together are one vertex, and others are not.
 void check_definition(const TetrahedralMesh& mesh, const Faces& faces, const SplitMesh& result)
 {
     std::set<std::array<int, 3>> cut;
@@ -83,7 +83,7 @@ TEST_CASE("fracture: a face of the surface changes nothing", "[A7.5][fracture]")
 
 TEST_CASE("fracture: two tetrahedra part at the face between them", "[A7.5][fracture]")
 {
-    // from one side, from the other, from both, and twice
+    // the face is named from one side, from the other, from both, and twice
     for (const Faces& faces :
          {Faces{{0, 0}}, Faces{{1, 0}}, Faces{{0, 0}, {1, 0}}, Faces{{1, 0}, {1, 0}, {0, 2}}}) {
         const SplitMesh result = split(two_tetrahedra(), faces);
@@ -107,7 +107,7 @@ TEST_CASE("fracture: one face inside a solid stays closed", "[A7.5][fracture]")
 {
     const TetrahedralMesh cube = block(3, 3, 3);
     const Faces inside = faces_where(cube, [](const Vector3d& x) {
-        return x.minCoeff() >= 1 && x.maxCoeff() <= 2; // of the cell in the middle
+        return x.minCoeff() >= 1 && x.maxCoeff() <= 2; // a face of the cell in the middle
     });
     REQUIRE(inside.size() == 24 + 12);
     for (const MeshFace& face : inside)
@@ -116,7 +116,7 @@ TEST_CASE("fracture: one face inside a solid stays closed", "[A7.5][fracture]")
 
 TEST_CASE("fracture: the rim of a crack stays closed", "[A7.5][fracture]")
 {
-    // a disc of all faces at one vertex inside: only that one doubles
+    // a disc of all faces around one inner vertex: only that vertex is doubled
     const TetrahedralMesh block_of_32 = block(2, 4, 4);
     const int middle = block_vertex(2, 4, 1, 2, 2);
     Faces disc;
@@ -131,7 +131,7 @@ TEST_CASE("fracture: the rim of a crack stays closed", "[A7.5][fracture]")
     check_split(block_of_32, opened);
 
     const TetrahedralMesh cube = block(2, 2, 2);
-    // from the side y = 0 half way: the three vertices of that side double
+    // the crack goes from the side y = 0 half way: the three vertices of that side are doubled
     const SplitMesh half =
         split(cube, faces_where(cube, [](const Vector3d& x) { return x.x() == 1 && x.y() <= 1; }));
     REQUIRE(vertex_count(half.mesh) == 30);
@@ -171,7 +171,7 @@ TEST_CASE("fracture: a crack that turns a corner frees a quarter", "[A7.5][fract
 
 TEST_CASE("fracture: an edge does not hold tetrahedra together", "[A7.5][fracture]")
 {
-    // the eight around the middle: all faces on x = 0 and on y = 0 leave four pairs
+    // of the eight tetrahedra around the middle, all faces on x = 0 and on y = 0 leave four pairs
     const TetrahedralMesh mesh = octahedron();
     Faces faces = faces_where(mesh, [](const Vector3d& x) { return x.x() == 0; });
     const Faces other = faces_where(mesh, [](const Vector3d& x) { return x.y() == 0; });
@@ -215,7 +215,7 @@ TEST_CASE("fracture: a face that stayed closed is no crack the next time", "[A7.
     // the two faces across a bar are named one after the other, and then both at once
     const TetrahedralMesh bar = block(2, 1, 1);
     const Faces across = faces_where(bar, [](const Vector3d& x) { return x.x() == 1; });
-    REQUIRE(across.size() == 4); // two from either side
+    REQUIRE(across.size() == 4); // two faces, each from both sides
     Faces first, second;
     for (const MeshFace& face : across)
         (face_vertices(bar.tetrahedra[face.tetrahedron], face.face) ==
@@ -223,7 +223,7 @@ TEST_CASE("fracture: a face that stayed closed is no crack the next time", "[A7.
              ? first
              : second)
             .push_back(face);
-    // one vertex of each is of that face alone; the diagonal holds until both are open
+    // each face has one vertex of its own; the diagonal holds until both faces are open
     const SplitMesh once = split(bar, first);
     REQUIRE(vertex_count(once.mesh) == vertex_count(bar) + 1);
     const SplitMesh twice = split(once.mesh, second);

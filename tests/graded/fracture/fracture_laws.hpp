@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The laws that hold for every mesh that comes apart, in whatever way.
+// The laws that hold for every mesh that comes apart, whatever the method.
 #pragma once
 
 #include "fracture_cases.hpp"
 
 namespace rigor::testing {
 
-/// Indices as plain text, so that a test compares and prints them at once.
+/// Values in ascending order, so that a test compares and prints them at once.
 template <class T> std::vector<T> sorted(std::vector<T> values)
 {
     std::sort(values.begin(), values.end());
@@ -47,7 +47,7 @@ inline Vector3d center(const TetrahedralMesh& mesh, std::size_t t)
     return sum;
 }
 
-/// ∫ x dV, which over the volume is the center of mass.
+/// ∫ x dV, which is the center of mass times the volume.
 inline Vector3d first_moment(const TetrahedralMesh& mesh)
 {
     Vector3d sum = Vector3d::Zero();
@@ -64,7 +64,7 @@ inline double size_of(const TetrahedralMesh& mesh)
     return size;
 }
 
-/// Numbers 0 … size - 1 in groups, each number labelled by the lowest of its group.
+/// Connected groups of the numbers 0 … size - 1. The lowest number of a group is its label.
 inline std::vector<int> groups(std::size_t size, const std::vector<std::array<int, 2>>& links)
 {
     std::vector<std::vector<int>> linked(size);
@@ -91,7 +91,7 @@ inline int group_count(const std::vector<int>& label)
     return static_cast<int>(std::set<int>(label.begin(), label.end()).size());
 }
 
-/// Of each tetrahedron the lowest number of those that hang together with it by vertices.
+/// A label for each tetrahedron: the lowest number of those that are connected to it by vertices.
 inline std::vector<int> piece_labels(const TetrahedralMesh& mesh)
 {
     std::map<int, int> last;
@@ -122,8 +122,9 @@ inline std::vector<double> piece_volumes(const TetrahedralMesh& mesh)
     return sorted(result);
 }
 
-/// The tetrahedra's corners, with vertices numbered in the order in which they occur: two meshes whose
-/// tetrahedra have the same order are the same but for their vertices' numbers where these agree.
+/// The corners of the tetrahedra, with vertices numbered in the order in which they occur. Two
+/// meshes with their tetrahedra in the same order differ only in the numbers of their vertices if
+/// these lists are equal.
 inline std::vector<Tetrahedron> canonical(const std::vector<Tetrahedron>& tetrahedra)
 {
     std::map<int, int> number;
@@ -134,7 +135,7 @@ inline std::vector<Tetrahedron> canonical(const std::vector<Tetrahedron>& tetrah
     return result;
 }
 
-/// Where each corner of each tetrahedron is.
+/// The position of each corner of each tetrahedron.
 inline std::vector<std::array<Vector3d, 4>> corners(const TetrahedralMesh& mesh)
 {
     std::vector<std::array<Vector3d, 4>> result;
@@ -143,7 +144,7 @@ inline std::vector<std::array<Vector3d, 4>> corners(const TetrahedralMesh& mesh)
     return result;
 }
 
-/// Each index is that of a vertex, and each vertex belongs to a tetrahedron.
+/// Checks that each index is that of a vertex, and that each vertex belongs to a tetrahedron.
 inline void check_indices(const TetrahedralMesh& mesh)
 {
     std::set<int> used;
@@ -157,7 +158,7 @@ inline void check_indices(const TetrahedralMesh& mesh)
     REQUIRE(static_cast<int>(used.size()) == vertex_count(mesh));
 }
 
-/// The tetrahedra that share a face, and of each face how many have it.
+/// The tetrahedra that have each face, by the vertices of the face.
 inline std::map<std::array<int, 3>, std::vector<int>>
 tetrahedra_of_faces(const TetrahedralMesh& mesh)
 {
@@ -173,8 +174,8 @@ inline int corner_of(const Tetrahedron& t, int vertex)
     return static_cast<int>(std::find(t.begin(), t.end(), vertex) - t.begin());
 }
 
-/// Corner c of tetrahedron t is 4 t + c. Those of the same vertex on both sides of a face that holds are
-/// linked.
+/// Links between corners, where corner c of tetrahedron t is 4 t + c. If a face holds, the corners
+/// of the same vertex on both sides of it are linked.
 template <class Holds>
 std::vector<std::array<int, 2>> links_through_faces(const TetrahedralMesh& mesh, Holds holds)
 {
@@ -189,8 +190,9 @@ std::vector<std::array<int, 2>> links_through_faces(const TetrahedralMesh& mesh,
     return links;
 }
 
-/// No tetrahedron is inverted, a face has two sides at most, and around each vertex the tetrahedra hang
-/// together by faces. (That there is no vertex in the middle of an edge: `check_surface`.)
+/// Checks that no tetrahedron is inverted, that a face has two sides at most, and that around each
+/// vertex the tetrahedra are connected by faces. (`check_surface` checks that no vertex is in the
+/// middle of an edge.)
 inline void check_conforms(const TetrahedralMesh& mesh)
 {
     check_indices(mesh);
@@ -211,8 +213,8 @@ inline void check_conforms(const TetrahedralMesh& mesh)
     REQUIRE(group_count(label) == vertex_count(mesh));
 }
 
-/// The area of the faces that have one tetrahedron, and of those of them that another one faces: these
-/// are what cracks have opened.
+/// The area of all faces that have one tetrahedron, and the area of those that lie on another such
+/// face. The latter are the faces that cracks have opened.
 struct SurfaceAreas {
     double all = 0, cracks = 0;
 };
@@ -220,7 +222,7 @@ struct SurfaceAreas {
 inline SurfaceAreas surface_areas(const TetrahedralMesh& mesh)
 {
     using Key = std::array<std::array<double, 3>, 3>;
-    std::map<Key, std::vector<double>> open; // by where their vertices are
+    std::map<Key, std::vector<double>> open; // by the positions of their vertices
     for (const auto& [face, sharing] : tetrahedra_of_faces(mesh)) {
         if (sharing.size() != 1) continue;
         Key key;
@@ -244,8 +246,8 @@ inline SurfaceAreas surface_areas(const TetrahedralMesh& mesh)
     return areas;
 }
 
-/// Where there were no cracks before: the surface is the one from before, and both sides of each crack.
-/// A vertex in the middle of a neighbour's edge would open more.
+/// Checks the surface of a mesh that had no cracks before: it is the old surface and both sides of
+/// each crack. A vertex in the middle of a neighbour's edge would open more.
 inline void check_surface(const TetrahedralMesh& before, const TetrahedralMesh& after)
 {
     const SurfaceAreas old = surface_areas(before), now = surface_areas(after);
@@ -253,8 +255,8 @@ inline void check_surface(const TetrahedralMesh& before, const TetrahedralMesh& 
     REQUIRE_THAT(now.all - now.cracks, IsClose(old.all - old.cracks, Rounding(256, now.all)));
 }
 
-/// What holds for every SplitMesh: volume and center are kept, nothing is inverted, vertices and
-/// tetrahedra lie where they come from.
+/// Checks what holds for every SplitMesh: volume and center are kept, nothing is inverted, and
+/// vertices and tetrahedra lie where they come from.
 inline void check_matter(const TetrahedralMesh& before, const SplitMesh& split)
 {
     const TetrahedralMesh& after = split.mesh;
@@ -302,7 +304,7 @@ inline void check_matter(const TetrahedralMesh& before, const SplitMesh& split)
                  IsClose(first_moment(before), Rounding(256, volume(before) * size)));
 }
 
-/// And for one of a mesh without cracks.
+/// Checks what holds for a SplitMesh of a mesh without cracks.
 inline void check_split(const TetrahedralMesh& before, const SplitMesh& split)
 {
     check_matter(before, split);

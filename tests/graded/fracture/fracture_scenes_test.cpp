@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A7.8: what breaks, breaks into the right pieces, and loses nothing.
+// A7.8: solids that must break do so, into the right pieces and without losing matter.
 #include "support/scene_run.hpp"
 
 #include <algorithm>
@@ -18,7 +18,7 @@ const SolidFrame& solid(const Frame& frame, std::size_t index = 0)
     return frame.solids[index];
 }
 
-// No crack makes or destroys matter; every number is finite, as the run checks.
+// Checks that cracks neither make nor destroy matter. Every number is finite, as the run checks.
 void check_matter(const Trajectory& run)
 {
     REQUIRE(run.complete);
@@ -27,14 +27,14 @@ void check_matter(const Trajectory& run)
         for (const Frame& frame : run.frames) {
             const DeformableTotals& now = solid(frame, i).totals;
             CAPTURE(i, frame.time);
-            // a sum over some thousand elements, cut again and again
+            // a sum over some thousand elements that are cut again and again
             REQUIRE_THAT(now.mass, IsClose(first.mass, Rounding(1 << 16, first.mass)));
             REQUIRE_THAT(now.volume, IsClose(first.volume, Rounding(1 << 16, first.volume)));
         }
     }
 }
 
-// Pieces only become more.
+// Checks that the number of pieces only grows, and its range at the end.
 void check_pieces(const Trajectory& run, std::size_t index, std::size_t least, std::size_t most)
 {
     std::size_t before = 1;
@@ -49,12 +49,12 @@ void check_pieces(const Trajectory& run, std::size_t index, std::size_t least, s
     REQUIRE(before <= most);
 }
 
-// A side of a solid: how much of its volume it has, and where along x its elements are, at first [m].
+// A side of a solid: its share of the volume, and the first range of its elements along x [m].
 struct Side {
     double share = 0, from = 1e9, to = -1e9;
 };
 
-// The two largest pieces of a solid whose elements stay what they are, from left to right.
+// The two largest pieces of a solid whose elements are not cut, from left to right.
 std::array<Side, 2> sides_of(const Trajectory& run, std::size_t index)
 {
     const SolidFrame &first = solid(run.frames.front(), index),
@@ -62,7 +62,7 @@ std::array<Side, 2> sides_of(const Trajectory& run, std::size_t index)
     const std::vector<std::array<int, 4>>& elements = last.topology->elements;
     REQUIRE(elements.size() == first.topology->elements.size());
 
-    std::vector<int> piece(last.positions.size()); // of each node, its lowest
+    std::vector<int> piece(last.positions.size()); // lowest node of each node's piece
     std::iota(piece.begin(), piece.end(), 0);
     for (bool is_changed = true; is_changed;) {
         is_changed = false;
@@ -100,7 +100,7 @@ std::array<Side, 2> sides_of(const Trajectory& run, std::size_t index)
     return {sorted[0], sorted[1]};
 }
 
-// In two halves, but for splinters, at x = 0.
+// Checks that the solid is torn into two halves at x = 0, apart from splinters.
 void check_torn_at(const Trajectory& run, std::size_t index, double width)
 {
     const auto [left, right] = sides_of(run, index);
@@ -131,7 +131,7 @@ TEST_CASE("fracture: a bar snaps at its nick", "[A7.8][fracture]")
 
 TEST_CASE("fracture: a plate holds below its strength", "[A7.8][fracture]")
 {
-    // class B: it bears 3 %, and is pulled by less than 1 % here and by 12 % above
+    // class B: the plate bears 3 %, and is pulled by less than 1 % here and by 12 % above
     const Trajectory run = run_scene("a7-fracture/notched_plate", {}, R"({"end": 0.04})");
     check_matter(run);
     check_pieces(run, 0, 1, 1);
@@ -149,7 +149,7 @@ TEST_CASE("fracture: what flies apart keeps momentum and angular momentum", "[A7
     for (const Frame& frame : run.frames) {
         const DeformableTotals& now = solid(frame).totals;
         CAPTURE(frame.time);
-        // rounding, of some thousand substeps with a thousand forces each
+        // rounding of some thousand substeps with a thousand forces each
         REQUIRE_THAT(now.momentum, IsClose(first.momentum, Rounding(1 << 16, 2 * spin)));
         REQUIRE_THAT(now.angular_momentum,
                      IsClose(first.angular_momentum, Rounding(1 << 20, 2 * spin)));
@@ -160,7 +160,7 @@ TEST_CASE("fracture: what flies apart keeps momentum and angular momentum", "[A7
 
 TEST_CASE("fracture: a ball shatters a plate", "[A7.8][fracture]")
 {
-    // into how many pieces is chance
+    // the number of pieces is chance
     const Trajectory run = run_scene("a7-fracture/shattered", {}, R"({"end": 0.08})");
     check_matter(run);
     check_pieces(run, 0, 5, 500);
@@ -172,7 +172,7 @@ TEST_CASE("fracture: a plate tears whatever becomes of its mesh", "[A7.8][fractu
     check_matter(run);
     for (std::size_t i = 0; i < 3; ++i)
         check_pieces(run, i, 2, 200);
-    // along faces there are as many elements as before, the other two have more
+    // along faces the number of elements stays; the other two ways of cracking make more of them
     const auto elements = [&](const Frame& frame, std::size_t i) {
         return solid(frame, i).topology->elements.size();
     };

@@ -20,7 +20,7 @@ Matrix3d stress_of(const Vector3d& principal, const Matrix3d& Q)
     return (sigma + sigma.transpose()) / 2;
 }
 
-// A unit vector of either sign.
+// Checks a unit vector, which may have either sign.
 void check_direction(const Vector3d& actual, const Vector3d& expected, double k = 64)
 {
     REQUIRE_THAT(actual.norm(), IsClose(1.0, Rounding(16, 1)));
@@ -28,7 +28,7 @@ void check_direction(const Vector3d& actual, const Vector3d& expected, double k 
     REQUIRE_THAT(actual, IsClose(Vector3d(sign * expected), Rounding(k, 1)));
 }
 
-// σ d = σ₁ d, |d| = 1
+// Checks that σ d = σ₁ d and |d| = 1.
 void check_eigenvector(const Matrix3d& sigma, const PrincipalStress& principal)
 {
     const Vector3d& d = principal.direction;
@@ -57,7 +57,7 @@ TEST_CASE("fracture: a stress and its neighbours' are averaged by volume", "[A7.
 {
     const Matrix3d A = tridiagonal, B = Vector3d(1, 2, 3).asDiagonal(), C = Matrix3d::Ones();
     const std::vector<Matrix3d> stresses = {A, B, C};
-    // a chain of 1, 2 and 5 m³
+    // a chain of three elements of 1, 2 and 5 m³
     const std::vector<Matrix3d> smooth = smooth_stress(stresses, {{1}, {0, 2}, {1}}, {1, 2, 5});
     const std::vector<Matrix3d> expected = {(A + 2 * B) / 3, (A + 2 * B + 5 * C) / 8,
                                             (2 * B + 5 * C) / 7};
@@ -76,7 +76,7 @@ TEST_CASE("fracture: what has no volume does not count in an average", "[A7.1][f
     const Matrix3d A = tridiagonal, B = Matrix3d::Ones(), O = Matrix3d::Zero();
     REQUIRE_THAT(smooth_stress({A, B}, {{1}, {0}}, {1, 0}),
                  IsClose(std::vector<Matrix3d>{A, A}, Rounding(4, 4)));
-    // where nothing has volume a stress stays what it is
+    // where no element has volume, a stress stays what it is
     REQUIRE_THAT(smooth_stress({A, B, O}, {{1}, {0}, {}}, {0, 0, 0}),
                  IsExactly(std::vector<Matrix3d>{A, B, O}));
 }
@@ -135,7 +135,7 @@ TEST_CASE("fracture: of a diagonal stress the largest entry and its axis", "[A7.
         std::rotate(entries.data(), entries.data() + axis, entries.data() + 3);
         CAPTURE(axis);
         const PrincipalStress principal = principal_stress(entries.asDiagonal());
-        // not the -5 MPa that are larger in magnitude
+        // not the -5 MPa, which are larger in magnitude
         REQUIRE_THAT(principal.stress, IsClose(1e6, Rounding(16, 5e6)));
         check_direction(principal.direction, Vector3d::Unit((4 - axis) % 3));
     }
@@ -174,7 +174,7 @@ TEST_CASE("fracture: the largest eigenvalue is at most the mean and two thirds o
         const double p = sigma.trace() / 3;
         const double sigma_vM = std::sqrt(1.5) * (sigma - p * Matrix3d::Identity()).norm();
         const double sigma_1 = principal_stress(sigma).stress;
-        // equal where the other two eigenvalues are
+        // they are equal where the other two eigenvalues are equal
         check_at_most(sigma_1, p + 2 * sigma_vM / 3, "σ₁ against p + ⅔ σ_vM", 16);
         check_at_most(p, sigma_1, "p against σ₁", 16);
     }
@@ -247,7 +247,7 @@ TEST_CASE("fracture: the faces of the unit tetrahedron by their normals", "[A7.4
     const Vector3d normals[4] = {Vector3d(1, 1, 1) / root3, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     for (int f = 0; f < 4; ++f) {
         CAPTURE(f);
-        // either way, and a little off
+        // both signs of the normal, and a direction a little off
         REQUIRE_THAT(closest_face(unit, normals[f]), IsExactly(f));
         REQUIRE_THAT(closest_face(unit, -normals[f]), IsExactly(f));
         const Vector3d off = (normals[f] + Vector3d(0.05, -0.08, 0.03)).normalized();
@@ -258,7 +258,7 @@ TEST_CASE("fracture: the faces of the unit tetrahedron by their normals", "[A7.4
 
 TEST_CASE("fracture: a large face is not nearer than a small one", "[A7.4][fracture]")
 {
-    // a needle along x: its faces along it are hundred times as large as the one across
+    // a needle along x: the faces along it are a hundred times as large as the face across it
     const std::array<Vector3d, 4> needle = {Vector3d(100, 0, 0), Vector3d(0, 0, 0),
                                             Vector3d(0, 1, 0), Vector3d(0, 0, 1)};
     const double cosine = 0.75;
@@ -277,7 +277,7 @@ TEST_CASE("fracture: of equally near faces the lowest", "[A7.4][fracture]")
 
 TEST_CASE("fracture: a face without area is perpendicular to every crack", "[A7.4][fracture]")
 {
-    // corners 1, 2, 3 in a line: face 0 has no normal
+    // corners 1, 2 and 3 are in a line, so face 0 has no normal
     const std::array<Vector3d, 4> flat = {Vector3d(0, 1, 0), Vector3d(0, 0, 0), Vector3d(1, 0, 0),
                                           Vector3d(2, 0, 0)};
     REQUIRE_THAT(closest_face(flat, {0, 0, 1}), IsExactly(1));

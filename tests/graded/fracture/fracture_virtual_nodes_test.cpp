@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A7.7: elements are duplicated, with the crack embedded.
+// A7.7: cracked elements are duplicated, and the crack is embedded in the copies.
 #include "support/seeds.hpp"
 #include "virtual_nodes_laws.hpp"
 
@@ -7,8 +7,8 @@ namespace rigor::testing {
 
 namespace {
 
-// The share of a tetrahedron above a plane, by the heights of its corners, all different:
-// Σ hᵢ³ / Π (hᵢ - hⱼ) over the corners above.
+// The share of a tetrahedron's volume above a plane, by the heights hᵢ of its corners, which all
+// differ: Σ hᵢ³ / Π (hᵢ - hⱼ) over the corners above.
 struct Share {
     double value = 0, scale = 0;
 };
@@ -93,7 +93,7 @@ TEST_CASE("fracture: a plane beside a tetrahedron does not crack it", "[A7.7][fr
 TEST_CASE("fracture: a corner on the plane is on the side of the normal", "[A7.7][fracture]")
 {
     const TetrahedralMesh mesh = unit_tetrahedron();
-    // the face x = 0: all corners are at x ≥ 0, but only one at x > 0
+    // the plane lies in the face x = 0: all corners are at x ≥ 0, but only one is at x > 0
     REQUIRE(embedded(mesh, {{0, {0, 0, 0}, {1, 0, 0}}}).parents.size() == 1);
     const EmbeddedMesh other = embedded(mesh, {{0, {0, 0, 0}, {-1, 0, 0}}});
     REQUIRE_THAT(other.real, IsExactly(std::vector<Tetrahedron>{{1, 0, 1, 1}, {0, 1, 0, 0}}));
@@ -104,7 +104,7 @@ TEST_CASE("fracture: of two cracks the second ends at the first", "[A7.7][fractu
 {
     const TetrahedralMesh mesh = unit_tetrahedron();
     const ElementCrack half = corner_cut(0, 0.5), quarter = {0, {0.25, 0, 0}, {1, 0, 0}};
-    // corner 0 is alone, corner 1 is alone, 2 and 3 are left; the planes cross inside
+    // corner 0 is alone, corner 1 is alone, and 2 and 3 are left; the planes cross inside
     const std::vector<Tetrahedron> real = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 1}};
     const EmbeddedMesh one = embedded(mesh, {half, quarter});
     REQUIRE_THAT(one.real, IsExactly(real));
@@ -116,7 +116,7 @@ TEST_CASE("fracture: of two cracks the second ends at the first", "[A7.7][fractu
 
 TEST_CASE("fracture: a second crack beside the first takes nothing away", "[A7.7][fracture]")
 {
-    // both separate corner 0: the matter between them has no corner, and stays with the others
+    // both cracks separate corner 0; the matter between them has no corner and stays with the rest
     const EmbeddedMesh result =
         embedded(unit_tetrahedron(), {corner_cut(0, 0.5), corner_cut(0, 0.25)});
     REQUIRE_THAT(result.fractions, IsClose(std::vector{0.125, 0.875}, Rounding(32, 1)));
@@ -124,7 +124,7 @@ TEST_CASE("fracture: a second crack beside the first takes nothing away", "[A7.7
 
 TEST_CASE("fracture: three cracks leave each corner alone", "[A7.7][fracture]")
 {
-    const double c = 0.25; // of each edge, from corners 1, 2 and 3
+    const double c = 0.25; // share of each edge, measured from corners 1, 2 and 3
     const EmbeddedMesh result = embedded(unit_tetrahedron(), {{0, {1 - c, 0, 0}, {1, 0, 0}},
                                                               {0, {0, 1 - c, 0}, {0, 1, 0}},
                                                               {0, {0, 0, 1 - c}, {0, 0, 1}}});
@@ -152,18 +152,19 @@ TEST_CASE("fracture: a crack that ends at a face does not open there", "[A7.7][f
     const TetrahedralMesh mesh = two_tetrahedra();
     const EmbeddedMesh result = embedded(mesh, {{0, {0.5, 0, 0}, {1, 0, 0}}});
     REQUIRE(result.parents.size() == 3);
-    REQUIRE(vertex_count(result.mesh) == 5 + 1); // vertex 0 alone is there twice
+    REQUIRE(vertex_count(result.mesh) == 5 + 1); // only vertex 0 is doubled
     REQUIRE(piece_count(result.mesh) == 1);
 }
 
 TEST_CASE("fracture: a crack through both of two tetrahedra parts them", "[A7.7][fracture]")
 {
     const TetrahedralMesh mesh = two_tetrahedra();
-    // corner 1 at x = 1 and the vertex 4 at x = 1 on one side
+    // corner 1 and the vertex 4, both at x = 1, are on the same side
     const EmbeddedMesh result = embedded(mesh, plane_through(mesh, {0.5, 0, 0}, {1, 0, 0}));
     REQUIRE(vertex_count(result.mesh) == 2 * 5);
     REQUIRE(piece_count(result.mesh) == 2);
-    // the first loses 0.5³ of itself; the second, between x = 0 and 1, has half of it on either side
+    // The first loses 0.5³ of itself. The second, between x = 0 and 1, has half of itself on either
+    // side.
     REQUIRE_THAT(piece_matter(mesh, result),
                  IsClose(sorted(std::vector{0.125 / 6 + volume(mesh, 1) / 2,
                                             0.875 / 6 + volume(mesh, 1) / 2}),
@@ -187,14 +188,14 @@ TEST_CASE("fracture: a bar is cracked across in the middle of its elements", "[A
 TEST_CASE("fracture: the tip of a crack in a plate stays closed", "[A7.7][fracture]")
 {
     const TetrahedralMesh plate = block(3, 3, 1);
-    // from the side y = 0 through one cell, two cells, all three
+    // the crack goes from the side y = 0 through one cell, two cells and all three
     for (int cells = 1; cells <= 3; ++cells) {
         CAPTURE(cells);
         const EmbeddedMesh result =
             embedded(plate, plane_through(plate, {1.4, 0, 0}, {1, 0, 0},
                                           [&](const Vector3d& x) { return x.y() < cells; }));
         REQUIRE(piece_count(result.mesh) == (cells < 3 ? 1 : 2));
-        // what opens is the vertices before the tip, on either side of the plane
+        // the vertices between the side and the tip are doubled, on either side of the plane
         REQUIRE(vertex_count(result.mesh) == 32 + (cells < 3 ? 4 * cells : 16));
     }
 }
@@ -211,7 +212,7 @@ TEST_CASE("fracture: the share of the volume above a plane", "[A7.7][fracture][p
         const EmbeddedMesh result = embedded(mesh, {crack});
         if (result.parents.size() == 1) continue;
         const Share above = share_above(corners_of(mesh, 0), crack);
-        if (above.scale > 100) continue; // two corners almost at one height
+        if (above.scale > 100) continue; // two corners are almost at one height
         ++tried;
         const bool first_is_above =
             crack.normal.dot(mesh.vertices[0] - crack.point) >= 0; // the first copy has corner 0

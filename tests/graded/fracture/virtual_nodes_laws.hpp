@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What holds for every mesh of virtual nodes, written from the definition.
+// The laws of every mesh of virtual nodes, written from the definition.
 #pragma once
 
 #include "fracture_laws.hpp"
@@ -10,13 +10,13 @@ using Cracks = std::vector<ElementCrack>;
 
 inline const Vector3d diagonal = Vector3d(1, 1, 1).normalized();
 
-// x + y + z = c
+// A crack along the plane x + y + z = c.
 inline ElementCrack corner_cut(int tetrahedron, double c, double sign = 1)
 {
     return {tetrahedron, Vector3d(0, c, 0), sign * diagonal};
 }
 
-// The same plane through every tetrahedron that `is_cracked(center)`.
+// The same plane through every tetrahedron for whose center `is_cracked` is true.
 template <class IsCracked>
 Cracks plane_through(const TetrahedralMesh& mesh, const Vector3d& point, const Vector3d& normal,
                      IsCracked is_cracked)
@@ -33,7 +33,7 @@ inline Cracks plane_through(const TetrahedralMesh& mesh, const Vector3d& point,
     return plane_through(mesh, point, normal, [](const Vector3d&) { return true; });
 }
 
-// Of each corner of a tetrahedron, the sides of its cracks that it is on.
+// The sides of a tetrahedron's cracks that each of its corners is on.
 inline std::vector<std::vector<bool>> sides_of_corners(const TetrahedralMesh& mesh,
                                                        const Cracks& cracks, int tetrahedron)
 {
@@ -46,7 +46,7 @@ inline std::vector<std::vector<bool>> sides_of_corners(const TetrahedralMesh& me
     return result;
 }
 
-// By the definition: the copies of each tetrahedron and which of their corners are real.
+// Checks the definition of the copies of each tetrahedron, and which of their corners are real.
 inline void check_copies(const TetrahedralMesh& mesh, const Cracks& cracks,
                          const EmbeddedMesh& result)
 {
@@ -57,7 +57,7 @@ inline void check_copies(const TetrahedralMesh& mesh, const Cracks& cracks,
         for (int first = 0; first < 4; ++first) {
             if (std::find(sides.begin(), sides.begin() + first, sides[first]) !=
                 sides.begin() + first)
-                continue; // in a part that has its copy
+                continue; // its part already has a copy
             Tetrahedron of_copy = {0, 0, 0, 0};
             for (int c = 0; c < 4; ++c)
                 of_copy[c] = sides[c] == sides[first];
@@ -69,7 +69,7 @@ inline void check_copies(const TetrahedralMesh& mesh, const Cracks& cracks,
     REQUIRE_THAT(result.real, IsExactly(real));
 }
 
-// By the definition: the vertices that copies have in common, and no others.
+// Checks the definition of the vertices that copies have in common: these and no others.
 inline void check_vertices(const TetrahedralMesh& mesh, const EmbeddedMesh& result)
 {
     std::vector<std::vector<int>> copies(mesh.tetrahedra.size());
@@ -100,7 +100,8 @@ inline void check_vertices(const TetrahedralMesh& mesh, const EmbeddedMesh& resu
     REQUIRE_THAT(canonical(result.mesh.tetrahedra), IsExactly(canonical(expected)));
 }
 
-// What holds for every EmbeddedMesh: copies stand where their parents do and share out their matter.
+// Embeds cracks, and checks what holds for every EmbeddedMesh: copies stand where their parents do
+// and share out their matter.
 inline EmbeddedMesh embedded(const TetrahedralMesh& mesh, const Cracks& cracks)
 {
     const EmbeddedMesh result = virtual_nodes(mesh, cracks);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Compares with the reference, so it runs only where the reference is.
+// Comparisons with the reference. These tests run only where the reference is available.
 #include "support/scene_run.hpp"
 
 using namespace rigor::testing;
@@ -7,7 +7,7 @@ using namespace rigor::testing;
 TEST_CASE("contact: every step of a seesaw resolved one at a time is the reference's step",
           "[A5.7][contact][hidden]")
 {
-    // not a stack: there points are equally deep, and rounding decides which comes first
+    // not a stack, whose points are equally deep, so that rounding decides which comes first
     check_every_step("a5-contact/seesaw", R"({"contact": "one_at_a_time", "end": 1})");
 }
 

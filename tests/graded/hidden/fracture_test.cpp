@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Compares with the reference, so it runs only where the reference is.
+// Comparisons with the reference. These tests run only where the reference is available.
 #include "graded/fracture/fracture_laws.hpp"
 #include "support/seeds.hpp"
 #include "worker/proxy/proxy.hpp"

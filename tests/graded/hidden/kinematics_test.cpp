@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Compares with the reference, so it runs only where the reference is.
+// Comparisons with the reference. These tests run only where the reference is available.
 #include "support/scene_run.hpp"
 
 using namespace rigor::testing;

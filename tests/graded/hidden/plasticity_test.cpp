@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Compares with the reference, so it runs only where the reference is.
+// Comparisons with the reference. These tests run only where the reference is available.
 #include "support/scene_run.hpp"
 
 using namespace rigor::testing;
 
-// Every step solves a linear system to 1e-7 of its change: that, and rounding, bounds how near two right runs are.
+// Every step solves a linear system to 1e-7 of its change. This and rounding bound the difference
+// between two correct runs.
 TEST_CASE("plasticity: the stretched bar moves as the reference's", "[A6.10][plasticity][hidden]")
 {
     check_solids("a6-plasticity/stretched_bar", 1e7);

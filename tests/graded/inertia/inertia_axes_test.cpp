@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A2.4 and A2.5: principal axes, and moments inverted where they can be.
+// A2.4 and A2.5: principal axes, and the inverse of those moments that are not zero.
 #include "formulas/inertia.hpp"
 #include "support/close.hpp"
 #include "support/random.hpp"
@@ -24,7 +24,8 @@ Matrix3d turned(const Matrix3d& R, const Vector3d& moments)
     return (I + I.transpose()) / 2; // symmetric to the last bit
 }
 
-// That the axes are a rotation that turns the moments into I, and that these ascend from 0.
+// Checks that the axes are a rotation that turns the moments into I, and that the moments ascend
+// and are not negative.
 void require_principal_axes(const PrincipalAxes& axes, const Matrix3d& I)
 {
     const Matrix3d& Q = axes.rotation;
@@ -57,7 +58,7 @@ TEST_CASE("inertia: principal axes of a diagonal tensor", "[A2.4][inertia]")
 TEST_CASE("inertia: principal axes of a tensor with products", "[A2.4][inertia]")
 {
     Matrix3d I;
-    I << 2, -1, 0, -1, 2, 0, 0, 0, 4; // 1 along (1, 1, 0), 3 along (-1, 1, 0)
+    I << 2, -1, 0, -1, 2, 0, 0, 0, 4; // eigenvalue 1 along (1, 1, 0), 3 along (-1, 1, 0)
 
     const PrincipalAxes axes = principal_axes(I);
 
@@ -147,7 +148,7 @@ TEST_CASE("inertia: what cannot turn has no inverse moment", "[A2.5][inertia]")
 TEST_CASE("inertia: a pseudo-inverse inverts where there is something to invert", "[A2.5][inertia]")
 {
     const double m = 3, L = 2;
-    const Vector3d moments(m * L * L / 2, m * L * L / 2, 0); // two points ±L/2 on z
+    const Vector3d moments(m * L * L / 2, m * L * L / 2, 0); // two points at z = ±L/2
 
     const Vector3d product = invert_moments(moments).cwiseProduct(moments);
 

@@ -35,13 +35,13 @@ TriangleMesh tetrahedron(const Vector3d& a, const Vector3d& b, const Vector3d& c
     return {{a, b, c, d}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};
 }
 
-// The four points that stand for a tetrahedron exactly, up to second moments (Hammer & Stroud 1956,
-// "Numerical integration over simplexes").
+// Four particles with the mass and the first and second moments of a tetrahedron (Hammer & Stroud
+// 1956, "Numerical integration over simplexes").
 std::vector<Particle> gauss_points(const TriangleMesh& t, double density)
 {
     const std::vector<Vector3d>& v = t.vertices;
     const double volume = (v[1] - v[0]).cross(v[2] - v[0]).dot(v[3] - v[0]) / 6;
-    const double inner = (5 - std::sqrt(5.0)) / 20; // of the three others; the own one 1 - 3 inner
+    const double inner = (5 - std::sqrt(5.0)) / 20; // weight of each of the three other vertices
     const Vector3d all = inner * (v[0] + v[1] + v[2] + v[3]);
     std::vector<Particle> points;
     for (const Vector3d& vertex : v)
@@ -49,7 +49,7 @@ std::vector<Particle> gauss_points(const TriangleMesh& t, double density)
     return points;
 }
 
-// A ring of radius R about y with a round section of radius a, n × n quadrilaterals.
+// A torus of radius R about y whose section is a circle of radius a, made of n × n quadrilaterals.
 TriangleMesh torus(double R, double a, int n)
 {
     TriangleMesh mesh;
@@ -81,7 +81,7 @@ TriangleMesh icosahedron()
     return mesh;
 }
 
-// Each triangle in four, the new vertices moved out to the unit sphere.
+// Splits each triangle into four and moves the new vertices out to the unit sphere.
 TriangleMesh refined(const TriangleMesh& mesh)
 {
     TriangleMesh result{mesh.vertices, {}};
@@ -131,7 +131,8 @@ TEST_CASE("inertia: a right tetrahedron", "[A2.13][inertia]")
 
 TEST_CASE("inertia: a square pyramid", "[A2.13][inertia]")
 {
-    // base 2 × 2 at y = 0, height 3: M = 4, X a quarter up, Iyy = M a²/10, Ixx = M (a²/20 + 3 h²/80)
+    // base 2 × 2 at y = 0, height 3: M = 4, the center is at a quarter of the height, Iyy = M a²/10
+    // and Ixx = M (a²/20 + 3 h²/80)
     const TriangleMesh mesh{{{-1, 0, -1}, {1, 0, -1}, {1, 0, 1}, {-1, 0, 1}, {0, 3, 0}},
                             {{0, 1, 2}, {0, 2, 3}, {1, 0, 4}, {2, 1, 4}, {3, 2, 4}, {0, 3, 4}}};
     const MassProperties expected{4, Vector3d(0, 0.75, 0), Vector3d(2.15, 1.6, 2.15).asDiagonal()};
@@ -147,7 +148,7 @@ TEST_CASE("inertia: any tetrahedron is as heavy to turn as its four Gauss points
         const TriangleMesh mesh = tetrahedron(a, b, c, random.vector());
         const double density = 100 * random.mass();
         const MassProperties expected = sum_of(gauss_points(mesh, density));
-        if (expected.mass < 0.1 * density) continue; // a sliver is all rounding
+        if (expected.mass < 0.1 * density) continue; // rounding dominates in a sliver
 
         const MassProperties found = mesh_mass_properties(mesh, density);
 
@@ -173,18 +174,19 @@ TEST_CASE("inertia: a box with a hollow is a box less a box", "[A2.13][inertia]"
 {
     TriangleMesh mesh = box(Vector3d(-2, -2, -2), Vector3d(4, 4, 4));
     TriangleMesh hollow = box(Vector3d(-1, -1, -1), Vector3d(2, 2, 2));
-    for (const auto& [i, j, k] : hollow.triangles) // its outside is in the hollow
+    for (const auto& [i, j, k] : hollow.triangles) // reversed, since its outside is the hollow
         mesh.triangles.push_back({i + 8, k + 8, j + 8});
     mesh.vertices.insert(mesh.vertices.end(), hollow.vertices.begin(), hollow.vertices.end());
 
-    // 64 · 16/6 - 8 · 4/6
+    // I = M a²/6 for each cube: 64 · 16/6 - 8 · 4/6
     const MassProperties expected{56, Vector3d::Zero(), (1024 - 32) / 6.0 * Matrix3d::Identity()};
     require_mass_properties(mesh_mass_properties(mesh, 1), expected, 4, 16);
 }
 
 TEST_CASE("inertia: a torus of triangles converges to second order", "[A2.13][inertia]")
 {
-    const double R = 2, a = 0.5; // V = 2 π² R a², I axial R² + ¾ a², across ½ R² + ⅝ a²
+    // V = 2 π² R a²; I/M is R² + ¾ a² about the axis and ½ R² + ⅝ a² across it
+    const double R = 2, a = 0.5;
     std::vector<double> volume_errors, axial_errors, across_errors;
     for (const int n : {16, 32, 64}) {
         const MassProperties found = mesh_mass_properties(torus(R, a, n), 1);
@@ -231,7 +233,7 @@ TEST_CASE("inertia: an open mesh gives something finite", "[A2.13][inertia]")
     for (Random random : seeds(20)) {
         TriangleMesh mesh =
             moved(box(-Vector3d::Ones(), Vector3d(1, 2, 3)), random.rotation(), random.vector());
-        mesh.triangles.resize(11); // a hole
+        mesh.triangles.resize(11); // leaves a hole
 
         const MassProperties found = mesh_mass_properties(mesh, 1000);
 

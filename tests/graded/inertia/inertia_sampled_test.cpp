@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A2.11 and A2.12: integrals over a body by a grid, and by chance.
+// A2.11 and A2.12: integrals over a body by a regular grid and by the Monte Carlo method.
 #include "formulas/inertia.hpp"
 #include "support/close.hpp"
 #include "support/mass_properties.hpp"
@@ -14,7 +14,7 @@ using namespace rigor::testing;
 
 namespace {
 
-// Cell centers of a cube of edge a about `center`, n cells an edge.
+// The cell centers of a cube of edge a about `center`, with n cells along each edge.
 std::vector<DensitySample> cube_of_cells(double a, int n, const Vector3d& center, double density)
 {
     std::vector<DensitySample> samples;
@@ -26,7 +26,7 @@ std::vector<DensitySample> cube_of_cells(double a, int n, const Vector3d& center
     return samples;
 }
 
-// Points of the cube -1 … 1, uniform; density 1 in the unit ball and 0 around it.
+// Uniform random points of the cube [-1, 1]³, with density 1 in the unit ball and 0 outside.
 std::vector<DensitySample> ball_in_a_box(Random& random, int n)
 {
     std::vector<DensitySample> samples;
@@ -37,7 +37,7 @@ std::vector<DensitySample> ball_in_a_box(Random& random, int n)
     return samples;
 }
 
-// Points of the unit ball alone, or of a unit cube.
+// Uniform random points of the unit ball, or of a unit cube.
 std::vector<DensitySample> full_samples(Random& random, int n, bool ball)
 {
     std::vector<DensitySample> samples;
@@ -49,7 +49,7 @@ std::vector<DensitySample> full_samples(Random& random, int n, bool ball)
     return samples;
 }
 
-// One sample's σ of y² + z², which is Ixx/M.
+// The standard deviation σ of y² + z² for one sample. The mean of y² + z² is Ixx/M.
 constexpr double sigma_ball =
     0.261861468283191; // radius 1: √(8/35 · 3/7 · 7/10 - 4/25) = √(12/175)
 constexpr double sigma_cube = 0.105409255338946; // edge 1: √(1/90)
@@ -69,7 +69,7 @@ TEST_CASE("inertia: a grid of a cube is short by one over n squared", "[A2.11][i
 
         const Matrix3d exact = M * a * a / 6 * Matrix3d::Identity();
         require_mass_properties(found, {M, X, exact * (1 - 1.0 / (n * n))}, X.norm() + a,
-                                8 * n); // n³ terms: their rounding adds up
+                                8 * n); // the rounding of n³ terms adds up
         INFO("with each cell's own inertia it is exact");
         REQUIRE_THAT(Matrix3d(found.inertia + M * h * h / 6 * Matrix3d::Identity()),
                      IsClose(exact, Rounding(8 * n, M * (X.norm() + a) * (X.norm() + a))));
@@ -102,7 +102,7 @@ TEST_CASE("inertia: a grid of a cube that grows denser converges to second order
 
 TEST_CASE("inertia: two cells of different density", "[A2.11][inertia]")
 {
-    // h = 2: masses 8 and 24
+    // cells of edge h = 2 have the masses 8 and 24
     const MassProperties expected{32, Vector3d(3, 0, 0), Vector3d(0, 96, 96).asDiagonal()};
 
     const MassProperties found =
@@ -123,7 +123,7 @@ TEST_CASE("inertia: a grid of nothing is nothing", "[A2.11][inertia]")
 
 TEST_CASE("inertia: each sample stands for its share of the volume", "[A2.12][inertia]")
 {
-    // V/N = 8/4: two hits of density 3 weigh 6 kg each
+    // V/N = 8/4, so that each of the two samples of density 3 weighs 6 kg
     const std::vector<DensitySample> samples = {{Vector3d(2, 5, 0), 3},
                                                 {Vector3d(0, 5, 0), 3},
                                                 {Vector3d(9, 9, 9), 0},
@@ -181,7 +181,7 @@ TEST_CASE("inertia: the error of random samples falls as one over the root of th
             const MassProperties cube = sampled_mass_properties(full_samples(random, n, false), 1);
             sum += std::pow(cube.inertia(0, 0) - 1.0 / 6, 2);
         }
-        // a root mean square over 100 runs has itself a relative σ of √½ / √100
+        // the root mean square of 100 runs has itself a relative σ of √½ / √100
         const double ratio = std::sqrt(sum / runs) / (sigma_cube / std::sqrt(n));
         REQUIRE_THAT(ratio, IsClose(1.0, Statistical(std::sqrt(0.5), runs)));
     }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// A2.15: scenes whose bodies have known mass properties, and how these bodies fly.
 #include "support/free_rotor.hpp"
 #include "support/scene_run.hpp"
 
@@ -9,14 +10,14 @@ using namespace rigor::testing;
 
 namespace {
 
-// A box of edges s: M/12 (b² + c²) …
+// Inertia of a box of edges s: M/12 (b² + c²), and so on.
 Matrix3d box_inertia(double mass, const Vector3d& s)
 {
     const Vector3d q = s.cwiseProduct(s);
     return Vector3d(mass / 12 * Vector3d(q.y() + q.z(), q.z() + q.x(), q.x() + q.y())).asDiagonal();
 }
 
-// Steiner: mass at d from the axis point.
+// Steiner's term: the inertia of a point mass at the offset d from the axis.
 Matrix3d point_inertia(double mass, const Vector3d& d)
 {
     return mass * (d.squaredNorm() * Matrix3d::Identity() - d * d.transpose());

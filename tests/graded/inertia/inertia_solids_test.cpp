@@ -20,7 +20,7 @@ MassProperties centered(double M, double Ixx, double Iyy, double Izz)
     return {M, Vector3d::Zero(), Vector3d(Ixx, Iyy, Izz).asDiagonal()};
 }
 
-// What is `factor` times as large in every direction has factor³ the mass and factor⁵ the inertia.
+// A solid that is scaled by `factor`: its mass grows by factor³ and its inertia by factor⁵.
 MassProperties enlarged(const MassProperties& solid, double factor)
 {
     const double cube = factor * factor * factor;
@@ -32,7 +32,7 @@ MassProperties enlarged(const MassProperties& solid, double factor)
 
 TEST_CASE("inertia: a solid sphere by hand", "[A2.6][inertia]")
 {
-    // ρ 4/3 π 27 = 72 π for ρ = 2 and r = 3;  2/5 · 72 π · 9
+    // M = ρ 4/3 π 27 = 72 π for ρ = 2 and r = 3;  I = 2/5 · 72 π · 9
     const double I = 1296 * pi / 5;
 
     require_mass_properties(solid_sphere(2, 3), centered(72 * pi, I, I, I), 3, 8);
@@ -85,7 +85,7 @@ TEST_CASE("inertia: a box without thickness weighs nothing", "[A2.7][inertia]")
 
 TEST_CASE("inertia: a solid cylinder by hand", "[A2.8][inertia]")
 {
-    // ρ π r² h = 24 π for ρ = 1, r = 2, h = 6;  ½ M 4;  M/12 (12 + 36)
+    // M = ρ π r² h = 24 π for ρ = 1, r = 2, h = 6;  Iyy = ½ M 4;  Ixx = Izz = M/12 (12 + 36)
     const double M = 24 * pi;
 
     require_mass_properties(solid_cylinder(1, 2, 6), centered(M, 4 * M, 2 * M, 4 * M), 6, 8);
@@ -97,7 +97,7 @@ TEST_CASE("inertia: a cylinder is a pile of cylinders", "[A2.8][inertia]")
         const double density = 1000 * random.mass(), r = random.mass(), h = random.mass();
 
         const MassProperties whole = solid_cylinder(density, r, 2 * h);
-        const MassProperties half = solid_cylinder(density, r, h); // two, h/2 above and below
+        const MassProperties half = solid_cylinder(density, r, h); // two of these, at ±h/2
 
         const double shift = 2 * half.mass * h * h / 4;
         const Matrix3d I = 2 * half.inertia + Matrix3d(Vector3d(shift, 0, shift).asDiagonal());
@@ -113,7 +113,7 @@ TEST_CASE("inertia: a cylinder without size weighs nothing", "[A2.8][inertia]")
 
 TEST_CASE("inertia: a solid ellipsoid by hand", "[A2.9][inertia]")
 {
-    // ρ 4/3 π 1 2 3 = 40 π for ρ = 5;  M/5 (4 + 9), M/5 (9 + 1), M/5 (1 + 4)
+    // M = ρ 4/3 π 1 2 3 = 40 π for ρ = 5;  I = M/5 (4 + 9), M/5 (9 + 1), M/5 (1 + 4)
     const MassProperties expected = centered(40 * pi, 104 * pi, 80 * pi, 40 * pi);
 
     require_mass_properties(solid_ellipsoid(5, Vector3d(1, 2, 3)), expected, 3, 8);
@@ -138,7 +138,7 @@ TEST_CASE("inertia: a flat ellipsoid weighs nothing", "[A2.9][inertia]")
 
 TEST_CASE("inertia: a thin rod by hand", "[A2.10][inertia]")
 {
-    // λ l = 6 for λ = 3, l = 2;  6 · 4 / 12
+    // M = λ l = 6 for λ = 3, l = 2;  I = 6 · 4 / 12
     require_mass_properties(thin_rod(3, 2), centered(6, 2, 0, 2), 2, 8);
     INFO("its own axis is exactly without inertia");
     REQUIRE_THAT(thin_rod(3, 2).inertia(1, 1), IsExactly(0.0));
@@ -150,7 +150,7 @@ TEST_CASE("inertia: a rod is two rods in a row", "[A2.10][inertia]")
         const double line_density = random.mass(), l = random.mass();
 
         const MassProperties whole = thin_rod(line_density, 2 * l);
-        const MassProperties half = thin_rod(line_density, l); // two, l/2 above and below
+        const MassProperties half = thin_rod(line_density, l); // two of these, at ±l/2
 
         const double shift = 2 * half.mass * l * l / 4;
         const Matrix3d I = 2 * half.inertia + Matrix3d(Vector3d(shift, 0, shift).asDiagonal());

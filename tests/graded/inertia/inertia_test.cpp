@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A2.1 to A2.3 and A2.14: tensors of particles, in world space, of unions.
+// A2.1 to A2.3 and A2.14: inertia tensors of particles, in world space, and of unions of bodies.
 #include "formulas/inertia.hpp"
 #include "support/close.hpp"
 #include "support/mass_properties.hpp"
@@ -11,7 +11,7 @@ using namespace rigor::testing;
 
 namespace {
 
-// Turns x to y, y to z, z to x: a third of a turn about (1, 1, 1).
+// The rotation that takes x to y, y to z and z to x: a third of a turn about (1, 1, 1).
 Matrix3d third_of_a_turn()
 {
     Matrix3d R;
@@ -122,7 +122,7 @@ TEST_CASE("inertia: I ω is the angular momentum of the particles", "[A2.1][iner
 
 TEST_CASE("inertia: a third of a turn passes the moments on", "[A2.2][inertia]")
 {
-    // the moment about x becomes that about y
+    // the moment about x becomes the one about y
     REQUIRE_THAT(world_inertia(third_of_a_turn(), diagonal(1, 2, 3)),
                  IsClose(diagonal(3, 1, 2), Rounding(8, 4)));
     INFO("not turned");
@@ -188,7 +188,7 @@ TEST_CASE("inertia: two hemispheres make a sphere", "[A2.14][inertia]")
 
 TEST_CASE("inertia: eight boxes make a box", "[A2.14][inertia]")
 {
-    // 1 m × 2 m × 3 m, 12 kg, in octants of 1.5 kg
+    // a box of 1 m × 2 m × 3 m and 12 kg, in octants of 1.5 kg
     const Matrix3d octant = diagonal(13, 10, 5) / 32;
     const Vector3d center(5, -3, 2);
     MassProperties sum;

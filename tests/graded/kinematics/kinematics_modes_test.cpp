@@ -13,7 +13,7 @@ namespace {
 
 using Vector6d = Eigen::Matrix<double, 6, 1>;
 
-// w*, column by column: w × eᵢ
+// The matrix w*, column by column: w × eᵢ.
 Matrix3d star(const Vector3d& w)
 {
     Matrix3d w_x;
@@ -70,7 +70,7 @@ TEST_CASE("kinematics: forces along the line between two points do no virtual wo
 {
     for (Random random : seeds(100)) {
         const Vector3d X = random.vector(), x1 = random.vector(), x2 = random.vector();
-        const Vector3d f = x2 - x1; // on point 1, and -f on point 2
+        const Vector3d f = x2 - x1; // acts on point 1, and -f acts on point 2
 
         const Vector6d work =
             velocity_modes(X, x1).transpose() * f - velocity_modes(X, x2).transpose() * f;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// A1.10: scenes of thrown and spinning bodies and of a spring pendulum.
 #include "support/scene_run.hpp"
 
 #include <cmath>
@@ -30,7 +31,7 @@ TEST_CASE("kinematics: a thrown body's center flies a parabola however it spins"
         for (const Frame& frame : run.frames) {
             const double t = steps_of(frame) * run.scene.time_step;
             CAPTURE(name, t);
-            // X = X₀ + V₀ t + ½ g t², to rounding: a fourth-order method knows parabolas
+            // X = X₀ + V₀ t + ½ g t² up to rounding, since fourth order is exact for a parabola
             const double scale =
                 start.position.norm() + start.velocity.norm() * t + g.norm() * t * t / 2;
             const double k = 16 * (1 + steps_of(frame));
@@ -63,7 +64,7 @@ TEST_CASE("kinematics: a spinning cube turns about its fixed axis at fourth orde
         const auto i = static_cast<std::size_t>(body_index(run, "spinning"));
         const Vector3d w = run.scene.bodies[i].angular_velocity;
         const double t = steps_of(run.frames.back()) * h;
-        // the angle |ω| t about ω / |ω|
+        // a turn by the angle |ω| t about ω / |ω|
         const double half = w.norm() * t / 2;
         const Quaternion exact = {std::cos(half), std::sin(half) * w.normalized()};
         errors.push_back(angle_between(run.frames.back().bodies[i].orientation, exact));
@@ -78,7 +79,8 @@ TEST_CASE(
     std::vector<double> errors;
     for (const double h : {0.01, 0.005, 0.0025})
         errors.push_back(std::abs(energy_change(run_scene("a1-kinematics/spring_pendulum", h))));
-    // Energy is quadratic in the state: for oscillations Runge–Kutta 4 loses it one order faster than it strays.
+    // Energy is quadratic in the state. For oscillations the energy error of Runge–Kutta 4 is
+    // therefore one order higher than the error of the state.
     REQUIRE(errors.back() > 1e3 * eps);
     check_order(errors, 5);
 }

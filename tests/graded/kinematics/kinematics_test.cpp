@@ -12,7 +12,7 @@ using namespace rigor::testing;
 
 namespace {
 
-// w*, column by column: w × eᵢ
+// The matrix w*, column by column: w × eᵢ.
 Matrix3d star(const Vector3d& w)
 {
     Matrix3d w_x;
@@ -168,7 +168,8 @@ TEST_CASE("kinematics: angular velocity is that of the skew part", "[A1.4][kinem
 TEST_CASE("kinematics: a difference in time gives the angular velocity to second order",
           "[A1.4][kinematics]")
 {
-    // (R(t + h) - R(t))/h Rᵀ = (exp(h ω*) - δ)/h, whose skew part is sin(h |ω|)/(h |ω|) ω*: second order.
+    // (R(t + h) - R(t))/h Rᵀ = (exp(h ω*) - δ)/h, whose skew part is sin(h |ω|)/(h |ω|) ω*. The
+    // error is therefore of second order.
     for (Random random : seeds(20)) {
         const Matrix3d R = random.rotation();
         const Vector3d w = 2 * random.unit_vector();
@@ -218,7 +219,7 @@ TEST_CASE("kinematics: velocity is the derivative of the position", "[A1.5][kine
         const Vector3d V = random.vector(), w = 2 * random.unit_vector(), X = random.vector();
         const Vector3d p = random.unit_vector();
         const Vector3d axis = w.normalized(), r = R * p;
-        if (axis.cross(r).norm() < 0.1) continue; // hardly moves: no order to see
+        if (axis.cross(r).norm() < 0.1) continue; // hardly moves: no order can be seen
 
         const Vector3d v = point_velocity(V, w, X, r + X);
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// A0.1: kinetic energy of a body.
 #include "formulas/pipeline.hpp"
 #include "support/close.hpp"
 #include "support/random.hpp"
@@ -11,7 +12,7 @@ TEST_CASE("pipeline: energy of a body that moves and turns", "[A0.1][pipeline]")
 {
     const Matrix3d I = Vector3d(1, 2, 3).asDiagonal();
 
-    // ½ 2 · 25 = 25    ½ (1 + 2 + 3) = 3
+    // ½ 2 · 25 = 25 of translation, ½ (1 + 2 + 3) = 3 of rotation
     const double E = kinetic_energy(2, Vector3d(3, 0, 4), I, Vector3d(1, 1, 1));
 
     REQUIRE_THAT(E, IsClose(28.0, Rounding(8, 28)));
@@ -19,7 +20,7 @@ TEST_CASE("pipeline: energy of a body that moves and turns", "[A0.1][pipeline]")
 
 TEST_CASE("pipeline: energy of a box that only turns", "[A0.1][pipeline]")
 {
-    const Matrix3d I = Vector3d(13, 10, 5).asDiagonal(); // 1 m × 2 m × 3 m, 12 kg
+    const Matrix3d I = Vector3d(13, 10, 5).asDiagonal(); // a box of 1 m × 2 m × 3 m, 12 kg
 
     const double E = kinetic_energy(12, Vector3d::Zero(), I, Vector3d(1, 2, 3));
 

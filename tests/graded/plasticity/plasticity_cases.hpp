@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Stresses, strains and the one material that all exact answers are for.
+// Stresses and strains, and the steel for which the tests know exact answers.
 #pragma once
 
 #include "support/close.hpp"
@@ -9,7 +9,7 @@
 
 namespace rigor::testing {
 
-/// A steel.
+/// The constants of a steel.
 namespace steel {
 inline constexpr double E = 200e9, nu = 0.3;    // Young's modulus [Pa], Poisson's ratio
 inline constexpr double yield_stress = 250e6;   // [Pa]
@@ -23,7 +23,7 @@ inline Matrix3d diagonal(double x, double y, double z)
     return Vector3d(x, y, z).asDiagonal();
 }
 
-/// Nothing but shear in the xy plane.
+/// Pure shear in the xy plane.
 inline Matrix3d shear(double tau)
 {
     Matrix3d sigma = Matrix3d::Zero();
@@ -31,14 +31,14 @@ inline Matrix3d shear(double tau)
     return sigma;
 }
 
-/// A σ Aᵀ, symmetric to the last bit.
+/// R σ Rᵀ, symmetric to the last bit.
 inline Matrix3d turned(const Matrix3d& R, const Matrix3d& sigma)
 {
     const Matrix3d result = R * sigma * R.transpose();
     return (result + result.transpose()) / 2;
 }
 
-/// Entries in [-1, 1).
+/// A symmetric matrix with entries in [-1, 1).
 inline Matrix3d random_symmetric(Random& random)
 {
     Matrix3d A;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A6.8: a piece of steel that is strained step by step. Its answers do not depend on the number of
-// steps, as long as the stress does not change its direction on the way.
+// A6.8: a piece of steel that is strained step by step. The result does not depend on the number of
+// steps as long as the stress keeps its direction.
 #include "formulas/plasticity.hpp"
 #include "plasticity_cases.hpp"
 #include "support/seeds.hpp"
@@ -34,7 +34,7 @@ struct MaterialPoint {
         ++steps;
     }
 
-    // in n equal steps
+    // Strains the point to `target` in n equal steps.
     void strain_to(const Matrix3d& target, int n)
     {
         const Matrix3d start = strain;
@@ -42,7 +42,7 @@ struct MaterialPoint {
             step(start + (target - start) * i / n);
     }
 
-    // n eps after n steps, of the stress that the largest strain would have without flow
+    // n eps after n steps, relative to the stress that the largest strain would cause without flow.
     Tolerance rounding(double largest_strain) const
     {
         return Rounding(64 + steps, (3 * steel::lambda + 2 * G) * largest_strain);
@@ -84,7 +84,7 @@ TEST_CASE("plasticity: stretched without thinning and brought back it keeps stre
 
 TEST_CASE("plasticity: a rod that may thin stays at its yield stress", "[A6.8][plasticity]")
 {
-    // elastic up to a stretch of 0.00125; from then on (1, -1/2, -1/2), at constant volume
+    // elastic up to a strain of 0.00125, then flow along (1, -1/2, -1/2) at constant volume
     const Matrix3d elastic = sigma_Y / steel::E * diagonal(1, -steel::nu, -steel::nu);
     for (const int n : counts) {
         CAPTURE(n);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A6.5 to A6.7: linear elasticity, and the von Mises stress straight from strain.
+// A6.5 to A6.7: linear elasticity, and the von Mises stress directly from the strain.
 #include "formulas/plasticity.hpp"
 #include "plasticity_cases.hpp"
 #include "support/seeds.hpp"
@@ -24,7 +24,7 @@ TEST_CASE("plasticity: the stress of a strain by hand", "[A6.5][plasticity]")
 {
     Matrix3d strain, expected;
     strain << 1, 2, 0, 2, -1, 0, 0, 0, 4;      // trace 4
-    expected << 14, 12, 0, 12, 2, 0, 0, 0, 32; // 2·4 on the diagonal, and 6 times the strain
+    expected << 14, 12, 0, 12, 2, 0, 0, 0, 32; // 2·4 on the diagonal, plus 6 times the strain
 
     REQUIRE_THAT(isotropic_stress(strain, 2, 3), IsClose(expected, Rounding(8, 32)));
     REQUIRE_THAT(isotropic_stress(Matrix3d::Zero(), 2, 3), IsExactly(Matrix3d(Matrix3d::Zero())));
@@ -64,7 +64,7 @@ TEST_CASE("plasticity: stress turns and adds up with strain", "[A6.5][plasticity
 TEST_CASE("plasticity: the von Mises stress of strains by hand", "[A6.6][plasticity]")
 {
     const double e = 1e-3;
-    // without a change of width: 2 G e; with Poisson's: E e; simple shear: 2 G √3 e
+    // at constant width 2 G e; with Poisson's change of width E e; in simple shear 2 G √3 e
     REQUIRE_THAT(von_mises_from_strain(diagonal(e, 0, 0), steel::G),
                  IsClose(2 * steel::G * e, Rounding(8)));
     REQUIRE_THAT(von_mises_from_strain(diagonal(-steel::nu * e, e, -steel::nu * e), steel::G),

@@ -23,7 +23,7 @@ double mises_of(const Matrix3d& sigma)
     return std::sqrt(1.5) * deviator_of(sigma).norm();
 }
 
-// What a step of flow did to a solid with the plastic strain ε_p.
+// The result of one step of flow of a solid with the plastic strain ε_p.
 struct Flow {
     Matrix3d increment;  // ε_p_new - ε_p
     Matrix3d new_stress; // σ_new = σ - 2 G (ε_p_new - ε_p)
@@ -37,7 +37,7 @@ Flow flow(const Matrix3d& sigma, double yield_stress, double G,
     return {increment, sigma - 2 * G * increment};
 }
 
-// A random solid under a stress of some times what it bears.
+// A random solid under a stress of up to ten times its yield stress.
 struct Overloaded {
     Matrix3d plastic_strain, stress;
     double yield_stress, G;
@@ -48,7 +48,7 @@ struct Overloaded {
         yield_stress = mises_of(stress) * random.uniform(0.1, 0.9);
         G = random.uniform(0.5, 5);
     }
-    // of a stress, and of a strain
+    // Scales of the rounding of a stress and of a strain.
     double stress_scale() const { return stress.norm() + 2 * G * plastic_strain.norm(); }
     double strain_scale() const { return stress.norm() / (2 * G) + plastic_strain.norm(); }
 };
@@ -80,7 +80,8 @@ TEST_CASE("plasticity: a rod pulled with three times its yield stress", "[A6.8][
 
 TEST_CASE("plasticity: shear flows as shear", "[A6.8][plasticity]")
 {
-    // √3·2 - √3 = √3, γ = √3/(3·0.5), and half of √3 of it in xy and in yx: 1. Left is τ = 1.
+    // f = √3·2 - √3 = √3 and γ = √3/(3·0.5). The increment in xy and in yx is γ √3/2 = 1, so that τ
+    // = 1 is left.
     const Flow sheared = flow(shear(2), sqrt_3, 0.5);
     REQUIRE_THAT(sheared.increment, IsClose(shear(1), Rounding(16, 2)));
     REQUIRE_THAT(sheared.new_stress, IsClose(shear(1), Rounding(16, 2)));
@@ -201,7 +202,7 @@ TEST_CASE("plasticity: soft jelly and hard steel flow alike", "[A6.8][plasticity
 TEST_CASE("plasticity: a stress just above the yield surface flows just a little",
           "[A6.8][plasticity]")
 {
-    // f = d, exact in binary: γ = d/(3 G), to the rounding of f
+    // f = d is exact in binary, so γ = d/(3 G) up to the rounding of f
     for (const double d : {0x1p-10, 0x1p-20, 0x1p-30}) {
         CAPTURE(d);
         REQUIRE_THAT(flow(diagonal(1 + d, 0, 0), 1, 2).increment,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A6.9: what is stretched, sheared, bent and dented keeps what the formulas say, and no more.
+// A6.9: solids that are stretched, sheared, bent and dented keep the deformation that the formulas
+// predict, and no more.
 #include "support/scene_run.hpp"
 
 #include <algorithm>
@@ -13,7 +14,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-// Of the bars in the scenes.
+// Young's modulus [Pa], yield stress [Pa], yield strain and length [m] of the bars in the scenes.
 constexpr double E = 1e7, sigma_Y = 2e5, e_Y = sigma_Y / E, length = 2;
 
 const SolidFrame& solid(const Frame& frame, std::size_t i = 0)
@@ -50,7 +51,7 @@ const Frame& frame_at(const Trajectory& run, double time)
     return *found;
 }
 
-// Stress and plastic strain of a bar that may thin, as its stretch goes to and fro.
+// Stress and plastic strain of a bar with free sides that is stretched to and fro.
 struct Bar {
     double plastic_strain = 0, stress = 0;
     void stretch(double e)
@@ -65,7 +66,7 @@ double stretch_of(const Frame& frame)
     return extent(solid(frame), 0) / length - 1;
 }
 
-// Mean place at a frame of the nodes that were somewhere at first.
+// Mean position in `frame` of the nodes whose first position satisfies `where`.
 template <class Where> Vector3d mean_place(const Trajectory& run, const Frame& frame, Where where)
 {
     const auto& first = solid(run.frames.front()).positions;
@@ -91,7 +92,7 @@ TEST_CASE("plasticity: a stretched bar flows from its yield stress on", "[A6.9][
 {
     const Trajectory run = run_scene("a6-plasticity/stretched_bar");
     for (const Frame& frame : run.frames) {
-        if (frame.time > 1.005) break; // held
+        if (frame.time > 1.005) break; // from then on it is held
         CAPTURE(frame.time);
         const double e = stretch_of(frame);
         INFO("class B: it begins between 0.95 and 1.1 of σ_Y/E");
@@ -158,9 +159,10 @@ TEST_CASE("plasticity: a twisted bar turns back by what its yield stress can tur
     };
     const Vector3d d = mean_place(run, run.frames.back(), edge(1)) -
                        mean_place(run, run.frames.back(), edge(-1)); // along z at first
-    const double back = -std::atan2(-d.y(), d.z());                  // of a whole turn
+    const double back = -std::atan2(-d.y(), d.z()); // springback after a whole turn [rad]
 
-    // The torque τ_Y a³/3 of a square that flows all over, upon the stiffness 0.140577 G a⁴/l.
+    // The torque τ_Y a³/3 of a fully plastic square section, divided by its stiffness 0.140577 G
+    // a⁴/l.
     constexpr double yield_stress = 3e5, G = E / 2.6, a = 0.3, l = 2.4;
     const double exact =
         yield_stress / std::sqrt(3) * a * a * a / 3 / (0.140577 * G * a * a * a * a) * l;
@@ -182,7 +184,7 @@ TEST_CASE("plasticity: a wire springs back as a whole or by what its yield stres
     const Vector3d end = at(3) - at(2);
     const double back = 150 - degrees(std::atan2(end.y(), end.x()));
 
-    // The moment σ_Y b h²/4 of a section that flows all over, upon the stiffness E b h³/12, over 1 m.
+    // The moment σ_Y b h²/4 of a fully plastic section, over the stiffness E b h³/12, for 1 m.
     const double exact = degrees(3 * 4e5 / (2e7 * 0.15));
     INFO("a mesh of two cells across is stiffer than the wire");
     REQUIRE_THAT(back, IsClose(exact, Order(0.3 * exact)));
@@ -216,7 +218,7 @@ TEST_CASE("plasticity: a metal ball keeps a dent and a rubber one bounces", "[A6
         REQUIRE(largest(rubber.plastic_strains) == 0);
         INFO("no mass is lost");
         REQUIRE_THAT(metal.totals.mass, IsExactly(solid(run.frames.front(), 0).totals.mass));
-        if (frame.time < 0.35) continue; // falling, and in the blow
+        if (frame.time < 0.35) continue; // the balls fall or hit the floor
         metal_top = std::max(metal_top, metal.totals.center_of_mass.y());
         rubber_top = std::max(rubber_top, rubber.totals.center_of_mass.y());
     }

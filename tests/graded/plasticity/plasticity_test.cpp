@@ -13,7 +13,7 @@ namespace {
 
 constexpr double sqrt_3 = std::numbers::sqrt3;
 
-// Entry by entry: √(½ ((σ_xx - σ_yy)² + …) + 3 (σ_xy² + …))
+// The von Mises stress entry by entry: √(½ ((σ_xx - σ_yy)² + …) + 3 (σ_xy² + …))
 double mises_by_entries(const Matrix3d& s)
 {
     double sum = 0;
@@ -146,7 +146,7 @@ TEST_CASE("plasticity: rounding under the root never makes a pressure shear", "[
         const double found = von_mises_frobenius(pressure);
         REQUIRE_THAT(found * found, IsClose(0.0, Rounding(32, pressure.squaredNorm())));
 
-        const Matrix3d nearly = turned(random.rotation(), pressure); // with rounding beside
+        const Matrix3d nearly = turned(random.rotation(), pressure); // with rounding errors
         const double beside = von_mises_frobenius(nearly);
         REQUIRE_THAT(beside * beside, IsClose(0.0, Rounding(32, pressure.squaredNorm())));
     }

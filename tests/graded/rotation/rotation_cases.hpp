@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the tests of topic `rotation` share: the contract's quaternion as Eigen's, the bodies of the
-// lecture's examples, and one step's worth of random input. The oracle is plain Eigen throughout.
+// Helpers of the tests of topic `rotation`: conversions to Eigen's quaternion and back, the bodies
+// of the lecture's examples, and random input for one step. Expected values come from plain Eigen.
 #pragma once
 
 #include "support/random.hpp"
@@ -31,8 +31,8 @@ inline Eigen::Quaterniond turn(const Vector3d& vector)
     return Eigen::Quaterniond(Eigen::AngleAxisd(vector.norm(), vector.normalized()));
 }
 
-/// The vector of the turn that takes orientation b to orientation a, at most half a turn [rad]. By
-/// atan2: acos cannot see angles below 2e-8.
+/// Rotation vector that takes orientation b to orientation a, at most half a turn [rad]. It uses
+/// atan2, since acos cannot resolve angles below 2e-8.
 inline Vector3d turn_between(const Eigen::Quaterniond& a, const Eigen::Quaterniond& b)
 {
     const Eigen::Quaterniond d = a * b.conjugate();
@@ -60,7 +60,7 @@ inline BodyInertia box()
     return {1.0 / 12, Vector3d(1.0 / 13, 1.0 / 10, 1.0 / 5).asDiagonal()};
 }
 
-/// That box at rest in its place, axes along the world's, with angular velocity ω.
+/// The box with its center at rest, its axes along the world's, and the angular velocity ω.
 inline RigidState spinning_box(const Vector3d& omega)
 {
     RigidState state;
@@ -68,7 +68,7 @@ inline RigidState spinning_box(const Vector3d& omega)
     return state;
 }
 
-/// What a time step takes.
+/// The arguments of a time step.
 struct StepCase {
     RigidState state;
     BodyInertia body;

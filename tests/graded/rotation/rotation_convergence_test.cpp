@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A3.15 and A3.16: motions with an exact answer, and how fast the error falls with the step. The
-// numbers are Euler's equations of a free body in Jacobi's elliptic functions, to 15 digits.
+// A3.15 and A3.16: motions with an exact solution, and how fast the error falls with the step. The
+// numbers solve Euler's equations of a free body by Jacobi's elliptic functions, to 15 digits.
 #include "formulas/rotation.hpp"
 #include "rotation_cases.hpp"
 #include "support/close.hpp"
@@ -26,18 +26,18 @@ Vector3d body_rates(const BodyInertia& body, const RigidState& state)
     return body.inverse_inertia * (eigen(state.orientation).conjugate() * state.angular_momentum);
 }
 
-// The orientation of the box after 10 s that began with ω = (1, 2, 3), and its ω along its axes.
+// The orientation of the box 10 s after it starts with ω = (1, 2, 3), and its ω along its axes.
 const Eigen::Quaterniond box_q10(-0.7167345284363959, 0.02657340199601567, 0.01350657848027917,
                                  0.6967087213399667);
 const Vector3d box_w10(-1.441479761782112, 1.32591216920842, 3.268251472830505);
 
-/// A rotor with I = 0.04 across its axis z and J = 0.02 about it, ω = (2, -4, 6). Its axis precesses
-/// about L by |L|/I = 5.385 rad/s on a cone of 56.145°.
+/// A rotor with I = 0.04 across its axis z and J = 0.02 about it, ω = (2, -4, 6). Its axis
+/// precesses about L by |L|/I = 5.385 rad/s on a cone of 56.145°.
 constexpr double rotor_I = 0.04, rotor_J = 0.02;
 const BodyInertia rotor = {1, Vector3d(1 / rotor_I, 1 / rotor_I, 1 / rotor_J).asDiagonal()};
 const Vector3d rotor_w(2, -4, 6), rotor_L(0.08, -0.16, 0.12);
 
-/// exp(t L/I) exp(t (ω_z - L_z/I) e_z)
+/// Exact orientation of the rotor: exp(t L/I) exp(t (ω_z - L_z/I) e_z).
 Eigen::Quaterniond rotor_orientation(double t)
 {
     const double own_spin = rotor_w.z() - rotor_L.z() / rotor_I;
@@ -51,7 +51,7 @@ RigidState spinning_rotor()
     return state;
 }
 
-/// q' = ½ (0, ω) q with ω = I⁻¹ (L + t τ), by Runge–Kutta 4 in plain Eigen.
+/// Solution of q' = ½ (0, ω) q with ω = I⁻¹ (L + t τ), by Runge–Kutta 4 in plain Eigen.
 Eigen::Quaterniond runge_kutta(const BodyInertia& body, const RigidState& start,
                                const Vector3d& torque, double end, int n)
 {
@@ -126,7 +126,7 @@ TEST_CASE("rotation: the box's ω returns along its axes after a period", "[A3.1
 
 TEST_CASE("rotation: the tennis racket flips on time", "[A3.16][rotation]")
 {
-    // every 9.41035970436993 s; half way through the first flip the order shows
+    // it flips every 9.41035970436993 s; half way through the first flip the order can be measured
     const Vector3d w5(0.655929773068489, -1.76801944452792, 0.815831130092729);
     const Vector3d flipped(0.1, -2, -0.1),
         w10(0.164146942774017, -1.99116951183221, -0.190874255368313);
@@ -144,7 +144,7 @@ TEST_CASE("rotation: the tennis racket flips on time", "[A3.16][rotation]")
 
 TEST_CASE("rotation: about the middle axis a wobble grows exponentially", "[A3.16][rotation]")
 {
-    // λ = W √((I₁-I₂)(I₂-I₃)/(I₁I₃)), and the direction (ω₁, ω₃) that only grows
+    // growth rate λ = W √((I₁-I₂)(I₂-I₃)/(I₁I₃)), and the direction (ω₁, ω₃) of pure growth
     const double W = 2, growth = 0.960768922830523, small = 1e-5, t = 2;
     const double third = growth * 13 / ((10 - 5) * W);
     std::vector<double> errors;
@@ -190,7 +190,8 @@ TEST_CASE("rotation: Buss's step leaves out Δt³ ω̈/6 and nothing else", "[A3
 
 TEST_CASE("rotation: the energy error of Buss's step is -Δt³/3 (ω̇ × ω)·Iω̇", "[A3.16][rotation]")
 {
-    // what Δt³ ω̈/6 amounts to for a free body; the other sign of the last term of Ω would halve it
+    // The effect of the missing Δt³ ω̈/6 on the energy of a free body. The other sign of the last
+    // term of Ω would halve it.
     const Vector3d w(1, 2, 3), L(13, 20, 15);
     const Vector3d I_w_dot = -w.cross(L);
     const Vector3d w_dot = box().inverse_inertia * I_w_dot;
@@ -222,9 +223,9 @@ TEST_CASE("rotation: under a torque Buss's step is of order 2", "[A3.16][rotatio
 
 TEST_CASE("rotation: a fast top precesses steadily", "[A3.16][rotation]")
 {
-    // A cone of 1 kg, radius 5 cm, height 10 cm, on its apex, 30° off the vertical: with L about the
-    // apex and spin 500 rad/s, its axis goes round by 2.0222 rad/s. The torque follows the axis
-    // and is held over each step, which leaves order 1.
+    // A cone of 1 kg, radius 5 cm and height 10 cm stands on its apex, 30° off the vertical, and
+    // spins at 500 rad/s. With L about the apex, its axis precesses at 2.0222 rad/s. The torque
+    // follows the axis and is held over each step, which leaves order 1.
     const double m = 1, I = 6.375e-3, J = 7.5e-4, center = 0.075, spin = 500, end = 0.5;
     const double tilt = 0.523598775598299, precession = 2.02220460968698;
     const BodyInertia top = {1 / m, Vector3d(1 / I, 1 / I, 1 / J).asDiagonal()};

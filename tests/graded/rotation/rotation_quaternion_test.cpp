@@ -13,7 +13,7 @@ namespace {
 const Vector3d e_x = Vector3d::UnitX(), e_y = Vector3d::UnitY(), e_z = Vector3d::UnitZ();
 const double half_root = std::sqrt(0.5);
 
-/// Any quaternion, not unit.
+/// A random quaternion, in general not a unit one.
 Quaternion any_quaternion(Random& random)
 {
     const double s = random.uniform(-2, 2);
@@ -136,7 +136,7 @@ TEST_CASE("rotation: the columns of the matrix are the rotated axes", "[A3.9][ro
     expected << e_y, -e_x, e_z;
     const Quaternion quarter = {half_root, {0, 0, half_root}};
     REQUIRE_THAT(to_matrix(quarter), IsClose(expected, Rounding(16, 1)));
-    // a third of a turn about the diagonal: x to y to z to x
+    // a third of a turn about the diagonal takes x to y, y to z and z to x
     expected << e_y, e_z, e_x;
     REQUIRE_THAT(to_matrix({0.5, {0.5, 0.5, 0.5}}), IsClose(expected, Rounding(16, 1)));
 }
@@ -167,7 +167,7 @@ TEST_CASE("rotation: the rate is perpendicular to q", "[A3.10][rotation]")
         const Vector3d w = 5 * random.vector();
         const Quaternion rate = quaternion_rate(q, w);
         REQUIRE_THAT(q.s * rate.s + q.v.dot(rate.v), IsClose(0.0, Rounding(16, w.norm())));
-        // its length is half the speed, and it belongs to ω in world space
+        // the rate is half as long as ω, and it belongs to ω in world space
         const Quaternion twice = plain(eigen(rate) * eigen(q).conjugate());
         REQUIRE_THAT(times(2, twice), IsClose(Quaternion{0, w}, Rounding(16, w.norm())));
     }

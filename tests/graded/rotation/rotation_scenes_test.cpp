@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// A3.17: scenes of free bodies, compared with exact solutions.
 #include "support/free_rotor.hpp"
 #include "support/scene_run.hpp"
 
@@ -14,7 +15,7 @@ Quaternion to_quaternion(const Eigen::Quaterniond& q)
     return {q.w(), q.vec()};
 }
 
-// Attitude errors at the end of a free box 1 × 2 × 3.
+// Error of the orientation of a free box of 1 × 2 × 3 m at the end of the run [rad].
 double box_error(double h)
 {
     const FreeRotor exact(Vector3d(13, 10, 5), Vector3d(1, 2, 3));
@@ -56,7 +57,7 @@ TEST_CASE("rotation: quaternions stay unit over a whole run", "[A3.17][rotation]
             CAPTURE(scene, frame.step);
             const Quaternion& q = frame.bodies[0].orientation;
             const double length = std::sqrt(q.s * q.s + q.v.squaredNorm());
-            // advance_exact multiplies unit quaternions: rounding adds up, a few eps a step
+            // advance_exact multiplies unit quaternions: rounding adds up by a few eps in each step
             REQUIRE_THAT(length, IsClose(1.0, Rounding(4 * (1 + steps_of(frame)), 1)));
         }
     }
@@ -88,8 +89,8 @@ TEST_CASE("rotation: the tennis racket flips as the exact solution does",
             before = w;
         }
     }
-    // Near the separatrix the error is that of the period, which follows from the energy; and that is lost at one order
-    // higher than the method's.
+    // Near the separatrix the error is that of the period. The period follows from the energy,
+    // whose error is one order higher than that of the method.
     check_order(errors, 5);
     REQUIRE(flips >= 2);
 }
@@ -110,7 +111,7 @@ TEST_CASE("rotation: the axis of a symmetric top precesses about L at the rate L
                                    end.orientation.v.z());
         errors.push_back((q * Vector3d::UnitZ() - exact).norm());
     }
-    check_order(errors, 1); // the lecture's update with a constant angular velocity over the step
+    check_order(errors, 1); // the lecture's update holds ω constant over the step
 }
 
 TEST_CASE("rotation: a box thrown by symplectic Euler falls as its closed form says",

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A3.15 and A3.16: one step's own closed form, and motions with an exact answer that the step must
-// hit to rounding. How fast the errors fall is in rotation_convergence_test.cpp.
+// A3.15 and A3.16: the closed form of one step, and motions whose exact solution the step must meet
+// up to rounding. How fast the errors fall is tested in rotation_convergence_test.cpp.
 #include "formulas/rotation.hpp"
 #include "rotation_cases.hpp"
 #include "support/close.hpp"
@@ -25,7 +25,7 @@ void check_step(const RigidState& actual, const RigidState& expected, const Step
     REQUIRE_THAT(
         actual.angular_momentum,
         IsClose(expected.angular_momentum, Rounding(8, L.norm() + h * c.wrench.torque.norm())));
-    // ω passes through I⁻¹ and I: their condition number, at most 10, joins the scale
+    // ω passes through I⁻¹ and I, whose condition number is at most 10 and multiplies the scale
     REQUIRE_THAT(actual.orientation,
                  IsClose(expected.orientation, Rounding(64, 1 + 10 * h * speed)));
 }
@@ -139,7 +139,7 @@ TEST_CASE("rotation: an isotropic body turns exactly in one step of any size", "
         for (double t : {0.1, 10.0, 1000.0}) {
             const Quaternion expected = plain(turn(t * w) * eigen(state.orientation));
             const RigidState after = step_buss(state, ball, {}, t);
-            // ω × L is a rounding error, and Δt² and Δt³ multiply it
+            // ω × L is a rounding error, which Δt² and Δt³ multiply
             const double turned = t * w.norm();
             const double scale = 1 + turned * (1 + turned * (1 + turned));
             REQUIRE_THAT(after.orientation, IsClose(expected, Rounding(16, scale)));
@@ -149,7 +149,7 @@ TEST_CASE("rotation: an isotropic body turns exactly in one step of any size", "
 
 TEST_CASE("rotation: spun up about one axis the angle is exact", "[A3.16][rotation]")
 {
-    // a constant torque along a principal axis: θ = ω₀ t + ½ α t²
+    // under a constant torque along a principal axis θ = ω₀ t + ½ α t²
     const double I = 5, w = 3, torque = 4, h = 0.5;
     const int n = 10;
     RigidState state = spinning_box({0, 0, w});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A3.1 to A3.4: why not R, Euler angles.
+// A3.1 to A3.4: the drift of rotation matrices, and the limits of Euler angles.
 #include "formulas/rotation.hpp"
 #include "rotation_cases.hpp"
 #include "support/close.hpp"
@@ -56,7 +56,7 @@ TEST_CASE("rotation: the matrix update moves each axis by ω × axis", "[A3.1][r
 
 TEST_CASE("rotation: the matrix update stretches what is perpendicular to ω", "[A3.1][rotation]")
 {
-    // by √(1 + |ω|²Δt²) a step, here √1.25; what lies along ω stays
+    // each step stretches by √(1 + |ω|²Δt²), here √1.25; vectors along ω keep their length
     const Vector3d w(0, 3, 4);
     const int n = 100;
     Matrix3d R = matrix(e_x, Vector3d(0, -0.8, 0.6), Vector3d(0, 0.6, 0.8));
@@ -135,7 +135,7 @@ TEST_CASE("rotation: Gram-Schmidt completes what is missing to a rotation", "[A3
         INFO("R = " << R);
         const Matrix3d Q = gram_schmidt(R);
         REQUIRE_THAT(Q, IsRotation());
-        // a first column that is there keeps its direction
+        // a first column that is not zero keeps its direction
         if (R.col(0).isZero(0)) continue;
         REQUIRE_THAT(Q.col(0).eval(), IsClose(R.col(0).normalized(), Rounding(16, 1)));
     }
@@ -147,7 +147,7 @@ TEST_CASE("rotation: Euler angles by hand", "[A3.3][rotation]")
     REQUIRE_THAT(euler_to_matrix({pi / 2, 0, 0}), IsClose(matrix(e_x, e_z, -e_y), tolerance));
     REQUIRE_THAT(euler_to_matrix({0, pi / 2, 0}), IsClose(matrix(-e_z, e_y, e_x), tolerance));
     REQUIRE_THAT(euler_to_matrix({0, 0, pi / 2}), IsClose(matrix(e_y, -e_x, e_z), tolerance));
-    // roll first: y goes to z, and yaw leaves it there
+    // roll comes first and takes y to z, and yaw leaves it there
     REQUIRE_THAT(euler_to_matrix({pi / 2, 0, pi / 2}), IsClose(matrix(e_y, e_z, e_x), tolerance));
 }
 
@@ -175,7 +175,7 @@ TEST_CASE("rotation: Euler rates by hand", "[A3.4][rotation]")
     REQUIRE_THAT(euler_rates({0.7, 0, 0}, {1, 2, 3}), IsClose(Rates({1, 2, 3}), tolerance));
     // yawed by a quarter turn, the roll axis is y and the pitch axis -x
     REQUIRE_THAT(euler_rates({0, 0, pi / 2}, {1, 2, 3}), IsClose(Rates({2, -1, 3}), tolerance));
-    // pitched by 45°, turning about the world's x takes some yaw
+    // pitched by 45°, a turn about the world's x needs some yaw
     REQUIRE_THAT(euler_rates({0, pi / 4, 0}, e_x), IsClose(Rates({std::sqrt(2), 0, 1}), tolerance));
 }
 
@@ -197,7 +197,7 @@ TEST_CASE("rotation: Euler rates add up to ω", "[A3.4][rotation]")
 
 TEST_CASE("rotation: Euler rates are the derivative of the angles", "[A3.4][rotation]")
 {
-    // d/dt R(angles + t rates) = ω* R, by central differences of second order
+    // d/dt R(angles + t rates) = ω* R, tested by central differences of second order
     const Vector3d angles(0.4, -0.9, 2.0), w(1, -2, 0.5);
     const std::optional<Vector3d> rates = euler_rates(angles, w);
     REQUIRE(rates.has_value());

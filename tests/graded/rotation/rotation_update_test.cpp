@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A3.11 to A3.14: updates of the orientation, the longest step, gravity.
+// A3.11 to A3.14: updates of the orientation, the longest time step, and gravity.
 #include "formulas/rotation.hpp"
 #include "rotation_cases.hpp"
 #include "support/close.hpp"
@@ -75,7 +75,7 @@ TEST_CASE("rotation: the exact update is smooth as ω goes to 0", "[A3.11][rotat
         const Quaternion expected = {std::cos(speed * h / 2), std::sin(speed * h / 2) * axis};
         REQUIRE_THAT(q, IsClose(expected, Rounding(16)));
     }
-    // where |ω|² underflows, down to the smallest numbers there are
+    // speeds whose square underflows, down to the smallest positive number
     for (double speed : {1e-160, 1e-170, 1e-250, 1e-307, 1e-310, 1e-322, 5e-324}) {
         CAPTURE(speed);
         REQUIRE_THAT(advance_exact(identity, speed * axis, h), IsClose(identity, Rounding(1, 1)));
@@ -85,8 +85,8 @@ TEST_CASE("rotation: the exact update is smooth as ω goes to 0", "[A3.11][rotat
 TEST_CASE("rotation: ω held over each step feeds the box energy up to its maximum",
           "[A3.11][rotation]")
 {
-    // The lecture's first-order update of a torque-free box, with L exact: the energy creeps from
-    // 49 J up to L²/(2 I_min) = 794/10 J, where the box turns about its axis of least inertia.
+    // The lecture's first-order update of a torque-free box, with L exact. The energy slowly rises
+    // from 49 J to L²/(2 I_min) = 794/10 J, where the box turns about its axis of least inertia.
     const BodyInertia body = box();
     RigidState state = spinning_box({1, 2, 3});
     const Vector3d& L = state.angular_momentum;
@@ -108,7 +108,7 @@ TEST_CASE("rotation: the linear update turns by 2 atan(|ω|Δt/2)", "[A3.12][rot
     REQUIRE_THAT(angle(advance_linear(identity, w, 0.1)),
                  IsClose(0.0999167914438855, Rounding(16)));
     REQUIRE_THAT(angle(advance_linear(identity, w, 1)), IsClose(0.927295218001612, Rounding(16)));
-    // never more than half a turn, however long the step
+    // the angle is at most half a turn, however long the step is
     REQUIRE_THAT(angle(advance_linear(identity, w, 2e6)),
                  IsClose(2 * std::atan(1e6), Rounding(16)));
 }

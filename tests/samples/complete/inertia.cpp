@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A sample submission: complete, and not written like the reference.
+// A sample submission that is complete and is not written like the reference.
 #include "formulas/inertia.hpp"
 
 #include <algorithm>
@@ -11,7 +11,7 @@ namespace {
 
 const double pi = std::acos(-1.0);
 
-// Parallel axes: what a mass at distance d adds to the inertia.
+// Parallel-axis theorem: the inertia that a mass adds at the distance d.
 Matrix3d shifted(double mass, const Vector3d& d)
 {
     Matrix3d result;
@@ -29,7 +29,7 @@ MassProperties about_center(double mass, double Ixx, double Iyy, double Izz)
     return result;
 }
 
-// A tetrahedron with one corner at the origin, as a body of density 1; its volume may be negative.
+// A tetrahedron with one corner at the origin and density 1. Its volume may be negative.
 struct Tetrahedron {
     double volume;
     Vector3d center;
@@ -148,7 +148,7 @@ MassProperties sampled_mass_properties(const std::vector<DensitySample>& samples
 MassProperties mesh_mass_properties(const TriangleMesh& mesh, double density)
 {
     if (mesh.vertices.empty()) return MassProperties();
-    Vector3d middle = Vector3d::Zero(); // tetrahedra from here are small, wherever the body is
+    Vector3d middle = Vector3d::Zero(); // keeps the tetrahedra small, wherever the body is
     for (const Vector3d& vertex : mesh.vertices)
         middle += vertex / static_cast<double>(mesh.vertices.size());
 
@@ -184,7 +184,7 @@ MassProperties combine(const MassProperties& a, const MassProperties& b)
     both.center_of_mass =
         a.center_of_mass + b.mass / both.mass * (b.center_of_mass - a.center_of_mass);
 
-    // the two shifts to the common center are that of the reduced mass over the distance of the centers
+    // both shifts to the common center add up to the shift of the reduced mass by their distance
     const double reduced = a.mass * b.mass / both.mass;
     both.inertia = a.inertia + b.inertia + shifted(reduced, b.center_of_mass - a.center_of_mass);
     return both;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A sample submission: complete, and not written like the reference.
+// A sample submission that is complete and is not written like the reference.
 #include "formulas/kinematics.hpp"
 
 namespace rigor {
@@ -25,7 +25,7 @@ Vector3d object_point(const Matrix3d& R, const Vector3d& X, const Vector3d& x)
 
 Vector3d angular_velocity(const Matrix3d& R_dot, const Matrix3d& R)
 {
-    // ω × r = ṙ for each column r of R; half the sum of r × ṙ is the skew part's vector
+    // ω × r = ṙ for each column r of R, so half the sum of r × ṙ is the vector of the skew part
     Vector3d sum = Vector3d::Zero();
     for (int i = 0; i < 3; ++i)
         sum += R.col(i).cross(R_dot.col(i));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A sample submission: one function crashes, one never returns, the others are not judged by that.
+// A sample submission: one function crashes, one never returns; the rest is judged on its own.
 #include "formulas/inertia.hpp"
 
 #include <cmath>
@@ -48,7 +48,8 @@ Matrix3d world_inverse_inertia(const Matrix3d& R, const Matrix3d& I_body_inverse
     return R * I_body_inverse * R.transpose();
 }
 
-// Mistake: Jacobi's rotation has the wrong sign. What it should remove grows back, and the loop has no other end.
+// Mistake: Jacobi's rotation has the wrong sign. The entries that it should remove grow again, so
+// the loop never ends.
 PrincipalAxes principal_axes(const Matrix3d& I)
 {
     Matrix3d A = I, Q = Matrix3d::Identity();
@@ -105,7 +106,7 @@ MassProperties thin_rod(double line_density, double length)
     return solid(M, M * length * length / 12, 0, M * length * length / 12);
 }
 
-// Mistake: there may be no first sample.
+// Mistake: the list of samples may be empty.
 MassProperties grid_mass_properties(const std::vector<DensitySample>& samples, double cell_size)
 {
     const Vector3d origin = samples[0].position;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A sample submission: half done, with the mistakes that many make.
+// A sample submission that is half done, with common mistakes.
 #include "formulas/inertia.hpp"
 
 #include <cmath>
@@ -33,7 +33,7 @@ MassProperties particle_mass_properties(const std::vector<Particle>& particles)
     return result;
 }
 
-// Mistake: from world to object space instead of the other way round.
+// Mistake: this turns from world to object space instead of from object to world space.
 Matrix3d world_inertia(const Matrix3d& R, const Matrix3d& I_body)
 {
     return R.transpose() * I_body * R;
@@ -49,7 +49,7 @@ PrincipalAxes principal_axes(const Matrix3d& I)
     throw NotImplemented("inertia::principal_axes");
 }
 
-// Mistake: a rod has a moment of 0.
+// Mistake: this divides by 0, since a rod has a moment of 0.
 Vector3d invert_moments(const Vector3d& moments)
 {
     return moments.cwiseInverse();
@@ -68,7 +68,7 @@ MassProperties solid_box(double density, const Vector3d& size)
     return about_origin(m, m / 12 * Vector3d(b + c, a + c, a + b));
 }
 
-// Mistake: the axis is z here.
+// Mistake: the axis of the cylinder is z here instead of y.
 MassProperties solid_cylinder(double density, double radius, double height)
 {
     const double m = density * pi * radius * radius * height;
@@ -104,7 +104,7 @@ MassProperties mesh_mass_properties(const TriangleMesh& mesh, double density)
     throw NotImplemented("inertia::mesh_mass_properties");
 }
 
-// Mistake: inertias about different points are added.
+// Mistake: this adds inertias about different points.
 MassProperties combine(const MassProperties& a, const MassProperties& b)
 {
     MassProperties both;

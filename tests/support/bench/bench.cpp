@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Results of benchmarks as a table or as JSON, and the timing of functions.
 #include "support/bench/bench.hpp"
 
 #include <nlohmann/json.hpp>
@@ -25,7 +26,7 @@ std::string text_of(const Bench::Value& value)
     return buffer;
 }
 
-// Columns on a terminal: what is shown is the number of code points, not of bytes.
+// Columns on a terminal: the number of code points, not of bytes.
 std::size_t width_of(const std::string& text)
 {
     return static_cast<std::size_t>(

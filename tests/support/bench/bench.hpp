@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What every benchmark shares: a stopwatch that resists drift, a table, and DESIGN.md's JSON.
+// Tools of every benchmark: a timer that resists drift, a table, and the JSON format of DESIGN.md.
 #pragma once
 
 #include <functional>
@@ -10,11 +10,11 @@
 
 namespace rigor {
 
-/// A figure that was promised, and what it came to.
+/// A measured figure with the limit that was promised for it.
 struct Reach {
     std::string what;
     double figure = 0, limit = 0;
-    std::string better = "lower"; // or "higher": the side of the limit that keeps the promise
+    std::string better = "lower"; // or "higher": the side of the limit where the promise is kept
 
     /// A figure that is not a number keeps no promise.
     bool met() const { return better == "higher" ? figure >= limit : figure <= limit; }
@@ -54,8 +54,8 @@ std::string machine_name();
 /// Wall-clock time of one call [s].
 double seconds(const std::function<void()>& work);
 
-/// Medians of two pieces of work that are run in turns, so that a slow spell of the machine hits both
-/// [s].
+/// Median times of two functions that run in turns, so that a slow phase of the machine affects
+/// both [s].
 std::pair<double, double> paired_seconds(const std::function<void()>& a,
                                          const std::function<void()>& b, int repeats);
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Plots as SVG. The axes are chosen first, from the data that can be drawn. Then come the grid with
+// its labels, the curves with their markers, and the legend.
 #include "support/bench/plot.hpp"
 
 #include <algorithm>
@@ -15,11 +17,11 @@ namespace rigor {
 
 namespace {
 
-// The picture [px].
+// Size of the picture, and the borders of the plot in it [px].
 constexpr double width = 860, height = 470;
 constexpr double left = 84, right = 620, top = 52, bottom = 404;
 
-// Colors that also the colorblind tell apart (Okabe & Ito 2008), on white and on near black.
+// Colors that color-blind readers can tell apart (Okabe & Ito 2008), on white and on near black.
 struct Ink {
     const char *light, *dark;
 };
@@ -50,13 +52,13 @@ std::string escaped(const std::string& text)
     return result;
 }
 
-// @param inner  SVG: plain text is to be escaped
+// @param inner  SVG; plain text must be escaped before
 std::string text_at(double x, double y, const std::string& style, const std::string& inner)
 {
     return format("<text x='%.1f' y='%.1f' %s>", x, y, style.c_str()) + inner + "</text>\n";
 }
 
-// Ten to a power, as SVG: the exponent small and raised.
+// A power of ten as SVG, with a small and raised exponent.
 std::string power_of_ten(int exponent)
 {
     return format("10<tspan dy='-5' font-size='10'>%s%d</tspan>", exponent < 0 ? "−" : "",
@@ -68,7 +70,7 @@ std::string number(double value)
     return (value < 0 ? "−" : "") + format("%g", std::abs(value));
 }
 
-// Whole decades or round steps about the data, and where they lie on the picture.
+// An axis with whole decades or round steps around the data, and its place in the picture.
 struct Axis {
     bool is_linear = false;
     double first = 0, last = 1, step = 1; // powers of ten, or values
@@ -92,7 +94,7 @@ private:
     }
 };
 
-// 1, 2 or 5 times a power of ten, so that three to eight of them make the range.
+// A step of 1, 2 or 5 times a power of ten, so that three to eight steps cover the range.
 double round_step(double range)
 {
     const double decade = std::pow(10, std::floor(std::log10(range / 4)));
@@ -109,7 +111,7 @@ Axis axis_about(const std::vector<double>& values, double begin, double end, boo
     const auto [low, high] = std::minmax_element(values.begin(), values.end());
     if (is_linear) {
         axis.step = *high > *low ? round_step(*high - *low) : 1;
-        const double slack = 1e-9; // rounding does not ask for one more step
+        const double slack = 1e-9; // keeps rounding from adding a step
         axis.first = std::floor(*low / axis.step + slack) * axis.step;
         axis.last =
             std::max(axis.first + axis.step, std::ceil(*high / axis.step - slack) * axis.step);
@@ -143,7 +145,8 @@ std::string marker(std::size_t kind, double x, double y)
     return format("<path transform='translate(%.1f %.1f)' d='%s'/>\n", x, y, shapes[kind]);
 }
 
-// The colors of a light screen are attributes, which every viewer knows; a dark one overrides them.
+// Colors for a light screen are attributes, which every viewer knows. A style for dark screens
+// overrides them.
 struct Tone {
     const char *name, *paint, *light, *dark;
 };
@@ -178,7 +181,7 @@ std::string marks(std::size_t kind, const std::string& markers)
 {
     return format("<g class='marks%zu' fill='%s' stroke='%s' fill-opacity='0.3'>\n", kind,
                   inks[kind].light, inks[kind].light) +
-           markers + "</g>\n"; // curves that coincide both show
+           markers + "</g>\n"; // transparent, so that curves that coincide both show
 }
 
 std::string grid(const Axis& x, const Axis& y)

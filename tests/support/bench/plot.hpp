@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Curves on two logarithmic or two linear axes, as one SVG file that needs nothing else.
+// Curves on two logarithmic or two linear axes, as one SVG file without references to other files.
 #pragma once
 
 #include <string>
@@ -10,26 +10,27 @@ namespace rigor {
 
 struct Series {
     std::string name;
-    std::vector<std::pair<double, double>> points; // on logarithmic axes x > 0, y ≥ 0
+    std::vector<std::pair<double, double>> points; // x > 0 and y ≥ 0 on logarithmic axes
     bool dashed = false;
 };
 
 struct Plot {
     std::string title, x_label, y_label; // with units
-    std::vector<Series> series;          // told apart by color and by marker, up to eight
-    double least_y = 1e-17;              // what is below, 0 too, is drawn here
-    bool is_linear = false;              // both axes; then least_y means nothing
+    std::vector<Series> series;          // color and marker tell up to eight apart
+    double least_y = 1e-17;              // lower values, and 0, are drawn here
+    bool is_linear = false;              // for both axes; then least_y has no effect
 };
 
-/// The picture: axes with decades or round steps, a legend, its own background; dark where the reader's screen is. A
-/// point that is not finite, or whose x no axis can show, is left out. Linear curves have no markers.
+/// The picture, with decades or round steps on its axes, a legend and a background of its own,
+/// which is dark on dark screens. A point is left out if it is not finite, or if the axis cannot
+/// show its x. Linear curves have no markers.
 std::string svg_of(const Plot& plot);
 
-/// @throws std::runtime_error if the file cannot be written whole
+/// @throws std::runtime_error if the file cannot be written completely
 void write_plot(const Plot& plot, const std::string& file);
 
-/// The folder after `--out`, made if need be; empty if the option is not there.
-/// @throws std::runtime_error if no folder follows, or it cannot be made
+/// The folder after the option `--out`, made if needed; empty if the option is not there.
+/// @throws std::runtime_error if no folder follows or if it cannot be made
 std::string plot_folder(int argc, char** argv);
 
 } // namespace rigor

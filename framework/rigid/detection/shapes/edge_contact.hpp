@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "geometry/shapes/pose.hpp"
 #include "geometry/meshes/mesh_surface.hpp"
+#include "geometry/shapes/pose.hpp"
 #include "rigid/detection/contact.hpp"
 
 namespace rigor {
