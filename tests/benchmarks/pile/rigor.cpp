@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// The pile in our engine.
 #include "run.hpp"
 
 #include "rigid/bodies/mass.hpp"
