@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Every mistake must be caught, by a test of its own task. Prints formula, mistake and the test that caught it.
+// Checks that every mistake is caught by a test of its own task, and prints each formula with its
+// mistakes and the tests that caught them.
 //
 //     check_mistakes [TAG or FORMULA]
-//     check_mistakes --sample SEED TOPIC/FORMULA/MISTAKE...    some of them; SEED is only told
+//     check_mistakes --sample SEED TOPIC/FORMULA/MISTAKE...    some of them; SEED is only printed
 #include "formulas/table.hpp"
 #include "grading/run_tests.hpp"
 #include "support/judge_all.hpp"
@@ -22,10 +23,10 @@ namespace fs = std::filesystem;
 struct Mistake {
     const Formula* formula = nullptr;
     std::string name;        // "transpose_forgotten"
-    std::string explanation; // its second line
+    std::string explanation; // the second line of its file
     fs::path worker;
-    std::string caught_by; // the test case; empty: it slipped through
-    std::string fault;     // ours
+    std::string caught_by; // the name of the test case; empty if none caught it
+    std::string fault;     // why it could not be judged; empty if it was
 };
 
 const Formula& formula_of(const fs::path& file)
@@ -41,9 +42,9 @@ const Formula& formula_of(const fs::path& file)
 }
 
 struct Wanted {
-    std::string formula;             // tag or name; empty: all
-    std::string seed;                // that drew the sample
-    std::vector<std::string> sample; // TOPIC/FORMULA/MISTAKE; empty: all
+    std::string formula;             // tag or name; empty for all
+    std::string seed;                // the seed that drew the sample
+    std::vector<std::string> sample; // TOPIC/FORMULA/MISTAKE; empty for all
 
     bool is_all() const { return formula.empty() && sample.empty(); }
 };
@@ -77,7 +78,7 @@ std::vector<Mistake> find_mistakes()
     return mistakes;
 }
 
-// TOPIC/FORMULA/MISTAKE
+// The name of a mistake, TOPIC/FORMULA/MISTAKE.
 std::string path_of(const Mistake& mistake)
 {
     return fmt::format("{}/{}/{}", mistake.formula->topic, mistake.formula->name, mistake.name);
@@ -107,7 +108,8 @@ bool catches(Status status)
 
 void judge(Mistake& mistake, const std::vector<Assignment>& assignments, const GradingRun& run)
 {
-    if (!fs::exists(mistake.worker)) { // every test of it would fail, and seem to catch the mistake
+    // Without a worker every test fails, which would count as caught.
+    if (!fs::exists(mistake.worker)) {
         mistake.fault = mistake.worker.string() + " is missing: it was not built";
         return;
     }

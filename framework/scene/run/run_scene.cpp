@@ -2,7 +2,6 @@
 // Runs a scene and writes its trajectory: the start with the bodies, the initial frame, then the
 // frames of the chosen steps, and last the counters.
 #include "scene/run/run_scene.hpp"
-#include "scene/run/run_scene.hpp"
 
 #include "deformable/step/step.hpp"
 #include "rigid/step/step.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Gives up.
+// A formula that calls abort.
 #include "formulas/kinematics.hpp"
 
 #include <cstdlib>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Crashes before main.
+// A program that crashes before main.
 #include <cstdint>
 
 namespace {

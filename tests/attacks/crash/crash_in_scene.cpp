@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Crashes in the midst of a scene.
+// A formula that crashes in the middle of a scene, at its hundredth call.
 #include "formulas/rotation.hpp"
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Prints a line, then writes to memory that is not there.
+// A formula that prints a line and then writes to an invalid address.
 #include "formulas/kinematics.hpp"
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Throws what the standard library throws.
+// A formula that throws an exception of the standard library.
 #include "formulas/kinematics.hpp"
 
 #include <stdexcept>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Throws what is no exception.
+// A formula that throws an int, which is not derived from std::exception.
 #include "formulas/kinematics.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Throws an exception that has no text.
+// A formula that throws an exception whose what() returns a null pointer.
 #include "formulas/kinematics.hpp"
 
 #include <exception>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Never returns.
+// A formula that never returns.
 #include "formulas/kinematics.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Never comes to main.
+// A program that never reaches main.
 namespace {
 
 int loop()

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Goes on for ever in the midst of a scene.
+// A formula that enters an endless loop in the middle of a scene, at its hundredth call.
 #include "formulas/rotation.hpp"
 
 namespace rigor {

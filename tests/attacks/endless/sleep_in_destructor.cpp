@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Exits, but a destructor never ends.
+// A formula that exits the program, in which a static destructor never ends.
 #include "formulas/kinematics.hpp"
 
 #include <cstdlib>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Takes its time, then answers.
+// A formula that is slow but returns a result.
 #include "formulas/kinematics.hpp"
 
 #include <chrono>

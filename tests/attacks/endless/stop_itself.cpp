@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Stops, to be waited for without end.
+// A formula that stops its own process with SIGSTOP, so that no answer comes.
 #include "formulas/kinematics.hpp"
 
 #include <csignal>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Ends the program without running any destructor.
+// A formula that ends the program with _exit, without running any destructor.
 #include "formulas/kinematics.hpp"
 
 #include <unistd.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Ends the main thread, not the process.
+// A formula that ends the main thread but not the process.
 #include "formulas/kinematics.hpp"
 
 #include <pthread.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Ends the program as if all were well.
+// A formula that ends the program with the exit status of success.
 #include "formulas/kinematics.hpp"
 
 #include <cstdlib>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Answers this request and the next one.
+// A formula that replies to this request and, in advance, to the next one.
 #include "find_channel.hpp"
 #include "formulas/kinematics.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What an attacker can find out: where the shared memory lies.
+// Looks up the address of the shared memory, which any attacker can do.
 #pragma once
 
 #include "worker/channel.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Answers wrongly, and tells everybody who might listen that all is well.
+// A wrong formula that writes a forged passing verdict to every possible file descriptor.
 #include "formulas/kinematics.hpp"
 
 #include <cstring>

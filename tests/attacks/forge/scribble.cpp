@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Overwrites all it shares with its client.
+// A formula that overwrites all memory that it shares with the client.
 #include "find_channel.hpp"
 #include "formulas/kinematics.hpp"
 

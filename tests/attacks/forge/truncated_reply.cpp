@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Answers with half a matrix.
+// A formula that replies with half a matrix.
 #include "find_channel.hpp"
 #include "formulas/kinematics.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Answers with a kind of answer that there is not.
+// A formula that replies with an unknown status.
 #include "find_channel.hpp"
 #include "formulas/kinematics.hpp"
 

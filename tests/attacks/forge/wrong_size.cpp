@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Announces more bytes than there can be.
+// A formula whose reply claims more bytes than the channel can hold.
 #include "find_channel.hpp"
 #include "formulas/kinematics.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Returns what is no number.
+// A formula that returns a NaN.
 #include "formulas/kinematics.hpp"
 
 #include <limits>

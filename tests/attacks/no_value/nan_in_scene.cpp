@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Loses its numbers in the midst of a scene.
+// A formula that returns NaN in the middle of a scene, from its hundredth call on.
 #include "formulas/rotation.hpp"
 
 #include <limits>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A stub.
+// A formula that is not implemented.
 #include "formulas/kinematics.hpp"
 
 namespace rigor {

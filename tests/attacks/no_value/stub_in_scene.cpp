@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Is not finished.
+// A formula that reports itself as not implemented in the middle of a scene.
 #include "formulas/rotation.hpp"
 
 namespace rigor {

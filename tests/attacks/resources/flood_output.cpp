@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Prints without end.
+// A formula that prints without end.
 #include "formulas/kinematics.hpp"
 
 #include <cstdio>

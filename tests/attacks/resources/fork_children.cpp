@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Leaves children behind that never end, and lets them answer too.
+// A formula that leaves child processes behind: some never end, the others reply as well.
 #include "formulas/kinematics.hpp"
 
 #include <cstdio>
@@ -12,7 +12,7 @@ Matrix3d cross_matrix(const Vector3d&)
     for (int i = 0; i < 8; ++i) {
         const int child = fork();
         if (child == 0) {
-            if (i % 2 == 0) return Matrix3d::Ones(); // goes on as if it were the worker
+            if (i % 2 == 0) return Matrix3d::Ones(); // replies as if it were the worker
             for (;;)
                 pause();
         }

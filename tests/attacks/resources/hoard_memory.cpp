@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Takes all the memory it gets, a megabyte at a time.
+// A formula that allocates memory without end, a megabyte at a time.
 #include "formulas/kinematics.hpp"
 
 #include <list>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Asks for more memory than there is.
+// A formula that requests more memory than the machine has.
 #include "formulas/kinematics.hpp"
 
 #include <vector>

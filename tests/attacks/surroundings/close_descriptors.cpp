@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Closes whatever is open, then answers.
+// A formula that closes all file descriptors and then returns a result.
 #include "formulas/kinematics.hpp"
 
 #include <unistd.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Prints which descriptors and which environment it got, and who it is.
+// A formula that prints its process id, its open file descriptors and its environment.
 #include "formulas/kinematics.hpp"
 
 #include <cstdio>

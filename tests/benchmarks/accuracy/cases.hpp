@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The cases of `bench accuracy`: a trial, when it ends, and how far from the exact answer it ended.
+// The cases of `bench accuracy`: a trial, its end time, and its error against the exact solution.
 #pragma once
 
 #include "benchmarks/engines/engine.hpp"
@@ -7,20 +7,21 @@
 namespace rigor {
 
 struct AccuracyCase {
-    std::string name; // of the plot's file
+    std::string name; // file name of the plot
     std::string title;
-    std::string error; // what it is, with its unit
+    std::string error; // description of the error, with its unit
     Trial trial;
     double end = 0;              // [s]
-    std::vector<int> steps;      // of each run
-    std::vector<int> peer_steps; // the same with other engines
+    std::vector<int> steps;      // number of steps of each run
+    std::vector<int> peer_steps; // the same for other engines
     std::vector<Contestant> contestants;
-    /// The error at the end. @param path  the first body's motion after every step, if `needs_path`
+    /// The error at the end.
+    /// @param path  the first body's motion after every step, if `needs_path`
     std::function<double(const TrialEngine&, const std::vector<TrialMotion>& path)> error_of;
     bool needs_path = false;
 };
 
-/// first, 2 first, 4 first, …: n of them.
+/// The n numbers first, 2 first, 4 first, ….
 std::vector<int> doubled(int first, int n);
 
 AccuracyCase free_body_case();
@@ -32,10 +33,10 @@ AccuracyCase sticking_case();
 AccuracyCase rolling_case();
 AccuracyCase stack_case();
 
-/// A run of a case by a contestant.
+/// One run of a case by a contestant.
 struct Point {
     int steps = 0;
-    double seconds = 0; // median
+    double seconds = 0; // median over the rounds
     double error = 0;
 };
 struct Curve {
@@ -43,7 +44,8 @@ struct Curve {
     std::vector<Point> points;
 };
 
-/// Draws the curves of a case as FOLDER/<name>.svg. @throws std::runtime_error if it cannot be written
+/// Draws the curves of a case as FOLDER/<name>.svg.
+/// @throws std::runtime_error if it cannot be written
 void plot_case(const AccuracyCase& accuracy_case, const std::vector<Curve>& curves,
                const std::string& folder);
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A body that bounces, slides, sticks or rolls, and a stack.
+// The cases with contact: a ball that bounces, a block that slides or sticks, a ball that starts to
+// roll, and a stack. The exact solutions are closed formulas of Coulomb friction and Newton's
+// restitution.
 #include "benchmarks/engines/scenes.hpp"
 #include "cases.hpp"
 
@@ -23,7 +25,7 @@ AccuracyCase contact_case(const std::string& name, const Trial& trial, double en
     return c;
 }
 
-// How far the first body is from where it should be [m].
+// The distance of the first body from its exact position [m].
 std::function<double(const TrialEngine&, const std::vector<TrialMotion>&)>
 distance_to(const Vector3d& exact)
 {
@@ -32,7 +34,8 @@ distance_to(const Vector3d& exact)
     };
 }
 
-// When the ball of `dropped_ball` comes down for the last time: √(2h/g) (1 + 2 (ε + ε² + ε³ + ε⁴)).
+// The time when the ball of `dropped_ball` lands after the last bounce [s], with h = 1 m:
+// √(2h/g) (1 + 2 (ε + ε² + ε³ + ε⁴)).
 double end_of_bounces(double restitution)
 {
     double falls = 1, speed = 1;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Bodies that touch nothing: free, and turned by their weight about a pin.
+// The cases without contact: a free body, a heavy top and a pendulum.
 //
-// No engine here needs a joint for the latter: a body pinned at a point o obeys d(I_o ω)/dt = l × m g
-// with the inertia I_o about the pin. That is a free body of inertia I_o under the couple m g at l and
-// -m g at o, the same for every engine, without the error of a joint.
+// The top and the pendulum need no joint. A body pinned at a point o obeys d(I_o ω)/dt = l × m g,
+// where I_o is the inertia about the pin. A free body of inertia I_o under the couple m g at l and
+// -m g at o obeys the same equation. This works in every engine and has no joint error.
 #include "benchmarks/engines/scenes.hpp"
 #include "benchmarks/spin/run.hpp"
 #include "cases.hpp"
@@ -20,7 +20,7 @@ double angle_between(const Vector3d& a, const Vector3d& b)
     return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
-// A body that meets nothing: its shape is never used.
+// A body that touches nothing, so its shape is never used.
 TrialBody turning_body(double mass, const Vector3d& inertia)
 {
     TrialBody body = solid_ball(0.1, mass);
@@ -60,11 +60,11 @@ AccuracyCase free_body_case()
 AccuracyCase heavy_top_case()
 {
     constexpr double m = 1, R = 0.05, H = 0.1, spin = 500, theta = std::numbers::pi / 6;
-    constexpr double l = 0.75 * H;                       // from the apex to the center of mass
-    constexpr double I3 = 0.3 * m * R * R;               // about the axis
-    constexpr double I1 = 0.6 * m * (R * R / 4 + H * H); // across it, about the apex
+    constexpr double l = 0.75 * H;                       // from the apex to the center of mass [m]
+    constexpr double I3 = 0.3 * m * R * R;               // about the axis [kg m²]
+    constexpr double I1 = 0.6 * m * (R * R / 4 + H * H); // about the apex, across
     const double c_theta = std::cos(theta), L3 = I3 * spin;
-    // I₁ cos θ Ω² - I₃ ω₃ Ω + m g l = 0, the slow root: 2.02220460968698 rad/s
+    // I₁ cos θ Ω² - I₃ ω₃ Ω + m g l = 0; the slow precession is 2.02220460968698 rad/s
     const double Omega = (L3 - std::sqrt(L3 * L3 - 4 * I1 * c_theta * m * standard_gravity * l)) /
                          (2 * I1 * c_theta);
     const Vector3d axis(std::sin(theta), c_theta, 0);
@@ -92,7 +92,7 @@ AccuracyCase heavy_top_case()
 
 AccuracyCase pendulum_case()
 {
-    constexpr double m = 1, L = 1, period = 1.93333485437325; // from 90°
+    constexpr double m = 1, L = 1, period = 1.93333485437325; // [s], for 90°
     AccuracyCase c;
     c.name = "pendulum";
     c.title = "Rod pendulum 1 m from 90°, ten and a quarter periods";

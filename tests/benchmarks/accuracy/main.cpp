@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Run time against error on cases with exact answers: our integrators and contact methods, Bullet
-// and ODE, each with many step sizes, all in one run and on one thread.
+// Error against run time on cases with exact solutions, for our integrators and contact methods,
+// Bullet and ODE. Each contestant runs each case with many step sizes, on one thread. Then the
+// errors at equal run time are compared, by interpolation between the measured points.
 #include "cases.hpp"
 #include "support/bench/bench.hpp"
 #include "support/bench/plot.hpp"
@@ -18,9 +19,9 @@ using namespace rigor;
 namespace {
 
 constexpr int least_rounds = 3, most_rounds = 9;
-constexpr double patience = 4; // no further round of a case after this [s]
+constexpr double patience = 4; // a case starts no further round after this time [s]
 
-// What this thread has used of a processor [s]: the others' share of the machine is not in it.
+// The processor time of this thread [s]. Other programs do not count.
 double thread_seconds()
 {
     timespec time = {};
@@ -43,7 +44,7 @@ Point run(const AccuracyCase& c, const Contestant& contestant, int steps)
     return {steps, time, c.error_of(*engine, path)};
 }
 
-// Round after round over all contestants, so that a slow spell of the machine hits all of them.
+// Measures all contestants in each round, so that a slow phase of the machine affects all of them.
 std::vector<Curve> measure(const AccuracyCase& c)
 {
     std::vector<Curve> curves;
@@ -59,7 +60,7 @@ std::vector<Curve> measure(const AccuracyCase& c)
         for (std::size_t k = 0; k < curves.size(); ++k) {
             const Contestant& contestant = curves[k].contestant;
             const std::vector<int>& steps = contestant.is_ours() ? c.steps : c.peer_steps;
-            run(c, contestant, steps.front()); // not counted: caches warm up
+            run(c, contestant, steps.front()); // not counted; it warms up the caches
             for (std::size_t i = 0; i < steps.size(); ++i) {
                 Point& point = curves[k].points[i];
                 point = run(c, contestant, steps[i]);
@@ -71,8 +72,9 @@ std::vector<Curve> measure(const AccuracyCase& c)
     return curves;
 }
 
-// What a curve reaches in a given time, none below that of its first point: between its points
-// straight in the logarithms, beyond its end the end's. What is below rounding counts as rounding.
+// The error that a curve reaches in a given time. Between two points the interpolation is linear in
+// the logarithms; before the first and after the last point, the error is that of this point.
+// Errors below machine precision count as machine precision.
 double error_at(const std::vector<Point>& curve, double time)
 {
     constexpr double least = std::numeric_limits<double>::epsilon();
@@ -92,10 +94,10 @@ const Point& best_of(const Curve& curve)
                              [](const Point& a, const Point& b) { return a.error < b.error; });
 }
 
-// How many times smaller our error is than a peer's in the same run time.
+// How many times smaller our error is than another engine's in the same run time.
 struct Advantage {
-    double at_best = std::numeric_limits<double>::infinity(); // of the peer
-    double least = std::numeric_limits<double>::infinity();   // from when both have a result
+    double at_best = std::numeric_limits<double>::infinity(); // at the other's best
+    double least = std::numeric_limits<double>::infinity();   // once both have a result
 };
 
 Advantage advantage(const Curve& ours, const Curve& theirs)
@@ -109,11 +111,11 @@ Advantage advantage(const Curve& ours, const Curve& theirs)
         for (const Point& point : curve->points)
             if (point.seconds >= start) result.least = std::min(result.least, ratio(point.seconds));
     const double best = best_of(theirs).seconds;
-    result.at_best = best >= start ? ratio(best) : 0; // 0: we have nothing yet
+    result.at_best = best >= start ? ratio(best) : 0; // 0 if we have no result yet
     return result;
 }
 
-// The least over the methods of an engine; none if it is not there.
+// The smallest advantage over any method of an engine; empty if the engine is not installed.
 std::optional<Advantage> advantage_over(const std::string& engine, const Curve& ours,
                                         const std::vector<Curve>& curves)
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The loop a student lives in: from saving a topic's file to the verdicts of its tasks. The file is only touched, and
-// given its old time back.
+// The time from saving a topic's file to the verdicts of its tasks, for each topic of the student
+// and of the reference. The file is only touched, and gets its old time back.
 #include "grading/places.hpp"
 #include "grading/run_tests.hpp"
 #include "grading/selection.hpp"
@@ -14,7 +14,7 @@ namespace {
 using namespace rigor;
 namespace fs = std::filesystem;
 
-// A file that looks as if it had just been saved, as long as this lives.
+// Makes a file look as if it had just been saved. The destructor restores its old time.
 class Touched {
 public:
     explicit Touched(const fs::path& file) : file_(file), time_(fs::last_write_time(file))
@@ -41,10 +41,11 @@ long steps_with(const Implementation& implementation, const std::string& words)
         [&](const std::string& step) { return step.find(words) != std::string::npos; });
 }
 
-// One turn of the loop for a topic of an implementation. @return whether just that file was compiled, and its worker linked
+// Touches, builds and tests one topic of an implementation.
+// @return whether only its file was compiled and only its worker was linked
 bool measure(Bench& bench, const std::string& who, const Selection& selection)
 {
-    build_implementation(who); // what was stale before is not ours
+    build_implementation(who); // what was out of date before is not measured
     GradingRun run = own_grading_run();
     const std::string& topic = selection.assignment.topic;
     const Touched saved(places().source / who / (topic + ".cpp"));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A ball that bounces: its heights, and its energy if it loses none.
+// A ball that bounces: the error of its heights, and its energy gain if restitution is 1.
 #include "parts.hpp"
 
 #include <algorithm>
@@ -13,7 +13,7 @@ namespace {
 constexpr double fine_step = 1e-3; // [s]
 constexpr int hundred = 100;
 
-// Heights of the first n bounces, at most as many as there are by `end`.
+// The heights of the first n bounces; fewer if `end` comes first [m].
 std::vector<double> heights_by(const Contestant& contestant, double restitution, double h,
                                double end, int n)
 {
@@ -26,7 +26,7 @@ std::vector<double> heights_by(const Contestant& contestant, double restitution,
     return bounce_heights(path, n);
 }
 
-// Largest relative error of the first four heights ε²ᵏ; infinite if one is missing.
+// The largest relative error of the first four heights, ε²ᵏ; infinite if one is missing.
 double height_error(const Contestant& contestant, double restitution, double h)
 {
     const std::vector<double> heights = heights_by(contestant, restitution, h, 4, 4);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A block on an incline: the angle from which it slips, and how it creeps below.
+// A block on an incline: the angle at which it starts to slip, found by bisection and compared with
+// Coulomb's tan θ = μ, and the distance that it creeps below this angle.
 #include "parts.hpp"
 
 #include <algorithm>
@@ -10,16 +11,17 @@ namespace rigor {
 
 namespace {
 
-constexpr double most_creep = 1e-6;             // of a block that sticks, in 10 s [m]
-constexpr double clear_slip = 1e-2;             // of one that slips beyond doubt [m]
-constexpr double frictions[] = {0.1, 0.5, 0.8}; // from 1 on a cube tips over
+constexpr double most_creep = 1e-6;             // largest creep of a block that sticks, in 10 s [m]
+constexpr double clear_slip = 1e-2;             // a block that moves farther certainly slips [m]
+constexpr double frictions[] = {0.1, 0.5, 0.8}; // a cube tips over for μ ≥ 1
 
-double limit_of(double friction) // tan θ = μ [degrees]
+// The angle from which a block slips, tan θ = μ [degrees].
+double limit_of(double friction)
 {
     return std::atan(friction) * 180 / std::numbers::pi;
 }
 
-// How far a block creeps in 10 s, starting at rest [m].
+// The distance that a block creeps in 10 s from rest [m].
 double creep(const Contestant& contestant, double degrees, double friction)
 {
     const Trial trial = block_on_incline(degrees, friction);
@@ -30,7 +32,8 @@ double creep(const Contestant& contestant, double degrees, double friction)
     return std::abs(way_down(trial, engine->motion(0)));
 }
 
-// The angles, 1e-4 degrees apart, between which a block starts to come farther than `most` [degrees].
+// Two angles, at most 1e-4 degrees apart: at the first a block creeps at most a given distance, at
+// the second it moves farther [degrees].
 struct Bracket {
     double below = 0, above = 0;
 };

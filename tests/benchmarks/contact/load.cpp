@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Cubes on top of each other: a heavy one on a light one, and stacks.
+// Cubes on top of each other: a heavy cube on a light one, and stacks.
 #include "parts.hpp"
 
 #include <algorithm>
@@ -11,7 +11,8 @@ namespace {
 
 constexpr double perturbation = 1e-4; // [m]
 
-// Runs a trial of cubes to the end. @return the figures, the largest penetration of any step among them
+// Runs a trial of cubes to the end.
+// @return the figures at the end, but the penetration is the largest of all steps
 StackFigures run(const Contestant& contestant, const Trial& trial)
 {
     const std::unique_ptr<TrialEngine> engine = contestant.start(trial);
@@ -22,7 +23,7 @@ StackFigures run(const Contestant& contestant, const Trial& trial)
         engine->step(contact_step);
         figures = stack_figures(trial, *engine);
         deepest = std::max(deepest, figures.penetration);
-        if (!figures.standing) break; // what lies is measured no further
+        if (!figures.standing) break; // a fallen stack is measured no further
     }
     figures.penetration = deepest;
     return figures;

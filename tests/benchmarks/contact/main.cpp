@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What contact gets right: sticking or slipping, creep, bounces, weight on light bodies, stacks. Bullet
-// and ODE beside, with their defaults.
+// Accuracy of contact: sticking and slipping, creep, bounces, heavy bodies on light ones, stacks.
+// Bullet and ODE run the same scenes with their default settings.
 #include "parts.hpp"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The parts of `bench contact`. Each adds a row for every contestant, and a promise for ours.
+// The parts of `bench contact`. Each adds a row for every contestant and a target for our methods.
 #pragma once
 
 #include "benchmarks/engines/scenes.hpp"
@@ -10,11 +10,11 @@ namespace rigor {
 inline constexpr double contact_step = 1. / 60; // [s], unless a part says otherwise
 inline constexpr double contact_end = 10;       // [s]
 
-/// Sticking and slipping, and how a block creeps that should stick.
+/// Sticking and slipping of a block, and the creep of a block that should stick.
 void measure_stick_or_slip(Bench& bench, const std::vector<Contestant>& all);
 void measure_creep(Bench& bench, const std::vector<Contestant>& all);
 
-/// Heights of bounces, and energy over a hundred of them.
+/// Heights of bounces, and the energy over a hundred bounces.
 void measure_bounces(Bench& bench, const std::vector<Contestant>& all);
 void measure_elastic_bounces(Bench& bench, const std::vector<Contestant>& all);
 

@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// Fracture under bad conditions. One part splits a block into many fragments and compares mass,
+// volume and momenta before and after. The other deforms blocks violently for ten simulated
+// minutes, with each fracture method and integrator, and counts inverted elements and states that
+// are not finite.
 #include "deformable/elasticity/totals.hpp"
 #include "deformable/fracture/remesh.hpp"
 #include "deformable/solid/pieces.hpp"
@@ -87,7 +91,7 @@ void measure_fragments(Bench& bench)
 
 namespace {
 
-// A block that is twisted and pulled by both ends, let go and hit by a ball, again and again.
+// A block that is twisted and pulled at both ends, then released, and hit by a ball.
 DeformableWorld victim(FractureMethod method, NodeIntegrator integrator, Random& random)
 {
     SolidMaterial material = soft_material();
@@ -122,7 +126,7 @@ DeformableWorld victim(FractureMethod method, NodeIntegrator integrator, Random&
     return world;
 }
 
-// Elements that are inside out with their nodes at x.
+// The number of elements that are inverted if the nodes are at x.
 int inverted(const Deformable& solid, const std::vector<Vector3d>& x)
 {
     int count = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The parts of the benchmark of deformable solids.
+// The parts of `bench deformable`.
 #pragma once
 
 #include "support/bench/bench.hpp"
@@ -9,26 +9,28 @@
 
 namespace rigor {
 
-/// What this thread has used of a processor [s].
+/// The processor time of this thread [s].
 double thread_seconds();
 
-/// Allocations since the program began, and what of them is in use now [bytes].
+/// The number of allocations since the program began, and the memory now in use [bytes].
 struct Heap {
     std::size_t allocations = 0, bytes = 0;
 };
 Heap heap();
 
-/// One stress in a mesh of any shape, a bar that hangs, a bar that rings.
-/// @param folder  for the plot; empty: none
+/// The patch test, perfect plasticity, a bar that hangs under its weight, a bar that vibrates.
+///
+/// @param folder  where the plot is written; empty for no plot
 void measure_accuracy(Bench& bench, const std::string& folder);
 
-/// 50 000 tetrahedra, stage by stage; eigenvalues skipped and not.
+/// The time of a step of up to 50 000 tetrahedra by stage, and the time saved by skipping
+/// eigenvalues.
 void measure_speed(Bench& bench);
 
-/// A block that comes apart in each way: what becomes of its mass, volume and momenta.
+/// The change of mass, volume and momenta when a block is split by each fracture method.
 void measure_fragments(Bench& bench);
 
-/// Ten simulated minutes of ill-treatment.
+/// Ten simulated minutes of violent deformation.
 void measure_abuse(Bench& bench);
 
 } // namespace rigor

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Speed of deformable solids. A bar that bends is stepped with each integrator, and the time is
+// split by stage. The conjugate gradients of the implicit integrator are compared with a sparse
+// Cholesky factorization, and the search for cracks with and without skipping eigenvalues.
 #include "deformable/fracture/fracture.hpp"
 #include "deformable/motion/workspace.hpp"
 #include "parts.hpp"
@@ -17,7 +20,7 @@ using testing::world_of;
 
 namespace {
 
-// A bar held at one end that bends under its weight.
+// A bar that is held at one end and bends under its weight.
 DeformableWorld bent_bar(const std::array<int, 3>& cells, NodeIntegrator integrator)
 {
     const Vector3d size = Vector3d(cells[0], cells[1], cells[2]) / cells[1];
@@ -116,7 +119,8 @@ void measure_implicit(Bench& bench, const std::array<int, 3>& cells)
     }
 }
 
-// The same system by a direct method: what each step would cost, as each has a new matrix.
+// The same linear system, solved directly by Cholesky factorization. Each step has a new matrix, so
+// each would pay this cost.
 void measure_factorisation(Bench& bench, const std::array<int, 3>& cells)
 {
     DeformableWorld world = bent_bar(cells, NodeIntegrator::implicit_step);
@@ -125,7 +129,7 @@ void measure_factorisation(Bench& bench, const std::array<int, 3>& cells)
     Workspace& work = workspace_of(solid);
     std::vector<Eigen::Triplet<double>> entries;
     work.velocity_system.system.matrix().for_each_block([&](int i, int j, const Matrix3d& A) {
-        for (int k = 0; k < 9; ++k) // the lower half, which Cholesky's method reads
+        for (int k = 0; k < 9; ++k) // the lower triangle, which Cholesky reads
             entries.emplace_back(3 * j + k % 3, 3 * i + k / 3, A(k / 3, k % 3));
     });
     const int n = 3 * static_cast<int>(solid.positions.size());
@@ -151,8 +155,9 @@ void measure_factorisation(Bench& bench, const std::array<int, 3>& cells)
                {"numbers [ms]", numbers}});
 }
 
-// A bar that is pulled until it cracks, with and without skipping eigenvalues: the same cracks. The time is
-// that of looking for cracks, in a step that finds none and in one that finds some.
+// A bar that is pulled until it cracks, with and without skipping eigenvalues; the cracks must be
+// the same. The times are those of the search for cracks, in steps without a crack and in the
+// others.
 void measure_skip(Bench& bench)
 {
     const auto pulled = [](bool skips) {
@@ -177,7 +182,7 @@ void measure_skip(Bench& bench)
             step(world, h);
             computed[k] += static_cast<double>(world.rigid.counters.eigenvalues - eigenvalues);
             const bool is_quiet = world.rigid.counters.cracks == cracks;
-            Deformable copy = world.solids[0]; // of which nothing is kept
+            Deformable copy = world.solids[0]; // discarded after the measurement
             Workspace& work = workspace_of(copy);
             work.elements.strains(copy.positions, work.strains);
             Counters counters = world.rigid.counters;

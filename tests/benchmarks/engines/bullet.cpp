@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Bullet as a contestant, with its default settings.
 #include "engine.hpp"
 
 #include <btBulletDynamicsCommon.h>
@@ -44,8 +45,8 @@ public:
 
     void step(double time_step) override
     {
-        if (!couple_.isZero(0))
-            bodies_[0]->applyTorque(bullets((turn(0) * arm_).cross(couple_))); // lasts one step
+        if (!couple_.isZero(0)) // Bullet clears the torque after each step
+            bodies_[0]->applyTorque(bullets((turn(0) * arm_).cross(couple_)));
         world_.stepSimulation(static_cast<btScalar>(time_step), 0);
     }
 
@@ -82,7 +83,7 @@ private:
         body->setAngularVelocity(bullets(from.angular_velocity));
         body->setDamping(0, 0);
         body->setActivationState(DISABLE_DEACTIVATION);
-        // of a pair Bullet takes the product
+        // Bullet multiplies the coefficients of the two bodies.
         body->setFriction(static_cast<btScalar>(std::sqrt(trial.friction)));
         body->setRestitution(static_cast<btScalar>(std::sqrt(trial.restitution)));
         world_.addRigidBody(body.get());
@@ -90,7 +91,7 @@ private:
         return *bodies_.back();
     }
 
-    // A box: on its plane shape a cube finds one corner a step.
+    // The ground is a box, because a cube on Bullet's plane shape gets only one new contact a step.
     void add_ground(const Trial& trial)
     {
         TrialBody ground = solid_cuboid(Vector3d(200, 2, 200), 0);

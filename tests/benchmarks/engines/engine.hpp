@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Scenes that our engine, Bullet and ODE can all run, and one way to run them: what `bench accuracy`
-// and `bench contact` measure with.
+// Scenes that our engine, Bullet and ODE can all run, and a common interface to run them. The
+// benchmarks `accuracy` and `contact` use it.
 #pragma once
 
 #include "geometry/shapes/shape.hpp"
@@ -14,7 +14,7 @@ namespace rigor {
 
 /// A body that moves. SI units, world space, y up.
 struct TrialBody {
-    Shape shape;      // a sphere or a box; what it collides with, if anything
+    Shape shape;      // collision shape, a sphere or a box
     double mass = 1;  // [kg]
     Vector3d inertia; // principal moments, along the axes of object space [kg m²]
     Vector3d position = Vector3d::Zero();
@@ -31,10 +31,10 @@ struct Trial {
     std::vector<TrialBody> bodies;
     bool has_ground = false;
     Eigen::Quaterniond ground = Eigen::Quaterniond::Identity();
-    double friction = 0, restitution = 0; // of every pair
+    double friction = 0, restitution = 0; // the same for every pair
     Vector3d gravity = Vector3d::Zero();  // [m/s²]
-    /// A weight that turns the first body about its origin, f at `arm` and -f at the origin: what a
-    /// body pinned there feels. Its inertia is then that about the pin.
+    /// A couple on the first body: the force f at `arm` and -f at the origin of the body. It
+    /// replaces a pin at the origin; the inertia must then be that about the pin.
     Vector3d couple = Vector3d::Zero(); // f [N]
     Vector3d arm = Vector3d::Zero();    // object space [m]
 };
@@ -45,7 +45,7 @@ struct TrialMotion {
     Vector3d velocity = Vector3d::Zero();
 };
 
-/// A trial under way. One thread; no body falls asleep, nothing damps.
+/// A running trial. It uses one thread; no body falls asleep, and there is no damping.
 class TrialEngine {
 public:
     virtual ~TrialEngine() = default;
@@ -61,11 +61,11 @@ struct Contestant {
     bool is_ours() const { return engine == "rigor"; }
 };
 
-/// Ours first, the default the very first; then the peers that were installed when this was built.
+/// Our methods, the default first, then the other engines that were installed at build time.
 std::vector<Contestant> flight_contestants();  // our integrators
 std::vector<Contestant> contact_contestants(); // our contact methods
 
-/// Each with its defaults.
+/// The other engines, with their default settings.
 std::unique_ptr<TrialEngine> bullet_engine(const Trial& trial);
 std::unique_ptr<TrialEngine> ode_engine(const Trial& trial, bool quick_step);
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// ODE as a contestant, with its default settings.
 #include "engine.hpp"
 
 #include <ode/ode.h>
@@ -7,7 +8,7 @@ namespace rigor {
 
 namespace {
 
-constexpr int most_contacts = 8; // of a pair, as in ODE's own examples
+constexpr int most_contacts = 8; // contacts of a pair, as in ODE's own examples
 
 struct OdeLibrary {
     OdeLibrary() { dInitODE2(0); }
@@ -33,8 +34,9 @@ public:
           quick_step_(quick_step), couple_(trial.couple), arm_(trial.arm)
     {
         static const OdeLibrary library;
-        dSetMessageHandler([](int, const char*, va_list) {}); // it repeats itself every step
-        dRandSetSeed(0);                                      // quick_step shuffles its rows
+        // Without this, ODE prints the same messages in every step.
+        dSetMessageHandler([](int, const char*, va_list) {});
+        dRandSetSeed(0); // quick_step shuffles its rows at random
         world_ = dWorldCreate();
         space_ = dHashSpaceCreate(nullptr);
         contacts_ = dJointGroupCreate(0);
@@ -113,7 +115,7 @@ private:
                                static_cast<int>(sizeof(dContact)));
         for (int i = 0; i < n; ++i) {
             dSurfaceParameters& surface = contacts[i].surface;
-            surface.mode = dContactApprox1; // friction in proportion to the normal force
+            surface.mode = dContactApprox1; // friction is proportional to the normal force
             surface.mu = engine.friction_;
             if (engine.restitution_ > 0) {
                 surface.mode |= dContactBounce;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Our own engine as a contestant, and the list of all.
+// Our engine as a contestant, and the lists of all contestants.
 #include "engine.hpp"
 #include "rigid/bodies/mass.hpp"
 #include "rigid/step/step.hpp"

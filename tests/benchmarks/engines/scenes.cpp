@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// The scenes that several benchmarks share, and the figures that are measured in them.
 #include "scenes.hpp"
 
 #include "support/random.hpp"
@@ -24,7 +25,7 @@ Trial on_ground(double friction, double restitution)
     return trial;
 }
 
-// How far the lowest corner of a unit cube lies below the top of the unit cube beneath [m].
+// The depth of a unit cube's lowest corner below the top face of the unit cube beneath [m].
 double depth_in(const TrialMotion& upper, const TrialMotion& lower)
 {
     const Vector3d n = lower.orientation * Vector3d::UnitY();
@@ -90,7 +91,7 @@ StackFigures stack_figures(const Trial& trial, const TrialEngine& engine)
 {
     StackFigures figures;
     TrialMotion beneath;
-    beneath.position = Vector3d(0, -0.5, 0); // the ground, as a cube
+    beneath.position = Vector3d(0, -0.5, 0); // the ground as a cube
     for (int i = 0; i < std::ssize(trial.bodies); ++i) {
         const TrialMotion cube = engine.motion(i);
         const Vector3d way = cube.position - trial.bodies[i].position;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a frame costs: simulated, drawn, encoded, and all of it at once, as `rigor render` does it.
+// The time of a frame: simulation, drawing and encoding, each by itself, and all of them at the
+// same time as in `rigor render`.
 #include "render/frames.hpp"
 #include "render/png.hpp"
 #include "render/visualizer.hpp"
@@ -26,7 +27,7 @@ namespace {
 
 constexpr int width = 1280, height = 720, repeats = 3;
 
-/// The pictures of a scene, run by the reference in a worker of its own.
+/// The pictures of a scene that the reference runs in its own worker.
 class Run {
 public:
     explicit Run(Scene scene) : scene_(std::move(scene)) {}
@@ -52,7 +53,7 @@ private:
     Scene scene_;
 };
 
-/// Encoding alone, on two threads, with the files written.
+/// Encodes the images on two threads and writes the files.
 void encode(const std::vector<Image>& images, const TemporaryFolder& folder)
 {
     const auto half = [&](std::size_t first) {
@@ -78,7 +79,8 @@ void measure(Bench& bench)
         images.push_back(opened.renderer->draw(picture));
     const TemporaryFolder folder;
 
-    // All four in turns, and their ratio within a turn: a slow spell of the machine hits all.
+    // The four measurements alternate, and the ratio is taken within a round, so that a slow phase
+    // of the machine affects all of them.
     std::vector<double> simulating, drawing, encoding, whole, ratio;
     for (int i = 0; i < repeats; ++i) {
         simulating.push_back(seconds([&] { run.simulate([](const Picture&) {}); }));

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// The pile in Bullet, with its default settings.
 #include "run.hpp"
 
 #include "support/bench/bench.hpp"
@@ -23,7 +24,7 @@ btVector3 vector(const Vector3d& v)
     return {scalar(v.x()), scalar(v.y()), scalar(v.z())};
 }
 
-// Bullet's world with its defaults, and what it only borrows.
+// Bullet's world with its default settings, and the objects that it refers to.
 struct BulletWorld {
     btDefaultCollisionConfiguration configuration;
     btCollisionDispatcher dispatcher{&configuration};
@@ -45,7 +46,7 @@ struct BulletWorld {
         if (mass > 0) shape->calculateLocalInertia(scalar(mass), inertia);
         btRigidBody::btRigidBodyConstructionInfo info(scalar(mass), nullptr, shape, inertia);
         info.m_startWorldTransform = place;
-        info.m_friction = scalar(std::sqrt(pile_friction)); // a pair's is the product
+        info.m_friction = scalar(std::sqrt(pile_friction)); // Bullet multiplies the coefficients
         info.m_restitution = 0;
         bodies.push_back(std::make_unique<btRigidBody>(info));
         world.addRigidBody(bodies.back().get());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What a step costs in a pile of cubes, and how deep the cubes sink, beside Bullet and ODE where
-// they are installed.
+// The time of a step in a pile of cubes, and how deep the cubes penetrate each other, compared with
+// Bullet and ODE if they are installed. Further parts measure a settled pile, two threads, and
+// piles of nonconvex bodies.
 #include "nonconvex.hpp"
 #include "options.hpp"
 #include "rigid/step/step.hpp"
@@ -23,9 +24,10 @@ struct Contestant {
     bool sleep = true;
 };
 
-// One contestant's runs of one pile.
+// The result of one contestant's runs of one pile.
 struct Outcome {
-    std::vector<double> means, lasts; // of each round: ms a step, over all steps and the last 100
+    // Mean time of all steps and of the last 100 steps [ms], one entry for each round.
+    std::vector<double> means, lasts;
     PileMeasure measure;
     double asleep = 0;
 };
@@ -51,7 +53,7 @@ double mean_ms(std::span<const double> seconds)
            static_cast<double>(seconds.size());
 }
 
-// Round after round over all contestants, so that a slow spell of the machine hits all of them.
+// Measures all contestants in each round, so that a slow phase of the machine affects all of them.
 std::vector<Outcome> measure(const std::vector<Contestant>& all, int side, const PileChoice& choice)
 {
     const PileStart start = pile_start(side);
@@ -86,7 +88,7 @@ void report(Bench& bench, const Contestant& contestant, int cubes, const Outcome
                {"height [m]", m.height}});
 }
 
-// Median over the rounds of the ratio of two contestants' times.
+// The median over the rounds of the ratio of two contestants' times.
 double ratio(const std::vector<double>& a, const std::vector<double>& b)
 {
     std::vector<double> ratios;
@@ -120,7 +122,7 @@ bool all_sleep(const World& world)
                        [](const RigidBody& body) { return body.is_still(); });
 }
 
-// A pile that came to rest with sleep allowed, then stepped on with and without.
+// A pile that comes to rest with sleep allowed and is then stepped with and without sleep.
 void settle(Bench& bench, int side)
 {
     constexpr int most = 3600, stretch = 30, rounds = 5;

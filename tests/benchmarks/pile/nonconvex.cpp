@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Piles of nonconvex bodies of different size. Each pile falls and comes to rest; then the steps
+// are timed, and in every tenth step each phase is timed by itself. A straight line through the
+// logarithms gives the growth of the time with the number of bodies.
 #include "nonconvex.hpp"
 #include "run.hpp"
 
@@ -21,12 +24,12 @@ namespace rigor {
 namespace {
 
 constexpr int layers = 5, falling = 90, lying = 60,
-              sampled = 10;         // steps; every tenth is looked into
+              sampled = 10;         // steps; the phases of every tenth are timed
 constexpr double spacing = 1.4;     // [m]
-constexpr double most_beyond = 0.1; // exponent of the time over N log N
+constexpr double most_beyond = 0.1; // largest exponent of time/(N log N)
 
 struct Room {
-    int x = 0, z = 0; // bodies along each side, `layers` high
+    int x = 0, z = 0; // bodies along each side; there are `layers` of them in y
     int bodies() const { return x * z * layers; }
 };
 constexpr Room rooms[] = {{3, 4}, {5, 5}, {5, 10}, {10, 10}};
@@ -87,12 +90,13 @@ World room_of_bodies(const Room& room)
     return world;
 }
 
-// Where the time of a step goes [s].
+// The times of the phases of a step [s], one entry for each measured step.
 struct Phases {
     std::vector<double> flight, broad, narrow, solve;
 };
 
-// Each phase again by itself, on the world as it is; what is left of the step is the solution.
+// Times each phase again by itself on the same world. The rest of the step's time counts as
+// solving.
 void look_into(World world, double whole, Phases& phases)
 {
     ThreadPool alone;
@@ -111,7 +115,8 @@ void look_into(World world, double whole, Phases& phases)
     const double near = seconds([&] { contact_candidates(world, flown, pile_step, alone); });
     phases.flight.push_back(flight);
     phases.broad.push_back(broad);
-    phases.narrow.push_back(std::max(0.0, near - broad)); // differences of noisy times
+    // The difference of noisy times can be negative.
+    phases.narrow.push_back(std::max(0.0, near - broad));
     phases.solve.push_back(std::max(0.0, whole - flight - near));
 }
 
@@ -126,7 +131,7 @@ int escaped(const World& world, const Room& room)
         }));
 }
 
-// Median time of a step once they lie [s].
+// The median time of a step once the bodies lie at rest [s].
 double measure(Bench& bench, const Room& room, int& left)
 {
     World world = room_of_bodies(room);
@@ -159,7 +164,7 @@ double measure(Bench& bench, const Room& room, int& left)
     return median(times);
 }
 
-// Slope of a straight line through the logarithms.
+// The exponent p of y ∝ xᵖ, by a least-squares line through the logarithms.
 double exponent(const std::vector<double>& x, const std::vector<double>& y)
 {
     const auto n = static_cast<double>(x.size());

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// The pile in ODE, with its quick step and default settings.
 #include "run.hpp"
 
 #include "support/bench/bench.hpp"
@@ -9,7 +10,7 @@ namespace rigor {
 
 namespace {
 
-constexpr int most_contacts = 8; // of a pair, as in ODE's own examples
+constexpr int most_contacts = 8; // contacts of a pair, as in ODE's own examples
 
 dReal real(double x)
 {

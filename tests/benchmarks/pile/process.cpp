@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// A run of the pile in a forked process, which sends its result back through a pipe.
 #include "run.hpp"
 
 #include "rigid/parallel/keep_memory.hpp"
@@ -29,7 +30,7 @@ template <class T> bool read_all(std::FILE* file, std::vector<T>& values)
 
 [[noreturn]] void answer(int descriptor, const std::function<PileRun()>& run)
 {
-    keep_freed_memory(); // for every engine
+    keep_freed_memory(); // the same for every engine
     bool done = false;
     try {
         const PileRun result = run();

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// The pile in our engine.
 #include "rigid/step/step.hpp"
 #include "run.hpp"
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// The start of the pile, and the measurement of its penetration at the end. The pairs are found by
+// sorting along x; their depth comes from the separating-axis test.
 #include "run.hpp"
 
 #include "support/depth.hpp"

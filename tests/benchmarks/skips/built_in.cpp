@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// The skips that a scene cannot turn off. Each is compared with a scene that means the same but
+// does not allow the skip, or with the same work done in the direct way.
 #include "geometry/shapes/shape_bounds.hpp"
 #include "rigid/bodies/mass.hpp"
 #include "rigid/detection/broad_phase.hpp"
@@ -26,8 +28,8 @@ Vector3d place(int i, double spacing, double height)
     return {spacing * (i % 10), height + spacing * (i / 100), spacing * (i / 10 % 10)};
 }
 
-// Spinning cubes in flight. Their inertia is a multiple of the identity; without the mark it is treated
-// as any other.
+// Rotating cubes in flight. Their inertia is a multiple of the identity; without `is_isotropic` it
+// is treated as a general matrix.
 SkipCase isotropic_inertia()
 {
     testing::Random random(1);
@@ -48,7 +50,7 @@ SkipCase isotropic_inertia()
             64 * second * eps * 50};
 }
 
-// Boxes that do not move: as static bodies, and as bodies that nothing pulls at.
+// Boxes that do not move, as static bodies and as bodies without any force.
 SkipCase static_bodies()
 {
     const auto scene = [](bool is_static) {
@@ -69,9 +71,9 @@ SkipCase static_bodies()
             0};
 }
 
-// Spheres in flight above the ground, against the same spheres lying on it: their flight is only
-// predicted, contact decides. Both move as the closed forms say: what is compared is the error against
-// x = g h² n²/2, and against rest.
+// Spheres in flight above the ground, compared with the same spheres resting on it, where the
+// contact stage runs too. Both have closed-form solutions: a fall of g h² n²/2 and rest. The
+// results that are compared are the errors against them.
 SkipCase free_flight()
 {
     const auto run = [](double height) {
@@ -95,8 +97,8 @@ SkipCase free_flight()
             64 * second * eps * 100};
 }
 
-// Bodies that slide: one contact is solved at once, four need sweeps. What is compared is how high they
-// lie, which is the same.
+// Bodies that slide. A sphere has one contact, which is solved directly; a cube has four, which
+// need sweeps. The results that are compared are the heights of the bodies, which are the same.
 SkipCase single_contact()
 {
     const auto run = [](const Shape& shape) {
@@ -121,7 +123,7 @@ SkipCase single_contact()
             64 * second * eps};
 }
 
-// Cubes at random places, and what the broad phase is told about them.
+// Cubes at random places, and the input of the broad phase for them.
 struct Scattered {
     World world;
     std::vector<Pose> poses;
@@ -142,14 +144,14 @@ Scattered scattered_cubes()
     return cubes;
 }
 
-// Appends the numbers of the bodies.
+// Appends the indices of the bodies.
 void add(const std::vector<BodyPair>& pairs, std::vector<double>& all)
 {
     for (const BodyPair& pair : pairs)
         all.insert(all.end(), {double(pair.body1), double(pair.body2)});
 }
 
-// The pairs that the broad phase finds, and those that a look at every pair finds.
+// The pairs that the broad phase finds, compared with a test of every pair.
 SkipCase broad_phase()
 {
     const Scattered cubes = scattered_cubes();
@@ -183,7 +185,7 @@ SkipCase broad_phase()
             0};
 }
 
-// Pairs among those of the step before, and pairs searched anew.
+// Pairs from the pair cache of the last step, compared with a new search in every step.
 SkipCase remembered_pairs()
 {
     const Scattered cubes = scattered_cubes();

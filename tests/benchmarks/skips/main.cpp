@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What each skip saves: the time with it and without it, the counter that shows it, and how far the
-// results are apart.
+// The time that each skip saves: the times with and without it, the counter that shows its effect,
+// and the difference of the results.
 #include "run.hpp"
 
 #include <algorithm>
@@ -12,9 +12,9 @@ using namespace rigor;
 namespace {
 
 constexpr int rounds = 5;
-constexpr double least_saving = 1.1; // times as fast, in the scene that it is for
+constexpr double least_saving = 1.1; // smallest speed-up, in the scene that the skip is for
 
-// NaN if they cannot be compared: then no bound is kept.
+// The largest difference of two elements; NaN, which exceeds every bound, if the sizes differ.
 double largest_difference(const std::vector<double>& a, const std::vector<double>& b)
 {
     if (a.size() != b.size()) return std::numeric_limits<double>::quiet_NaN();

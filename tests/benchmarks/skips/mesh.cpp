@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// The skips of level sets: a box needs none, and that of a mesh is built when it is first needed.
 #include "geometry/meshes/generators.hpp"
 #include "geometry/shapes/solid_mesh.hpp"
 #include "run.hpp"
@@ -11,9 +12,10 @@ namespace {
 using stress::body_of;
 using stress::ground;
 
-constexpr double resting = 0.01; // how far apart bodies may come to rest [m]
+constexpr double resting = 0.01; // largest difference of the places where bodies come to rest [m]
 
-// A unit cube as triangles, with a dent of 5 mm in its top: only a level set is right for it.
+// A unit cube as a triangle mesh, with a dent of 5 mm in its top. It is not convex, so it needs a
+// level set.
 Shape dented_cube()
 {
     TriangleMesh mesh = box_mesh(Vector3d::Ones());
@@ -28,7 +30,7 @@ Shape dented_cube()
             triangles.push_back(t);
             continue;
         }
-        // two of its edges are the square's; the third is the diagonal and goes
+        // Two of its edges belong to the square; the third is the diagonal, which is removed.
         for (int i = 0; i < 3; ++i) {
             const int a = t[static_cast<std::size_t>(i)],
                       b = t[static_cast<std::size_t>((i + 1) % 3)];
@@ -41,7 +43,7 @@ Shape dented_cube()
     return Mesh{std::make_shared<SolidMesh>(std::move(mesh), "dented cube")};
 }
 
-// Five towers of two, as boxes and as meshes.
+// Five towers of two cubes, as boxes and as meshes.
 SkipCase no_level_set_for_a_box()
 {
     const auto scene = [](const Shape& shape) {
@@ -62,8 +64,8 @@ SkipCase no_level_set_for_a_box()
             resting};
 }
 
-// Rings, each of its own mesh, that never come near each other: nobody asks for their level sets, unless
-// they are made at once.
+// Rings with separate meshes that never come near each other, so that their level sets are never
+// needed. They are compared with rings whose level sets are built at the start.
 SkipCase lazy_level_sets()
 {
     const auto run = [](bool at_once) {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// The skip of loading a renderer: the time of a process that draws nothing, with and without the
+// renderer linked in.
 #include "run.hpp"
 
 #include <cstdio>
@@ -12,7 +14,8 @@ namespace rigor {
 
 namespace {
 
-// Starts a program with these variables added, waits for its end, its output thrown away or counted.
+// Runs `program --help` with these environment variables added.
+// @return the number of lines of its output
 int lines_of(const std::string& program, const std::vector<std::string>& variables)
 {
     int ends[2];

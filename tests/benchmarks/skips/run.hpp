@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What `bench skips` measures: one piece of work with a skip and without it, in turns.
+// The cases of `bench skips`: the same work with a skip and without it.
 #pragma once
 
 #include "rigid/bodies/world.hpp"
@@ -10,32 +10,33 @@
 
 namespace rigor {
 
-/// What a piece of work came to.
+/// The result of one piece of work.
 struct SkipRun {
     double seconds = 0;
-    std::vector<double> result; // to compare with and without: places of bodies [m], or counts
-    double counter = 0;         // what shows the skip
+    std::vector<double> result; // compared with and without the skip: positions [m] or counts
+    double counter = 0;         // the count that shows the effect of the skip
 };
 
 struct SkipCase {
     std::string skip, scene;
-    std::string counter; // what `SkipRun::counter` counts
+    std::string counter; // name of what `SkipRun::counter` counts
     std::function<SkipRun()> with, without;
-    double bound = 0; // largest difference of the results
+    double bound = 0; // largest allowed difference of the results
 };
 
-/// Steps a copy of `world`; the result is where its bodies are.
+/// Steps a copy of `world`; the result is the positions of its bodies.
 ///
-/// @param counter  of the run, summed over the steps
+/// @param counter  the counter to report, summed over the steps
 SkipRun run_steps(const World& world, int steps, std::uint64_t Counters::*counter);
 
-/// The skips of World::skips, each turned off alone.
+/// The skips of World::skips, each turned off by itself.
 std::vector<SkipCase> switchable_skips();
-/// Those that a scene cannot turn off: against a scene that means the same, or the work done plainly.
+/// The skips that a scene cannot turn off. Each is compared with a scene that means the same, or
+/// with the same work done in the direct way.
 std::vector<SkipCase> built_in_skips();
-/// Level sets that no scene asked for.
+/// Level sets that are not needed.
 std::vector<SkipCase> mesh_skips();
-/// What a process does not load.
+/// Libraries that a process does not load.
 std::vector<SkipCase> process_skips();
 
 } // namespace rigor

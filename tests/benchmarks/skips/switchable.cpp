@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// The skips that a setting of the world turns off.
 #include "rigid/step/step.hpp"
 #include "run.hpp"
 #include "stress/scenes.hpp"
@@ -13,7 +14,7 @@ using stress::cube;
 using stress::frame;
 using stress::ground;
 
-// Bodies that rest may come to rest elsewhere by as much as they may overlap: a hundredth of an edge.
+// Resting bodies may differ in position by as much as they may overlap, a hundredth of an edge [m].
 constexpr double resting = 0.01;
 
 World towers(int count, int height)
@@ -25,7 +26,7 @@ World towers(int count, int height)
     return stress::world_of(std::move(bodies));
 }
 
-// Cubes that fall flat from different heights: they come to rest one after the other.
+// Cubes that fall flat from different heights, so that they come to rest one after the other.
 World landing_cubes(int count)
 {
     std::vector<RigidBody> bodies = {ground()};
@@ -34,7 +35,8 @@ World landing_cubes(int count)
     return stress::world_of(std::move(bodies));
 }
 
-// A gable of bricks in bond, each on two below: too many contacts for an exact solution.
+// A gable wall in which each brick rests on two below. It has too many contacts to be solved to
+// machine precision.
 std::vector<RigidBody> gable(int width, int height)
 {
     std::vector<RigidBody> bodies = {ground()};
@@ -44,7 +46,7 @@ std::vector<RigidBody> gable(int width, int height)
     return bodies;
 }
 
-// Towers that are pushed one after the other: each slides and stops in its own time.
+// Towers whose lowest cubes start with different speeds, so that each slides for a different time.
 World pushed_towers(int count, int height)
 {
     World world = towers(count, height);
@@ -69,7 +71,7 @@ SkipCase switched(const std::string& name, const std::string& scene, const World
     without.settings.skips.*skip = false;
     if (skip == &Skips::sleep)
         for (RigidBody& body : without.bodies)
-            body.rest = {}; // awake
+            body.rest = {}; // wakes the body
     return {name,
             scene,
             counter_name,

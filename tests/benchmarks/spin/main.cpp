@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Run time against attitude error of a free rigid body, for every integrator and, where they are
-// installed, for Bullet and ODE.
+// Orientation error against run time for a free rigid body, with each of our integrators and, if
+// they are installed, with Bullet and ODE. The errors at equal run time are compared, by
+// interpolation between the measured points.
 #include "rigid/bodies/mass.hpp"
 #include "rigid/bodies/world.hpp"
 #include "rigid/step/step.hpp"
@@ -16,7 +17,7 @@ using namespace rigor;
 
 namespace {
 
-// A point of a curve.
+// One point of a curve of error against run time.
 struct Point {
     int steps = 0;
     double seconds = 0, error = 0; // [rad]
@@ -72,8 +73,8 @@ std::vector<Contestant> contestants()
     return all;
 }
 
-// Round after round over all contestants, so that a slow spell of the machine hits all of them; each
-// point's time is its median.
+// Measures all contestants in each round, so that a slow phase of the machine affects all of them.
+// The time of each point is the median over the rounds.
 void measure(std::vector<Contestant>& all, int rounds)
 {
     const FreeRotor exact(spin_inertia, spin_velocity);
@@ -92,8 +93,8 @@ void measure(std::vector<Contestant>& all, int rounds)
         }
 }
 
-// The error that a curve reaches in a given time: between its points, straight in the logarithms;
-// beyond its ends, the end's.
+// The error that a curve reaches in a given time. Between two points the interpolation is linear in
+// the logarithms; beyond the ends the error of the end is taken.
 double error_at(const std::vector<Point>& curve, double time)
 {
     if (time <= curve.front().seconds) return curve.front().error;
@@ -106,7 +107,8 @@ double error_at(const std::vector<Point>& curve, double time)
     return curve.back().error;
 }
 
-// How many times more accurate `ours` is than `theirs` in the same time, where that is least.
+// How many times smaller the error of `ours` is than that of `theirs` in the same time: the
+// smallest ratio at any point of `theirs`.
 double advantage(const std::vector<Point>& ours, const std::vector<Point>& theirs)
 {
     double least = std::numeric_limits<double>::infinity();

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// The free box in ODE.
 #include "run.hpp"
 
 #include "support/bench/bench.hpp"

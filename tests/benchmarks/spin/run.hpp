@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The case of `bench spin`, run by whoever can: a free box 1 × 2 × 3 m of 12 kg that starts with
-// ω = (1, 2, 3) rad/s and turns for 10 s.
+// The scene of `bench spin`, which each engine can run: a free box of 1 × 2 × 3 m and 12 kg that
+// starts with ω = (1, 2, 3) rad/s and rotates for 10 s.
 #pragma once
 
 #include <Eigen/Dense>
@@ -14,11 +14,11 @@ inline const Eigen::Vector3d spin_inertia(13, 10, 5); // [kg m²]
 inline const Eigen::Vector3d spin_velocity(1, 2, 3);  // [rad/s]
 
 struct SpinRun {
-    double seconds = 0; // for all steps together; setting up is not counted
+    double seconds = 0; // time of all steps together; setup is not counted
     Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();
 };
 
-/// Each with the engine's defaults, no gravity, no damping, no sleep.
+/// The other engines with their default settings, but without gravity, damping and sleep.
 SpinRun spin_bullet(int steps);
 SpinRun spin_ode(int steps);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What the process between a test and an implementation costs: one formula called directly, through
-// the proxy, and, for comparison, the same bytes through a pair of pipes; and a fresh worker.
+// The cost of running an implementation in a separate process. One formula is called directly and
+// through the proxy; for comparison the same number of bytes goes through a pair of pipes. The
+// start of a new worker is timed as well.
 #include "support/bench/bench.hpp"
 #include "worker/proxy/proxy.hpp"
 
@@ -12,7 +13,7 @@
 #include <thread>
 #include <unistd.h>
 
-// The reference's pipeline.cpp, compiled once more in a namespace of its own.
+// The reference's pipeline.cpp, compiled a second time in this namespace.
 namespace direct {
 
 double kinetic_energy(double mass, const Eigen::Vector3d& velocity, const Eigen::Matrix3d& inertia,
@@ -29,13 +30,14 @@ constexpr int rounds = 21, calls = 2000, starts = 51;
 const Matrix3d I = Vector3d(1, 2, 3).asDiagonal();
 const Vector3d w(0.1, 0.2, 0.3);
 
-/// Another one each time, so that none can be hoisted out of a loop.
+/// A different velocity for each call, so that the compiler cannot move a call out of the loop.
 Vector3d velocity(int i)
 {
     return {0.1 * (i % 7), -1 - 0.01 * (i % 11), 0.3};
 }
 
-/// A child that answers 128 bytes, the arguments of the formula, with 8, its result.
+/// A child process that reads 128 bytes, the size of the arguments, and replies with 8 bytes, the
+/// size of the result.
 class PipePair {
 public:
     PipePair()
@@ -43,7 +45,7 @@ public:
         if (pipe(there_) != 0 || pipe(back_) != 0) throw std::runtime_error("no pipe");
         child_ = fork();
         if (child_ != 0) return;
-        close(there_[1]); // so that the end of the parent is the end of the input
+        close(there_[1]); // so that the input ends when the parent closes it
         std::byte bytes[128] = {};
         while (read(there_[0], bytes, sizeof bytes) == sizeof bytes &&
                write(back_[1], bytes, 8) == 8) {
@@ -118,7 +120,7 @@ int main(int argc, char** argv)
     const auto call = [](int i) { kinetic_energy(2, velocity(i), I, w); };
     double sum = 0;
     for (int round = 0; round < rounds; ++round) {
-        // A direct call is shorter than reading the clock: timed by the thousand.
+        // A direct call is shorter than reading the clock, so that many calls are timed together.
         direct_call.times.push_back(seconds([&] {
                                         for (int i = 0; i < calls; ++i)
                                             sum += direct::kinetic_energy(2, velocity(i), I, w);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the mistakes of A4.1 and A4.2 share: the cell of a point, and sums over its corners.
+// Correct helper functions for the mistakes of A4.1 and A4.2: the grid cell of a point, and sums
+// over the corners of the cell.
 #pragma once
 
 #include "formulas/collision.hpp"
@@ -9,13 +10,18 @@
 
 namespace rigor {
 
-/// The cell around a point, and where in it the point is. Lengths in cells.
+/// The cell around a point and the coordinates of the point, in units of the cell size.
 struct Cell {
-    Vector3d s, nearest, t; // the point, the nearest of the grid's box, that in the cell
+    // The point, the nearest point of the grid, and the latter from the lowest corner of the cell.
+    Vector3d s, nearest, t;
     std::array<int, 3> lowest;
 };
 
-/// Of points outside that of the nearest, unless the cell at the border is to be extrapolated.
+/// The cell of a point. A point outside of the grid gets the cell of the nearest point of the grid.
+///
+/// @param extrapolates  a point outside keeps its own coordinates, so that the border cell is
+///                      extrapolated
+/// @param takes_lower   a point on the face between two cells gets the lower one
 inline Cell cell_of(const LevelSet& grid, const Vector3d& p, bool extrapolates = false,
                     bool takes_lower = false)
 {
@@ -33,7 +39,7 @@ inline Cell cell_of(const LevelSet& grid, const Vector3d& p, bool extrapolates =
 
 using Corner = std::array<int, 3>; // 0 or 1 along each axis
 
-/// Σ weight(corner) × distance
+/// sum + Σ weight(corner) × distance, over the eight corners of the cell.
 template <class Value, class Weight>
 Value sum_over_corners(const LevelSet& grid, const Cell& cell, Value sum, const Weight& weight)
 {
@@ -46,7 +52,7 @@ Value sum_over_corners(const LevelSet& grid, const Cell& cell, Value sum, const 
     return sum;
 }
 
-/// The trilinear interpolation in the cell [m].
+/// The trilinear interpolation of the distance in the cell [m].
 inline double interpolated(const LevelSet& grid, const Cell& cell)
 {
     return sum_over_corners(grid, cell, 0.0, [&](const Corner& corner) {
@@ -57,17 +63,17 @@ inline double interpolated(const LevelSet& grid, const Cell& cell)
     });
 }
 
-/// How far outside of the grid's box the point is [m].
+/// The distance from the point to the grid, 0 inside [m].
 inline double distance_to_box(const LevelSet& grid, const Cell& cell)
 {
     return (cell.s - cell.nearest).norm() * grid.cell_size;
 }
 
-/// The gradient of the interpolation, per cell.
+/// The gradient of the trilinear interpolation, times the cell size [m].
 inline Vector3d gradient_in(const LevelSet& grid, const Cell& cell)
 {
     return sum_over_corners(grid, cell, Vector3d(Vector3d::Zero()), [&](const Corner& corner) {
-        Vector3d slopes; // of the corner's weight along each axis
+        Vector3d slopes; // derivatives of the corner's weight along each axis
         for (int a = 0; a < 3; ++a) {
             slopes[a] = corner[a] ? 1 : -1;
             for (int other : {(a + 1) % 3, (a + 2) % 3})

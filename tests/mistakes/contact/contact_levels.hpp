@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A5.3, right by default, from what reaches what: a mistake replaces the one rule that it gets wrong.
+// Correct contact levels (A5.3), computed from which body reaches which. A mistake replaces the one
+// rule that it gets wrong.
 #pragma once
 
 #include "formulas/contact.hpp"
@@ -10,13 +11,13 @@
 namespace rigor {
 
 struct ContactLevels {
-    /// Whether what a body rests on counts.
+    /// Whether the supports of a body count.
     std::function<bool(bool is_static)> rests = [](bool is_static) { return !is_static; };
-    /// The least level of a body.
+    /// The lowest level that a body can have.
     std::function<int(bool is_static)> least = [](bool is_static) { return is_static ? 0 : 1; };
-    /// Whether a static body keeps its least level.
+    /// A static body keeps its lowest level.
     bool statics_stay = true;
-    /// Whether the members of a cycle share their level.
+    /// The members of a cycle share one level.
     bool cycles_share = true;
 
     std::vector<int> operator()(const std::vector<std::vector<int>>& rests_on,
@@ -24,7 +25,7 @@ struct ContactLevels {
     {
         const std::size_t n = rests_on.size();
         std::vector<int> levels(n, 0);
-        if (n > 1000) return levels; // the stack of 100 000 bodies is not what this is about
+        if (n > 1000) return levels; // too slow for the test with 100 000 bodies
         const std::vector<std::vector<bool>> reaches = closure(rests_on, is_static);
         const auto in_cycle = [&](std::size_t i, std::size_t j) {
             return i == j || (reaches[i][j] && reaches[j][i]);
@@ -43,7 +44,8 @@ struct ContactLevels {
     }
 
 private:
-    /// Whether a way of any length leads from i down to j, by Warshall's algorithm.
+    /// The transitive closure of `rests_on` by Warshall's algorithm: whether body i rests on body
+    /// j, directly or through other bodies.
     std::vector<std::vector<bool>> closure(const std::vector<std::vector<int>>& rests_on,
                                            const std::vector<bool>& is_static) const
     {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the mistakes of this topic have right: velocity, K and impulse at one contact.
+// Correct helper functions for the mistakes of this topic: relative velocity, impulse matrix K and
+// impulse at one contact.
 #pragma once
 
 #include "formulas/collision.hpp"

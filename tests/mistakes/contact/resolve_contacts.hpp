@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A5.2, right by default: a mistake replaces the one step that it gets wrong.
+// Correct resolution of contacts one at a time (A5.2). A mistake replaces the one step that it gets
+// wrong.
 #pragma once
 
 #include "mistakes/contact/one_contact.hpp"
@@ -14,7 +15,7 @@ struct ContactsOneAtATime {
     std::function<Vector3d(const BodyContact& c)> start = [](const BodyContact&) -> Vector3d {
         return Vector3d::Zero();
     };
-    /// Of iteration k of n.
+    /// The restitution of iteration k of n.
     std::function<double(int k, int n)> restitution = contact_restitution;
     /// The velocity that an impulse has to stop, u [m/s].
     std::function<Vector3d(const Vector3d& v, const BodyContact& c)> velocity_to_stop =
@@ -27,11 +28,13 @@ struct ContactsOneAtATime {
             return collision_impulse(K, u, c.normal, epsilon, c.friction);
         };
     std::function<void(Bodies& bodies, const BodyContact& c, const Vector3d& j)> push = apply;
-    /// The impulse to be reported, after another j.
+    /// The impulse to report for a contact, after another impulse j.
     std::function<Vector3d(const Vector3d& sum, const Vector3d& j)> report =
         [](const Vector3d& sum, const Vector3d& j) -> Vector3d { return sum + j; };
-    bool sees_those_before = true; // in the same iteration
-    bool stops_after_one = false;  // contact that approaches, in each iteration
+    /// A contact sees the velocities that the contacts before it changed in the same iteration.
+    bool sees_those_before = true;
+    /// Each iteration ends after the first contact that approaches.
+    bool stops_after_one = false;
 
     ContactResult operator()(const Bodies& bodies, const Contacts& contacts, int n) const
     {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A5.5, right by default: a mistake replaces the one step that it gets wrong.
+// Correct simultaneous resolution of contacts (A5.5). A mistake replaces the one step that it gets
+// wrong.
 #pragma once
 
 #include "mistakes/contact/one_contact.hpp"
@@ -8,11 +9,11 @@
 
 namespace rigor {
 
-/// A contact when a sweep comes to it.
+/// A contact at the time when a sweep visits it.
 struct VisitedContact {
     const BodyContact& contact;
     Matrix3d K;
-    Vector3d v, j; // velocity [m/s], impulse so far [N s]
+    Vector3d v, j; // relative velocity [m/s], total impulse so far [N s]
 
     Vector3d n() const { return contact.normal; }
     double push_stiffness() const { return n().dot(K * n()); }
@@ -24,32 +25,37 @@ struct ContactsAtOnce {
         std::iota(indices.begin(), indices.end(), 0);
         return indices;
     };
-    /// The impulse that a contact starts from, applied to its bodies.
+    /// Applies the impulse that a contact starts from to its bodies. @return this impulse
     std::function<Vector3d(Bodies& bodies, const BodyContact& c)> start = [](Bodies& bodies,
                                                                              const BodyContact& c) {
         apply(bodies, c, c.impulse);
         return c.impulse;
     };
+    /// Contacts between two static bodies also get an initial impulse, and are also resolved.
     bool starts_between_statics = false, resolves_statics = false;
-    bool sees_those_before = true; // in the same sweep
-    /// The normal part of the new impulse, never pulling.
+    /// A contact sees the velocities that the contacts before it changed in the same sweep.
+    bool sees_those_before = true;
+    /// The normal part of the new impulse, at least 0.
     std::function<double(const VisitedContact& c)> push = [](const VisitedContact& c) {
         const double missing = c.v.dot(c.n()) - c.contact.separation_speed;
         return std::max(0.0, c.j.dot(c.n()) - missing / c.push_stiffness());
     };
+    /// The larger eigenvalue of K in the tangent plane [1/kg].
     std::function<double(const VisitedContact& c)> lambda = [](const VisitedContact& c) {
         return larger_eigenvalue(c.K, c.n());
     };
-    /// The change of the tangential impulse, before it is shortened.
+    /// The change of the tangential impulse, before the friction cone limits it.
     std::function<Vector3d(const Vector3d& v_T, double lambda)> friction =
         [](const Vector3d& v_T, double l) -> Vector3d { return -v_T / l; };
+    /// The tangential impulse, shortened to the friction cone.
     std::function<Vector3d(const Vector3d& j_T, double j_n, const VisitedContact& c)> shorten =
         [](const Vector3d& j_T, double j_n, const VisitedContact& c) -> Vector3d {
         const double most = c.contact.friction * j_n;
         return j_T.norm() > most ? Vector3d(j_T * (most / j_T.norm())) : j_T;
     };
-    /// Where there is one: the new impulse, instead of all the steps above.
+    /// The new impulse; if set, it replaces the steps above from `push` on.
     std::function<Vector3d(const VisitedContact& c)> impulse;
+    /// A contact keeps only the last change of its impulse; each sweep applies the whole impulse.
     bool reports_the_change = false, applies_the_whole = false;
 
     ContactResult operator()(const Bodies& bodies, const Contacts& contacts, int sweeps) const

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A5.4, right by default: a mistake replaces the one step that it gets wrong.
+// Correct shock propagation (A5.4). A mistake replaces the one step that it gets wrong.
 #pragma once
 
 #include "mistakes/contact/one_contact.hpp"
@@ -8,7 +8,7 @@
 
 namespace rigor {
 
-/// first, first + 1, ... last
+/// The integers first, first + 1, …, last.
 inline std::vector<int> upwards(int first, int last)
 {
     std::vector<int> levels(std::max(0, last - first + 1));
@@ -21,20 +21,20 @@ struct ShockPropagation {
     std::function<std::vector<int>(int highest)> order = [](int highest) {
         return upwards(1, highest);
     };
-    /// The level of a contact, from those of its bodies.
+    /// The level of a contact, from the levels of its bodies.
     std::function<int(int level1, int level2)> level_of = [](int level1, int level2) {
         return std::max(level1, level2);
     };
-    /// Whether a body is held while a level is resolved.
+    /// Whether a body is held fixed while a level is resolved.
     std::function<bool(const Body& body, int its_level, int level)> is_held =
         [](const Body&, int its_level, int level) { return its_level < level; };
     std::function<void(Body& body)> hold = [](Body& body) {
         body.inverse_mass = 0;
         body.inverse_inertia.setZero();
     };
-    /// Of a level, if n are asked for.
+    /// The number of iterations for a level, if n are requested.
     std::function<int(int n)> iterations = [](int n) { return n; };
-    /// Takes over the body that came out of a level.
+    /// Copies the result of a level to a body.
     std::function<void(Body& body, const Body& resolved, bool is_below)> take_over =
         [](Body& body, const Body& resolved, bool is_below) {
             const Body own = body;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A7.5 to A7.7, right by default, with a switch for each mistake.
+// Correct cutting of tetrahedral meshes (A7.5 to A7.7), with a switch for each mistake.
 #pragma once
 
 #include "formulas/fracture.hpp"
@@ -36,7 +36,7 @@ inline std::map<Face, std::vector<int>> faces_of(const TetrahedralMesh& mesh)
     return faces;
 }
 
-/// Corners that were joined are one vertex.
+/// The corners of all tetrahedra, as a union-find structure: joined corners are one vertex.
 class Corners {
 public:
     explicit Corners(std::size_t tetrahedra) : above_(4 * tetrahedra)
@@ -55,7 +55,8 @@ private:
     std::vector<int> above_;
 };
 
-/// Numbers the vertices anew. @return the parent of each
+/// Renumbers the vertices, one for each set of joined corners.
+/// @return the vertex of the original mesh that each one comes from
 inline std::vector<int> number_vertices(std::vector<Tetrahedron>& tetrahedra, Corners& corners)
 {
     std::map<int, int> number;
@@ -71,7 +72,7 @@ inline std::vector<int> number_vertices(std::vector<Tetrahedron>& tetrahedra, Co
     return parents;
 }
 
-/// The mesh with these corners joined.
+/// The mesh in which exactly these corners are joined.
 inline SplitMesh with_joined(const TetrahedralMesh& mesh, Corners& corners)
 {
     SplitMesh result = {{{}, mesh.tetrahedra}, {}, std::vector<int>(mesh.tetrahedra.size())};
@@ -83,7 +84,7 @@ inline SplitMesh with_joined(const TetrahedralMesh& mesh, Corners& corners)
     return result;
 }
 
-/// A7.5, of faces that `is_cut(face)`.
+/// The mesh split along the faces for which `is_cut(face)` is true (A7.5).
 template <class IsCut> SplitMesh split_where(const TetrahedralMesh& mesh, IsCut is_cut)
 {
     Corners corners(mesh.tetrahedra.size());
@@ -95,14 +96,14 @@ template <class IsCut> SplitMesh split_where(const TetrahedralMesh& mesh, IsCut 
     return with_joined(mesh, corners);
 }
 
-/// The mistakes of A7.6.
+/// The rules of `split_element` (A7.6); each mistake changes one.
 struct ElementRules {
-    bool halves_neighbours = true; // else only the tetrahedra of the vertex
-    bool opens = true;             // else the mesh only gets finer
-    bool opens_rim = false;        // the whole mesh comes apart at the plane's vertices
+    bool halves_neighbours = true; // otherwise only tetrahedra at the vertex are split
+    bool opens = true;             // otherwise the mesh is only refined
+    bool opens_rim = false;        // separates each tetrahedron at the vertex from all others
     bool halves_in_the_middle = false;
-    bool swaps_corners = false; // in one of the halves
-    double snap_distance = 0.05;
+    bool swaps_corners = false;  // in one of the two halves
+    double snap_distance = 0.05; // relative to the longest edge
 };
 
 inline bool has(const Tetrahedron& t, int vertex)
@@ -110,7 +111,8 @@ inline bool has(const Tetrahedron& t, int vertex)
     return corner_of(t, vertex) < 4;
 }
 
-/// How far above the plane the vertices of the vertex's tetrahedra are, 0 where they count as on it.
+/// The heights above the plane [m] of all vertices of the tetrahedra at `vertex`. A vertex closer
+/// to the plane than the snap distance gets height 0.
 inline std::map<int, double> heights_at(const TetrahedralMesh& mesh, int vertex, const Vector3d& n,
                                         double snap_distance)
 {
@@ -186,18 +188,23 @@ inline SplitMesh split_by(const ElementRules& rules, const TetrahedralMesh& mesh
     return split;
 }
 
-/// The mistakes of A7.7.
+/// The rules of `virtual_nodes` (A7.7); each mistake changes one.
 struct CopyRules {
-    bool joins_always = false;       // also where no corner is real in both
-    bool joins_only_corners = false; // the real ones, not the whole face
+    bool joins_always = false;       // even if no corner is real in both copies
+    bool joins_only_corners = false; // only real corners, not the whole face
     bool on_plane_is_below = false;
     bool first_crack_only = false;
-    bool whole_shares = false;  // each copy has all of the matter
-    bool corner_shares = false; // by the number of real corners
-    bool clips_all = false;     // every part by every crack that separates it from another
+    bool whole_shares = false;  // each copy has the whole volume
+    bool corner_shares = false; // a quarter of the volume for each real corner
+    bool clips_all = false;     // clips each part by every crack through the tetrahedron
 };
 
-/// The share of a tetrahedron on the given sides of planes, by halving edges. h: heights, a row a plane.
+/// The share of a tetrahedron's volume on the given sides of all planes. Recursive: an edge that
+/// crosses the last plane is cut there, which splits the tetrahedron in two.
+///
+/// @param piece   barycentric coordinates of the corners, one column per corner
+/// @param planes  for each plane the heights of the four original corners, and whether the part is
+///                above it
 inline double share(const Eigen::Matrix4d& piece,
                     std::vector<std::pair<Eigen::Vector4d, bool>> planes)
 {
@@ -219,7 +226,7 @@ inline double share(const Eigen::Matrix4d& piece,
 
 struct Part {
     Tetrahedron real = {1, 1, 1, 1};
-    std::vector<std::pair<Eigen::Vector4d, bool>> planes; // that bound it
+    std::vector<std::pair<Eigen::Vector4d, bool>> planes; // the planes that bound it
 };
 
 inline std::vector<Part> parts_of(const CopyRules& rules,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// ω changes by I⁻¹ times what L changes by.
+// I⁻¹ is missing: the change of ω is I⁻¹ times the change of L.
 #include "formulas/collision.hpp"
 
 namespace rigor {

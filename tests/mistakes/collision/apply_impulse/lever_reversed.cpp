@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The torque impulse is (x - X) × j, not j × (x - X).
+// The cross product is reversed: the change of L is (x - X) × j, not j × (x - X).
 #include "formulas/collision.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// L changes as well: the next step computes ω from it, and the collision would be forgotten.
+// L must change as well: the next step computes ω from L and would undo the collision.
 #include "formulas/collision.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// ω changes as well: the next contact of this body needs it.
+// ω must change as well: the next contact of this body reads it.
 #include "formulas/collision.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A static body is left unchanged: its angular momentum too.
+// A static body must stay unchanged, and that includes its angular momentum.
 #include "formulas/collision.hpp"
 
 namespace rigor {

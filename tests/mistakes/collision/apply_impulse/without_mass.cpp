@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// V changes by j/M, not by j.
+// The velocity V changes by j/M, not by j.
 #include "formulas/collision.hpp"
 
 namespace rigor {

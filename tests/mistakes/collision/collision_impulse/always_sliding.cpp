@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Inside the friction cone the contact sticks: the static impulse has to be tried first.
+// Inside the friction cone the contact sticks, so the static impulse must be tried first.
 #include "formulas/collision.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Outside the friction cone friction is not strong enough to stop the sliding.
+// Outside the friction cone, friction is too weak to stop the sliding.
 #include "formulas/collision.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// v·n < 0 is approaching: this leaves those alone and pulls on those that separate.
+// The sign test is reversed: v·n < 0 means approaching, and only then is there an impulse.
 #include "formulas/collision.hpp"
 
 namespace rigor {

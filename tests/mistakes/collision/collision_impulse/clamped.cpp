@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A static impulse cut to the cone misses the normal velocity -ε vₙ: sliding has its own formula.
+// Clamping the static impulse to the cone leaves a wrong normal velocity instead of -ε vₙ.
 #include "formulas/collision.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Outside the cone friction still acts: sliding friction.
+// Outside the friction cone there is still sliding friction.
 #include "formulas/collision.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Bodies that separate already are left alone: nothing must pull them back.
+// Bodies that already separate get no impulse; here they are pulled back.
 #include "formulas/collision.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Bodies approach when v·n < 0: the normal need not be the y-axis.
+// Bodies approach when v·n < 0, and the normal n need not be the y-axis.
 #include "formulas/collision.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Of equally deep contacts the first one is taken, not the last.
+// If several contacts are equally deep, the first one is the result, not the last.
 #include "formulas/collision.hpp"
 
 namespace rigor {

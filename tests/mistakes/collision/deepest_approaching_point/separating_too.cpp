@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A contact whose bodies separate already needs no impulse, however deep it is.
+// A contact that already separates must be skipped, however deep it is.
 #include "formulas/collision.hpp"
 
 namespace rigor {

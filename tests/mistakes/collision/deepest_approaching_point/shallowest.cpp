@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The deepest contact has the largest depth: it is positive inside.
+// The smallest depth is chosen; depth is positive inside, so the deepest contact has the largest.
 #include "formulas/collision.hpp"
 
 namespace rigor {

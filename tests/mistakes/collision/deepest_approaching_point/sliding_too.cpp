@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// v·n = 0 is not approaching: such a contact needs no impulse.
+// A contact with v·n = 0 does not approach and must be skipped.
 #include "formulas/collision.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A contact of depth 0 that approaches is a contact too: the search must not start at depth 0.
+// An approaching contact of depth 0 counts too, so the search must not start with depth 0.
 #include "formulas/collision.hpp"
 
 namespace rigor {

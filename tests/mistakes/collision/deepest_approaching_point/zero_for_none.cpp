@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where no contact approaches the result is empty, not contact 0.
+// If no contact approaches, the result is empty, not contact 0.
 #include "formulas/collision.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Between two static bodies nᵀ K n is 0, and nothing may be divided by it.
+// For two static bodies nᵀ K n is 0, and the formula divides by it.
 #include "formulas/collision.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The impulse stops the approach and then gives ε of it back: 1 + ε, not ε.
+// The impulse stops the approach and adds a rebound of ε: the factor is 1 + ε, not ε.
 #include "formulas/collision.hpp"
 
 namespace rigor {

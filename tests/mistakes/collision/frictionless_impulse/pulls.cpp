@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The sign: vₙ is negative when the bodies approach, and the impulse must push.
+// The sign is wrong: vₙ is negative when bodies approach, and the impulse must push.
 #include "formulas/collision.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// This only stops the approach: bouncing back takes 1 + ε times as much.
+// The factor is 1 instead of 1 + ε: the impulse only stops the approach, without a rebound.
 #include "formulas/collision.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// K⁻¹ times a normal change has a tangential part: that is friction. Divide by nᵀ K n.
+// K⁻¹ times a normal change also has a tangential part, which is friction. Divide by nᵀ K n.
 #include "formulas/collision.hpp"
 
 namespace rigor {

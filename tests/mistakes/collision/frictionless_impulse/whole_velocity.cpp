@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Only the normal part of the velocity turns round; without friction the tangential part stays.
+// Without friction only the normal part of the velocity changes; the tangential part stays.
 #include "formulas/collision.hpp"
 
 namespace rigor {

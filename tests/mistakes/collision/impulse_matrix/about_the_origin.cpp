@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The lever is x - X, from the center of mass, not x.
+// The lever arm is x - X, measured from the center of mass, not x.
 #include "formulas/collision.hpp"
 #include "formulas/kinematics.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// I⁻¹ is given: inverting it again makes it I.
+// The argument is already I⁻¹; inverting it again gives I.
 #include "formulas/collision.hpp"
 #include "formulas/kinematics.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// δ/M is the inverse mass times δ: it is given, and must not be inverted again.
+// The argument is already 1/M; the first term is δ/M, not M δ.
 #include "formulas/collision.hpp"
 #include "formulas/kinematics.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A static body has an inverse mass of 0: no impulse moves it, and K is zero.
+// For a static body (inverse mass 0) K is zero, because no impulse moves it.
 #include "formulas/collision.hpp"
 #include "formulas/kinematics.hpp"
 

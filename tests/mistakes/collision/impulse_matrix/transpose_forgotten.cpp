@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The first cross-product matrix is transposed; without that, turning counts with the wrong sign.
+// The first cross-product matrix must be transposed; without it the rotational term is negated.
 #include "formulas/collision.hpp"
 #include "formulas/kinematics.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// δ/M is missing: an impulse also pushes the body as a whole.
+// The term δ/M is missing: an impulse also changes the velocity of the center of mass.
 #include "formulas/collision.hpp"
 #include "formulas/kinematics.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The border of the cone belongs to it: |j_T| ≤ μ jₙ, not less.
+// The border belongs to the cone: the test is |j_T| ≤ μ jₙ, not |j_T| < μ jₙ.
 #include "formulas/collision.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// μ bounds |j_T|/jₙ, not jₙ/|j_T|.
+// The friction coefficient is on the wrong side: the test is |j_T| ≤ μ jₙ, not μ |j_T| ≤ jₙ.
 #include "formulas/collision.hpp"
 
 namespace rigor {

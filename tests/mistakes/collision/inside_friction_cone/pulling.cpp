@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// An impulse that pulls, jₙ < 0, is outside the cone however small its tangential part is.
+// An impulse that pulls (jₙ < 0) is outside the cone, however small its tangential part is.
 #include "formulas/collision.hpp"
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// This bounds the parts along two axes: a pyramid. Friction is a cone, it bounds |j_T|.
+// Bounding the parts along two axes gives a pyramid; the friction cone bounds |j_T|.
 #include "formulas/collision.hpp"
 
 #include <cmath>

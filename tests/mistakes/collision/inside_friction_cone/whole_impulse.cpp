@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Friction bounds the tangential part j_T of the impulse, not the whole of it.
+// Friction bounds the tangential part j_T, not the whole impulse.
 #include "formulas/collision.hpp"
 
 namespace rigor {

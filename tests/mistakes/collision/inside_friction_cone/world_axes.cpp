@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The normal part is along n, which need not be the y-axis.
+// The normal part of the impulse is along n, which need not be the y-axis.
 #include "formulas/collision.hpp"
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A zero gradient has no direction: 0/0 is not a number.
+// A zero gradient has no direction, and dividing by its length gives NaN.
 #include "mistakes/collision/level_set.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Outside the grid the gradient is that of the nearest point of its box, not extrapolated.
+// Outside the grid the gradient is that at the nearest point of the grid; here it is extrapolated.
 #include "mistakes/collision/level_set.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Distances grow outward, so the normal is along the gradient and not against it.
+// The distance grows outward, so the normal is along the gradient, not against it.
 #include "mistakes/collision/level_set.hpp"
 
 namespace rigor {

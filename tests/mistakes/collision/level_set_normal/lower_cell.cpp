@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A point on a face between two cells belongs to the higher cell, not to the lower.
+// A point on the face between two cells belongs to the higher cell, not to the lower one.
 #include "mistakes/collision/level_set.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// These are the slopes along the three edges at the cell's lowest node, wherever in the cell p is.
+// The gradient is taken at the cell's lowest node instead of at p.
 #include "mistakes/collision/level_set.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// This is the gradient itself: the normal must have length 1.
+// The gradient itself is returned; the normal must have length 1.
 #include "mistakes/collision/level_set.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The body turns about its center of mass: x - X, not x.
+// The body rotates about its center of mass, so the lever arm is x - X, not x.
 #include "formulas/collision.hpp"
 
 namespace rigor {

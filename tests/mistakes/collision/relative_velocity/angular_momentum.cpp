@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The spin is ω, not the angular momentum L.
+// The point's velocity needs ω, not the angular momentum L.
 #include "formulas/collision.hpp"
 
 namespace rigor {

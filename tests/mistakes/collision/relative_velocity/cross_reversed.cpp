@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The velocity of a turning body is ω × (x - X), not (x - X) × ω.
+// The cross product is reversed: it is ω × (x - X), not (x - X) × ω.
 #include "formulas/collision.hpp"
 
 namespace rigor {

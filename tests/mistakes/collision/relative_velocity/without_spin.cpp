@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The bodies turn: ω × (x - X) is missing.
+// The rotation is missing: the velocity of a point also contains ω × (x - X).
 #include "formulas/collision.hpp"
 
 namespace rigor {

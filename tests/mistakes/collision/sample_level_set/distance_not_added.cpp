@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Outside the grid the distance to its box must be added to the value on its border.
+// Outside the grid the distance to the grid must be added to the value on its border.
 #include "mistakes/collision/level_set.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Outside the grid the border cell is extrapolated, instead of adding the distance to the box.
+// Outside the grid the border cell is extrapolated; the distance to the grid must be added instead.
 #include "mistakes/collision/level_set.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// This is the value of the nearest node: nothing is interpolated between the nodes.
+// The value of the nearest node is returned; it must be interpolated between the nodes.
 #include "mistakes/collision/level_set.hpp"
 
 namespace rigor {

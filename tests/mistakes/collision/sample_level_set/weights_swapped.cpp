@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The weights are swapped: at t = 0 the cell's lower node counts fully.
+// The interpolation weights are swapped: at t = 0 the lower node has weight 1.
 #include "mistakes/collision/level_set.hpp"
 
 namespace rigor {

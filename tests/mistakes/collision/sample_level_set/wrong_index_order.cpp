@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The nodes are stored with x running fastest, not z.
+// The index order is wrong: x varies fastest in the array of nodes, not z.
 #include "formulas/collision.hpp"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Friction is against the sliding: j_T = -μ jₙ T. This one drives it.
+// The sign of friction is wrong: it acts against the sliding, j_T = -μ jₙ T.
 #include "formulas/collision.hpp"
 
 #include <algorithm>

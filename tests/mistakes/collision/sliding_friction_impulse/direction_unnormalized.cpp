@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// T is a direction, of length 1: the friction does not depend on how fast it slides.
+// The direction T is not normalized: friction must not depend on the sliding speed.
 #include "formulas/collision.hpp"
 
 #include <algorithm>

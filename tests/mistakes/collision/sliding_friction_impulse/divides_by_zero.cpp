@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What does not slide has no sliding direction: 0/0.
+// Without sliding there is no direction T, and the division is 0/0.
 #include "formulas/collision.hpp"
 
 #include <algorithm>

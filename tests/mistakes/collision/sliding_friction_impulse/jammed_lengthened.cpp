@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A jammed contact's tangential impulse is cut where it leaves the cone, and never lengthened.
+// If the contact jams, j_T is shortened to the friction cone; here it is also lengthened.
 #include "formulas/collision.hpp"
 
 namespace rigor {

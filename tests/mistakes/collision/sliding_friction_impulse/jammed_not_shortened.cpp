@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A jammed contact gets the static impulse, but with |j_T| at most μ jₙ.
+// If the contact jams, it gets the static impulse, but with |j_T| at most μ jₙ.
 #include "formulas/collision.hpp"
 
 namespace rigor {

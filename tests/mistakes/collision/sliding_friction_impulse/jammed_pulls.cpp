@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where even the static impulse pulls, a jammed contact gets none.
+// If the contact jams and the static impulse pulls, the impulse is zero.
 #include "formulas/collision.hpp"
 
 #include <cmath>

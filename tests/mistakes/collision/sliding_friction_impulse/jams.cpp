@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// With much friction nᵀ K (n - μ T) is not positive: dividing by it pulls, or worse.
+// For large friction nᵀ K (n - μ T) is zero or negative, and the impulse pulls or is infinite.
 #include "formulas/collision.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Friction changes the normal velocity too: divide by nᵀ K (n - μ T), not by nᵀ K n.
+// Friction also changes the normal velocity: divide by nᵀ K (n - μ T), not by nᵀ K n.
 #include "formulas/collision.hpp"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Restitution is for the normal part only: the tangential velocity becomes 0, it does not turn round.
+// Restitution acts on the normal velocity only; the tangential velocity becomes zero.
 #include "formulas/collision.hpp"
 
 namespace rigor {

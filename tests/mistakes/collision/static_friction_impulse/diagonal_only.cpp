@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// K couples the directions: its diagonal alone is not enough to divide by.
+// K couples the directions, so dividing by its diagonal is not enough.
 #include "formulas/collision.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Between two static bodies K is zero and has no inverse.
+// For two static bodies K is zero and has no inverse.
 #include "formulas/collision.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// This stops all motion: the normal velocity after the collision is -ε vₙ.
+// All motion is stopped; the normal velocity after the collision must be -ε vₙ.
 #include "formulas/collision.hpp"
 
 namespace rigor {

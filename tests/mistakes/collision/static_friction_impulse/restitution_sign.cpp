@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The sign of ε: afterwards the bodies must separate, and the change of velocity is -v - ε vₙ n.
+// The sign of ε is wrong: the change of velocity is -v - ε vₙ n, so that the bodies separate.
 #include "formulas/collision.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A velocity change divided by K is the impulse; this multiplies by K.
+// The change of velocity is multiplied by K; the impulse is K⁻¹ times it.
 #include "formulas/collision.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where the search comes back to a body on its way, it takes that for the ground: a cycle does not share a level.
+// A body on the search path counts as ground, so the bodies of a cycle get different levels.
 #include "formulas/contact.hpp"
 
 #include <algorithm>
@@ -12,7 +12,7 @@ int level_of(int i, const std::vector<std::vector<int>>& rests_on,
              const std::vector<bool>& is_static, std::vector<int>& levels)
 {
     if (levels[i] >= 0) return levels[i];
-    levels[i] = 0; // on its way
+    levels[i] = 0; // on the search path
     int level = is_static[i] ? 0 : 1;
     for (int below : rests_on[i])
         if (!is_static[i])

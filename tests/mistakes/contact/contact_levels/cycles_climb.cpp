@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Looking for the longest way n times over: in a cycle every round is longer, so it climbs.
+// The longest path is searched n times; in a cycle it grows in every round, and so do the levels.
 #include "formulas/contact.hpp"
 
 #include <algorithm>

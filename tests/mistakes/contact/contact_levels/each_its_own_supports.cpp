@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The level of a cycle is above what any of it rests on, not each member above its own.
+// The bodies of a cycle share one level, above all other bodies that any of them rests on.
 #include "mistakes/contact/contact_levels.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A body that rests on nothing has level 1: level 0 is for static bodies.
+// A body that rests on nothing has level 1; level 0 is for static bodies.
 #include "mistakes/contact/contact_levels.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One more than the lowest that it rests on: a board that also touches the ground is not low.
+// The level is one above the highest support, not one above the lowest.
 #include "formulas/contact.hpp"
 
 #include <algorithm>

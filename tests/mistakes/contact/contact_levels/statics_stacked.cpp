@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A static body has level 0 whatever it rests on.
+// A static body has level 0, whatever it rests on.
 #include "mistakes/contact/contact_levels.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a static body rests on does not matter: no cycle leads through it.
+// What a static body rests on must be ignored: no cycle passes through a static body.
 #include "mistakes/contact/contact_levels.hpp"
 
 namespace rigor {

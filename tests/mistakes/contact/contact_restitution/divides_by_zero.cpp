@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// No iterations at all, n = 0, is asked for too.
+// The number of iterations n can be 0, and the formula divides by it.
 #include "formulas/contact.hpp"
 
 #include <algorithm>

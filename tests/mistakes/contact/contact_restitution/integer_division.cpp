@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// (k + 1)/n of two integers is 0 until the last iteration.
+// (k + 1)/n is an integer division, which gives 0 until the last iteration.
 #include "formulas/contact.hpp"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The first iteration counts as 1: with k/n - 1 the last one still leaves 1/n of the approach.
+// With k/n - 1 instead of (k + 1)/n - 1 the last iteration still has restitution -1/n, not 0.
 #include "formulas/contact.hpp"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Iterations outside of 0 … n-1 go on along the line, to ε > 0 and below -1.
+// Outside of 0 ≤ k < n the value must be clamped; here it rises above 0 or falls below -1.
 #include "formulas/contact.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A restitution from 0.9 down to 0 throws apart what rests.
+// The sign is wrong: a restitution that falls from nearly 1 to 0 makes resting bodies bounce.
 #include "formulas/contact.hpp"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A contact has to see what those before it in the same iteration did.
+// A contact must see the velocities that the contacts before it changed in the same iteration.
 #include "mistakes/contact/resolve_contacts.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The deepest contact comes first, not the first of the list.
+// The contacts are visited from the deepest on, not in the order of the list.
 #include "mistakes/contact/resolve_contacts.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Body 2 receives -j.
+// Body 2 must receive the opposite impulse, -j.
 #include "mistakes/contact/resolve_contacts.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A contact has friction.
+// The friction coefficient of the contact is ignored.
 #include "mistakes/contact/resolve_contacts.hpp"
 
 namespace rigor {

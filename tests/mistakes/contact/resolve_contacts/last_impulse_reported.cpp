@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Of each contact the sum of its impulses is asked for, not the last one.
+// The result is the sum of each contact's impulses, not the last one.
 #include "mistakes/contact/resolve_contacts.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Of equally deep contacts the first of the list comes first.
+// Equally deep contacts are visited in the order of the list, not in reverse.
 #include "mistakes/contact/resolve_contacts.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// An iteration visits every contact, not only the deepest that approaches.
+// An iteration visits every contact, not only the deepest one that approaches.
 #include "mistakes/contact/resolve_contacts.hpp"
 
 namespace rigor {

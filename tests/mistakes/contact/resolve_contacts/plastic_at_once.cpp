@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The naive way: restitution 0 in every iteration, so the first contact gets the whole load.
+// The restitution is 0 in every iteration, so the first contact carries the whole load.
 #include "mistakes/contact/resolve_contacts.hpp"
 
 namespace rigor {

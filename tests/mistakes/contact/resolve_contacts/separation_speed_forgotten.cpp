@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The contact asks for v·n ≥ s, not for v·n ≥ 0.
+// The separation speed s is ignored: the condition is v·n ≥ s, not v·n ≥ 0.
 #include "mistakes/contact/resolve_contacts.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// u, not v, is what the impulse has to stop.
+// The impulse is computed from v; it must be computed from u = v - s n.
 #include "mistakes/contact/resolve_contacts.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// u = v - s n: a positive s asks for separation.
+// The sign of s is wrong: u = v - s n, so that a positive s makes the bodies separate.
 #include "mistakes/contact/resolve_contacts.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The deepest contact comes first, not the shallowest.
+// The contacts are visited from the deepest on, not from the shallowest.
 #include "mistakes/contact/resolve_contacts.hpp"
 
 namespace rigor {

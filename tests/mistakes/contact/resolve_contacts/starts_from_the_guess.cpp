@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The impulses of these contacts start from zero, not from a guess for another formula.
+// The impulses start from zero; the initial guess is for `resolve_simultaneously` only.
 #include "mistakes/contact/resolve_contacts.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A contact has to see what those before it in the same sweep did.
+// A contact must see the velocities that the contacts before it changed in the same sweep.
 #include "mistakes/contact/resolve_simultaneously.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The sweeps visit the contacts in the order given, not by depth.
+// The sweeps visit the contacts in the order of the list, not by depth.
 #include "mistakes/contact/resolve_simultaneously.hpp"
 
 namespace rigor {

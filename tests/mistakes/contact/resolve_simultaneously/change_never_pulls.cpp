@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The whole impulse must push; what it changes by may pull, to take back a push that was too hard.
+// The total impulse must push, but its change may pull, to reduce an impulse that was too large.
 #include "mistakes/contact/resolve_simultaneously.hpp"
 
 namespace rigor {

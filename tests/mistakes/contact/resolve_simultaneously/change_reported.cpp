@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Of each contact the total impulse is asked for, and the next sweep starts from it.
+// The result is the total impulse of each contact, and the next sweep starts from it.
 #include "mistakes/contact/resolve_simultaneously.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Once a contact is at rest collision_impulse adds nothing, and nothing is ever taken back.
+// `collision_impulse` only adds to the impulse of a contact, which must also be able to decrease.
 #include "mistakes/contact/resolve_simultaneously.hpp"
 
 namespace rigor {

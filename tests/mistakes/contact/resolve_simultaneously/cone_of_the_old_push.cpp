@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Friction is shortened by the new push, not by that from before.
+// Friction is limited by the new normal impulse, not by that of the last sweep.
 #include "mistakes/contact/resolve_simultaneously.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Between two static bodies nᵀ K n and λ are 0.
+// For two static bodies nᵀ K n and λ are 0, and the formulas divide by them.
 #include "mistakes/contact/resolve_simultaneously.hpp"
 
 namespace rigor {

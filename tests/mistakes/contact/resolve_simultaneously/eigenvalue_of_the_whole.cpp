@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// λ is of K across n, not of the whole K.
+// λ is the larger eigenvalue of K in the tangent plane, not the largest of the whole K.
 #include "mistakes/contact/resolve_simultaneously.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Friction acts against the sliding.
+// The sign of friction is wrong: it acts against the sliding.
 #include "mistakes/contact/resolve_simultaneously.hpp"
 
 namespace rigor {

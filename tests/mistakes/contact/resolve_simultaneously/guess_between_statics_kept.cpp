@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Between two static bodies there is no impulse, whatever was guessed.
+// Two static bodies have no impulse between them; here they keep the initial guess.
 #include "mistakes/contact/resolve_simultaneously.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The impulses start from the guess.
+// The impulses must start from the initial guess, not from zero.
 #include "mistakes/contact/resolve_simultaneously.hpp"
 
 namespace rigor {

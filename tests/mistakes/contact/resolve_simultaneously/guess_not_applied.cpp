@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A warm start that only counts has to act on the bodies too.
+// The initial guess must also be applied to the bodies, not only added to the impulses.
 #include "mistakes/contact/resolve_simultaneously.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// λ is the larger eigenvalue across n, not the mean of both.
+// λ is the larger of the two eigenvalues in the tangent plane, not their mean.
 #include "mistakes/contact/resolve_simultaneously.hpp"
 
 namespace rigor {

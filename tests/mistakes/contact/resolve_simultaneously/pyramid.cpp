@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Friction is a cone: each of two directions bounded for itself is a pyramid.
+// Limiting two tangential directions separately gives a pyramid, not the friction cone.
 #include "mistakes/contact/resolve_simultaneously.hpp"
 
 namespace rigor {

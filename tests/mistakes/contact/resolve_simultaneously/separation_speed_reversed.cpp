@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The contact asks for v·n ≥ s, not for v·n ≥ -s.
+// The sign of s is wrong: the condition is v·n ≥ s, not v·n ≥ -s.
 #include "mistakes/contact/resolve_simultaneously.hpp"
 
 namespace rigor {

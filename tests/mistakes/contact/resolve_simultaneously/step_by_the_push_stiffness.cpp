@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Friction is stepped by λ, which is of K across n; nᵀ K n is too small for a ball.
+// Friction divides by λ, of K in the tangent plane; nᵀ K n is too small for a ball.
 #include "mistakes/contact/resolve_simultaneously.hpp"
 
 namespace rigor {

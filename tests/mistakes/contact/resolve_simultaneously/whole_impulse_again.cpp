@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The bodies receive what the impulse changes by, not the whole of it in every sweep.
+// Each sweep must apply the change of the impulse, not the whole impulse again.
 #include "mistakes/contact/resolve_simultaneously.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From the ground up, so that each level finds what it stands on at rest.
+// The levels are resolved from the ground up, so that each level finds its supports at rest.
 #include "mistakes/contact/shock_propagation.hpp"
 
 namespace rigor {

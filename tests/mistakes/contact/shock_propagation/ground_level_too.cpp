@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Contacts of level 0 are left alone.
+// Contacts of level 0 must be left alone.
 #include "mistakes/contact/shock_propagation.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A body that is held keeps its velocity: what rests on a moving body moves along.
+// A body that is held fixed keeps its velocity, so that bodies on a moving one move with it.
 #include "mistakes/contact/shock_propagation.hpp"
 
 namespace rigor {

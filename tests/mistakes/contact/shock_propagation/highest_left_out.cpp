@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The highest level is a level too.
+// The highest level is left out.
 #include "mistakes/contact/shock_propagation.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A contact belongs to the level of its higher body.
+// The level of a contact is the higher level of its two bodies, not the lower one.
 #include "mistakes/contact/shock_propagation.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Bodies that were held have their own mass and inertia again afterwards.
+// Bodies that were held fixed must get their own mass and inertia back.
 #include "mistakes/contact/shock_propagation.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What lies below a level has to be held, or weight presses it down again.
+// The bodies below a level must be held fixed, or the weight above pushes them down again.
 #include "mistakes/contact/shock_propagation.hpp"
 
 namespace rigor {

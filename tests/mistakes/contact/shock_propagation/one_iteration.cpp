@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Each level gets n iterations, gently, not one.
+// Each level gets n iterations, not one.
 #include "mistakes/contact/shock_propagation.hpp"
 
 namespace rigor {

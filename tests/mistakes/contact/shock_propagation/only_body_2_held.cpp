@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The lower body of a contact may be body 1.
+// The lower body of a contact can also be body 1 and must then be held fixed.
 #include "mistakes/contact/one_contact.hpp"
 
 namespace rigor {

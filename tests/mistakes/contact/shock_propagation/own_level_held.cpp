@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Bodies of the level that is being resolved can move.
+// The bodies of the level being resolved must be free to move.
 #include "mistakes/contact/shock_propagation.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Normals that are not unit: the larger face wins.
+// The normals are not normalized, so a larger face wins over a closer one.
 #include "formulas/fracture.hpp"
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Of equally near faces the last.
+// If several faces are equally close, the first one is the result, not the last.
 #include "formulas/fracture.hpp"
 
 #include <cmath>

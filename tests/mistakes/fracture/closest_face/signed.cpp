@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Without the absolute value: a face that looks the other way is not seen.
+// The absolute value is missing: a face with the opposite normal is not found.
 #include "formulas/fracture.hpp"
 
 namespace rigor {

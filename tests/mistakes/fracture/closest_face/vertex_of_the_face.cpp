@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Names a vertex of the face instead of the one opposite.
+// The index of a vertex on the face is returned instead of that of the opposite vertex.
 #include "formulas/fracture.hpp"
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The plane holds the direction of the pull instead of being perpendicular to it.
+// The plane contains the direction of the largest tension; it must be perpendicular to it.
 #include "formulas/fracture.hpp"
 
 namespace rigor {

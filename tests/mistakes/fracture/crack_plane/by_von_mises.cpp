@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The yield criterion decides, which is for metal that flows.
+// The von Mises stress decides; that is the yield criterion of metals, not a criterion of fracture.
 #include "formulas/fracture.hpp"
 
 #include <cmath>

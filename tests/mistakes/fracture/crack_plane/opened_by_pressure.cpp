@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// By magnitude: what pushes hard opens a crack.
+// The largest absolute value decides, so that strong compression opens a crack.
 #include "formulas/fracture.hpp"
 
 namespace rigor {

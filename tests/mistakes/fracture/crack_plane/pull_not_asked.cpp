@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A threshold below zero opens cracks under pressure.
+// A crack needs tension; with a negative threshold this one opens under compression.
 #include "formulas/fracture.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A strong push is taken for the largest eigenvalue.
+// The largest absolute value is chosen, which can be a compression, not the largest eigenvalue.
 #include "formulas/fracture.hpp"
 
 namespace rigor {

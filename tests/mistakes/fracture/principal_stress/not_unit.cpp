@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The eigenvector as long as the eigenvalue.
+// The direction has the length of the eigenvalue; it must be a unit vector.
 #include "formulas/fracture.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A row of the matrix whose columns are the eigenvectors.
+// A row of the eigenvector matrix is returned; the eigenvectors are its columns.
 #include "formulas/fracture.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The first eigenvalue, as if they were sorted the other way.
+// The first eigenvalue is returned; they are sorted in ascending order, so the largest is the last.
 #include "formulas/fracture.hpp"
 
 namespace rigor {

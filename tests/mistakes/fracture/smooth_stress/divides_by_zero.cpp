@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// No exception where nothing has volume.
+// If an element and its neighbours have no volume, the mean divides by zero.
 #include "formulas/fracture.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// In place: an element sees what its neighbours have become, not what they were.
+// The smoothing works in place, so an element sees neighbours that are already smoothed.
 #include "formulas/fracture.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The plain mean: a sliver counts as much as the element beside it.
+// The mean is not weighted by volume: a sliver counts as much as a large element.
 #include "formulas/fracture.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The mean of the neighbours alone.
+// The mean is over the neighbours only; the element itself is missing.
 #include "formulas/fracture.hpp"
 
 namespace rigor {

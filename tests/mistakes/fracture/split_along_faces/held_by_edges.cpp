@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tetrahedra that share an edge stay together: nothing comes off at a vertex.
+// Tetrahedra that share only an edge stay connected; only a face may connect them.
 #include "mistakes/fracture/cutting.hpp"
 
 namespace rigor {
@@ -7,7 +7,7 @@ namespace rigor {
 SplitMesh split_along_faces(const TetrahedralMesh& mesh, const std::vector<MeshFace>& faces)
 {
     cutting::Corners corners(mesh.tetrahedra.size());
-    std::map<std::pair<int, int>, int> holders; // of each edge a tetrahedron
+    std::map<std::pair<int, int>, int> holders; // one tetrahedron for each edge
     for (std::size_t i = 0; i < mesh.tetrahedra.size(); ++i) {
         const int t = static_cast<int>(i);
         for (int a : mesh.tetrahedra[i])

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A face counts only if it is named from the tetrahedron that comes first.
+// A face is cut only if it is given by the tetrahedron that comes first in the mesh.
 #include "mistakes/fracture/cutting.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// All three vertices of a cut face double, those on the rim of the crack too.
+// All three vertices of a cut face are duplicated, even those on the rim of the crack.
 #include "mistakes/fracture/cutting.hpp"
 
 namespace rigor {

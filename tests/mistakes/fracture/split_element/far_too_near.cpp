@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A vertex counts as on the plane from five times as far.
+// The snap distance is five times too large: vertices far from the plane count as on it.
 #include "mistakes/fracture/cutting.hpp"
 
 namespace rigor {

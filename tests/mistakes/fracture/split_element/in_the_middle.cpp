@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Edges are halved in the middle, wherever the plane meets them.
+// Edges are split at their midpoint instead of where the plane meets them.
 #include "mistakes/fracture/cutting.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One of the halves has two corners swapped.
+// One half of each split tetrahedron has two corners swapped and is inverted.
 #include "mistakes/fracture/cutting.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The neighbours keep their edges whole, with a vertex in the middle of them.
+// Neighbours of the split tetrahedra are not split, which leaves vertices inside their edges.
 #include "mistakes/fracture/cutting.hpp"
 
 namespace rigor {

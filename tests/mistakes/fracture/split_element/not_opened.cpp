@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The elements are cut, but nothing comes apart.
+// The elements are split, but the crack is not opened.
 #include "mistakes/fracture/cutting.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The tetrahedra of the vertex come apart from all others.
+// Every tetrahedron at the vertex is separated from all others, not only across the plane.
 #include "mistakes/fracture/cutting.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// No vertex counts as on the plane unless it is exactly there.
+// The snap distance is nearly zero, so that cuts close to a vertex leave slivers.
 #include "mistakes/fracture/cutting.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A share of a quarter for each real corner.
+// The share of the volume is estimated as a quarter for each real corner; it must be measured.
 #include "mistakes/fracture/cutting.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A second crack of a tetrahedron is forgotten.
+// Only the first crack of a tetrahedron is used; the later ones are ignored.
 #include "mistakes/fracture/cutting.hpp"
 
 namespace rigor {

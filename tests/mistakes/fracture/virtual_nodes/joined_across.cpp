@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Copies of neighbours are joined wherever they share a face, also across the crack.
+// Copies of neighbours are connected wherever they share a face, even across the crack.
 #include "mistakes/fracture/cutting.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Each copy has all of the matter of its parent.
+// Each copy gets the whole volume of its parent instead of its share.
 #include "mistakes/fracture/cutting.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Each part is cut by every crack: what is left without a corner is nobody's.
+// Each part is clipped by every crack, so a region without a real corner belongs to no part.
 #include "mistakes/fracture/cutting.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A corner on the plane is on the side away from the normal.
+// A corner on the plane must count as on the side of the normal, not on the other side.
 #include "mistakes/fracture/cutting.hpp"
 
 namespace rigor {

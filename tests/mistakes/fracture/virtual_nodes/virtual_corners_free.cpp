@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Only the real corners of a face are joined, so virtual ones are loose.
+// Only the real corners of a shared face are connected; its virtual corners stay separate.
 #include "mistakes/fracture/cutting.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Both were moved to the origin: move them to the common center X.
+// The inertia is about the origin; it must be about the common center of mass X.
 #include "formulas/inertia.hpp"
 
 namespace rigor {

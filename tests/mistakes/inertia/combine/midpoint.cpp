@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The common center weighs each center by its mass: here it is the midpoint.
+// The common center is the midpoint; it must be weighted by the masses.
 #include "formulas/inertia.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A body's inertia grows away from its center of mass: the shift was subtracted.
+// The shift is subtracted; the inertia grows with the distance from the body's center of mass.
 #include "formulas/inertia.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Two bodies without mass have their center at 0/0: there the answer is all zero.
+// For two bodies without mass the center is 0/0; the result must be all zeros.
 #include "formulas/inertia.hpp"
 
 namespace rigor {

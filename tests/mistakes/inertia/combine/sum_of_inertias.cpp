@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// I₁ + I₂ holds only where both centers coincide: each must be moved to the common center first.
+// I₁ + I₂ is wrong unless the centers coincide; each must first be shifted to the common center.
 #include "formulas/inertia.hpp"
 
 namespace rigor {

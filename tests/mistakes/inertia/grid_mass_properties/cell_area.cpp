@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A cell's volume is h³: here it is h².
+// The volume of a cell is h³, not h².
 #include "formulas/inertia.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The center of mass weighs each cell by its density: here it is the middle of the grid.
+// The center is that of the grid; the center of mass must be weighted by density.
 #include "formulas/inertia.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Zero is relative to the largest moment: a small body's moments are all small.
+// The threshold must be relative to the largest moment: all moments of a small body are small.
 #include "formulas/inertia.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A rod's own axis has moment 0: its inverse is 0, not infinity.
+// The moment of a rod about its own axis is 0, and its inverse must be 0, not infinity.
 #include "formulas/inertia.hpp"
 
 namespace rigor {

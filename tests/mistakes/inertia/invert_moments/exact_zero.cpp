@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What rounding left of a 0 was inverted: mᵢ counts as 0 up to 1e-12 of the largest.
+// A moment that is 0 except for rounding is inverted; below 1e-12 of the largest it counts as 0.
 #include "formulas/inertia.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The integral over the tetrahedra is about the origin: it was not moved to the center of mass.
+// The integral over the tetrahedra is about the origin and was not moved to the center of mass.
 #include "formulas/inertia.hpp"
 
 namespace rigor {

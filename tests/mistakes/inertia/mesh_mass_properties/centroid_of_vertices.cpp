@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The center of mass is not the mean of the vertices: it is X = ∫ x dV / V.
+// The center of mass is X = ∫ x dV / V, not the mean of the vertices.
 #include "formulas/inertia.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Each tetrahedron was lumped into its centroid: its own extent is missing.
+// Each tetrahedron is treated as a point mass at its centroid, without its own extent.
 #include "formulas/inertia.hpp"
 
 namespace rigor {

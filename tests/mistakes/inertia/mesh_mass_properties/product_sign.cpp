@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The products of inertia are minus the integrals of x y: here their sign is plus.
+// The sign is wrong: the products of inertia are minus the integrals of x y.
 #include "formulas/inertia.hpp"
 
 namespace rigor {

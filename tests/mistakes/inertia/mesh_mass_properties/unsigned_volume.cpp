@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The tetrahedra are signed: those seen from inside must be subtracted, here all are added.
+// All volumes are added; tetrahedra have a sign, and those seen from inside must be subtracted.
 #include "formulas/inertia.hpp"
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The inertia is about the center of mass, dᵢ = pᵢ - X: here it is about the origin.
+// The inertia is about the origin; it must be about the center of mass, with dᵢ = pᵢ - X.
 #include "formulas/inertia.hpp"
 
 namespace rigor {

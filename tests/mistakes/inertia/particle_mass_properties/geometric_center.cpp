@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The center of mass weighs each point by its mass: here it is the mean of the points.
+// The center is the mean of the points; it must be weighted by mass.
 #include "formulas/inertia.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Without any mass the center is 0/0: there the answer is all zero.
+// Without mass the center is 0/0; the result must be all zeros.
 #include "formulas/inertia.hpp"
 
 namespace rigor {

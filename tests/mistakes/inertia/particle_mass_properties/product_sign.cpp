@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The inertia is dᵀd δ minus d dᵀ: here d dᵀ was added.
+// The sign is wrong: the inertia is dᵀd δ minus d dᵀ, not plus.
 #include "formulas/inertia.hpp"
 
 namespace rigor {

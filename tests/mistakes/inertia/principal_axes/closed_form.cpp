@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The closed form for 3×3 eigenvalues loses half the digits where two moments are close: iterate, with `compute`.
+// `computeDirect` loses half the digits if two moments are close; the iterative `compute` does not.
 #include "formulas/inertia.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The moments ascend: here the largest comes first.
+// The moments must be in ascending order; here the largest comes first.
 #include "formulas/inertia.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Q is a rotation, det +1: an eigenvector basis may be left-handed and must then be flipped.
+// Q must be a rotation, det +1; a left-handed basis of eigenvectors must be flipped.
 #include "formulas/inertia.hpp"
 
 namespace rigor {

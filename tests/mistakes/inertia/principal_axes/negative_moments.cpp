@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A moment that rounding made negative is 0: no body has less than none.
+// A moment that is negative because of rounding must be set to 0; no body has a negative one.
 #include "formulas/inertia.hpp"
 
 namespace rigor {

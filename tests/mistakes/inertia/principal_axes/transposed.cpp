@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The axes are the columns of Q: here they are its rows, I = Qᵀ diag Q.
+// Q is transposed: the axes must be its columns, but here they are its rows, I = Qᵀ diag Q.
 #include "formulas/inertia.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Each of the N samples stands for V/N, the empty ones too: here V was shared among the others.
+// V is divided among the hits only; each of the N samples stands for V/N, also the empty ones.
 #include "formulas/inertia.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where no sample met the body the center is 0/0: there the answer is all zero.
+// If no sample hits the body, the center is 0/0; the result must be all zeros.
 #include "formulas/inertia.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Each sample stands for V/N: here each stands for all of V.
+// Each sample counts with the whole volume V; it stands for V/N.
 #include "formulas/inertia.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// M/3 is the inertia about an edge: about the center it is M/12.
+// The factor M/3 is about an edge of the box; about the center it is M/12.
 #include "formulas/inertia.hpp"
 
 namespace rigor {

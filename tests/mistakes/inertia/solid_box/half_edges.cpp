@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `size` holds full edges: here they were taken for half edges.
+// `size` holds full edge lengths; here they are taken for half edges.
 #include "formulas/inertia.hpp"
 
 namespace rigor {

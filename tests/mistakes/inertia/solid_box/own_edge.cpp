@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Ixx has the two edges across x, b² + c²: here it has the edge along x.
+// Ixx depends on the edges perpendicular to x, b² + c²; here it contains the edge along x.
 #include "formulas/inertia.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The cylinder's axis is y: here it is z.
+// The axis of the cylinder is y; here it is z.
 #include "formulas/inertia.hpp"
 
 #include <numbers>

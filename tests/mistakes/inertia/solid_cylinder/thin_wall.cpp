@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// M r² is a pipe's inertia about its axis: a solid cylinder has ½ M r².
+// M r² is the inertia of a thin pipe about its axis; a solid cylinder has ½ M r².
 #include "formulas/inertia.hpp"
 
 #include <numbers>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// M/12 is a box with full edges: an ellipsoid has M/5 and semi-axes.
+// M/12 is for a box with full edges; an ellipsoid has M/5 and semi-axes.
 #include "formulas/inertia.hpp"
 
 #include <numbers>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Ixx has the two semi-axes across x, b² + c²: here it has the one along x twice, as a sphere.
+// Ixx depends on the semi-axes perpendicular to x, b² + c²; here it is 2 a², as for a sphere.
 #include "formulas/inertia.hpp"
 
 #include <numbers>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// 2/3 M r² is a hollow sphere: a solid one has 2/5 M r².
+// 2/3 M r² is for a hollow sphere; a solid sphere has 2/5 M r².
 #include "formulas/inertia.hpp"
 
 #include <numbers>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `4 / 3` and `2 / 5` divide integers, to 1 and 0.
+// `4 / 3` and `2 / 5` are integer divisions, which give 1 and 0.
 #include "formulas/inertia.hpp"
 
 #include <numbers>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// M l²/3 is about the rod's end: about its center it is M l²/12.
+// M l²/3 is about the end of the rod; about its center it is M l²/12.
 #include "formulas/inertia.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The rod lies along y, so Iyy = 0: here Ixx is.
+// The rod lies along y, so Iyy = 0; here Ixx is 0.
 #include "formulas/inertia.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A tensor is turned from both sides, R I_body Rᵀ: here from one.
+// A tensor is rotated on both sides, R I_body Rᵀ; here only on one.
 #include "formulas/inertia.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Rᵀ I_body R turns the wrong way: I(t) is R I_body Rᵀ.
+// Rᵀ I_body R rotates the wrong way: I(t) = R I_body Rᵀ.
 #include "formulas/inertia.hpp"
 
 namespace rigor {

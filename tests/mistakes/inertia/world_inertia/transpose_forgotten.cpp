@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// I(t) is R I_body Rᵀ: the transpose was forgotten.
+// The transpose is missing: I(t) = R I_body Rᵀ.
 #include "formulas/inertia.hpp"
 
 namespace rigor {

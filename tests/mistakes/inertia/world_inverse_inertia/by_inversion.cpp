@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The inverse of a rod's inertia is given, with a 0 in it, and cannot be inverted back: turn it as it is.
+// A rod's inverse inertia has a 0 and cannot be inverted; it must be rotated as it is.
 #include "formulas/inertia.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The argument is the inverse already: here it was inverted once more.
+// The argument is already the inverse; here it is inverted once more.
 #include "formulas/inertia.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Rᵀ I_body⁻¹ R turns the wrong way: I(t)⁻¹ is R I_body⁻¹ Rᵀ.
+// Rᵀ I_body⁻¹ R rotates the wrong way: I(t)⁻¹ = R I_body⁻¹ Rᵀ.
 #include "formulas/inertia.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The skew part is ½ (A - Aᵀ): its ½ is missing, ω is twice too large.
+// The skew part is ½ (A - Aᵀ); without the ½, ω is twice too large.
 #include "formulas/kinematics.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Rᵀ Ṙ gives ω along the body's own axes: in world space it is Ṙ Rᵀ.
+// Rᵀ Ṙ gives ω along the axes of the body; in world space it is Ṙ Rᵀ.
 #include "formulas/kinematics.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Only one triangle of Ṙ Rᵀ was read: where it is not quite skew, its skew part ½ (A - Aᵀ) is asked for.
+// Only one triangle of A = Ṙ Rᵀ is read; if A is not quite skew, ω comes from ½ (A - Aᵀ).
 #include "formulas/kinematics.hpp"
 
 namespace rigor {

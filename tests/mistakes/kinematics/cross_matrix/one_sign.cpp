@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One sign is wrong, in the last row: the matrix is not skew.
+// One sign in the last row is wrong, so the matrix is not skew.
 #include "formulas/kinematics.hpp"
 
 namespace rigor {

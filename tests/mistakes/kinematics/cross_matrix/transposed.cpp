@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// This is w*ᵀ: it gives x × w, not w × x.
+// The matrix is w*ᵀ, which gives x × w instead of w × x.
 #include "formulas/kinematics.hpp"
 
 namespace rigor {

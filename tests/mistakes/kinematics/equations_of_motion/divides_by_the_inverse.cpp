@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// inverse_mass is 1/M already: F was divided by it instead of multiplied.
+// inverse_mass is already 1/M; here F is divided by it instead of multiplied.
 #include "formulas/kinematics.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// L̇ = τ in world space: the term ω × L belongs to a turning frame.
+// In world space L̇ = τ; the term ω × L belongs to a rotating frame.
 #include "formulas/kinematics.hpp"
 
 namespace rigor {

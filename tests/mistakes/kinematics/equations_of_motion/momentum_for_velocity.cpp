@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// ω = I(t)⁻¹ L: the angular momentum was taken for the angular velocity.
+// The angular momentum is used as the angular velocity; ω = I(t)⁻¹ L.
 #include "formulas/kinematics.hpp"
 
 namespace rigor {

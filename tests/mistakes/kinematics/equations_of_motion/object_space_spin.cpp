@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Ṙ = ω* R with ω in world space: here it is R ω*.
+// Ṙ = ω* R with ω in world space; here it is R ω*.
 #include "formulas/kinematics.hpp"
 
 namespace rigor {

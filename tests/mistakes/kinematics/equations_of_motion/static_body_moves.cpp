@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A static body (inverse mass 0) has no rates at all: this one still moves and turns.
+// A static body (inverse mass 0) has all rates zero; here it still moves and rotates.
 #include "formulas/kinematics.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// I_inverse is in world space already: it was turned by R once more.
+// I_inverse is already in world space; here it is rotated by R once more.
 #include "formulas/kinematics.hpp"
 
 namespace rigor {

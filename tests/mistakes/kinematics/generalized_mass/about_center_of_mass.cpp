@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The off-diagonal blocks vanish only where X is the center of mass: X may be any point.
+// The off-diagonal blocks vanish only if X is the center of mass, but X may be any point.
 #include "formulas/kinematics.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The matrix is a sum over the particles: only the last one is left, assigned instead of added.
+// Each particle overwrites the matrix instead of being added, so only the last one counts.
 #include "formulas/kinematics.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Each particle was counted with mass 1: the factor mᵢ is missing.
+// The factor mᵢ is missing: each particle counts with mass 1.
 #include "formulas/kinematics.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The torque is about X, not about the origin: the arm is xᵢ - X.
+// The torque is about the origin; it must be about X, with the lever arm xᵢ - X.
 #include "formulas/kinematics.hpp"
 
 namespace rigor {

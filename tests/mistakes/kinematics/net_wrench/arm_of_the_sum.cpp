@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Each force has its own arm: the net force was crossed with the sum of the arms.
+// The net force is crossed with the sum of the lever arms; each force has its own arm.
 #include "formulas/kinematics.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// X was subtracted after the rotation: it is a world-space vector and comes off first.
+// X is subtracted after the rotation; it is in world space and must be subtracted first.
 #include "formulas/kinematics.hpp"
 
 namespace rigor {

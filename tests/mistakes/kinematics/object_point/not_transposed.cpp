@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// p = Rᵀ (x - X): the transpose is missing.
+// The transpose is missing: p = Rᵀ (x - X).
 #include "formulas/kinematics.hpp"
 
 namespace rigor {

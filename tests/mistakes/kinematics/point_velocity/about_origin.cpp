@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The body turns about its center of mass X, not about the origin: ω × (x - X).
+// The body rotates about its center of mass X, not about the origin: ω × (x - X).
 #include "formulas/kinematics.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The modes turn about X, not about the origin: X* is missing.
+// X* is missing: the modes rotate about X, not about the origin.
 #include "formulas/kinematics.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The coefficients are (V, ω) in this order: the halves of S are swapped.
+// The halves of S are swapped: the coefficients are (V, ω) in this order.
 #include "formulas/kinematics.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The right half is X* - x*: its sign is reversed.
+// The sign of the right half is wrong: it is X* - x*.
 #include "formulas/kinematics.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The point was moved before it was turned: R (p + X) instead of R p + X.
+// The point is translated before it is rotated: R (p + X) instead of R p + X.
 #include "formulas/kinematics.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The point was turned but not moved: + X is missing.
+// The point is rotated but not translated: + X is missing.
 #include "formulas/kinematics.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// R turns object space into world space, Rᵀ the other way: the transpose is too much.
+// R rotates object space into world space; here Rᵀ is used, which does the opposite.
 #include "formulas/kinematics.hpp"
 
 namespace rigor {

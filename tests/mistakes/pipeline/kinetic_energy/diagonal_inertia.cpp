@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Only the diagonal of I was used: the products of inertia are missing.
+// Only the diagonal of I is used; the products of inertia are missing.
 #include "formulas/pipeline.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `1 / 2` divides integers and is 0: the energy is zero.
+// `1 / 2` is an integer division and gives 0, so the energy is zero.
 #include "formulas/pipeline.hpp"
 
 namespace rigor {

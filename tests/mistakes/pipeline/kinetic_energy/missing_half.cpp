@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The spin's energy is ½ ω·I ω: its ½ is missing.
+// The ½ of the rotational energy ½ ω·I ω is missing.
 #include "formulas/pipeline.hpp"
 
 namespace rigor {

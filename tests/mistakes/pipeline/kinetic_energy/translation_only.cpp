@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Only the translation was counted: ½ ω·I ω is missing.
+// The rotational energy ½ ω·I ω is missing.
 #include "formulas/pipeline.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The pressure taken from every entry, from the shears too.
+// The mean stress is subtracted from every entry; it belongs on the diagonal only.
 #include "formulas/plasticity.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// In C++ the third 1/3 is 0: nothing is taken away.
+// `1 / 3` is an integer division and gives 0, so nothing is subtracted.
 #include "formulas/plasticity.hpp"
 
 namespace rigor {

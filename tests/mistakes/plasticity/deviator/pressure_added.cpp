@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The sign of a pressure, which is minus the mean stress, used twice.
+// The sign is wrong: the mean stress must be subtracted, not added.
 #include "formulas/plasticity.hpp"
 
 namespace rigor {

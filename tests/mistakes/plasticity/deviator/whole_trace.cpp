@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The whole trace taken away, not a third of it: what is left has a trace again.
+// The whole trace is subtracted instead of a third of it, so the result still has a trace.
 #include "formulas/plasticity.hpp"
 
 namespace rigor {

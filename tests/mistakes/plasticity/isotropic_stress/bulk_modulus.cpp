@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// λ taken for the bulk modulus, so that only the deviator gets 2 G.
+// λ is used as if it were the bulk modulus: 2 G acts on the deviator only, not on all of ε.
 #include "formulas/plasticity.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// G ε for 2 G ε: the engineer's shear γ = 2 ε mixed up with the tensor's.
+// G ε is used for 2 G ε, as if ε held the engineering shear strains γ = 2 ε.
 #include "formulas/plasticity.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// λ Tr(ε) on every entry instead of on the diagonal.
+// λ Tr(ε) is added to every entry; it belongs on the diagonal only.
 #include "formulas/plasticity.hpp"
 
 namespace rigor {

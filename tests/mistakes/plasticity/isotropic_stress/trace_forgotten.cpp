@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Nothing resists a change of volume but the shear modulus.
+// λ multiplies ε instead of Tr(ε) on the diagonal, so the directions are not coupled.
 #include "formulas/plasticity.hpp"
 
 namespace rigor {

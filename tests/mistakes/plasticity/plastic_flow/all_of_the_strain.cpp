@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The whole elastic shear becomes plastic: no stress is left.
+// The whole elastic shear strain becomes plastic, so that no shear stress is left.
 #include "formulas/plasticity.hpp"
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Along σ instead of dev σ: the volume flows and the pressure goes.
+// The flow is along σ instead of dev σ, so that the volume flows and the pressure drops.
 #include "formulas/plasticity.hpp"
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The flow against the stress makes it grow.
+// The sign is wrong: the flow is against the stress and makes it grow.
 #include "formulas/plasticity.hpp"
 
 #include <cmath>

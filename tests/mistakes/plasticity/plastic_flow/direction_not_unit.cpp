@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// ∂f/∂σ taken for dev σ/‖dev σ‖, with γ = f/(3 G): √(3/2) is missing, the stress stays outside.
+// √(3/2) of ∂f/∂σ is missing while γ = f/(3 G), so the stress stays outside the yield surface.
 #include "formulas/plasticity.hpp"
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A solid without strength and without stress divides 0 by 0.
+// For f = 0 with zero yield stress and zero stress, the direction is 0/0.
 #include "formulas/plasticity.hpp"
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// f < 0 is let through: below the yield surface plastic strain flows back.
+// f < 0 is not excluded, so that plastic strain flows back below the yield surface.
 #include "formulas/plasticity.hpp"
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Without stiffness γ = f/0.
+// For G = 0 the factor γ = f/(3 G) divides by zero.
 #include "formulas/plasticity.hpp"
 
 #include <cmath>

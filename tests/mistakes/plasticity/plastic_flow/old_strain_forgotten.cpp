@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The increment is returned, and what flowed before is forgotten.
+// Only the increment is returned; the plastic strain from before is lost.
 #include "formulas/plasticity.hpp"
 
 #include <cmath>

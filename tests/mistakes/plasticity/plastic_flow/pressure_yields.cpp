@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The criterion with the whole stress: it yields under water.
+// The criterion uses the whole stress, so that pressure alone makes the solid yield.
 #include "formulas/plasticity.hpp"
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// γ = f/(2 G): the flow overshoots, the stress ends up inside the yield surface.
+// With γ = f/(2 G) the flow overshoots, and the stress ends inside the yield surface.
 #include "formulas/plasticity.hpp"
 
 #include <cmath>

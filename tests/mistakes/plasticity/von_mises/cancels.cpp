@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The difference of two squares: a small shear drowns in a large pressure.
+// The difference of two squares cancels: a small shear is lost beside a large pressure.
 #include "formulas/plasticity.hpp"
 
 #include <algorithm>

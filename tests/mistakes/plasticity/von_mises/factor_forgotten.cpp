@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Without √(3/2) it is the norm of the deviator: a pulled rod has 0.816 of its stress.
+// Without √(3/2) the result for a rod in tension is 0.816 of its stress.
 #include "formulas/plasticity.hpp"
 
 #include <cmath>

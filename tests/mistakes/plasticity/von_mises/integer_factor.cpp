@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// 3/2 in integers is 1.
+// `3 / 2` is an integer division and gives 1.
 #include "formulas/plasticity.hpp"
 
 #include <cmath>

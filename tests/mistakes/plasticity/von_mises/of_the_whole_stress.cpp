@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The pressure is not taken away: it would yield under water.
+// The mean stress is not subtracted, so that pressure alone would make the solid yield.
 #include "formulas/plasticity.hpp"
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A threshold with a unit: what is small in Pa is taken for 0.
+// The threshold is an absolute number of pascals, so that small stresses become 0.
 #include "formulas/plasticity.hpp"
 
 #include <cmath>

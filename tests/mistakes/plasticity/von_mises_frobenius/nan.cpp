@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Under pressure alone rounding makes the difference negative, and the root NaN.
+// Under pure pressure, rounding makes the difference negative and the square root NaN.
 #include "formulas/plasticity.hpp"
 
 #include <cmath>

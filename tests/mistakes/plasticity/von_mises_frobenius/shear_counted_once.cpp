@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Each shear stands in the matrix twice, and counts twice.
+// Each shear stress is in the matrix twice and must count twice.
 #include "formulas/plasticity.hpp"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The third is taken after the root, where it is a ninth.
+// The third is applied to the whole root instead of to Tr(σ)² inside it.
 #include "formulas/plasticity.hpp"
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// ⅓ Tr(σ) instead of ⅓ Tr(σ)²: not even the units fit.
+// ⅓ Tr(σ) is subtracted instead of ⅓ Tr(σ)²; the units do not match.
 #include "formulas/plasticity.hpp"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The largest singular value instead of the Frobenius norm.
+// The largest singular value is used instead of the Frobenius norm.
 #include "formulas/plasticity.hpp"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// √(2/3), which makes an equivalent strain, for √(3/2).
+// √(2/3) is used for √(3/2); √(2/3) belongs to the equivalent strain.
 #include "formulas/plasticity.hpp"
 
 #include <cmath>

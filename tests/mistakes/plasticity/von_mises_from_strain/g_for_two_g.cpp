@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// G for 2 G: half the stress.
+// G is used for 2 G, which gives half the stress.
 #include "formulas/plasticity.hpp"
 
 #include <cmath>

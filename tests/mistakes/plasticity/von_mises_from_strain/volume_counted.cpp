@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The change of volume counts: stretched alike in all directions it would yield.
+// The change of volume counts, so that equal stretch in all directions would yield.
 #include "formulas/plasticity.hpp"
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Without 1/√2 a pulled rod has √2 times its stress.
+// Without 1/√2 the result for a rod in tension is √2 times its stress.
 #include "formulas/plasticity.hpp"
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// ½ √(…) instead of √(½ …).
+// The ½ is outside the root: ½ √(…) instead of √(½ …).
 #include "formulas/plasticity.hpp"
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The largest minus the smallest, trusting that the first is the largest.
+// The difference of the first and the last stress is used, as if there were no stress between them.
 #include "formulas/plasticity.hpp"
 
 namespace rigor {

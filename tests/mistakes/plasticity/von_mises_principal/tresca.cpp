@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The criterion of Tresca: the largest difference. Equal for a rod, not in shear.
+// This is the Tresca criterion, the largest difference: the same for a rod, but not in shear.
 #include "formulas/plasticity.hpp"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// 0/0 where neither strength nor stiffness is left.
+// If yield stress and shear modulus are both zero, the result is 0/0.
 #include "formulas/plasticity.hpp"
 
 namespace rigor {

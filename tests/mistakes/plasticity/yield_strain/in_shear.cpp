@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The strain at which simple shear yields, σ_Y/√3/(2 G): the threshold is for √(3/2) ‖dev ε‖.
+// σ_Y/√3/(2 G) is the yield strain in simple shear; the threshold is for √(3/2) ‖dev ε‖.
 #include "formulas/plasticity.hpp"
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// 3 G belongs to the flow, not here.
+// The divisor 3 G belongs to the plastic flow; here it is 2 G.
 #include "formulas/plasticity.hpp"
 
 #include <limits>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// 0 where G = 0: it would yield always instead of never.
+// For G = 0 the threshold must be infinite; with 0 the solid always yields.
 #include "formulas/plasticity.hpp"
 
 namespace rigor {

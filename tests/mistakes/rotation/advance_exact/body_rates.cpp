@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The new rotation stands on the right of q: that is for ω in the body's frame.
+// The new rotation multiplies q from the right, which is for ω in the body's frame.
 #include "formulas/rotation.hpp"
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A slow rotation is not turned at all: ω → 0 must be smooth.
+// A slow rotation is ignored; the result must be smooth as ω → 0.
 #include "formulas/rotation.hpp"
 
 #include <cmath>

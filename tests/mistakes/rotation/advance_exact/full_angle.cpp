@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// It turns by twice the angle: ω instead of ω/2.
+// The quaternion contains the full angle instead of half of it, so it turns twice as far.
 #include "formulas/rotation.hpp"
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// This is the linear update: it turns by 2 atan(|ω|Δt/2).
+// This is the linear update, which turns by 2 atan(|ω|Δt/2) instead of |ω|Δt.
 #include "formulas/rotation.hpp"
 
 namespace rigor {

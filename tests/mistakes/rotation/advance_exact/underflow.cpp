@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The square of a tiny ω underflows: |ω| is no longer its length.
+// The square of a tiny ω underflows, so that |ω| is wrong.
 #include "formulas/rotation.hpp"
 
 #include <cmath>

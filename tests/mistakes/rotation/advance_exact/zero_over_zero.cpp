@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// ω/|ω| is 0/0 at rest.
+// At rest ω/|ω| is 0/0.
 #include "formulas/rotation.hpp"
 
 #include <cmath>

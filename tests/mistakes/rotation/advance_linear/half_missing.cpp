@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The factor ½ is missing: it turns by nearly twice the angle.
+// The factor ½ is missing, so that the body turns by nearly twice the angle.
 #include "formulas/rotation.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The result is not renormalized.
+// The result is not normalized again.
 #include "formulas/rotation.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The update is R + Δt R ω*: ω is taken in the body's frame, but it is in world space, so ω* stands on the left.
+// The update is R + Δt R ω*; ω is in world space, so ω* must be on the left of R.
 #include "formulas/rotation.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The result is orthonormalized: this update is meant to drift.
+// The result is orthonormalized; this update is meant to show the drift.
 #include "formulas/rotation.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The update is R + Δt ω*: the R behind ω* was forgotten.
+// The factor R after ω* is missing: the update is R + Δt ω* R.
 #include "formulas/rotation.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// ω* is transposed: the body turns backwards.
+// ω* is transposed, so that the body turns backwards.
 #include "formulas/rotation.hpp"
 
 namespace rigor {

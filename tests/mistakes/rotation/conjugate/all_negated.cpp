@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The whole quaternion is negated, which is the same rotation; only the vector part changes sign.
+// The whole quaternion is negated, which is the same rotation; only the vector part may change.
 #include "formulas/rotation.hpp"
 
 namespace rigor {

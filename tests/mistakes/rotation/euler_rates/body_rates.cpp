@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// ω is taken in the body's frame; it is in world space.
+// ω is taken to be in the body's frame; it is in world space.
 #include "formulas/rotation.hpp"
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// At gimbal lock the rates do not exist, yet it returns some.
+// At gimbal lock the rates do not exist, but a result is returned.
 #include "formulas/rotation.hpp"
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The rates are not the components of ω.
+// The components of ω are returned; they are not the rates of the angles.
 #include "formulas/rotation.hpp"
 
 #include <cmath>

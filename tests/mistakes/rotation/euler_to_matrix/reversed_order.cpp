@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The order is R_x R_y R_z: yaw is turned first.
+// The order is reversed: R_x R_y R_z applies yaw first.
 #include "formulas/rotation.hpp"
 
 namespace rigor {

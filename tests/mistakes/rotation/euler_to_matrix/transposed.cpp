@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The angles are negative: each turn goes the wrong way.
+// The angles are negated, so that each rotation goes the wrong way.
 #include "formulas/rotation.hpp"
 
 namespace rigor {

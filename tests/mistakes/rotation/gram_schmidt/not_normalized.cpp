@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The columns are made orthogonal but not unit.
+// The columns are made orthogonal but not normalized.
 #include "formulas/rotation.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The third column keeps its own side: a left-handed R stays a reflection, with det -1.
+// The third column keeps its side, so that a left-handed R stays a reflection, with det -1.
 #include "formulas/rotation.hpp"
 
 namespace rigor {

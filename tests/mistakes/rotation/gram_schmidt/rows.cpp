@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The rows are orthonormalized, not the columns.
+// The rows are orthonormalized instead of the columns.
 #include "formulas/rotation.hpp"
 
 namespace rigor {

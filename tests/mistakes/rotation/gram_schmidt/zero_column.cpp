@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A column that is zero, or that depends on the first, is divided by its length 0.
+// A column that is zero, or parallel to the first, is divided by its length 0.
 #include "formulas/rotation.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The force is g: the mass is missing.
+// The mass is missing: the force is g instead of M g.
 #include "formulas/rotation.hpp"
 
 namespace rigor {

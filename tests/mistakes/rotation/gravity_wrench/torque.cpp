@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Gravity has no torque about the center of mass.
+// Gravity exerts no torque about the center of mass.
 #include "formulas/rotation.hpp"
 
 namespace rigor {

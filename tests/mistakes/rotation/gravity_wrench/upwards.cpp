@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The force is -M g: g already points down.
+// The sign is wrong: the force is M g, and g already points down.
 #include "formulas/rotation.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A body at rest gets a step of 0; it needs no limit.
+// A body at rest gets a time step of 0; it has no limit.
 #include "formulas/rotation.hpp"
 
 #include <numbers>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// It allows half a turn; the limit is a quarter.
+// Half a turn is allowed per step; the limit is a quarter turn.
 #include "formulas/rotation.hpp"
 
 #include <numbers>

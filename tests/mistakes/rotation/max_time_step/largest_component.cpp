@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// It takes the largest component of ω for its length.
+// The largest component of ω is used instead of its length.
 #include "formulas/rotation.hpp"
 
 #include <numbers>

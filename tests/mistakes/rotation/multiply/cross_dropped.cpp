@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// v_a × v_b is missing: this product commutes, quaternions do not.
+// v_a × v_b is missing, so the product commutes; that of quaternions does not.
 #include "formulas/rotation.hpp"
 
 namespace rigor {

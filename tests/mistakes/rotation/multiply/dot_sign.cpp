@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// v_a·v_b is added; i² = -1, so it is subtracted.
+// v_a·v_b is added; because i² = -1 it must be subtracted.
 #include "formulas/rotation.hpp"
 
 namespace rigor {

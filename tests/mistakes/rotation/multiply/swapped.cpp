@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The product is b a: the cross product has the wrong sign.
+// The factors are swapped: the product is b a, with the wrong sign of the cross product.
 #include "formulas/rotation.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The sign of q is changed to make the scalar part positive.
+// The sign of q is changed to make the scalar part positive; it must stay.
 #include "formulas/rotation.hpp"
 
 #include <cmath>

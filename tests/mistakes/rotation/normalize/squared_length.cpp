@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// q is divided by |q|², not by |q|.
+// q is divided by |q|² instead of |q|.
 #include "formulas/rotation.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The squares of a tiny quaternion underflow to 0, those of a huge one overflow.
+// The squares of a tiny quaternion underflow to 0, and those of a huge one overflow.
 #include "formulas/rotation.hpp"
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The zero quaternion is divided by 0.
+// The zero quaternion is divided by its length 0.
 #include "formulas/rotation.hpp"
 
 #include <cmath>

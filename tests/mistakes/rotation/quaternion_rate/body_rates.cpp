@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The product is q (0, ω): that is for ω in the body's frame.
+// The product is q (0, ω), which is for ω in the body's frame.
 #include "formulas/rotation.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The factor ½ is missing: a quaternion turns by half the angle.
+// The factor ½ is missing: a quaternion contains half the angle.
 #include "formulas/rotation.hpp"
 
 namespace rigor {

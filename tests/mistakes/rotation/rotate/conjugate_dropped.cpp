@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The second factor is q, not its conjugate.
+// The last factor is q instead of its conjugate.
 #include "formulas/rotation.hpp"
 
 namespace rigor {

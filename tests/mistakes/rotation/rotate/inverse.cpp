@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// This is q̄ (0, p) q, the inverse rotation.
+// The product is q̄ (0, p) q, which is the inverse rotation.
 #include "formulas/rotation.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The terms of Ω behind ω are missing: this is a first-order method.
+// The terms of Ω after ω are missing, which makes the method first order.
 #include "formulas/rotation.hpp"
 
 namespace rigor {

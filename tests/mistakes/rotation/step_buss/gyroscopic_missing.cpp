@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// ω̇ lacks - ω × L: I(t) changes as the body turns.
+// The term - ω × L of ω̇ is missing: I(t) changes as the body rotates.
 #include "formulas/rotation.hpp"
 
 namespace rigor {

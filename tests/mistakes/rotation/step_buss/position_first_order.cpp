@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// X lacks ½ Δt² F/M.
+// The term ½ Δt² F/M of X is missing.
 #include "formulas/rotation.hpp"
 
 namespace rigor {

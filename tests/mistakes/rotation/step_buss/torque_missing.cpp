@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// ω̇ lacks the torque.
+// The torque is missing in ω̇.
 #include "formulas/rotation.hpp"
 
 namespace rigor {

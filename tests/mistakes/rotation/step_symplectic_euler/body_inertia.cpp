@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// I_body⁻¹ is not turned to world space.
+// I_body⁻¹ is not rotated to world space.
 #include "formulas/rotation.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// X moves with the old V: that is explicit Euler.
+// X is advanced with the old V, which is explicit Euler.
 #include "formulas/rotation.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// q is not renormalized after the step.
+// q is not normalized after the step.
 #include "formulas/rotation.hpp"
 
 namespace rigor {

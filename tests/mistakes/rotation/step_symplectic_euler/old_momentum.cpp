@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// ω comes from the old L; symplectic Euler takes the new.
+// ω is computed from the old L; symplectic Euler uses the new one.
 #include "formulas/rotation.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A static body moves.
+// A static body moves; it must stay unchanged.
 #include "formulas/rotation.hpp"
 
 namespace rigor {

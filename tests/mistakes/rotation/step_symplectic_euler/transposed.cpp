@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// I(t)⁻¹ is Rᵀ I_body⁻¹ R: the transpose is on the wrong side.
+// The transpose is on the wrong side: I(t)⁻¹ = R I_body⁻¹ Rᵀ, not Rᵀ I_body⁻¹ R.
 #include "formulas/rotation.hpp"
 
 namespace rigor {

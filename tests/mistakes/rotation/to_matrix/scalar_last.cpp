@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The quaternion is read as (x, y, z, s); the scalar comes first.
+// The quaternion is read as (x, y, z, s); the scalar part comes first.
 #include "formulas/rotation.hpp"
 
 namespace rigor {

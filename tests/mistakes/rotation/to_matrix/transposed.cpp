@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The matrix is transposed: its rows are the rotated axes.
+// The matrix is transposed: its rows are the rotated axes, but they must be its columns.
 #include "formulas/rotation.hpp"
 
 namespace rigor {
