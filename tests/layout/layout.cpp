@@ -47,8 +47,10 @@ bool is_unbreakable(const std::string& line)
     return is_link || text.find(' ') == std::string::npos;
 }
 
+// Whether the source is the main of a program, or of a module that a program loads.
 bool is_main(const File& file)
 {
+    if (file.path.parent_path().filename() == "main") return true;
     return std::any_of(file.lines.begin(), file.lines.end(),
                        [](const std::string& line) { return line.starts_with("int main("); });
 }

@@ -121,6 +121,7 @@ TEST_CASE("layout: a source of the framework needs a header of its name or a mai
     const Tree tree;
     tree.write("tests/room/body_test.cpp", licence);
     tree.write("framework/room/run.cpp", licence + "int main()\n{\n}\n");
+    tree.write("framework/room/main/module.cpp", licence);
     CHECK(tree.violations().empty());
     tree.write("framework/room/mass.cpp", licence);
     tree.write("framework/other/mass.hpp", header);
