@@ -18,10 +18,12 @@ enum class Integrator {
 
 /// How the contact stage of a step resolves contacts.
 enum class ContactMethod {
-    built_in, ///< all contacts at once, by the formulas of topic `collision` alone, the default
+    /// All contacts of an island at once, the default: sweeps with the law of `collision_impulse`,
+    /// and Newton's method where they do not converge.
+    built_in,
     one_at_a_time,     ///< `resolve_contacts`
     shock_propagation, ///< `resolve_contacts`, then `shock_propagation`
-    simultaneous,      ///< `resolve_simultaneously`
+    simultaneous,      ///< the same with the sweeps of `resolve_simultaneously`
 };
 
 /// Optimisations that leave out work that a scene does not need. Each is used if true, and can be

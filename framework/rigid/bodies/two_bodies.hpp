@@ -43,7 +43,7 @@ inline Vector3d of_second(const TwoVectors& a)
 }
 
 /// The same vector for both bodies.
-[[gnu::always_inline]] inline TwoVectors twice(const Vector3d& a)
+[[gnu::always_inline]] inline TwoVectors broadcast(const Vector3d& a)
 {
     return {Two{a[0], a[0]}, Two{a[1], a[1]}, Two{a[2], a[2]}};
 }
@@ -80,7 +80,8 @@ struct TwoMasses {
 };
 
 /// I⁻¹ t for each body.
-[[gnu::always_inline]] inline TwoVectors turned_by(const TwoMasses& of, const TwoVectors& t)
+[[gnu::always_inline]] inline TwoVectors inverse_inertia_times(const TwoMasses& of,
+                                                               const TwoVectors& t)
 {
     return {of.xx * t.x + of.xy * t.y + of.xz * t.z, of.xy * t.x + of.yy * t.y + of.yz * t.z,
             of.xz * t.x + of.yz * t.y + of.zz * t.z};
@@ -101,9 +102,9 @@ struct TwoMotions {
     /// Inlined form of `apply_impulse`: j acts on body 1 and -j on body 2.
     [[gnu::always_inline]] void apply(const TwoMasses& of, const TwoVectors& r, const Vector3d& j)
     {
-        const TwoVectors p = twice(j);
+        const TwoVectors p = broadcast(j);
         V += {of.inverse_mass * p.x, of.inverse_mass * p.y, of.inverse_mass * p.z};
-        w += turned_by(of, cross(r, p));
+        w += inverse_inertia_times(of, cross(r, p));
     }
 };
 

@@ -62,7 +62,7 @@ int checked(int index, std::size_t size)
 // The impulse, scaled down if it would increase the energy. With restitution and friction together,
 // Newton's law of restitution may do so (Kane and Levinson 1985, "Dynamics: theory and
 // applications"): ΔE = j·v + ½ jᵀKj.
-Vector3d without_gain(const Matrix3d& K, const Vector3d& v, const Vector3d& j)
+Vector3d without_energy_gain(const Matrix3d& K, const Vector3d& v, const Vector3d& j)
 {
     const double work = j.dot(v), stored = j.dot(optimised::product(K, j)) / 2;
     constexpr double rounding = 1e-12;                  // as a fraction of the energy
@@ -97,7 +97,7 @@ bool bounce(ContactProblem& problem, const Candidates& candidates)
     const Matrix3d K = is_alone ? c.K : problem.impulse_matrix_at(c, x);
     const Vector3d v = is_alone ? chosen.relative_velocity : problem.velocity_at(c, x);
     Vector3d j = collision_impulse(K, v, chosen.normal, c.restitution, c.friction);
-    if (c.restitution > 0 && c.friction > 0) j = without_gain(K, v, j);
+    if (c.restitution > 0 && c.friction > 0) j = without_energy_gain(K, v, j);
     if (j.isZero(0)) return false;
 
     problem.apply(c, x, j);

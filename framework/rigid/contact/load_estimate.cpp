@@ -11,8 +11,8 @@ namespace rigor {
 
 namespace {
 
-constexpr double steepest = 0.3;  // least |n·up| of a contact that carries weight
-constexpr double touching = 1e-6; // largest gap of touching bodies, in radii; allows for rounding
+constexpr double least_slope = 0.3; // least |n·up| of a contact that carries weight
+constexpr double touching = 1e-6;   // largest gap of touching bodies, in radii; allows for rounding
 
 // A body, the body that it rests on, and the contact between them.
 struct Support {
@@ -27,7 +27,7 @@ std::vector<Support> supports_of(const ContactProblem& problem, std::span<const 
         const ContactConstraint& c = problem.contacts[i];
         const double slope = c.normal.dot(up);
         const double v_n = problem.velocity_at(c, c.point).dot(c.normal);
-        if (std::abs(slope) < steepest || problem.predicted_gap(c, v_n) > touching * c.radius)
+        if (std::abs(slope) < least_slope || problem.predicted_gap(c, v_n) > touching * c.radius)
             continue;
         const Support support =
             slope > 0 ? Support{c.body1, c.body2, i} : Support{c.body2, c.body1, i};

@@ -52,10 +52,16 @@ CorrectionRow row_of(const ContactProblem& problem, const ContactConstraint& c,
 {
     const Body &body1 = problem.bodies[c.body1], &body2 = problem.bodies[c.body2];
     const TwoVectors levers = side_by_side(c.point - body1.position, c.point - body2.position);
-    const TwoVectors torque = cross(levers, twice(c.normal));
-    return {
-        c.body1,        c.body2,  c.normal, masses.inverse_mass, torque, turned_by(masses, torque),
-        1 / c.normal_K, distance, 0};
+    const TwoVectors torque = cross(levers, broadcast(c.normal));
+    return {c.body1,
+            c.body2,
+            c.normal,
+            masses.inverse_mass,
+            torque,
+            inverse_inertia_times(masses, torque),
+            1 / c.normal_K,
+            distance,
+            0};
 }
 
 Rows rows_of(const ContactProblem& problem, const Island& island, const IndexRange& block,
@@ -98,7 +104,7 @@ Rows rows_of(const ContactProblem& problem, const Island& island, const IndexRan
 // place of velocities.
 [[gnu::always_inline]] inline void correct(CorrectionRow& row, TwoMotions& d)
 {
-    const TwoVectors n = twice(row.n);
+    const TwoVectors n = broadcast(row.n);
     const Two apart = dot(n, d.V) + dot(row.torque, d.w);
     const double missing = row.distance - (apart[0] - apart[1]);
     const double needed = std::max(0.0, row.correction + missing * row.inverse_normal_K);

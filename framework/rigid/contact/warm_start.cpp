@@ -23,7 +23,7 @@ template <class C> std::pair<int, int> bodies_of(const C& contact)
 
 // The impulse projected onto the friction cone of c: its normal part, and its tangential part
 // shortened to the friction limit.
-Vector3d turned_to(const ContactConstraint& c, const Vector3d& impulse)
+Vector3d projected_to_cone(const ContactConstraint& c, const Vector3d& impulse)
 {
     const Vector3d& n = c.normal;
     const double j_n = impulse.dot(n);
@@ -95,7 +95,7 @@ std::uint64_t start_pair_warm(std::span<const WarmContact> before, const std::ve
             }))
             continue;
         ContactConstraint& c = contacts[match.contact];
-        c.initial_impulse = turned_to(c, time_step * before[match.before].impulse);
+        c.initial_impulse = projected_to_cone(c, time_step * before[match.before].impulse);
         *made++ = match;
     }
     return static_cast<std::uint64_t>(made - matches.begin());

@@ -25,19 +25,15 @@ constexpr double quarter_turn = std::numbers::pi / 2;
 // the limit keeps the step from taking very long.
 constexpr double most_substeps = 1000;
 
-// A step of the methods that take one wrench for the whole step.
-RigidState euler_step(Integrator integrator, const RigidBody& body, const RigidState& state,
-                      const Wrench& wrench, double h)
+// Symplectic Euler with an exact rotation by the new angular velocity.
+RigidState exponential_step(const RigidBody& body, const RigidState& state, const Wrench& wrench,
+                            double h)
 {
-    if (integrator == Integrator::linear)
-        return step_symplectic_euler(state, body.inverse, wrench, h);
-    if (integrator == Integrator::buss) return step_buss(state, body.inverse, wrench, h);
-
     RigidState next = state;
     next.velocity += h * body.inverse.inverse_mass * wrench.force;
     next.position += h * next.velocity;
     next.angular_momentum += h * wrench.torque;
-    const Vector3d w = angular_velocity(integrator, body, next); // new L, old q
+    const Vector3d w = angular_velocity(Integrator::exponential, body, next); // new L, old q
     next.orientation = advance_exact(state.orientation, w, h);
     return next;
 }
@@ -45,13 +41,22 @@ RigidState euler_step(Integrator integrator, const RigidBody& body, const RigidS
 RigidState one_step(Integrator integrator, const RigidBody& body, const RigidState& state,
                     const Wrench& wrench, double h)
 {
-    if (integrator == Integrator::matrix) {
+    switch (integrator) {
+    case Integrator::matrix: {
         Track<MatrixScheme> track{body, MatrixScheme::from(state), wrench};
         runge_kutta_4(std::span(&track, 1), h, [] {});
         return MatrixScheme::to(track.stage, state);
     }
-    if (integrator == Integrator::runge_kutta) return constant_wrench_step(body, state, wrench, h);
-    return euler_step(integrator, body, state, wrench, h);
+    case Integrator::linear:
+        return step_symplectic_euler(state, body.inverse, wrench, h);
+    case Integrator::exponential:
+        return exponential_step(body, state, wrench, h);
+    case Integrator::buss:
+        return step_buss(state, body.inverse, wrench, h);
+    case Integrator::runge_kutta:
+        return constant_wrench_step(body, state, wrench, h);
+    }
+    throw std::logic_error("an integrator without a step");
 }
 
 // The number of equal substeps that rotate the body by at most a quarter turn each.
@@ -140,7 +145,7 @@ void fly_pulled(const World& world, AppliedWrenches& wrenches, std::span<const i
     const std::vector<Wrench>& net = wrenches.at(states, middle);
     for (std::size_t k = 0; k < together.size(); ++k) {
         const int i = together[k];
-        states[i] = euler_step(world.settings.integrator, world.bodies[i], states[i], net[k], h);
+        states[i] = one_step(world.settings.integrator, world.bodies[i], states[i], net[k], h);
     }
 }
 

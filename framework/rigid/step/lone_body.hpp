@@ -10,7 +10,7 @@ namespace rigor {
 bool is_lone_body(const World& world);
 
 /// The step of such a world, without lists and stages.
-/// @return an empty list, since there are no contacts
+/// @return an empty list: such a world has no contacts
 std::vector<ContactRecord> step_lone_body(World& world, double time_step);
 
 } // namespace rigor

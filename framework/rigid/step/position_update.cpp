@@ -15,7 +15,7 @@ namespace {
 
 // Whether the collision stage and the contact stage gave a body an impulse.
 struct Impulses {
-    bool has_bounced = false, is_held = false;
+    bool has_bounced = false, has_contact_impulse = false;
 };
 
 std::vector<Impulses> impulses_of(const ContactProblem& problem)
@@ -24,7 +24,7 @@ std::vector<Impulses> impulses_of(const ContactProblem& problem)
     for (const ContactConstraint& c : problem.contacts)
         for (int i : {c.body1, c.body2}) {
             if (!c.collision_impulse.isZero(0)) impulses[i].has_bounced = true;
-            if (!c.contact_impulse.isZero(0)) impulses[i].is_held = true;
+            if (!c.contact_impulse.isZero(0)) impulses[i].has_contact_impulse = true;
         }
     return impulses;
 }
@@ -45,8 +45,8 @@ bool is_of_higher_order(Integrator integrator)
 // Whether the contacts of an island act along the same normals during the whole step, as on an
 // incline. On the wall of a bowl the normals change, and the mean of two velocities would add
 // energy.
-bool is_held_evenly(const ContactProblem& problem, const Island& island,
-                    const std::vector<Body>& before)
+bool holds_along_fixed_normals(const ContactProblem& problem, const Island& island,
+                               const std::vector<Body>& before)
 {
     // A normal velocity above this fraction of the speed means that the contact opens or closes.
     constexpr double opens = 1e-9;
@@ -74,40 +74,40 @@ void update_positions(World& world, const ContactProblem& problem, const std::ve
 {
     Counters& counters = world.counters;
     const std::vector<Impulses> impulses = impulses_of(problem);
-    const auto move = [&](int i, bool evenly, Counters& counted) {
+    const auto move = [&](int i, bool by_mean_velocity, Counters& counted) {
         const bool is_displaced = !displacements.empty() && !displacements[i].shift.isZero(0);
-        const auto [has_bounced, is_held] = impulses[i];
-        if (!has_bounced && !is_held) { // the state after free flight is right
+        const auto [has_bounced, has_contact_impulse] = impulses[i];
+        if (!has_bounced && !has_contact_impulse) { // the state after free flight is right
             if (is_displaced) displace(states[i], displacements[i]);
             ++counted.free_flights;
             return;
         }
-        const bool flies = !is_held && !pulled[i];
+        const bool flies = !has_contact_impulse && !pulled[i];
         const Body& body = flies ? after_collisions[i] : problem.bodies[i];
         RigidState state = world.bodies[i].state;
         const Vector3d V = state.velocity, L = state.angular_momentum;
         state.velocity = body.velocity;
         state.angular_momentum = body.angular_momentum;
         require_finite(world.bodies[i], state, world.time + problem.time_step);
-        if (evenly) {
+        if (by_mean_velocity) {
             state.velocity = (V + body.velocity) / 2;
             state.angular_momentum = (L + body.angular_momentum) / 2;
         }
         states[i] = fly(world.settings, world.bodies[i], state, problem.time_step, counted,
                         flies ? Gravity::acts : Gravity::left_out);
-        if (evenly) {
+        if (by_mean_velocity) {
             states[i].velocity = body.velocity;
             states[i].angular_momentum = body.angular_momentum;
         }
         if (is_displaced) displace(states[i], displacements[i]);
     };
     for (const Island& island : problem.islands) {
-        const bool evenly = is_of_higher_order(world.settings.integrator) &&
-                            is_held_evenly(problem, island, after_collisions);
+        const bool by_mean_velocity = is_of_higher_order(world.settings.integrator) &&
+                                      holds_along_fixed_normals(problem, island, after_collisions);
         fly_in_parallel(*problem.pool, island.bodies.size(), counters,
                         [&](std::size_t first, std::size_t last, Counters& counted) {
                             for (std::size_t at = first; at < last; ++at)
-                                move(island.bodies[at], evenly, counted);
+                                move(island.bodies[at], by_mean_velocity, counted);
                         });
         counters.free_flights -= island.bodies.size();
     }

@@ -10,7 +10,7 @@ namespace rigor {
 
 /// The settings of a run that are not part of the scene file.
 struct RunSettings {
-    bool formulas_are_reference = false; // see World
+    bool formulas_are_reference = false; // see Settings
     int threads = 1;
 };
 

@@ -146,7 +146,7 @@ private:
     //
     // never decreases with t, so bisection finds where it becomes zero.
     // @return t in [0, 1]
-    double lowest(const VectorXd& dv) const
+    double line_search(const VectorXd& dv) const
     {
         double start = 0, growing = 0;
         for (std::size_t i = 0; i < bodies_.size(); ++i) {
@@ -262,7 +262,7 @@ private:
             if (solver_.info() != Eigen::Success) return false;
             const VectorXd dv = -solver_.solve(gradient);
             if (!dv.allFinite()) return false;
-            const double t = lowest(dv);
+            const double t = line_search(dv);
             v_ += t * dv;
             const double size = v_.cwiseAbs().maxCoeff() + v_free_.cwiseAbs().maxCoeff();
             const double moved = t * dv.cwiseAbs().maxCoeff();

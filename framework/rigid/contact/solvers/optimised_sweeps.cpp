@@ -34,7 +34,7 @@ struct PairRows {
 // The new impulse of a contact: jₙ ← max(0, jₙ - (v·n - s)/(nᵀKn)), j_T ← j_T - v_T/λ, shortened to
 // |j_T| = μ jₙ if it is longer.
 // @return the change of the impulse
-[[gnu::always_inline]] inline Vector3d law(const SweepRow& row, const Vector3d& v)
+[[gnu::always_inline]] inline Vector3d contact_law(const SweepRow& row, const Vector3d& v)
 {
     const double v_n = v.dot(row.n), old_n = row.j.dot(row.n);
     const double j_n = std::max(0.0, old_n - (v_n - row.target_speed) * row.inverse_normal_K);
@@ -168,7 +168,7 @@ private:
                 step.setZero();
                 return;
             }
-            step = law(row, v);
+            step = contact_law(row, v);
             row.j += step;
             motions.apply(pair.masses, row.r, step);
             ++swept.impulses;

@@ -142,8 +142,8 @@ private:
 // The contacts of a ball on a ring (torus). The circle of the ring is the core. Three points on it
 // are tested, 120° apart with one of them nearest to the ball, so that a ball over the hole rests
 // on three points.
-void touch_ring(const Sphere& sphere, const Vector3d& center, const Torus& torus, const Pose& pose,
-                double reach, std::vector<Contact>& contacts)
+void find_torus_sphere_contact(const Sphere& sphere, const Vector3d& center, const Torus& torus,
+                               const Pose& pose, double reach, std::vector<Contact>& contacts)
 {
     const Vector3d c = pose.R.transpose() * (center - pose.X);
     const double away = std::hypot(c.x(), c.z());
@@ -190,7 +190,8 @@ void find_core_contacts(const Shape& shape1, const Pose& pose1, const Shape& sha
 {
     const Sphere* sphere = std::get_if<Sphere>(&shape1);
     const Torus* ring = std::get_if<Torus>(&shape2);
-    if (sphere && ring) return touch_ring(*sphere, pose1.X, *ring, pose2, reach, contacts);
+    if (sphere && ring)
+        return find_torus_sphere_contact(*sphere, pose1.X, *ring, pose2, reach, contacts);
 
     const Matrix3d to_2 = pose2.R.transpose();
     const Pose pose{to_2 * pose1.R, to_2 * (pose1.X - pose2.X)};
