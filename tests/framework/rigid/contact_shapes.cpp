@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "contact_shapes.hpp"
+#include "framework/rigid/contact_shapes.hpp"
 
 #include "geometry/meshes/triangle.hpp"
 

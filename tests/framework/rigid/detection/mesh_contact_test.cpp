@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Contacts by level sets, one case at a time.
-#include "contact_shapes.hpp"
 #include "formulas/collision.hpp"
+#include "framework/rigid/contact_shapes.hpp"
 #include "geometry/level_sets/level_set.hpp"
 #include "rigid/bodies/non_finite.hpp"
 #include "rigid/detection/shapes/reduce_contacts.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include "framework/rigid/worlds.hpp"
 #include "rigid/step/step.hpp"
 #include "support/free_rotor.hpp"
-#include "worlds.hpp"
 
 using namespace rigor;
 using namespace rigor::testing;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Laws that hold for any step: conservation, determinism, order of accuracy, and that skipped work
 // changes nothing.
+#include "framework/rigid/worlds.hpp"
 #include "rigid/bodies/non_finite.hpp"
 #include "rigid/step/step.hpp"
-#include "worlds.hpp"
 
 #include <algorithm>
 

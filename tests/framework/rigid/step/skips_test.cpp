@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Work that a step skips changes nothing, or no more than these tests allow.
+#include "framework/rigid/worlds.hpp"
 #include "rigid/contact/warm_start.hpp"
 #include "rigid/step/step.hpp"
 #include "support/catch.hpp"
-#include "worlds.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Laws that must hold for each pair of shapes.
-#include "contact_shapes.hpp"
+#include "framework/rigid/contact_shapes.hpp"
 
 using namespace rigor;
 using namespace rigor::testing;

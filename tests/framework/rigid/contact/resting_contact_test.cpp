@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Resting, sliding and rolling, compared with results computed by hand.
+#include "framework/rigid/worlds.hpp"
 #include "rigid/step/step.hpp"
-#include "worlds.hpp"
 
 using namespace rigor;
 using namespace rigor::testing;

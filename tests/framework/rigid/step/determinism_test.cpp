@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The same world gives bitwise the same results, for any number of threads and any number of runs.
+#include "framework/rigid/worlds.hpp"
 #include "rigid/step/step.hpp"
-#include "worlds.hpp"
 
 #include <cstring>
 #include <map>

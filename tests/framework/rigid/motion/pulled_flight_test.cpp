@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Bodies on which springs and applied forces pull.
+#include "framework/rigid/worlds.hpp"
 #include "rigid/step/step.hpp"
 #include "support/free_rotor.hpp"
-#include "worlds.hpp"
 
 #include <algorithm>
 

@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Threads that share the work of a step.
-#include "rigid/parallel/thread_pool.hpp"
-#include "rigid/step/step.hpp"
-
+// Blocks of a large island, which several threads sweep.
 #include "rigid/contact/blocks.hpp"
+
+#include "framework/rigid/worlds.hpp"
+#include "rigid/step/step.hpp"
 #include "support/catch.hpp"
-#include "worlds.hpp"
 
 #include <cstring>
 #include <set>
-#include <stdexcept>
-#include <string>
 
 using namespace rigor;
 using namespace rigor::testing;
@@ -58,49 +55,7 @@ ContactProblem chain(int bodies, Island& island)
 
 } // namespace
 
-TEST_CASE("team: each task is done once", "[rigid]")
-{
-    for (int threads : {1, 2, 4}) {
-        ThreadPool pool(threads);
-        for (int tasks : {0, 1, 2, 7, 100})
-            for (int round = 0; round < 50; ++round) {
-                CAPTURE(threads, tasks, round);
-                std::vector<int> done(tasks, 0);
-                pool.for_each_task(tasks, [&](int k) { ++done[k]; });
-                REQUIRE(done == std::vector<int>(tasks, 1));
-            }
-    }
-}
-
-TEST_CASE("team: stretches are all of it", "[rigid]")
-{
-    ThreadPool pool(3);
-    for (std::size_t count : {0, 1, 5, 64, 1000}) {
-        CAPTURE(count);
-        std::vector<int> done(count, 0);
-        pool.for_each_range(count, 8, [&](std::size_t first, std::size_t last) {
-            for (std::size_t i = first; i < last; ++i)
-                ++done[i];
-        });
-        REQUIRE(done == std::vector<int>(count, 1));
-    }
-}
-
-TEST_CASE("team: of several that throw the first is heard and work goes on", "[rigid]")
-{
-    for (int threads : {2, 3}) {
-        ThreadPool pool(threads);
-        const auto fail = [](int k) {
-            if (k % 10 == 3) throw std::runtime_error(std::to_string(k));
-        };
-        REQUIRE_THROWS_WITH(pool.for_each_task(40, fail), "3");
-        std::atomic<int> sum = 0;
-        pool.for_each_task(40, [&](int k) { sum += k; });
-        REQUIRE(sum == 780);
-    }
-}
-
-TEST_CASE("team: blocks of one color share no body and no pair is lost", "[rigid]")
+TEST_CASE("blocks: those of one color share no body and no pair is lost", "[rigid]")
 {
     for (int bodies : {50, 400, 2000}) {
         CAPTURE(bodies);
@@ -130,7 +85,7 @@ TEST_CASE("team: blocks of one color share no body and no pair is lost", "[rigid
     }
 }
 
-TEST_CASE("team: a large heap moves by the same bits with any number of threads", "[rigid]")
+TEST_CASE("blocks: a large heap moves by the same bits with any number of threads", "[rigid]")
 {
     World one = large_heap(), three = one;
     three.pool = ThreadPool(3);

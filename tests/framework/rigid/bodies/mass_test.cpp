@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include "framework/rigid/worlds.hpp"
 #include "geometry/meshes/generators.hpp"
 #include "geometry/shapes/solid_mesh.hpp"
 #include "rigid/bodies/non_finite.hpp"
-#include "worlds.hpp"
 
 using namespace rigor;
 using namespace rigor::testing;

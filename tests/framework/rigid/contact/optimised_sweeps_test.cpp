@@ -4,12 +4,12 @@
 
 #include "formulas/collision.hpp"
 #include "formulas/contact.hpp"
+#include "framework/rigid/worlds.hpp"
 #include "rigid/contact/active_contacts.hpp"
 #include "rigid/contact/blocks.hpp"
 #include "rigid/contact/solvers/optimised_sweeps.hpp"
 #include "support/catch.hpp"
 #include "support/seeds.hpp"
-#include "worlds.hpp"
 
 using namespace rigor;
 using namespace rigor::testing;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Steps for which one normal for each contact is not enough.
+#include "framework/rigid/worlds.hpp"
 #include "rigid/step/step.hpp"
 #include "support/depth.hpp"
-#include "worlds.hpp"
 
 using namespace rigor;
 using namespace rigor::testing;
@@ -29,7 +29,8 @@ World joint(const RigidBody& body)
 
 } // namespace
 
-TEST_CASE("halving: a corner that hits a wall turns the cube, but not into the wall", "[rigid]")
+TEST_CASE("adaptive substeps: a corner that hits a wall turns the cube, but not into the wall",
+          "[rigid]")
 {
     for (const auto method : {ContactMethod::built_in, ContactMethod::simultaneous}) {
         RigidBody cube = body_of(Box{{0.1, 0.1, 0.1}}, {-0.9, 0, 0}, plastic, turn({1, 2, 3}, 0.5));
@@ -56,7 +57,7 @@ TEST_CASE("halving: a corner that hits a wall turns the cube, but not into the w
     }
 }
 
-TEST_CASE("halving: thin plates that slap on each other keep their order", "[rigid]")
+TEST_CASE("adaptive substeps: thin plates that slap on each other keep their order", "[rigid]")
 {
     std::vector<RigidBody> bodies = {fixed(Plane{}, plastic)};
     for (int i = 0; i < 3; ++i)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The collision stage of a step, compared with results computed by hand.
+#include "framework/rigid/worlds.hpp"
 #include "rigid/step/step.hpp"
-#include "worlds.hpp"
 
 using namespace rigor;
 using namespace rigor::testing;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include "framework/rigid/worlds.hpp"
 #include "geometry/shapes/shape_bounds.hpp"
 #include "rigid/detection/broad_phase.hpp"
-#include "worlds.hpp"
 
 #include <algorithm>
 

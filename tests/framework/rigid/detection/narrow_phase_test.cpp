@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "framework/rigid/worlds.hpp"
 #include "rigid/detection/narrow_phase.hpp"
-#include "worlds.hpp"
 
 using namespace rigor;
 using namespace rigor::testing;
