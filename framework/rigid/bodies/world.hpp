@@ -31,8 +31,8 @@ struct AppliedForce {
 };
 
 /// Everything that a time step reads and changes: state, settings, and the memory of the last step.
-/// step/adaptive_substeps.cpp and step/impact.cpp make parts of a world. They copy the settings as a
-/// whole, but a new member that the bodies of a part need has to be copied there.
+/// step/adaptive_substeps.cpp and step/impact.cpp make parts of a world. They copy the settings as
+/// a whole, but a new member that the bodies of a part need has to be copied there.
 struct World {
     double time = 0; // [s]
     std::vector<RigidBody> bodies;
