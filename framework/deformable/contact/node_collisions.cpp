@@ -53,8 +53,8 @@ void collide_nodes(Deformable& solid, const std::vector<char>& is_held,
     }
 }
 
-void correct_positions(Deformable& solid, const std::vector<char>& is_held,
-                       const NodeContacts& contacts, double step_share, double farthest)
+void correct_node_positions(Deformable& solid, const std::vector<char>& is_held,
+                            const NodeContacts& contacts, double step_share, double farthest)
 {
     // Share of the penetration that a step removes. It is small enough that stacked nodes do not
     // jitter.

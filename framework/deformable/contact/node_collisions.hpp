@@ -18,7 +18,7 @@ void collide_nodes(Deformable& solid, const std::vector<char>& is_held,
 ///
 /// @param step_share  substep divided by step; a whole step removes a fifth of the penetration
 /// @param farthest    the largest correction [m]
-void correct_positions(Deformable& solid, const std::vector<char>& is_held,
-                       const NodeContacts& contacts, double step_share, double farthest);
+void correct_node_positions(Deformable& solid, const std::vector<char>& is_held,
+                            const NodeContacts& contacts, double step_share, double farthest);
 
 } // namespace rigor

@@ -22,16 +22,18 @@ Bounds bounds_of_nodes(const Deformable& solid)
     return bounds;
 }
 
-// An upper bound of the distance by which a node may approach a body within a step [m]. The margin
-// of one half allows for nodes that accelerate.
+// An upper bound of the distance by which a node may approach a body within a step [m].
 double reach_of(const Deformable& solid, const Body& body, double radius, const Vector3d& gravity,
                 double time_step)
 {
+    constexpr double for_acceleration = 1.5; // factor; nodes may get faster within the step
+    // A larger radius belongs to a body with a plane, which does not rotate [m].
+    constexpr double unbounded = 1e9;
     double speed = 0;
     for (const Vector3d& v : solid.velocities)
         speed = std::max(speed, (v - body.velocity).norm());
-    if (radius < 1e9) speed += body.angular_velocity.norm() * radius;
-    return 1.5 * time_step * (speed + 2 * time_step * gravity.norm());
+    if (radius < unbounded) speed += body.angular_velocity.norm() * radius;
+    return for_acceleration * time_step * (speed + 2 * time_step * gravity.norm());
 }
 
 } // namespace

@@ -83,11 +83,13 @@ template <class Number> struct ClosedPolar {
 // quadratically, so that after such a step only rounding errors remain.
 inline constexpr double small_step = 1e-12;
 
-/// Whether the closed form is accurate. Below a conditioning of 0.01 cancellation costs two digits
-/// or more, and the caller takes the eigenvector instead.
+/// At this conditioning, cancellation in the closed form costs two digits.
+inline constexpr double least_conditioning = 0.01;
+
+/// Whether the closed form is accurate. If not, the caller takes the eigenvector instead.
 inline bool is_exact(double conditioning, double last_step)
 {
-    return conditioning > 0.01 && std::abs(last_step) < small_step;
+    return conditioning > least_conditioning && std::abs(last_step) < small_step;
 }
 
 /// @param start   √3 ‖F‖, not below s
@@ -101,8 +103,8 @@ closed_polar(const Square3<Number>& F, Number norm2, Number start, const IsEnd& 
     const Number det = F.a[0][0] * C.a[0][0] + F.a[0][1] * C.a[0][1] + F.a[0][2] * C.a[0][2];
     const Number p0 = norm2 * norm2 - 4.0 * dot(C, C), p1 = 8.0 * det, p2 = 2.0 * norm2;
     Number s = start, step = start;
-    constexpr int most = 20;
-    for (int i = 0; i < most; ++i) {
+    constexpr int most_steps = 20; // limits the time; four are enough near rest
+    for (int i = 0; i < most_steps; ++i) {
         const Number p = ((s * s - p2) * s - p1) * s + p0;
         const Number dp = (4.0 * (s * s) - 2.0 * p2) * s - p1;
         step = p / dp;

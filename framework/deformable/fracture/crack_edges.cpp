@@ -17,6 +17,9 @@ constexpr std::array<std::array<int, 2>, 6> tetrahedron_edges = {
     {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
 constexpr double least_cosine = 0.5;   // cos 60°, for the largest turn of a crack as it continues
 constexpr double similar_cosine = 0.7; // about cos 45°; nearer planes count as the same crack
+// Least distance of a corner from the plane of a crack, relative to the farthest corner. A copy of
+// a nearer corner would have almost no material.
+constexpr double least_corner_height = 1e-6;
 
 std::pair<int, int> edge_of(const std::array<int, 4>& t, const std::array<int, 2>& edge)
 {
@@ -65,7 +68,7 @@ struct Best {
             nearest = std::min(nearest, std::abs(height));
             farthest = std::max(farthest, std::abs(height));
         }
-        return above > 0 && below > 0 && nearest > 1e-6 * farthest;
+        return above > 0 && below > 0 && nearest > least_corner_height * farthest;
     }
 };
 

@@ -209,7 +209,7 @@ int crack_elements(Deformable& solid, const std::vector<Candidate>& found)
 // Cracks elements with virtual nodes. @return the number of cracks
 int crack_with_virtual_nodes(Deformable& solid, const std::vector<Candidate>& found)
 {
-    constexpr int most_in_element = 3;
+    constexpr int most_in_element = 3; // cracks; each one may double the copies of the element
     if (solid.uncracked.tetrahedra.empty()) solid.uncracked = solid.rest;
     std::vector<int> count(solid.uncracked.tetrahedra.size(), 0);
     for (const ElementCrack& crack : solid.cracks)

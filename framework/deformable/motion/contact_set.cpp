@@ -36,7 +36,7 @@ Vector3d ContactSet::arm(const NodeContact& c) const
 void ContactSet::guess(const ContactStep& step)
 {
     step_.emplace(step);
-    holds_.assign(step.contacts.size(), Hold::off);
+    modes_.assign(step.contacts.size(), ContactMode::open);
     dampings_.assign(step.contacts.size(), 0.0);
     impulses_.assign(step.contacts.size(), Vector3d::Zero());
     const double h = step.time_step;
@@ -46,7 +46,7 @@ void ContactSet::guess(const ContactStep& step)
         const Vector3d v = step.solid.velocities[c.node] + h * step.gravity;
         const Vector3d surface = step.bodies.velocity_before(step.rigid, c.body, arm(c));
         if (c.gap + h * c.normal.dot(v - surface) < 0)
-            holds_[k] = c.friction > 0 ? Hold::sticking : Hold::sliding;
+            modes_[k] = c.friction > 0 ? ContactMode::sticking : ContactMode::sliding;
     }
 }
 
@@ -56,7 +56,8 @@ void ContactSet::choose_ties()
     tied_by_.assign(step_->solid.positions.size(), -1);
     for (int k = 0; k < static_cast<int>(contacts.size()); ++k) {
         int& by = tied_by_[contacts[k].node];
-        if (holds_[k] != Hold::off && (by < 0 || contacts[k].gap < contacts[by].gap)) by = k;
+        if (modes_[k] != ContactMode::open && (by < 0 || contacts[k].gap < contacts[by].gap))
+            by = k;
     }
 }
 
@@ -67,7 +68,7 @@ TiedNode ContactSet::tie(int k) const
     // The velocity that closes the gap within the step.
     Vector3d surface = -std::max(c.gap, 0.0) / step_->time_step * c.normal;
     if (number < 0) surface += step_->bodies.velocity_before(step_->rigid, c.body, arm(c));
-    const bool slides = holds_[k] == Hold::sliding;
+    const bool slides = modes_[k] == ContactMode::sliding;
     const Matrix3d N = slides ? Matrix3d(c.normal * c.normal.transpose()) : Matrix3d::Identity();
     return {c.node, N, surface, number, arm(c), slides ? dampings_[k] : 0};
 }
@@ -80,14 +81,14 @@ bool ContactSet::revise(int k, const Vector3d& velocity, const Matrix3d& diagona
 bool ContactSet::revise_free(int k, const Vector3d& velocity)
 {
     const NodeContact& c = step_->contacts[k];
-    if (holds_[k] != Hold::off || step_->is_held[c.node]) return false;
+    if (modes_[k] != ContactMode::open || step_->is_held[c.node]) return false;
     const Vector3d surface = step_->bodies.velocity_after(step_->rigid, c.body, arm(c));
     const double depth = -(c.gap + step_->time_step * c.normal.dot(velocity - surface));
     if (depth <= penetration_tolerance * step_->radius) return false;
     // A contact that was released in this step slides, because it would be released again if it
     // stuck.
     const bool is_new = impulses_[k].isZero();
-    holds_[k] = is_new && c.friction > 0 ? Hold::sticking : Hold::sliding;
+    modes_[k] = is_new && c.friction > 0 ? ContactMode::sticking : ContactMode::sliding;
     return true;
 }
 
@@ -97,16 +98,16 @@ bool ContactSet::revise_tied(int k, const Vector3d& velocity, const Matrix3d& di
     const Vector3d n = c.normal, j = impulses_[k];
     const double j_n = n.dot(j);
     if (j_n < 0) { // it would pull
-        holds_[k] = Hold::off;
+        modes_[k] = ContactMode::open;
         return true;
     }
     if (c.friction == 0) return false;
     const double most = c.friction * j_n; // friction impulse of a node that slides [N s]
     double& d = dampings_[k];
     const double largest = largest_damping * diagonal.trace();
-    if (holds_[k] == Hold::sticking) {
+    if (modes_[k] == ContactMode::sticking) {
         if (inside_friction_cone(j, n, c.friction)) return false;
-        holds_[k] = Hold::sliding;
+        modes_[k] = ContactMode::sliding;
         const Vector3d v = step_->solid.velocities[c.node] + step_->time_step * step_->gravity;
         d = std::min(most / slip_speed(c, v), largest);
         return true;
@@ -114,7 +115,7 @@ bool ContactSet::revise_tied(int k, const Vector3d& velocity, const Matrix3d& di
     const double speed = slip_speed(c, velocity);
     if (std::abs(d * speed - most) <= friction_tolerance * most) return false;
     d = most / speed;
-    if (!(d < largest)) holds_[k] = Hold::sticking;
+    if (!(d < largest)) modes_[k] = ContactMode::sticking;
     return true;
 }
 

@@ -21,8 +21,8 @@ struct ContactStep {
     double radius = 0;                // half the extent of the solid [m]
 };
 
-/// How a contact holds its node.
-enum class Hold : char { off, sticking, sliding };
+/// Whether a contact is open (its node is free) or closed, and then whether it sticks or slides.
+enum class ContactMode : char { open, sticking, sliding };
 
 class ContactSet {
 public:
@@ -57,7 +57,7 @@ private:
     double slip_speed(const NodeContact& contact, const Vector3d& velocity) const;
 
     std::optional<ContactStep> step_;
-    std::vector<Hold> holds_;        // for each contact
+    std::vector<ContactMode> modes_; // for each contact
     std::vector<double> dampings_;   // for each sliding contact, friction impulse over speed [kg]
     std::vector<Vector3d> impulses_; // for each contact, on its node [N s]
     std::vector<int> tied_by_;       // for each node

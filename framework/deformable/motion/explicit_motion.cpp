@@ -56,7 +56,7 @@ void move_explicitly(const NodeMotion& motion)
         collide(false);
         for (std::size_t i = 0; i < solid.positions.size(); ++i)
             solid.positions[i] += h * solid.velocities[i];
-        correct_positions(solid, work.is_held, work.contacts, h / step, h * motion.radius);
+        correct_node_positions(solid, work.is_held, work.contacts, h / step, h * motion.radius);
         motion.rigid.advance(h);
         for (const HeldNode& held : work.held)
             work.is_held[held.node] = 0;

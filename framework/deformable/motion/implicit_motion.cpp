@@ -146,7 +146,7 @@ void move_implicitly(const NodeMotion& motion)
     solid.velocities = work.velocity_system.velocities;
     for (std::size_t i = 0; i < solid.positions.size(); ++i)
         solid.positions[i] += h * solid.velocities[i];
-    correct_positions(solid, work.is_held, work.contacts, 1, h * motion.radius);
+    correct_node_positions(solid, work.is_held, work.contacts, 1, h * motion.radius);
     for (const HeldNode& held : work.held)
         work.is_held[held.node] = 0;
 }

@@ -20,8 +20,19 @@ namespace rigor {
 
 /// How the nodes move through a time step.
 enum class NodeIntegrator {
-    explicit_step, ///< symplectic Euler, in substeps no longer than the mesh and material allow
-    implicit_step, ///< backward Euler, one sparse linear system for each step
+    explicit_step,  ///< symplectic Euler, in substeps no longer than the mesh and material allow
+    implicit_step,  ///< backward Euler, one sparse linear system for each step
+    velocity_modes, ///< as one rigid body: the six velocity modes of the lecture
+    matrix,         ///< as one rigid body, by `advance_matrix` without repair
+};
+
+/// Which formula decides whether an element yields.
+enum class YieldTest {
+    strain,       ///< `von_mises_from_strain`
+    yield_strain, ///< the same against `yield_strain`, without a modulus
+    deviator,     ///< `von_mises`
+    frobenius,    ///< `von_mises_frobenius`
+    principal,    ///< `von_mises_principal`
 };
 
 /// The way in which a crack changes the mesh.
@@ -82,6 +93,7 @@ struct Deformable {
     SolidMaterial material;
     NodeIntegrator integrator = NodeIntegrator::implicit_step;
     FractureMethod fracture_method = FractureMethod::faces;
+    YieldTest yield_test = YieldTest::strain;
 
     TetrahedralMesh rest;             // the mesh without stress, the reference of all strains [m]
     std::vector<Vector3d> positions;  // position of each node, world space [m]
@@ -111,5 +123,12 @@ struct Deformable {
 
     KeptWorkspace workspace; // derived from all members above, so it is not part of the state
 };
+
+/// Whether a solid moves as one rigid body. Then its material plays no part.
+inline bool is_rigid(const Deformable& solid)
+{
+    return solid.integrator == NodeIntegrator::velocity_modes ||
+           solid.integrator == NodeIntegrator::matrix;
+}
 
 } // namespace rigor

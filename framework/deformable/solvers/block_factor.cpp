@@ -97,21 +97,21 @@ void BlockFactor::place_rows()
 {
     const int n = static_cast<int>(diagonal_.size());
     rows_.resize(column_starts_.back());
-    places_.clear();
-    places_.reserve(rows_.size());
-    place_starts_.assign(1, 0);
+    row_blocks_.clear();
+    row_blocks_.reserve(rows_.size());
+    row_block_starts_.assign(1, 0);
     std::vector<int> seen(n, -1), next = column_starts_;
     for (int k = 0; k < n; ++k) {
         seen[k] = k;
         for (int e = entry_starts_[k]; e < entry_starts_[k + 1]; ++e)
             for (int i = entries_[e].column; seen[i] != k; i = parent_[i]) {
                 seen[i] = k;
-                places_.push_back({i, next[i]});
+                row_blocks_.push_back({i, next[i]});
                 rows_[next[i]++] = k;
             }
-        std::sort(places_.begin() + place_starts_.back(), places_.end(),
-                  [](const Place& a, const Place& b) { return a.column < b.column; });
-        place_starts_.push_back(static_cast<int>(places_.size()));
+        std::sort(row_blocks_.begin() + row_block_starts_.back(), row_blocks_.end(),
+                  [](const RowBlock& a, const RowBlock& b) { return a.column < b.column; });
+        row_block_starts_.push_back(static_cast<int>(row_blocks_.size()));
     }
     L_.resize(rows_.size());
     inverse_D_.resize(n);
@@ -121,8 +121,8 @@ void BlockFactor::place_rows()
 void BlockFactor::factorise(const std::vector<int>& steps, const std::vector<Matrix3d>& blocks)
 {
     for (const int k : steps) {
-        for (int p = place_starts_[k]; p < place_starts_[k + 1]; ++p)
-            row_[places_[p].column].setZero();
+        for (int p = row_block_starts_[k]; p < row_block_starts_[k + 1]; ++p)
+            row_[row_blocks_[p].column].setZero();
         for (int e = entry_starts_[k]; e < entry_starts_[k + 1]; ++e) {
             const Entry& entry = entries_[e];
             if (entry.is_transposed)
@@ -131,8 +131,8 @@ void BlockFactor::factorise(const std::vector<int>& steps, const std::vector<Mat
                 row_[entry.column] = blocks[entry.block];
         }
         Matrix3d D = blocks[diagonal_[k]];
-        for (int p = place_starts_[k]; p < place_starts_[k + 1]; ++p) {
-            const auto [i, at] = places_[p];
+        for (int p = row_block_starts_[k]; p < row_block_starts_[k + 1]; ++p) {
+            const auto [i, at] = row_blocks_[p];
             const Matrix3d X = row_[i]; // L_ki D_i
             const Matrix3d L = X * inverse_D_[i];
             for (int q = column_starts_[i]; q < at; ++q)

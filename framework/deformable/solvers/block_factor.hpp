@@ -54,11 +54,11 @@ private:
     std::vector<int> parent_; // for each step, its parent in the elimination tree
     std::vector<Entry> entries_;
     // L below its diagonal, column by column, and the places of each row's blocks in it.
-    struct Place {
+    struct RowBlock {
         int column, at;
     };
-    std::vector<int> column_starts_, rows_, place_starts_;
-    std::vector<Place> places_;
+    std::vector<int> column_starts_, rows_, row_block_starts_;
+    std::vector<RowBlock> row_blocks_;
     std::vector<Matrix3d> L_, inverse_D_;
     std::vector<Matrix3d> row_; // the row of L that is being computed
     double work_ = 0;

@@ -9,6 +9,7 @@
 #include "deformable/fracture/inverted_elements.hpp"
 #include "deformable/motion/explicit_motion.hpp"
 #include "deformable/motion/implicit_motion.hpp"
+#include "deformable/motion/rigid_modes.hpp"
 #include "deformable/solid/handles.hpp"
 #include "rigid/bodies/non_finite.hpp"
 #include "rigid/step/step.hpp"
@@ -40,6 +41,15 @@ void require_finite(const Deformable& solid, double time)
 void move(Deformable& solid, RigidColliders& rigid, World& world, double time_step)
 {
     Workspace& work = workspace_of(solid);
+    if (is_rigid(solid)) { // it touches nothing and does not flow
+        const NodeMotion motion{solid,      work,      rigid, world.settings.gravity,
+                                world.time, time_step, 0,     world.counters};
+        if (solid.integrator == NodeIntegrator::matrix)
+            move_by_matrix(motion);
+        else
+            move_in_modes(motion);
+        return;
+    }
     work.contacts.find(solid, work.is_surface, rigid, time_step, world.counters);
     const NodeMotion motion{
         solid,         work, rigid, world.settings.gravity, world.time, time_step, radius_of(solid),

@@ -17,6 +17,11 @@ namespace {
 
 using Weights = Eigen::Vector4d;
 
+// All weights are between 0 and 1, so these are relative to the element: points that differ by less
+// are the same, an edge that is shorter has no direction, and a piece with less of the area of its
+// face is rounding.
+constexpr double same_point = 1e-12, least_edge = 1e-9, least_area = 1e-12;
+
 // The part of a polygon where `height` · weights ≥ 0. Points on the plane are appended to `rim`.
 std::vector<Weights> clipped(const std::vector<Weights>& polygon, const Weights& height,
                              std::vector<Weights>& rim)
@@ -58,7 +63,9 @@ std::vector<Weights> cap(std::vector<Weights> rim, const std::array<Vector3d, 4>
     };
     std::sort(rim.begin(), rim.end(),
               [&](const Weights& a, const Weights& b) { return angle(a) < angle(b); });
-    const auto is_same = [](const Weights& a, const Weights& b) { return (a - b).norm() < 1e-12; };
+    const auto is_same = [](const Weights& a, const Weights& b) {
+        return (a - b).norm() < same_point;
+    };
     rim.erase(std::unique(rim.begin(), rim.end(), is_same), rim.end());
     while (rim.size() > 1 && is_same(rim.front(), rim.back()))
         rim.pop_back();
@@ -107,12 +114,12 @@ std::vector<std::vector<Weights>> uncovered(std::vector<Weights> polygon,
     std::vector<Weights> unused;
     for (std::size_t i = 0; i < cover.size(); ++i) {
         Weights inwards = triangle_height(cover[i], cover[(i + 1) % cover.size()], face);
-        if (!(inwards.norm() > 1e-9)) continue; // a degenerate edge
+        if (!(inwards.norm() > least_edge)) continue; // a degenerate edge
         if (inwards.dot(middle) < 0) inwards = -inwards;
         open.push_back(clipped(polygon, -inwards, unused));
         polygon = clipped(polygon, inwards, unused);
     }
-    std::erase_if(open, [&](const auto& piece) { return !(area(piece, face) > 1e-12); });
+    std::erase_if(open, [&](const auto& piece) { return !(area(piece, face) > least_area); });
     return open;
 }
 

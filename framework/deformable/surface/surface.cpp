@@ -42,18 +42,18 @@ public:
     EmbeddedSurface finish() { return std::move(surface_); }
 
 private:
-    using Place = std::array<std::pair<int, long long>, 4>; // nodes and their shares
+    using PointKey = std::array<std::pair<int, long long>, 4>; // nodes and their weights
 
     // Weights are compared in units of 2⁻⁴⁰, so that weights that differ by rounding are equal.
-    Place place(int element, const Eigen::Vector4d& weights) const
+    PointKey key_of(int element, const Eigen::Vector4d& weights) const
     {
-        Place result;
+        PointKey key;
         for (int i = 0; i < 4; ++i) {
             const long long share = std::llround(weights[i] * 0x1p40);
-            result[i] = {share == 0 ? -1 : solid_.rest.tetrahedra[element][i], share};
+            key[i] = {share == 0 ? -1 : solid_.rest.tetrahedra[element][i], share};
         }
-        std::sort(result.begin(), result.end());
-        return result;
+        std::sort(key.begin(), key.end());
+        return key;
     }
 
     int point(int element, const Eigen::Vector4d& weights)
@@ -61,7 +61,7 @@ private:
         for (int i = 0; i < 4; ++i)
             if (weights[i] == 1)
                 return known(corner_[solid_.rest.tetrahedra[element][i]], element, weights);
-        return known(point_.try_emplace(place(element, weights), -1).first->second, element,
+        return known(point_.try_emplace(key_of(element, weights), -1).first->second, element,
                      weights);
     }
 
@@ -76,8 +76,8 @@ private:
 
     const Deformable& solid_;
     EmbeddedSurface surface_;
-    std::vector<int> corner_;    // the point of each vertex of the mesh
-    std::map<Place, int> point_; // the point at each place between vertices
+    std::vector<int> corner_;       // the point of each vertex of the mesh
+    std::map<PointKey, int> point_; // the point of each key, between vertices
 };
 
 Polygon whole_face(int face)

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Treats a convex mesh as a polyhedron. The support point is found by hill climbing from vertex to
 // vertex (Gilbert, Johnson and Keerthi 1988 define it; Ericson 2005, "Real-time collision
-// detection", 9.5.4 describes the climb). Triangles are first merged into flat faces, then
-// neighbours are linked, then the six extreme vertices are found.
+// detection", 9.5.4 describes the climb). Triangles are first merged into flat faces. Then the
+// corners of the faces are found: vertices inside a face or along an edge belong to the
+// triangulation and not to the solid. Then neighbours are linked and the six extreme vertices are
+// found.
 #include "geometry/convex/hull.hpp"
 
 #include "geometry/meshes/triangle.hpp"
@@ -50,13 +52,15 @@ bool is_hull(const TriangleMesh& mesh)
 Hull::Hull(const TriangleMesh& mesh) : vertices_(mesh.vertices)
 {
     merge_faces(mesh);
-    link_neighbours(mesh);
+    find_corners(flat * size_of(mesh));
+    link_neighbours();
     for (int axis = 0; axis < 3; ++axis)
         for (const int side : {0, 1}) {
-            int best = 0;
-            for (int v = 1; v < static_cast<int>(vertices_.size()); ++v) {
-                const double gain = vertices_[v][axis] - vertices_[best][axis];
-                if ((side ? gain : -gain) > 0) best = v;
+            int best = -1;
+            for (int v = 0; v < static_cast<int>(vertices_.size()); ++v) {
+                if (neighbours_[v].empty()) continue; // not a corner
+                const double gain = best < 0 ? 0 : vertices_[v][axis] - vertices_[best][axis];
+                if (best < 0 || (side ? gain : -gain) > 0) best = v;
             }
             extremes_[2 * axis + side] = best;
         }
@@ -100,14 +104,62 @@ void Hull::merge_faces(const TriangleMesh& mesh)
         face_normals_.push_back(face->normal);
 }
 
-void Hull::link_neighbours(const TriangleMesh& mesh)
+// The corners of the convex hull of points in the plane, counter-clockwise, by Andrew's monotone
+// chain (Andrew 1979). Points within the tolerance of a side are left out.
+std::vector<int> Hull::outline(const Face& face, double tolerance) const
+{
+    int least = 0;
+    face.normal.cwiseAbs().minCoeff(&least);
+    const Vector3d x = face.normal.cross(Vector3d::Unit(least)).normalized();
+    const Vector3d y = face.normal.cross(x);
+    std::vector<int> sorted = face.corners;
+    std::sort(sorted.begin(), sorted.end(), [&](int v, int w) {
+        const double p = x.dot(vertices_[v]), q = x.dot(vertices_[w]);
+        return p != q ? p < q : y.dot(vertices_[v]) < y.dot(vertices_[w]);
+    });
+    // Whether the corner b lies to the right of the line from a to c, so that the outline bends.
+    const auto bends = [&](int a, int b, int c) {
+        const Vector3d along = vertices_[c] - vertices_[a], to_b = vertices_[b] - vertices_[a];
+        return to_b.cross(along).dot(face.normal) > tolerance * along.norm();
+    };
+    std::vector<int> corners;
+    for (int pass = 0; pass < 2; ++pass) { // the lower chain, then the upper one
+        const std::size_t first = corners.size();
+        for (const int v : sorted) {
+            while (corners.size() >= first + 2 &&
+                   !bends(corners[corners.size() - 2], corners.back(), v))
+                corners.pop_back();
+            corners.push_back(v);
+        }
+        corners.pop_back(); // the next chain begins with it
+        std::reverse(sorted.begin(), sorted.end());
+    }
+    return corners;
+}
+
+void Hull::find_corners(double tolerance)
+{
+    std::vector<char> is_corner(vertices_.size(), false);
+    for (const Face& face : faces_)
+        for (const int v : outline(face, tolerance))
+            is_corner[v] = true;
+    for (Face& face : faces_)
+        std::erase_if(face.corners, [&](int v) { return !is_corner[v]; });
+}
+
+void Hull::link_neighbours()
 {
     neighbours_.resize(vertices_.size());
-    for (const auto& triangle : mesh.triangles)
-        for (int i = 0; i < 3; ++i)
-            neighbours_[triangle[i]].push_back(triangle[(i + 1) % 3]);
-    for (std::vector<int>& around : neighbours_)
+    for (const Face& face : faces_)
+        for (std::size_t i = 0; i < face.corners.size(); ++i) {
+            const int v = face.corners[i], next = face.corners[(i + 1) % face.corners.size()];
+            neighbours_[v].push_back(next);
+            neighbours_[next].push_back(v);
+        }
+    for (std::vector<int>& around : neighbours_) {
         std::sort(around.begin(), around.end());
+        around.erase(std::unique(around.begin(), around.end()), around.end());
+    }
 }
 
 // Climbs from the extreme vertex of the nearest axis. On a convex polyhedron a vertex without a
@@ -141,13 +193,13 @@ Feature Hull::feature_towards(const Vector3d& d) const
 {
     // Cosine and sine of about 25 degrees: the largest angle between the direction and the normal
     // of a face, and the largest deviation of an edge from perpendicular to the direction.
-    constexpr double looks_there = 0.9, across = 0.436;
+    constexpr double facing_cosine = 0.9, across = 0.436;
     const auto facing =
         std::max_element(faces_.begin(), faces_.end(), [&](const Face& a, const Face& b) {
             return a.normal.dot(d) < b.normal.dot(d);
         });
     Feature feature;
-    if (facing->normal.dot(d) > looks_there) {
+    if (facing->normal.dot(d) > facing_cosine) {
         const std::size_t n = facing->corners.size();
         const std::size_t kept = std::min<std::size_t>(n, Feature::most);
         for (std::size_t i = 0; i < kept; ++i)

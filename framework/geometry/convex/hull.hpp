@@ -10,7 +10,8 @@
 
 namespace rigor {
 
-/// A convex mesh as a solid. Its triangles are merged into flat faces.
+/// A convex mesh as a solid. Its triangles are merged into flat faces, so every triangulation of a
+/// solid gives the same faces, edges and corners.
 class Hull {
 public:
     // Meshes with more vertices are treated by their level set, because here every vertex is
@@ -34,11 +35,15 @@ private:
     struct Face {
         Vector3d normal;
         double area = 0;
-        std::vector<int> corners; // counter-clockwise around the normal
+        // Counter-clockwise around the normal. Vertices that no face has as a corner, because they
+        // lie inside a face or along an edge, are left out.
+        std::vector<int> corners;
     };
     int farthest(const Vector3d& direction) const;
     void merge_faces(const TriangleMesh& mesh);
-    void link_neighbours(const TriangleMesh& mesh);
+    std::vector<int> outline(const Face& face, double tolerance) const;
+    void find_corners(double tolerance);
+    void link_neighbours();
 
     std::vector<Vector3d> vertices_;
     std::vector<Face> faces_;

@@ -62,16 +62,24 @@ bool is_beyond(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& 
     return origin * other <= 0;
 }
 
-// If the result has all four vertices, the origin is inside.
-Simplex nearest_on_tetrahedron(const std::array<Vertex, 4>& v)
+// The nearest of those faces of a tetrahedron that `counts` accepts, or no vertices if it accepts
+// none. It is given the three vertices of a face and the fourth one.
+template <class Counts> Simplex nearest_face(const std::array<Vertex, 4>& v, const Counts& counts)
 {
     Simplex best;
     for (const auto& [i, j, k, l] : {std::array{0, 1, 2, 3}, std::array{0, 1, 3, 2},
                                      std::array{0, 2, 3, 1}, std::array{1, 2, 3, 0}}) {
-        if (!is_beyond(v[i], v[j], v[k], v[l])) continue;
+        if (!counts(v[i], v[j], v[k], v[l])) continue;
         const Simplex face = nearest_on_triangle(v[i], v[j], v[k]);
         best = best.count == 0 ? face : nearer(best, face);
     }
+    return best;
+}
+
+// If the result has all four vertices, the origin is inside.
+Simplex nearest_on_tetrahedron(const std::array<Vertex, 4>& v)
+{
+    Simplex best = nearest_face(v, is_beyond);
     if (best.count == 0) {
         best.vertices = v;
         best.count = 4;
@@ -87,6 +95,14 @@ Simplex nearest_of(const Simplex& s)
     if (s.count == 2) return nearest_on_segment(v[0], v[1]);
     if (s.count == 3) return nearest_on_triangle(v[0], v[1], v[2]);
     return nearest_on_tetrahedron(v);
+}
+
+Simplex nearest_face_of(const Simplex& s)
+{
+    const auto any = [](const Vertex&, const Vertex&, const Vertex&, const Vertex&) {
+        return true;
+    };
+    return nearest_face(s.vertices, any);
 }
 
 } // namespace rigor

@@ -43,6 +43,8 @@ constexpr double most_push = 1e-3;          // a longer push would change the po
 constexpr double polytope_tolerance = 1e-7; // the polytope is finished if it grows by less
 constexpr double first_margin = 0.02;       // at this margin the direction is free of rounding
 constexpr double least_margin = 1e-5;       // the margin of the last steps
+constexpr double margin_decay = 0.2;        // each step shortens the margin to this share
+constexpr int most_pushes = 20;             // steps of `push_out`; the margin is least after five
 constexpr double least_gain = 1e-13;        // a smaller gain of depth is rounding
 constexpr double least_difference = 1e-9;   // the polytope must reduce the depth by more
 constexpr double shallow = 0.02;            // below this depth no other direction is much better
@@ -89,10 +91,15 @@ public:
             if (length - bound <= gjk_tolerance * length) break;
             Simplex wider = simplex;
             wider.vertices[wider.count++] = next;
-            const Simplex reduced = nearest_of(wider);
+            Simplex reduced = nearest_of(wider);
             if (reduced.count == 4) {
-                simplex = reduced;
-                return {};
+                // A plane between the shapes tells that they are apart, although a flat tetrahedron
+                // may seem to hold the origin by rounding.
+                if (!(bound > 0)) {
+                    simplex = reduced;
+                    return {};
+                }
+                reduced = nearest_face_of(wider);
             }
             const Vector3d nearest = reduced.nearest();
             if (!(nearest.squaredNorm() < v.squaredNorm())) break; // rounding: no progress
@@ -138,7 +145,9 @@ std::vector<Vector3d> directions(const Shape& shape1, const Pose& pose, const Sh
         all.push_back(-(pose.R * n));
     if (pose.X.norm() > 0) all.push_back(pose.X.normalized());
     for (int i = 0; i < 27; ++i)
-        if (i != 13) all.push_back(Vector3d(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1).normalized());
+        if (i != 13)
+            all.push_back(
+                Eigen::Vector3i(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1).cast<double>().normalized());
     return all;
 }
 
@@ -154,9 +163,13 @@ struct PushOut : Separation {
 PushOut push_out(const MinkowskiDifference& difference, Vector3d n, double size)
 {
     double margin = first_margin * size;
-    double best = difference.along(n);
+    const Vertex farthest = difference.support_along(-n);
+    double best = n.dot(farthest.w);
     PushOut result;
-    for (int step = 0; step < 20; ++step, margin = std::max(0.2 * margin, least_margin * size)) {
+    result.point1 = farthest.a;
+    result.point2 = farthest.b;
+    for (int step = 0; step < most_pushes;
+         ++step, margin = std::max(margin_decay * margin, least_margin * size)) {
         const auto found =
             difference.apart((margin - best) * n, least_gjk_length * size, unlimited);
         if (!found) break;

@@ -10,7 +10,8 @@ namespace rigor {
 struct Separation {
     double distance = 0;                 // if negative, minus the penetration depth [m]
     Vector3d normal = Vector3d::UnitY(); // unit, from shape 2 to shape 1
-    Vector3d point1, point2;             // points on the surfaces [m]
+    // points on the surfaces [m]
+    Vector3d point1 = Vector3d::Zero(), point2 = Vector3d::Zero();
 };
 
 /// The distance of two convex shapes, exact to rounding, or their penetration depth: the length of

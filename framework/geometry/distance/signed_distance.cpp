@@ -114,7 +114,8 @@ Vector3d nearest_in_octant(const Vector3d& e, const Vector3d& y)
     double u = 0; // start left of the root, where Newton's method does not overshoot
     for (int i = 0; i < 3; ++i)
         u = std::max(u, ratio[i] * z[i] - (r[i] - 1));
-    for (int step = 0; step < 200; ++step) {
+    constexpr int most_newton_steps = 200; // limits the time; the method converges quadratically
+    for (int step = 0; step < most_newton_steps; ++step) {
         double F = -1, slope = 0;
         for (int i = 0; i < 3; ++i) {
             const double below = u + (r[i] - 1);

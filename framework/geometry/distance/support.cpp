@@ -17,7 +17,7 @@ namespace {
 
 // Cosine of 25 degrees. A face whose normal is nearer to the direction than this angle is in
 // contact as a whole face.
-constexpr double looks_there = 0.9;
+constexpr double facing_cosine = 0.9;
 
 // The unit vector away from the y axis; along x for a direction on the axis.
 Vector3d outward(const Vector3d& d)
@@ -26,10 +26,12 @@ Vector3d outward(const Vector3d& d)
     return r > 0 ? Vector3d(d.x() / r, 0, d.z() / r) : Vector3d::UnitX();
 }
 
-Vector3d rim_point(double radius, double height, int i)
+// A point of a circle about y, at `i` eighths of a turn from the direction `first`.
+Vector3d rim_point(double radius, double height, const Vector3d& first, int i)
 {
-    const double angle = std::numbers::pi / 4 * i;
-    return {radius * std::cos(angle), height, radius * std::sin(angle)};
+    const double angle = std::numbers::pi / 4 * i, c = std::cos(angle), s = std::sin(angle);
+    return {radius * (c * first.x() - s * first.z()), height,
+            radius * (s * first.x() + c * first.z())};
 }
 
 Feature point(const Vector3d& p)
@@ -39,11 +41,16 @@ Feature point(const Vector3d& p)
     return feature;
 }
 
-Feature circle(double radius, double height)
+// Eight points of a circle about y. One of them is the farthest along d, unless the circle is
+// perpendicular to d up to rounding.
+Feature circle(double radius, double height, const Vector3d& d)
 {
+    constexpr double perpendicular = 1e-6; // sine of an angle that counts as rounding
+    const bool is_tilted = std::hypot(d.x(), d.z()) > perpendicular;
+    const Vector3d first = is_tilted ? outward(d) : Vector3d::UnitX();
     Feature feature;
     for (int i = 0; i < 8; ++i)
-        feature.add(rim_point(radius, height, i));
+        feature.add(rim_point(radius, height, first, i));
     return feature;
 }
 
@@ -93,7 +100,7 @@ struct FeatureAlong {
         Vector3d corner = SupportAlong{d}(b);
         int k = 0;
         const double most = d.cwiseAbs().maxCoeff(&k), least = d.cwiseAbs().minCoeff();
-        if (most > looks_there) {
+        if (most > facing_cosine) {
             const int u = (k + 1) % 3, v = (k + 2) % 3;
             Feature face;
             for (int i = 0; i < 4; ++i) {
@@ -103,7 +110,7 @@ struct FeatureAlong {
             }
             return face;
         }
-        if (least > std::sqrt(1 - looks_there * looks_there)) return point(corner);
+        if (least > std::sqrt(1 - facing_cosine * facing_cosine)) return point(corner);
         d.cwiseAbs().minCoeff(&k);
         Feature edge = point(corner);
         corner[k] = -corner[k];
@@ -113,19 +120,19 @@ struct FeatureAlong {
     Feature operator()(const Cylinder& c) const
     {
         const double half = c.height / 2;
-        if (std::abs(d.y()) > looks_there) return circle(c.radius, d.y() < 0 ? -half : half);
+        if (std::abs(d.y()) > facing_cosine) return circle(c.radius, d.y() < 0 ? -half : half, d);
         const Vector3d out = c.radius * outward(d);
         Feature side = point(out + Vector3d(0, d.y() < 0 ? -half : half, 0));
-        if (outward(d).dot(d) > looks_there)
+        if (outward(d).dot(d) > facing_cosine)
             side.add(out - Vector3d(0, d.y() < 0 ? -half : half, 0));
         return side;
     }
     Feature operator()(const Cone& c) const
     {
-        if (d.y() < -looks_there) return circle(c.radius, -0.25 * c.height);
+        if (d.y() < -facing_cosine) return circle(c.radius, -0.25 * c.height, d);
         const Vector3d out = outward(d), tip(0, 0.75 * c.height, 0);
         const Vector3d slope = (c.height * out + Vector3d(0, c.radius, 0)).normalized();
-        if (slope.dot(d) <= looks_there) return point(SupportAlong{d}(c));
+        if (slope.dot(d) <= facing_cosine) return point(SupportAlong{d}(c));
         Feature side = point(c.radius * out - Vector3d(0, 0.25 * c.height, 0));
         side.add(tip);
         return side;

@@ -214,7 +214,10 @@ TriangleMesh bowl_mesh(double radius, double thickness, int sides)
 TriangleMesh gear_mesh(int teeth, double radius, double bore, double thickness)
 {
     const double pitch = 2 * pi / teeth, depth = radius * pitch / 2;
-    const double root = radius - 0.6 * depth, tip = radius + 0.5 * depth;
+    // Heights below and above the pitch circle, in depths. The difference is the clearance between
+    // a tip and the root that it runs over.
+    constexpr double dedendum = 0.6, addendum = 0.5;
+    const double root = radius - dedendum * depth, tip = radius + addendum * depth;
     // Half the angle of a tooth at its root and at its tip, in pitches. Their mean is below a
     // quarter, so that a tooth is thinner than the gap that it runs in.
     constexpr double at_root = 0.33, at_tip = 0.15;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Samples the surface of a mesh for contacts. Each sample has the cone of the normals along which
 // the surface can be touched there (normal cones: Rockafellar 1970, "Convex analysis"). Vertices
-// come first, then convex edges, then faces in rows.
+// come first, then convex edges, then faces in rows. In a hole, where the corners of the facets lie
+// deepest and nothing touches them, even short edges and small faces have a point.
 #include "geometry/meshes/mesh_surface.hpp"
 
 #include "geometry/meshes/mesh_edges.hpp"
@@ -21,6 +22,20 @@ constexpr double sharp = 0.17;
 // Unit vectors count as equal if the length of their difference is below this, and as orthogonal if
 // their cosine is. It is far above the rounding of normals and far below any angle that matters.
 constexpr double same = 1e-6;
+
+// Height of a sliver as a fraction of its longest side. Its middle is as good as on its sides, and
+// the nearest point on it is subject to much rounding.
+constexpr double sliver = 0.05;
+
+// Whether a flat body with the normal -n can touch the surface at one of these vertices, whose
+// points stand for the edges and faces around them then.
+bool is_touched_at(const MeshSurface& surface, std::initializer_list<int> vertices,
+                   const Vector3d& n)
+{
+    return std::any_of(vertices.begin(), vertices.end(), [&](int v) {
+        return surface.nearest_normal(surface.points()[v].cone, n).dot(n) > 1 - same;
+    });
+}
 
 } // namespace
 
@@ -85,7 +100,10 @@ void MeshSurface::add_edges(const TriangleMesh& mesh, const std::vector<Vector3d
         const int cone = add_cone({n1, n2}, {along, -along, into1, into2});
         // A thin wedge bends by almost 180 degrees, where the sine is small again.
         if (edge.bend > sharp || n1.dot(n2) < 0) edges_.push_back({from, to, n1, n2, cone});
-        const int pieces = static_cast<int>(std::ceil((to - from).norm() / spacing_));
+        const bool ends_touch = is_touched_at(*this, {edge.from, edge.to}, n1) &&
+                                is_touched_at(*this, {edge.from, edge.to}, n2);
+        const int pieces = std::max(static_cast<int>(std::ceil((to - from).norm() / spacing_)),
+                                    ends_touch ? 1 : 2);
         for (int i = 1; i < pieces; ++i)
             points_.push_back({from + static_cast<double>(i) / pieces * (to - from), cone});
     }
@@ -115,6 +133,11 @@ void MeshSurface::add_faces(const TriangleMesh& mesh, const std::vector<Vector3d
                 points_.push_back({start + static_cast<double>(i) / pieces * line, cone});
             }
         }
+        const auto& [a, b, c] = mesh.triangles[t];
+        const bool is_sliver = height < sliver * base.norm();
+        if (cone < 0 && !is_sliver && !is_touched_at(*this, {a, b, c}, normals[t]))
+            points_.push_back(
+                {(triangle.a + triangle.b + triangle.c) / 3, add_cone({normals[t]}, {})});
     }
 }
 

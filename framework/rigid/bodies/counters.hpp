@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
+#include <bit>
+#include <cstddef>
 #include <cstdint>
 
 namespace rigor {
@@ -20,6 +23,17 @@ struct Counters {
     std::uint64_t deformable_substeps = 0, system_solves = 0, solver_iterations = 0;
     std::uint64_t node_impulses = 0, elements_flowed = 0, flow_skipped = 0;
     std::uint64_t eigenvalues = 0, eigenvalues_skipped = 0, cracks = 0, mesh_changes = 0;
+
+    /// Adds every count.
+    Counters& operator+=(const Counters& other)
+    {
+        using Counts = std::array<std::uint64_t, sizeof(Counters) / sizeof(std::uint64_t)>;
+        Counts sums = std::bit_cast<Counts>(*this);
+        const Counts more = std::bit_cast<Counts>(other);
+        for (std::size_t i = 0; i < sums.size(); ++i)
+            sums[i] += more[i];
+        return *this = std::bit_cast<Counters>(sums);
+    }
 };
 
 } // namespace rigor

@@ -41,14 +41,14 @@ private:
     double shift_;
 };
 
-/// Orders places by height, lowest first, then by x, then by z.
+/// Makes sort keys of points: by height, lowest first, then by x, then by z.
 class HeightOrder {
 public:
-    struct Place {
+    struct Key {
         double height, x, z;
 
-        bool operator==(const Place&) const = default;
-        bool operator<(const Place& other) const
+        bool operator==(const Key&) const = default;
+        bool operator<(const Key& other) const
         {
             if (height != other.height) return height < other.height;
             return x != other.x ? x < other.x : z < other.z;
@@ -61,7 +61,7 @@ public:
     {
     }
 
-    Place operator()(const Vector3d& x) const
+    Key operator()(const Vector3d& x) const
     {
         return {rounded_(up_.dot(x)), rounded_(x.x()), rounded_(x.z())};
     }

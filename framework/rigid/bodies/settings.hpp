@@ -11,9 +11,11 @@ enum class Integrator {
     matrix, ///< Runge–Kutta 4 on (X, R, V, L) through `equations_of_motion`; R is made a rotation
             ///< again after each step
     linear, ///< `step_symplectic_euler`
-    exponential, ///< symplectic Euler with `advance_exact`
-    buss,        ///< `step_buss`
-    runge_kutta, ///< fourth order on (X, q, V, L), the default
+    exponential,  ///< symplectic Euler with `advance_exact`
+    buss,         ///< `step_buss`
+    runge_kutta,  ///< fourth order on (X, q, V, L), the default
+    gram_schmidt, ///< symplectic Euler with `advance_matrix` and `gram_schmidt`, to watch its bias
+    euler_angles, ///< symplectic Euler with `euler_rates`, to watch it at gimbal lock
 };
 
 /// How the contact stage of a step resolves contacts.

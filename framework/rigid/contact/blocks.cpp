@@ -29,10 +29,10 @@ public:
         : slab_of_(problem.bodies.size(), -1), halves_(8 * fours)
     {
         const int axis = longest(problem, bodies);
-        places_.reserve(bodies.size());
+        sorted_.reserve(bodies.size());
         for (int i : bodies) {
             const Vector3d& X = problem.bodies[i].position;
-            places_.push_back({X[axis], X[(axis + 1) % 3], X[(axis + 2) % 3], i});
+            sorted_.push_back({X[axis], X[(axis + 1) % 3], X[(axis + 2) % 3], i});
         }
         divide(0, halves_);
     }
@@ -41,11 +41,11 @@ public:
     int of(int body) const { return slab_of_[body]; }
 
 private:
-    struct Place {
+    struct SortedBody {
         double along, across1, across2; // [m]
         int body;
 
-        friend bool operator<(const Place& a, const Place& b)
+        friend bool operator<(const SortedBody& a, const SortedBody& b)
         {
             if (a.along != b.along) return a.along < b.along;
             return std::tie(a.across1, a.across2, a.body) < std::tie(b.across1, b.across2, b.body);
@@ -68,12 +68,12 @@ private:
         return axis;
     }
 
-    // Sorts the places into the half slabs [first, last).
+    // Sorts the bodies into the half slabs [first, last).
     void divide(int first, int last)
     {
         const auto at = [&](int half) {
-            const auto n = static_cast<std::ptrdiff_t>(places_.size());
-            return places_.begin() + n * half / halves_;
+            const auto n = static_cast<std::ptrdiff_t>(sorted_.size());
+            return sorted_.begin() + n * half / halves_;
         };
         if (last - first > 1) {
             const int middle = first + (last - first) / 2;
@@ -82,12 +82,12 @@ private:
             divide(middle, last);
             return;
         }
-        for (auto place = at(first); place != at(last); ++place)
-            slab_of_[place->body] = (first + 1) / 2;
+        for (auto sorted = at(first); sorted != at(last); ++sorted)
+            slab_of_[sorted->body] = (first + 1) / 2;
     }
 
     std::vector<int> slab_of_;
-    std::vector<Place> places_;
+    std::vector<SortedBody> sorted_;
     int halves_;
 };
 

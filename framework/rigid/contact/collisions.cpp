@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The collision stage (Guendelman, Bridson and Fedkiw 2003, section 6). For each pair of bodies it
+// The collision stage (Guendelman, Bridson and Fedkiw 2003). For each pair of bodies it
 // collects the points that would penetrate, lets the formula choose the deepest approaching one,
 // averages the points that are equally deep, and applies the formula's impulse there.
 #include "rigid/contact/collisions.hpp"
@@ -19,6 +19,11 @@ constexpr int most_sweeps = 10;
 constexpr int most_rounds = 4;       // bounces of one pair in a sweep
 constexpr double equally_deep = 0.9; // as a fraction of the deepest point's depth
 constexpr double same_normal = 1e-9; // largest 1 - n·n' of two points on one face
+// An approach speed below this share of the speed by rotation does not count as an approach of the
+// body: the rotation of a step predicts the speed only to first order.
+constexpr double negligible_share = 0.1;
+// The same where rounding alone makes a speed differ from zero.
+constexpr double rounding_share = negligible_share * 1e-9;
 
 // The points of a pair at which a collision may happen now.
 struct Candidates {
@@ -26,6 +31,15 @@ struct Candidates {
     std::vector<int> contacts; // their indices in the problem
     bool any_approaches = false;
 };
+
+// Whether a contact approaches by nothing but a rotation that does not close it: the front of a
+// wheel that rolls. What gravity adds is left to the contact stage.
+bool only_turns(const ContactConstraint& c, double v_n)
+{
+    const double others = v_n - c.turning_speed;
+    return c.turning_speed < 0 && others > negligible_share * c.turning_speed &&
+           2 * others >= std::min(c.force_speed, rounding_share * c.turning_speed);
+}
 
 void collect(const ContactProblem& problem, const ContactPair& pair, Candidates& candidates)
 {
@@ -44,6 +58,7 @@ void collect(const ContactProblem& problem, const ContactPair& pair, Candidates&
         // force_speed/h, so it closes again after at most 2 v_n/force_speed steps.
         const bool is_over_in_the_step = v_n < 0 && 2 * v_n > c.force_speed;
         if (is_over_in_the_step) continue;
+        if (only_turns(c, v_n)) continue;
         candidates.points.push_back({c.point, c.normal, depth, v});
         candidates.contacts.push_back(i);
         candidates.any_approaches |= v_n < 0;

@@ -18,7 +18,11 @@ namespace rigor {
 /// rounding.
 struct ContactConstraint : Contact {
     double restitution = 0, friction = 0;
-    double radius = 0;             // radius of the smaller body that can move [m]
+    double radius = 0; // radius of the smaller body that can move [m]
+    // The part of v·n by which rotation moves the point towards the other body without reaching it
+    // in this step, ≤ 0 [m/s], and the distance by which it would go through if it moved on along a
+    // line [m]. The front of a wheel moves down, and forward before it reaches the ground.
+    double turning_speed = 0, passes_by = 0;
     double force_speed = 0;        // change of v·n by the forces in this step [m/s]
     double free_speed = 0;         // v·n after the forces without any impulse [m/s]
     double target_speed = 0;       // v·n after the contact stage [m/s]
@@ -76,10 +80,10 @@ struct ContactProblem {
     /// Copies of the bodies of an island, in the order of `island.bodies`.
     std::vector<Body> bodies_of(const Island& island) const;
 
-    /// The gap at the end of the step if v·n does not change [m].
+    /// The gap at the end of the step if the bodies keep their velocities [m].
     double predicted_gap(const ContactConstraint& contact, double v_n) const
     {
-        return contact.gap + time_step * v_n;
+        return contact.gap + contact.passes_by + time_step * v_n;
     }
     /// v₁ - v₂ at a point [m/s].
     Vector3d velocity_at(const ContactConstraint& contact, const Vector3d& x) const

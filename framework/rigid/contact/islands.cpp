@@ -39,23 +39,23 @@ std::vector<ContactPair> pairs_of(std::span<const ContactConstraint> contacts)
 void sort_by_height(const ContactProblem& problem, std::vector<ContactPair>& pairs)
 {
     if (pairs.size() < 2) return;
-    struct Placed {
-        HeightOrder::Place lowest; // contact
+    struct Sortable {
+        HeightOrder::Key lowest; // key of the pair's lowest contact
         ContactPair pair;
     };
     const auto lowest_of = [&](const ContactPair& pair) -> const Vector3d& {
         return problem.contacts[pair.first].point;
     };
-    const HeightOrder place_of(problem.settings.gravity, pairs, lowest_of);
-    std::vector<Placed> placed;
-    placed.reserve(pairs.size());
+    const HeightOrder key_of(problem.settings.gravity, pairs, lowest_of);
+    std::vector<Sortable> sortable;
+    sortable.reserve(pairs.size());
     for (const ContactPair& pair : pairs)
-        placed.push_back({place_of(lowest_of(pair)), pair});
-    std::sort(placed.begin(), placed.end(), [](const Placed& a, const Placed& b) {
+        sortable.push_back({key_of(lowest_of(pair)), pair});
+    std::sort(sortable.begin(), sortable.end(), [](const Sortable& a, const Sortable& b) {
         return a.lowest < b.lowest || (a.lowest == b.lowest && a.pair.first < b.pair.first);
     });
-    std::transform(placed.begin(), placed.end(), pairs.begin(),
-                   [](const Placed& p) { return p.pair; });
+    std::transform(sortable.begin(), sortable.end(), pairs.begin(),
+                   [](const Sortable& p) { return p.pair; });
 }
 
 std::vector<Island> islands_of(const World& world, const ContactProblem& problem,

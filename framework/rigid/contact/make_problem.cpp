@@ -56,6 +56,65 @@ void take_bodies(const World& world, std::span<const RigidState> flown,
         });
 }
 
+// The second and higher orders of the displacement of a lever arm r by the rotation vector α:
+// (sin α/α - 1) α × r + (1 - cos α)/α² α × (α × r), by Rodrigues' formula (1840).
+Vector3d bend_of_path(const Vector3d& turn, const Vector3d& r)
+{
+    const double angle = turn.norm();
+    if (!(angle > 0)) return Vector3d::Zero();
+    const Vector3d line = turn.cross(r);
+    const double half = std::sin(angle / 2) / angle;
+    return (std::sin(angle) / angle - 1) * line + 2 * half * half * turn.cross(line);
+}
+
+// Whether all of a body's shapes have a curved side or rim, on which it may roll. A ball about its
+// center needs no care: rotation moves none of its contacts along the normal.
+bool rolls(const RigidBody& body)
+{
+    return !body.parts.empty() &&
+           std::all_of(body.parts.begin(), body.parts.end(), [](const Part& part) {
+               return std::holds_alternative<Capsule>(part.shape) ||
+                      std::holds_alternative<Torus>(part.shape) ||
+                      std::holds_alternative<Cylinder>(part.shape) ||
+                      std::holds_alternative<Cone>(part.shape) ||
+                      std::holds_alternative<Ellipsoid>(part.shape);
+           });
+}
+
+// The rotation of a body in the step if it rolls; 0 for a body with corners, which hits with them.
+Vector3d rolling_turn(const World& world, const ContactProblem& problem, int i)
+{
+    if (world.bodies[i].is_static || !rolls(world.bodies[i])) return Vector3d::Zero();
+    return problem.time_step * problem.bodies[i].angular_velocity;
+}
+
+// The part of v·n by which the rotations of rolling bodies seem to close the gap, but do not
+// (`turning_speed` and `passes_by`). On a line the point may meet the other body; on its circle it
+// stays clear, up to a small part of the distance between line and circle.
+void set_turning(const World& world, const ContactProblem& problem, ContactConstraint& c)
+{
+    // Share of the bend by which the circle may come nearer than the computed clearance: the bend
+    // holds for a fixed normal, which on a curved surface turns within the step.
+    constexpr double bend_tolerance = 0.1;
+    const Body &body1 = problem.bodies[c.body1], &body2 = problem.bodies[c.body2];
+    const Vector3d turn1 = rolling_turn(world, problem, c.body1);
+    const Vector3d turn2 = rolling_turn(world, problem, c.body2);
+    const Vector3d r1 = c.point - body1.position, r2 = c.point - body2.position;
+    const double turned = c.normal.dot(Vector3d(turn1.cross(r1) - turn2.cross(r2)));
+    if (turned >= 0) return;
+    const double by_line = std::max(c.gap, 0.0) + turned;
+    if (by_line < 0) {
+        const double most_bend =
+            (turn1.squaredNorm() * r1.norm() + turn2.squaredNorm() * r2.norm()) / 2;
+        if (-by_line > (1 + bend_tolerance) * most_bend) return;
+        const double bend =
+            c.normal.dot(Vector3d(bend_of_path(turn1, r1) - bend_of_path(turn2, r2)));
+        if (by_line + bend < -bend_tolerance * bend) return;
+        c.passes_by = -by_line;
+    }
+    c.turning_speed = turned / problem.time_step;
+}
+
 // Decides which candidates become contacts of the problem.
 struct Filter {
     const World& world;
@@ -72,6 +131,7 @@ struct Filter {
         if (contact.gap + problem.time_step * free_speed >= margin) return;
 
         ContactConstraint& c = taken.emplace_back(ContactConstraint{contact});
+        set_turning(world, problem, c);
         c.free_speed = free_speed;
         c.force_speed = free_speed - problem.velocity_at(c, x).dot(n);
         const Material &a = world.bodies[c.body1].material, &b = world.bodies[c.body2].material;

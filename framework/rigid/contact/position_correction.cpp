@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Position correction: projected Gauss–Seidel on displacements, with the impulse matrices of the
-// step. For each island it makes a row for each contact that penetrates or could come to penetrate.
-// It then sweeps over the rows as the contact solver does, with displacements in place of
-// velocities.
+// Position correction by pseudo velocities (Catto 2009; also known as split impulses): projected
+// Gauss–Seidel on displacements, with the impulse matrices of the step. For each island it makes a
+// row for each contact that penetrates or could come to penetrate. It then sweeps over the rows as
+// the contact solver does, with displacements in place of velocities.
 #include "rigid/contact/position_correction.hpp"
 
 #include "rigid/bodies/two_bodies.hpp"
@@ -167,7 +167,7 @@ void correct(const ContactProblem& problem, const Island& island,
 
 } // namespace
 
-std::vector<Displacement> correct_positions(const ContactProblem& problem)
+std::vector<Displacement> position_corrections(const ContactProblem& problem)
 {
     std::vector<Displacement> displacements;
     if (problem.settings.gravity.isZero(0)) return displacements;

@@ -27,7 +27,7 @@ struct Displacement {
 /// momentum. There, `correction_speed` corrects penetration.
 ///
 /// @return one displacement for each body of the world; empty if nothing needs correction
-std::vector<Displacement> correct_positions(const ContactProblem& problem);
+std::vector<Displacement> position_corrections(const ContactProblem& problem);
 
 /// The velocity v·n that corrects the penetration of a contact in a world without gravity [m/s]. It
 /// removes a fifth of the penetration in each step, no faster than one radius per second.

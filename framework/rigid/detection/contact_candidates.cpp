@@ -35,36 +35,38 @@ Bounds body_bounds(const RigidBody& body, const Pose& pose)
 }
 
 // The largest distance that a point of a body moves in the step, along its path or with its last
-// velocity [m]. A rotation by the angle α changes the quaternion by about α/2. The factor allows
-// for a quarter more than α, which covers the chord and an axis that tumbles.
+// velocity [m].
 double travel(const RigidState& from, const RigidState& to, double radius, double time_step)
 {
+    // A rotation by the angle α changes the quaternion by about α/2. The factor 2.5 instead of 2
+    // allows for a quarter more than α, which covers the chord and an axis that tumbles.
+    constexpr double angle_per_distance = 2.5;
     const double moved = (to.position - from.position).norm();
     return std::max(moved, time_step * to.velocity.norm()) +
-           2.5 * orientation_distance(from.orientation, to.orientation) * radius;
+           angle_per_distance * orientation_distance(from.orientation, to.orientation) * radius;
 }
 
-// Data of a body that the propagation of impulses needs.
-struct Partner {
+// A body in the propagation of impulses.
+struct ImpulseBody {
     double mass = 0, restitution = 0;
     bool is_still = false;
 };
 
-Partner partner(const RigidBody& body)
+ImpulseBody impulse_body(const RigidBody& body)
 {
     return {body.mass, body.material.restitution, body.is_still()};
 }
 
 // The share of body j's speed that body i gets when j hits it: (1 + ε) m_j / (m_i + m_j), at most
 // 1.
-double speed_transfer(const Partner& i, const Partner& j)
+double speed_transfer(const ImpulseBody& i, const ImpulseBody& j)
 {
     const double restitution = std::min(i.restitution, j.restitution);
     return std::min(1.0, (1 + restitution) * j.mass / (i.mass + j.mass));
 }
 
 // Data for the search for contacts.
-struct Search {
+struct ContactSearch {
     const World& world;
     std::vector<Bounds> bounds;   // one for each body, swept over the step
     std::vector<double> travels;  // one for each body [m]
@@ -73,7 +75,7 @@ struct Search {
 };
 
 // Whether the swept bounds of two bodies come closer than `reach`.
-bool come_near(const Search& search, const BodyPair& pair, double reach)
+bool come_near(const ContactSearch& search, const BodyPair& pair, double reach)
 {
     Bounds bounds = search.bounds[pair.body1];
     bounds.grow(reach);
@@ -81,7 +83,7 @@ bool come_near(const Search& search, const BodyPair& pair, double reach)
 }
 
 // The margin of body i if impulses may move it by `farthest`. Half its radius is always enough.
-double margin(const Search& search, int i, double farthest)
+double margin(const ContactSearch& search, int i, double farthest)
 {
     return std::min(farthest, search.candidates.radii[i] / 2);
 }
@@ -95,11 +97,12 @@ struct PossibleTravel {
 // Impulses pass from body to body within a step, as along a row of balls. A round computes how far
 // each body whose distance grew in the previous round may push its neighbours.
 struct ImpulsePropagation {
-    const std::vector<Partner>& bodies;
+    const std::vector<ImpulseBody>& bodies;
     std::vector<double> farthest;  // one for each body; the farthest so far [m]
     std::vector<char> has_changed; // one for each body: changed in the last round
 
-    std::vector<PossibleTravel> round(const Search& search, std::span<const BodyPair> pairs) const
+    std::vector<PossibleTravel> round(const ContactSearch& search,
+                                      std::span<const BodyPair> pairs) const
     {
         std::vector<PossibleTravel> farther;
         for (const BodyPair& pair : pairs) {
@@ -120,7 +123,7 @@ struct ImpulsePropagation {
 
 // The margins of all bodies. A body at rest may be hit in this step and then move on with the share
 // of the speed that the impulse leaves it.
-std::vector<double> margins_of(const Search& search, const std::vector<BodyPair>& pairs,
+std::vector<double> margins_of(const ContactSearch& search, const std::vector<BodyPair>& pairs,
                                ThreadPool& pool)
 {
     std::vector<double> margins(search.travels.size());
@@ -132,10 +135,10 @@ std::vector<double> margins_of(const Search& search, const std::vector<BodyPair>
         }))
         return margins; // no two moving bodies are near each other
 
-    std::vector<Partner> bodies;
+    std::vector<ImpulseBody> bodies;
     bodies.reserve(all.size());
     for (const RigidBody& body : all)
-        bodies.push_back(partner(body));
+        bodies.push_back(impulse_body(body));
     constexpr int most_rounds = 8;           // bodies that an impulse passes through in a step
     constexpr std::size_t grain_size = 1024; // pairs
     ImpulsePropagation propagation{bodies, search.travels, std::vector<char>(bodies.size(), true)};
@@ -161,17 +164,17 @@ std::vector<double> margins_of(const Search& search, const std::vector<BodyPair>
 
 // The swept bounds, enlarged by the motion that impulses may add. No body is faster than the
 // fastest or heavier than the heaviest one, so this bounds every propagation.
-std::vector<Bounds> bounds_with_impulses(const Search& search, ThreadPool& pool)
+std::vector<Bounds> bounds_with_impulses(const ContactSearch& search, ThreadPool& pool)
 {
     const double fastest = *std::max_element(search.travels.begin(), search.travels.end());
-    Partner heaviest{0, 1};
+    ImpulseBody heaviest{0, 1};
     for (const RigidBody& body : search.world.bodies)
         heaviest.mass = std::max(heaviest.mass, body.mass);
     std::vector<Bounds> wide = search.bounds;
     constexpr std::size_t grain_size = 128; // bodies
     pool.for_each_range(wide.size(), grain_size, [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {
-            const Partner body = partner(search.world.bodies[i]);
+            const ImpulseBody body = impulse_body(search.world.bodies[i]);
             const double hit = body.is_still ? 0 : speed_transfer(body, heaviest) * fastest;
             wide[i].grow(margin(search, static_cast<int>(i), std::max(search.travels[i], hit)));
         }
@@ -179,27 +182,29 @@ std::vector<Bounds> bounds_with_impulses(const Search& search, ThreadPool& pool)
     return wide;
 }
 
-// The margins of the fat bounds in the pair cache: a tenth of the radius and three steps of travel,
-// so that a body that slows down or is held stays within its fat bounds for long.
-std::vector<double> fat_margins(const Search& search)
+// The margins of the fat bounds in the pair cache, so large that a body that slows down or is held
+// stays within its fat bounds for long, and so small that few more pairs are kept.
+std::vector<double> fat_margins(const ContactSearch& search)
 {
+    constexpr double radius_share = 0.1; // in radii of the body
+    constexpr double steps_ahead = 3;    // in travels of this step
     std::vector<double> margins(search.travels.size());
     for (std::size_t i = 0; i < margins.size(); ++i)
-        margins[i] = 0.1 * search.candidates.radii[i] + 3 * search.travels[i];
+        margins[i] = radius_share * search.candidates.radii[i] + steps_ahead * search.travels[i];
     return margins;
 }
 
 // The result of the narrow phase for some pairs.
-struct Found {
+struct NarrowPhaseResult {
     std::vector<Contact> contacts;
     std::vector<int> disturbed;
     bool any_may_meet = false;
     Counters counters;
 };
 
-Found narrow_phase(const Search& search, std::span<const BodyPair> pairs)
+NarrowPhaseResult run_narrow_phase(const ContactSearch& search, std::span<const BodyPair> pairs)
 {
-    Found found;
+    NarrowPhaseResult found;
     for (const auto& [i, j] : pairs) {
         const double margin = search.candidates.margins[i] + search.candidates.margins[j];
         if (!come_near(search, {i, j}, margin)) continue;
@@ -222,12 +227,12 @@ Found narrow_phase(const Search& search, std::span<const BodyPair> pairs)
 }
 
 // The poses, radii, swept bounds and travel of all bodies.
-Search search_of(const World& world, std::span<const RigidState> flown, double time_step,
-                 ThreadPool& pool)
+ContactSearch start_search(const World& world, std::span<const RigidState> flown, double time_step,
+                           ThreadPool& pool)
 {
     constexpr std::size_t grain_size = 32; // bodies
     const std::size_t n = flown.size();
-    Search search{world, std::vector<Bounds>(n), std::vector<double>(n), {}, time_step};
+    ContactSearch search{world, std::vector<Bounds>(n), std::vector<double>(n), {}, time_step};
     search.candidates.poses.resize(n);
     search.candidates.radii.resize(n);
     pool.for_each_range(n, grain_size, [&](std::size_t first, std::size_t last) {
@@ -249,7 +254,7 @@ Search search_of(const World& world, std::span<const RigidState> flown, double t
 ContactCandidates contact_candidates(World& world, std::span<const RigidState> flown,
                                      double time_step, ThreadPool& pool)
 {
-    Search search = search_of(world, flown, time_step, pool);
+    ContactSearch search = start_search(world, flown, time_step, pool);
     ContactCandidates& candidates = search.candidates;
     const std::vector<BodyPair> pairs = cached_near_pairs(
         world, candidates.poses, bounds_with_impulses(search, pool), fat_margins(search), pool);
@@ -257,26 +262,25 @@ ContactCandidates contact_candidates(World& world, std::span<const RigidState> f
     candidates.margins = margins_of(search, pairs, pool);
 
     constexpr std::size_t grain_size = 128; // pairs
-    std::vector<Found> all =
+    std::vector<NarrowPhaseResult> all =
         pool.collect_ranges(pairs.size(), grain_size, [&](std::size_t first, std::size_t last) {
-            return narrow_phase(search, std::span(pairs).subspan(first, last - first));
+            return run_narrow_phase(search, std::span(pairs).subspan(first, last - first));
         });
-    const std::size_t contacts = std::accumulate(
-        all.begin(), all.end(), std::size_t{0},
-        [](std::size_t sum, const Found& found) { return sum + found.contacts.size(); });
+    const std::size_t contacts =
+        std::accumulate(all.begin(), all.end(), std::size_t{0},
+                        [](std::size_t sum, const NarrowPhaseResult& found) {
+                            return sum + found.contacts.size();
+                        });
     candidates.contacts = std::move(all[0].contacts); // empty at this point
     candidates.contacts.reserve(contacts);
     bool any_may_meet = false;
-    Counters& counters = world.counters;
-    for (const Found& found : all) {
+    for (const NarrowPhaseResult& found : all) {
         candidates.contacts.insert(candidates.contacts.end(), found.contacts.begin(),
                                    found.contacts.end());
         candidates.disturbed.insert(candidates.disturbed.end(), found.disturbed.begin(),
                                     found.disturbed.end());
         any_may_meet |= found.any_may_meet;
-        counters.pairs_tested += found.counters.pairs_tested;
-        counters.level_sets_built += found.counters.level_sets_built;
-        counters.level_set_samples += found.counters.level_set_samples;
+        world.counters += found.counters;
     }
     if (!any_may_meet) candidates.contacts.clear(); // then no formula of collisions is needed
     return std::move(candidates);

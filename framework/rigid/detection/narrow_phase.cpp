@@ -42,16 +42,16 @@ void find_sphere_contacts(const PlacedSphere& a, const PlacedSphere& b, double r
 
 // The way out of a box for a sphere: the normal at the point of the box that is nearest to the
 // sphere, and the gap along it.
-struct OutOfBox {
+struct SphereBoxGap {
     Vector3d n = Vector3d::Zero();
     double gap = 0;
     bool is_inside = false; // whether the center is inside; then through the nearest face
 };
 
 // @param c  the sphere's center in the frame of the box
-OutOfBox out_of_box(const Vector3d& half, const Vector3d& c, double radius)
+SphereBoxGap sphere_box_gap(const Vector3d& half, const Vector3d& c, double radius)
 {
-    OutOfBox out;
+    SphereBoxGap out;
     const Vector3d nearest = c.cwiseMax(-half).cwiseMin(half);
     const double distance = (c - nearest).norm();
     if (distance > 0) {
@@ -68,7 +68,7 @@ OutOfBox out_of_box(const Vector3d& half, const Vector3d& c, double radius)
 }
 
 // A normal along which a sphere at c and a box are apart: their distance now and after the move d.
-struct ApartAhead {
+struct SeparatingNormal {
     Vector3d n;
     double now, then;
 };
@@ -77,17 +77,19 @@ struct ApartAhead {
 // the faces' normals, or the normal at the end of the move if they do not meet there. So a sphere
 // that rolls over the joint between two boxes, or falls there, does not run into the edge of the
 // second one.
-void look_ahead(const Vector3d& half, const Vector3d& c, const Vector3d& d, double radius,
-                ApartAhead& best)
+void improve_by_looking_ahead(const Vector3d& half, const Vector3d& c, const Vector3d& d,
+                              double radius, SeparatingNormal& best)
 {
-    constexpr double slop = 1e-4; // in radii
+    // Overlap up to this counts as apart, in radii: a sphere at rest overlaps by the slop of the
+    // position correction.
+    constexpr double slop = 1e-4;
     const auto consider = [&](const Vector3d& n) {
         const double now = n.dot(c) - n.cwiseAbs().dot(half) - radius, then = now + n.dot(d);
         if (now > -slop * radius && then > best.then) best = {n, now, then};
     };
     for (int i = 0; i < 3; ++i)
         consider((c[i] < 0 ? -1 : 1) * Vector3d::Unit(i));
-    const OutOfBox end = out_of_box(half, c + d, radius);
+    const SphereBoxGap end = sphere_box_gap(half, c + d, radius);
     if (!end.is_inside && end.gap > -slop * radius) consider(end.n);
 }
 
@@ -96,11 +98,11 @@ void find_sphere_contacts(const PlacedSphere& sphere, const Box& box, const Pose
 {
     const Vector3d half = box.size / 2;
     const Vector3d c = pose.R.transpose() * (sphere.center - pose.X);
-    const OutOfBox out = out_of_box(half, c, sphere.radius);
+    const SphereBoxGap out = sphere_box_gap(half, c, sphere.radius);
     if (out.gap >= reach) return;
     const Vector3d d = pose.R.transpose() * move;
-    ApartAhead best{out.n, out.gap, out.gap + d.dot(out.n)};
-    if (!out.is_inside && best.then < 0) look_ahead(half, c, d, sphere.radius, best);
+    SeparatingNormal best{out.n, out.gap, out.gap + d.dot(out.n)};
+    if (!out.is_inside && best.then < 0) improve_by_looking_ahead(half, c, d, sphere.radius, best);
     const Vector3d n = pose.R * best.n;
     contacts.push_back({sphere.center - sphere.radius * n, n, best.now});
 }
@@ -211,10 +213,10 @@ void find_contacts(const World& world, const std::vector<Pose>& poses, int body1
         }
     }
     if (found.size() > 1) {
-        const HeightOrder place_of(world.settings.gravity, found,
-                                   [](const Contact& t) -> const Vector3d& { return t.point; });
+        const HeightOrder key_of(world.settings.gravity, found,
+                                 [](const Contact& t) -> const Vector3d& { return t.point; });
         std::sort(found.begin(), found.end(), [&](const Contact& a, const Contact& b) {
-            return place_of(a.point) < place_of(b.point);
+            return key_of(a.point) < key_of(b.point);
         });
     }
     for (const Contact& contact : found)

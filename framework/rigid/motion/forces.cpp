@@ -9,6 +9,7 @@
 #include "rigid/bodies/orientation.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace rigor {
 
@@ -55,6 +56,29 @@ std::vector<bool> pulled_bodies(const World& world, double time_step)
         if (force.start <= world.time + time_step && world.time < force.end)
             if (!world.bodies[force.body].is_static) pulled[force.body] = true;
     return pulled;
+}
+
+double fastest_spring_rate(const World& world)
+{
+    const auto compliance = [&](int body, const Vector3d& r) -> double {
+        if (body < 0 || world.bodies[body].is_static) return 0;
+        const BodyInertia& inverse = world.bodies[body].inverse;
+        return inverse.inverse_mass + r.squaredNorm() * inverse.inverse_inertia.norm();
+    };
+    std::vector<double> stiffness(world.bodies.size(), 0), damping = stiffness; // times K
+    for (const Spring& spring : world.springs) {
+        const double K =
+            compliance(spring.body1, spring.point1) + compliance(spring.body2, spring.point2);
+        for (int body : {spring.body1, spring.body2}) {
+            if (body < 0) continue;
+            stiffness[body] += std::abs(spring.stiffness) * K;
+            damping[body] += std::abs(spring.damping) * K;
+        }
+    }
+    double rate = 0;
+    for (std::size_t i = 0; i < stiffness.size(); ++i)
+        rate = std::max({rate, std::sqrt(stiffness[i]), damping[i]});
+    return rate;
 }
 
 Wrench gravity_on(const Settings& settings, const RigidBody& body, const Vector3d& X)

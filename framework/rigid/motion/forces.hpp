@@ -20,6 +20,12 @@ struct Motion {
 /// False for static bodies.
 std::vector<bool> pulled_bodies(const World& world, double time_step);
 
+/// A bound on the fastest rate at which springs and dampers change the motion of a body: the
+/// highest angular frequency of a vibration or rate of a decay [1/s]. With K = 1/M + r² |I⁻¹| at
+/// each end of a spring, no ω² exceeds the largest Σ k (K₁ + K₂) over the springs of one body, and
+/// no rate of decay the largest Σ c (K₁ + K₂).
+double fastest_spring_rate(const World& world);
+
 /// The wrench of gravity alone. For the integrator `matrix` it is a point force at the center of
 /// mass, through `net_wrench`; for the others it is `gravity_wrench`. Without gravity no formula is
 /// called.

@@ -9,6 +9,7 @@
 #include "rigid/bodies/orientation.hpp"
 #include "rigid/motion/constant_wrench_step.hpp"
 #include "rigid/motion/forces.hpp"
+#include "rigid/motion/naive_rotation.hpp"
 #include "rigid/motion/runge_kutta.hpp"
 
 #include <algorithm>
@@ -25,16 +26,18 @@ constexpr double quarter_turn = std::numbers::pi / 2;
 // the limit keeps the step from taking very long.
 constexpr double most_substeps = 1000;
 
-// Symplectic Euler with an exact rotation by the new angular velocity.
-RigidState exponential_step(const RigidBody& body, const RigidState& state, const Wrench& wrench,
-                            double h)
+using Turn = Quaternion (*)(const Quaternion& q, const Vector3d& omega, double time_step);
+
+// Symplectic Euler, with a rotation by the new angular velocity.
+RigidState euler_step(Integrator integrator, Turn turned, const RigidBody& body,
+                      const RigidState& state, const Wrench& wrench, double h)
 {
     RigidState next = state;
     next.velocity += h * body.inverse.inverse_mass * wrench.force;
     next.position += h * next.velocity;
     next.angular_momentum += h * wrench.torque;
-    const Vector3d w = angular_velocity(Integrator::exponential, body, next); // new L, old q
-    next.orientation = advance_exact(state.orientation, w, h);
+    const Vector3d w = angular_velocity(integrator, body, next); // new L, old q
+    next.orientation = turned(state.orientation, w, h);
     return next;
 }
 
@@ -43,14 +46,18 @@ RigidState one_step(Integrator integrator, const RigidBody& body, const RigidSta
 {
     switch (integrator) {
     case Integrator::matrix: {
-        Track<MatrixScheme> track{body, MatrixScheme::from(state), wrench};
-        runge_kutta_4(std::span(&track, 1), h, [] {});
-        return MatrixScheme::to(track.stage, state);
+        BodyStages<MatrixScheme> stages{body, MatrixScheme::from(state), wrench};
+        runge_kutta_4(std::span(&stages, 1), h, [] {});
+        return MatrixScheme::to(stages.stage, state);
     }
     case Integrator::linear:
         return step_symplectic_euler(state, body.inverse, wrench, h);
     case Integrator::exponential:
-        return exponential_step(body, state, wrench, h);
+        return euler_step(integrator, advance_exact, body, state, wrench, h);
+    case Integrator::gram_schmidt:
+        return euler_step(integrator, turned_by_gram_schmidt, body, state, wrench, h);
+    case Integrator::euler_angles:
+        return euler_step(integrator, turned_by_euler_angles, body, state, wrench, h);
     case Integrator::buss:
         return step_buss(state, body.inverse, wrench, h);
     case Integrator::runge_kutta:
@@ -75,6 +82,22 @@ int substeps_for(Integrator integrator, const RigidBody& body, const RigidState&
     return static_cast<int>(std::clamp(std::ceil(h / limit), 1.0, most_substeps));
 }
 
+// The number of equal substeps in which no spring vibrates or decays by more than half a unit of
+// its phase. There both methods are accurate: after 30 oscillations the error is 1e-4 of the
+// amplitude, and with dampers, where Runge–Kutta 4 takes the place of the kicks, 4e-3.
+int substeps_for_springs(const World& world, double h)
+{
+    if (world.springs.empty() || world.settings.integrator != Integrator::runge_kutta) return 1;
+    constexpr double most_phase = 0.5; // [rad]
+    const double needed = std::ceil(fastest_spring_rate(world) * h / most_phase);
+    if (needed > most_substeps)
+        throw std::domain_error(
+            "a spring or damper is too stiff for the step: expected sqrt(k/M) h and c h/M up to " +
+            std::to_string(static_cast<int>(most_substeps * most_phase)) + ", found " +
+            std::to_string(needed));
+    return needed > 1 ? static_cast<int>(needed) : 1; // a NaN is reported at the end of the step
+}
+
 // Makes the quaternion unit again, since the rounding of many rotations adds up. The integrators
 // `matrix` and `linear` do that themselves.
 RigidState with_unit_orientation(Integrator integrator, RigidState state)
@@ -93,27 +116,29 @@ int count_substeps(int n, Counters& counters)
 // Runge–Kutta 4 for the bodies in `together`, whose forces depend on each other at every stage.
 // @param middle  the time in the middle of the step [s]
 template <class Scheme>
-void fly_together(const World& world, AppliedWrenches& wrenches, std::span<const int> together,
-                  std::vector<RigidState>& states, double h, double middle)
+void fly_by_runge_kutta(const World& world, AppliedWrenches& wrenches,
+                        std::span<const int> together, std::vector<RigidState>& states, double h,
+                        double middle)
 {
-    std::vector<Track<Scheme>> tracks;
-    tracks.reserve(together.size());
+    std::vector<BodyStages<Scheme>> bodies;
+    bodies.reserve(together.size());
     for (int i : together)
-        tracks.push_back({world.bodies[i], Scheme::from(states[i]), Wrench()});
-    runge_kutta_4(std::span(tracks), h, [&] {
+        bodies.push_back({world.bodies[i], Scheme::from(states[i]), Wrench()});
+    runge_kutta_4(std::span(bodies), h, [&] {
         for (std::size_t k = 0; k < together.size(); ++k)
-            states[together[k]] = Scheme::to(tracks[k].stage, states[together[k]]);
+            states[together[k]] = Scheme::to(bodies[k].stage, states[together[k]]);
         const std::vector<Wrench>& net = wrenches.at(states, middle);
         for (std::size_t k = 0; k < together.size(); ++k)
-            tracks[k].wrench = net[k];
+            bodies[k].wrench = net[k];
     });
     for (std::size_t k = 0; k < together.size(); ++k)
-        states[together[k]] = Scheme::to(tracks[k].stage, states[together[k]]);
+        states[together[k]] = Scheme::to(bodies[k].stage, states[together[k]]);
 }
 
-// Kicks and free flights alternate, by the method of Blanes and Moan; see the header.
-void fly_by_kicks(const World& world, AppliedWrenches& wrenches, std::span<const int> together,
-                  std::vector<RigidState>& states, double h, double middle)
+// The splitting method of Blanes and Moan (2002), in which impulses (kicks) and free flights
+// alternate; see the header.
+void fly_by_splitting(const World& world, AppliedWrenches& wrenches, std::span<const int> together,
+                      std::vector<RigidState>& states, double h, double middle)
 {
     constexpr double b1 = 0.0829844064174052, b2 = 0.396309801498368, b3 = -0.0390563049223486;
     constexpr double a1 = 0.245298957184271, a2 = 0.604872665711080;
@@ -137,11 +162,11 @@ void fly_pulled(const World& world, AppliedWrenches& wrenches, std::span<const i
                 std::vector<RigidState>& states, double h, double middle)
 {
     if (world.settings.integrator == Integrator::matrix)
-        return fly_together<MatrixScheme>(world, wrenches, together, states, h, middle);
+        return fly_by_runge_kutta<MatrixScheme>(world, wrenches, together, states, h, middle);
     if (world.settings.integrator == Integrator::runge_kutta && wrenches.any_spring_damps())
-        return fly_together<LieScheme>(world, wrenches, together, states, h, middle);
+        return fly_by_runge_kutta<LieScheme>(world, wrenches, together, states, h, middle);
     if (world.settings.integrator == Integrator::runge_kutta)
-        return fly_by_kicks(world, wrenches, together, states, h, middle);
+        return fly_by_splitting(world, wrenches, together, states, h, middle);
     const std::vector<Wrench>& net = wrenches.at(states, middle);
     for (std::size_t k = 0; k < together.size(); ++k) {
         const int i = together[k];
@@ -173,7 +198,7 @@ std::vector<RigidState> fly_all(World& world, const std::vector<bool>& pulled, d
     Counters& counters = world.counters;
     std::vector<RigidState> states(world.bodies.size());
     std::vector<int> together;
-    int n = 1;
+    int n = substeps_for_springs(world, time_step);
     for (std::size_t i = 0; i < world.bodies.size(); ++i) {
         const RigidBody& body = world.bodies[i];
         if (body.is_static) ++counters.static_skipped;

@@ -16,6 +16,10 @@
 // for any number of swings, and on a spring it is stable up to √(k/M) h = 5, where Runge–Kutta 4
 // ends at 2.8. It needs forces that depend on positions alone.
 //
+// A stiffer spring or damper divides the step of all pulled bodies into substeps, in each of which
+// no spring vibrates or decays by more than half a unit of its phase. The other integrators take
+// the step as it is, to watch where they become unstable.
+//
 // If any spring damps, all pulled bodies take the Runge–Kutta method of Munthe-Kaas (1999, "High
 // order Runge–Kutta methods on manifolds", Appl. Numer. Math. 29) with the two commutators of
 // Munthe-Kaas and Owren (1999, "Computations in a free Lie algebra", Phil. Trans. R. Soc. A 357).
@@ -56,11 +60,8 @@ void fly_in_parallel(ThreadPool& pool, std::size_t count, Counters& counters, co
         const auto [first, last] = ThreadPool::range(count, ranges, k);
         work(first, last, counted[k]);
     });
-    for (const Counters& part : counted) {
-        counters.free_flights += part.free_flights;
-        counters.substeps += part.substeps;
-        counters.isotropic_shortcuts += part.isotropic_shortcuts;
-    }
+    for (const Counters& part : counted)
+        counters += part;
 }
 
 /// The states of all bodies after a time step without contacts. Bodies on which springs or applied

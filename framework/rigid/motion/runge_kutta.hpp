@@ -14,9 +14,9 @@
 
 namespace rigor {
 
-/// A body during the stages of a step.
-template <class Scheme> struct Track {
-    Track(const RigidBody& moving, const typename Scheme::State& from, const Wrench& pull)
+/// A body, with its state and its rates at the stages of a step.
+template <class Scheme> struct BodyStages {
+    BodyStages(const RigidBody& moving, const typename Scheme::State& from, const Wrench& pull)
         : body(&moving), start(from), stage(from), wrench(pull)
     {
     }
@@ -27,24 +27,24 @@ template <class Scheme> struct Track {
     std::array<typename Scheme::Rate, 4> rates; // one for each stage so far
 };
 
-/// Advances all tracks by h together, since their bodies may pull on each other.
+/// Advances all bodies by h together, since they may pull on each other.
 ///
-/// @param update_wrenches  called at each stage; sets the tracks' wrenches if they depend on the
-///                         stage
+/// @param update_wrenches  called at each stage; sets the wrenches of the bodies if they depend on
+///                         the stage
 template <class Scheme, class Update>
-void runge_kutta_4(std::span<Track<Scheme>> tracks, double h, Update&& update_wrenches)
+void runge_kutta_4(std::span<BodyStages<Scheme>> bodies, double h, Update&& update_wrenches)
 {
     constexpr double offsets[] = {0, 0.5, 0.5, 1};
     for (int s = 0; s < 4; ++s) {
-        for (Track<Scheme>& t : tracks)
+        for (BodyStages<Scheme>& b : bodies)
             if (s > 0)
-                t.stage = Scheme::advance(t.start, Scheme::slope(t.rates, s, h), offsets[s] * h);
+                b.stage = Scheme::advance(b.start, Scheme::slope(b.rates, s, h), offsets[s] * h);
         update_wrenches();
-        for (Track<Scheme>& t : tracks)
-            t.rates[s] = Scheme::rate(*t.body, t.stage, t.wrench);
+        for (BodyStages<Scheme>& b : bodies)
+            b.rates[s] = Scheme::rate(*b.body, b.stage, b.wrench);
     }
-    for (Track<Scheme>& t : tracks)
-        t.stage = Scheme::advance(t.start, Scheme::slope(t.rates, 4, h), h);
+    for (BodyStages<Scheme>& b : bodies)
+        b.stage = Scheme::advance(b.start, Scheme::slope(b.rates, 4, h), h);
 }
 
 /// Classical Runge–Kutta 4 on (X, R, V, L), through `equations_of_motion`.
@@ -67,12 +67,26 @@ struct MatrixScheme {
         return {s.position, q, s.velocity, s.angular_momentum};
     }
 
-    static Rate rate(const RigidBody& body, const State& s, const Wrench& wrench)
+    /// R + h Ṙ is not a rotation, so the stages inside a step leave the rotations by O(h²). The
+    /// formulas get the nearest rotation, which is a smooth function of R and R itself on the
+    /// rotations. So the order stays 4.
+    static Rate rate(const RigidBody& body, State s, const Wrench& wrench)
     {
+        s.rotation = nearest_rotation(s.rotation);
         const Matrix3d& I_inverse = body.inverse.inverse_inertia;
         return equations_of_motion(
             s, body.inverse.inverse_mass,
             body.is_isotropic ? I_inverse : world_inverse_inertia(s.rotation, I_inverse), wrench);
+    }
+
+    /// The rotation Q with the smallest ‖Q - A‖: Q = U diag(1, 1, det(U Vᵀ)) Vᵀ for A = U Σ Vᵀ.
+    static Matrix3d nearest_rotation(const Matrix3d& A)
+    {
+        const Eigen::JacobiSVD<Matrix3d> svd(A, Eigen::ComputeFullU | Eigen::ComputeFullV);
+        Matrix3d U = svd.matrixU();
+        const Matrix3d& V = svd.matrixV();
+        if (U.determinant() * V.determinant() < 0) U.col(2) = -U.col(2);
+        return U * V.transpose();
     }
 
     static Rate slope(const std::array<Rate, 4>& k, int stage, double)

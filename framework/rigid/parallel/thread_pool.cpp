@@ -47,10 +47,13 @@ struct alignas(std::uint64_t) TakenTasks {
 static_assert(std::atomic<TakenTasks>::is_always_lock_free);
 constexpr int most_tasks = 0xffff; // what from_first and from_last can count
 
-struct ThreadPool::Workers {
+class ThreadPool::Workers {
+public:
     ~Workers();
     /// Does all tasks of a work, with so many workers beside the calling thread.
     void run(int workers, int tasks, const void* what, Call call);
+
+private:
     void wait_and_work();
     void do_tasks(bool from_first);
     void keep_exception(int task);
@@ -94,7 +97,8 @@ int ThreadPool::range_count(std::size_t count, std::size_t grain_size) const
 {
     if (count == 0 || threads_ < 2) return count == 0 ? 0 : 1;
     constexpr int ranges_per_thread = 4; // so that one delayed thread does not delay the whole work
-    const auto most = static_cast<std::size_t>(ranges_per_thread * threads_);
+    const auto most =
+        static_cast<std::size_t>(ranges_per_thread) * static_cast<std::size_t>(threads_);
     return static_cast<int>(std::clamp<std::size_t>(count / grain_size, 1, most));
 }
 

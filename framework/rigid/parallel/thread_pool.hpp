@@ -96,7 +96,7 @@ public:
     static Range range(std::size_t count, int ranges, int k);
 
 private:
-    struct Workers;
+    class Workers;
     using Call = void (*)(const void*, int);
     void run_by_workers(int tasks, const void* what, Call call);
 

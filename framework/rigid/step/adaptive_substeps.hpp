@@ -26,7 +26,13 @@ inline constexpr int most_halvings = 10; // how often a step may be halved again
 /// but a body that rotates by θ leaves its contact plane by up to θ² r/2, and sweeps that ended
 /// early leave some approach speed. The island's step is repeated if two bodies overlap anew
 /// because of this: by more than 1/200 of the thinner one's thickness if they rotate, otherwise by
-/// more than 1/20. Only islands of up to 32 bodies on which nothing but gravity pulls are refined.
+/// more than 1/20.
+///
+/// A step in which two moving balls meet and bounce is divided at the time of impact,
+/// because the direction of the bounce belongs to that moment. (`bounce_at_impacts` has done so
+/// already for most bounces of two bodies that nothing else touches.)
+///
+/// Only islands of up to 32 bodies on which nothing but gravity pulls are refined.
 ///
 /// @param problem  the impulses of repeated islands are removed from it
 /// @param states   the states after the step; those of repeated islands are replaced

@@ -24,7 +24,7 @@ constexpr double touching = 1e-10; // a gap up to this fraction of the radius co
 constexpr double met = 1e-6; // largest gap at the end of the iteration, as a fraction of the radius
 
 // The two bodies alone, at some time of the step.
-struct Meeting {
+struct PairWorld {
     World world;
     double time = 0; // since the start of the step [s]
     double gap = 0;  // the smallest gap [m]
@@ -69,24 +69,106 @@ Approach first_to_close(const World& world, const ContactProblem& problem, const
 }
 
 // The two bodies after a flight of `time`, with their contacts up to the distance `reach`.
-Meeting meeting_at(const World& world, const ContactConstraint& c, double time, double reach)
+PairWorld pair_at(const World& world, const ContactConstraint& c, double time, double reach)
 {
-    Meeting meeting;
-    meeting.world.settings = world.settings;
-    meeting.world.settings.skips.warm_start = false;
-    meeting.time = time;
+    PairWorld pair;
+    pair.world.settings = world.settings;
+    pair.world.settings.skips.warm_start = false;
+    pair.time = time;
     std::vector<Pose> poses;
     for (int i : {c.body1, c.body2}) {
-        RigidBody& body = meeting.world.bodies.emplace_back(world.bodies[i]);
+        RigidBody& body = pair.world.bodies.emplace_back(world.bodies[i]);
         if (!body.is_static && time > 0)
-            body.state = fly(world.settings, body, body.state, time, meeting.world.counters);
+            body.state = fly(world.settings, body, body.state, time, pair.world.counters);
         poses.push_back(pose_of(body.state));
     }
-    find_contacts(meeting.world, poses, 0, 1, reach, meeting.contacts);
-    meeting.gap = reach;
-    for (const Contact& contact : meeting.contacts)
-        meeting.gap = std::min(meeting.gap, contact.gap);
-    return meeting;
+    find_contacts(pair.world, poses, 0, 1, reach, pair.contacts);
+    pair.gap = reach;
+    for (const Contact& contact : pair.contacts)
+        pair.gap = std::min(pair.gap, contact.gap);
+    return pair;
+}
+
+// The states of two bodies that do not meet in this step after all.
+void fly_past(const World& world, const ContactConstraint& c, double time_step,
+              std::vector<RigidState>& states)
+{
+    Counters uncounted;
+    for (int i : {c.body1, c.body2})
+        if (const RigidBody& body = world.bodies[i]; !body.is_static)
+            states[i] = fly(world.settings, body, body.state, time_step, uncounted);
+}
+
+// The two bodies at the time when their gap closes, by the secant method from the predicted time.
+// @return nothing if the iteration does not converge
+std::optional<PairWorld> pair_at_impact(const World& world, const ContactConstraint& c,
+                                        const Approach& approach, double time_step)
+{
+    const double reach = 2 * std::abs(approach.gap) + c.radius;
+    double time = approach.closes(), before = 0, gap_before = approach.gap;
+    PairWorld pair = pair_at(world, c, time, reach);
+    for (int i = 0; i < most_iterations && std::abs(pair.gap) > touching * c.radius; ++i) {
+        const double slope = (pair.gap - gap_before) / (time - before);
+        if (!(slope < 0)) return std::nullopt;
+        before = time;
+        gap_before = pair.gap;
+        time = std::clamp(time - pair.gap / slope, 0.0, time_step);
+        if (time == before) break;
+        pair = pair_at(world, c, time, reach);
+    }
+    if (std::abs(pair.gap) > met * c.radius) return std::nullopt;
+    return pair;
+}
+
+// The contact problem at the impact, with the contacts that close within the rest of the step. The
+// counters of the pair's world are dropped later, since the bounce was counted already.
+ContactProblem problem_at_impact(PairWorld& pair, double radius, double rest)
+{
+    std::vector<RigidState> flown;
+    ContactCandidates near;
+    near.contacts = std::move(pair.contacts);
+    near.margins.assign(2, std::numeric_limits<double>::infinity());
+    near.radii.assign(2, radius);
+    for (std::size_t k = 0; k < 2; ++k) {
+        const RigidBody& body = pair.world.bodies[k];
+        near.poses.push_back(pose_of(body.state));
+        if (body.is_static) near.radii[k] = 0;
+        flown.push_back(
+            body.is_static ? body.state
+                           : fly(pair.world.settings, body, body.state, rest, pair.world.counters));
+    }
+    return make_problem(pair.world, flown, near, rest, pair.world.pool);
+}
+
+// The contacts of the bounce with their impulses, numbered like the bodies of the whole world; an
+// empty list if there is no impulse or if the bodies would meet again within the rest of the step.
+std::vector<ContactRecord> records_of_bounce(const ContactProblem& impact,
+                                             const ContactConstraint& c)
+{
+    std::vector<ContactRecord> records;
+    for (const ContactConstraint& hit : impact.contacts) {
+        const double v_n = impact.velocity_at(hit, hit.point).dot(hit.normal) + hit.force_speed;
+        if (impact.predicted_gap(hit, v_n) < -touching * c.radius) return {}; // they meet again
+        if (!hit.collision_impulse.isZero(0))
+            records.push_back(
+                {c.body1, c.body2, hit.point, hit.normal, -hit.gap, hit.collision_impulse});
+    }
+    return records;
+}
+
+// The states at the end of the step: the bodies fly on with their velocities after the bounce.
+void fly_on(PairWorld& pair, const ContactProblem& impact, const ContactConstraint& c, double rest,
+            std::vector<RigidState>& states)
+{
+    for (std::size_t k = 0; k < 2; ++k) {
+        const RigidBody& body = pair.world.bodies[k];
+        if (body.is_static) continue;
+        RigidState state = body.state;
+        state.velocity = impact.bodies[k].velocity;
+        state.angular_momentum = impact.bodies[k].angular_momentum;
+        states[k == 0 ? c.body1 : c.body2] =
+            fly(pair.world.settings, body, state, rest, pair.world.counters);
+    }
 }
 
 // Lets the pair bounce at its impact. The states are changed only if it returns contacts.
@@ -94,77 +176,28 @@ Meeting meeting_at(const World& world, const ContactConstraint& c, double time, 
 //         after all, or nothing if the impact is not a single bounce within the step
 std::optional<std::vector<ContactRecord>> bounce_at_impact(const World& world,
                                                            const ContactProblem& problem,
-                                                           const ContactPair& pair,
+                                                           const ContactPair& contacts,
                                                            std::vector<RigidState>& states)
 {
     const double h = problem.time_step;
-    const ContactConstraint& c = problem.contacts[pair.first];
-    const Approach approach = first_to_close(world, problem, pair);
+    const ContactConstraint& c = problem.contacts[contacts.first];
+    const Approach approach = first_to_close(world, problem, contacts);
     const double predicted = approach.closes();
     if (!(predicted > 0)) return std::nullopt;
     if (predicted >= h) { // they accelerate during the step and do not meet yet
-        Counters uncounted;
-        for (int i : {c.body1, c.body2})
-            if (const RigidBody& body = world.bodies[i]; !body.is_static)
-                states[i] = fly(world.settings, body, body.state, h, uncounted);
+        fly_past(world, c, h, states);
         return std::vector<ContactRecord>();
     }
 
-    // Secant steps towards gap = 0.
-    const double reach = 2 * std::abs(approach.gap) + c.radius;
-    double time = predicted, before = 0, gap_before = approach.gap;
-    Meeting meeting = meeting_at(world, c, time, reach);
-    for (int i = 0; i < most_iterations && std::abs(meeting.gap) > touching * c.radius; ++i) {
-        const double slope = (meeting.gap - gap_before) / (time - before);
-        if (!(slope < 0)) return std::nullopt;
-        before = time;
-        gap_before = meeting.gap;
-        time = std::clamp(time - meeting.gap / slope, 0.0, h);
-        if (time == before) break;
-        meeting = meeting_at(world, c, time, reach);
-    }
-    if (std::abs(meeting.gap) > met * c.radius) return std::nullopt;
-
-    // The collision at that time, with the contacts that close within the rest of the step.
-    World& pair_world = meeting.world;
-    const double rest = h - time;
-    std::vector<RigidState> flown;
-    ContactCandidates near;
-    near.contacts = std::move(meeting.contacts);
-    near.margins.assign(2, std::numeric_limits<double>::infinity());
-    near.radii.assign(2, c.radius);
-    for (std::size_t k = 0; k < 2; ++k) {
-        const RigidBody& body = pair_world.bodies[k];
-        near.poses.push_back(pose_of(body.state));
-        if (body.is_static) near.radii[k] = 0;
-        flown.push_back(
-            body.is_static ? body.state
-                           : fly(pair_world.settings, body, body.state, rest, pair_world.counters));
-    }
-    // The counters of the pair's world are dropped, since the bounce was counted already.
-    ContactProblem impact = make_problem(pair_world, flown, near, rest, pair_world.pool);
+    std::optional<PairWorld> pair = pair_at_impact(world, c, approach, h);
+    if (!pair) return std::nullopt;
+    const double rest = h - pair->time;
+    ContactProblem impact = problem_at_impact(*pair, c.radius, rest);
     if (impact.islands.size() != 1) return std::nullopt;
     process_collisions(impact);
-
-    std::vector<ContactRecord> records;
-    for (const ContactConstraint& hit : impact.contacts) {
-        const double v_n = impact.velocity_at(hit, hit.point).dot(hit.normal) + hit.force_speed;
-        if (impact.predicted_gap(hit, v_n) < -touching * c.radius)
-            return std::nullopt; // they meet again
-        if (!hit.collision_impulse.isZero(0))
-            records.push_back(
-                {c.body1, c.body2, hit.point, hit.normal, -hit.gap, hit.collision_impulse});
-    }
+    std::vector<ContactRecord> records = records_of_bounce(impact, c);
     if (records.empty()) return std::nullopt;
-    for (std::size_t k = 0; k < 2; ++k) {
-        const RigidBody& body = pair_world.bodies[k];
-        if (body.is_static) continue;
-        RigidState state = body.state;
-        state.velocity = impact.bodies[k].velocity;
-        state.angular_momentum = impact.bodies[k].angular_momentum;
-        states[k == 0 ? c.body1 : c.body2] =
-            fly(pair_world.settings, body, state, rest, pair_world.counters);
-    }
+    fly_on(*pair, impact, c, rest, states);
     return records;
 }
 

@@ -13,6 +13,9 @@ namespace rigor {
 namespace {
 
 constexpr double needed_rest = 0.5; // least time at rest before a body sleeps [s]
+// Most of it that the step which led to a new place may count for. With a longer step, a body that
+// moves would sleep at once.
+constexpr double first_rest = needed_rest / 2;
 // Largest move, in radii, and largest rotation [rad] of a body at rest.
 constexpr double rest_fraction = 1e-4;
 
@@ -35,7 +38,7 @@ bool has_rested(World& world, const Island& island, const std::vector<double>& r
         if (rest.duration > 0 && is_near(states[i], rest.place, radii[i])) {
             rest.duration += time_step;
         } else {
-            rest.duration = time_step;
+            rest.duration = std::min(time_step, first_rest);
             rest.place = states[i];
         }
         all &= rest.duration >= needed_rest && !pulled[i];

@@ -64,7 +64,7 @@ std::vector<ContactRecord> step(World& world, double time_step, int depth)
     const std::vector<Body> after_collisions = problem.bodies;
     apply_forces(problem, world, flown);
     process_contact(problem);
-    const std::vector<Displacement> displacements = correct_positions(problem);
+    const std::vector<Displacement> displacements = position_corrections(problem);
 
     StepResult result{std::move(flown), {}, {}};
     update_positions(world, problem, pulled, after_collisions, displacements, result.states);

@@ -8,7 +8,7 @@
 //   make the problem    candidates, memory        contacts in islands  contact/make_problem
 // 3 collisions          velocities before forces  velocities           contact/collisions
 // 4 velocities          flown states              velocities           here, `apply_forces`
-// 5 contact             velocities, gaps          velocities, impulses contact/resting_contact
+// 5 contact, friction   velocities, gaps          velocities, impulses contact/resting_contact
 // 6 position correction gaps, velocities          displacements        contact/position_correction
 // 7 positions           velocities, displacements states               step/position_update
 // 8 refine              states, contacts          states, records      step/impact,

@@ -180,6 +180,7 @@ void add_points(Bench& bench, const AccuracyCase& c, const std::vector<Curve>& c
 int measure_all(bool json, const std::string& folder)
 {
     Bench bench("accuracy");
+    note_missing_engines(bench, contact_contestants());
     for (const AccuracyCase& c :
          {free_body_case(), heavy_top_case(), pendulum_case(), bounce_case(0.5), bounce_case(0.8),
           bounce_case(1), sliding_case(), sticking_case(), rolling_case(), stack_case()}) {

@@ -23,9 +23,6 @@ int main(int argc, char** argv)
     bench.note(
         "Steps of 1/60 s for 10 s unless a row says otherwise; no body sleeps; one thread. Unit "
         "cubes of 1 kg.");
-    for (const char* peer : {"bullet", "ode"})
-        if (std::none_of(all.begin(), all.end(), [&](const auto& c) { return c.engine == peer; }))
-            bench.note(std::string("Not installed when this was built, so without rows: ") + peer +
-                       ".");
+    note_missing_engines(bench, all);
     return bench.finish(wants_json(argc, argv));
 }

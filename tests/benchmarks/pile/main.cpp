@@ -32,7 +32,8 @@ struct Outcome {
     double asleep = 0;
 };
 
-std::vector<Contestant> contestants(const PileChoice& choice)
+// Our engine, and the other engines that were installed when this was built.
+std::vector<Contestant> contestants()
 {
     std::vector<Contestant> all = {{"rigor", "kept awake", pile_rigor, false},
                                    {"rigor", "may sleep", pile_rigor, true}};
@@ -43,7 +44,6 @@ std::vector<Contestant> contestants(const PileChoice& choice)
 #ifdef RIGOR_ODE
     all.push_back({"ode", "kept awake", pile_ode, false});
 #endif
-    std::erase_if(all, [&](const Contestant& c) { return !choice.wants(c.engine); });
     return all;
 }
 
@@ -189,8 +189,11 @@ void explain(Bench& bench, const PileChoice& choice)
 int run(const PileChoice& choice)
 {
     Bench bench("pile");
-    const std::vector<Contestant> all = contestants(choice);
-    if (all.empty()) throw std::invalid_argument("--engine: expected rigor, bullet or ode");
+    std::vector<Contestant> all = contestants();
+    note_missing_engines(bench, all);
+    std::erase_if(all, [&](const Contestant& c) { return !choice.wants(c.engine); });
+    if (all.empty())
+        throw std::invalid_argument("--engine: expected rigor, or bullet or ode if installed");
     for (int side : choice.does("cubes") ? choice.sides : std::vector<int>()) {
         const int cubes = side * side * side;
         const std::vector<Outcome> outcomes = measure(all, side, choice);

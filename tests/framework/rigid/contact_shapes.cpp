@@ -112,4 +112,31 @@ double meeting_distance(const Shape& first, const Pose& pose, const Shape& secon
     return draw(first, pose.R, 1).meeting(draw(second, R, -1));
 }
 
+std::vector<Vector3d> corners(const Box& box, const Pose& pose)
+{
+    std::vector<Vector3d> all;
+    for (int i = 0; i < 8; ++i)
+        all.push_back(
+            pose *
+            Vector3d(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1).cwiseProduct(box.size / 2));
+    return all;
+}
+
+TriangleMesh dented_box(const Vector3d& size)
+{
+    TriangleMesh box = box_mesh(size);
+    const Vector3d middle(0, size.y() / 2, 0);
+    const auto lid = std::find_if(box.triangles.begin(), box.triangles.end(), [&](const auto& t) {
+        return box.vertices[t[0]].y() > 0 && box.vertices[t[1]].y() > 0 &&
+               box.vertices[t[2]].y() > 0;
+    });
+    const auto [i, j, k] = *lid;
+    const Vector3d center = (box.vertices[i] + box.vertices[j] + box.vertices[k]) / 3;
+    box.vertices.push_back(center - Vector3d(0, 0.3 * size.y(), 0));
+    *lid = {i, j, 8};
+    box.triangles.push_back({j, k, 8});
+    box.triangles.push_back({k, i, 8});
+    return box;
+}
+
 } // namespace rigor::testing

@@ -76,6 +76,24 @@ inline double reach_along(const Shape& shape, const Vector3d& d)
     return d.dot(support(shape, d));
 }
 
+inline Pose random_pose(Random& random, double spread)
+{
+    return {random.rotation(), spread * random.vector()};
+}
+
+/// The pose of a shape at X, rotated about an axis.
+inline Pose turned(const Vector3d& axis, double degrees, const Vector3d& X)
+{
+    return {rotation_matrix(turn(axis, degrees * std::numbers::pi / 180)), X};
+}
+
+/// The eight corners of a box in world space.
+std::vector<Vector3d> corners(const Box& box, const Pose& pose);
+
+/// A box with a dent in its top, which leaves its other surfaces unchanged. A dented box is handled
+/// by its level set.
+TriangleMesh dented_box(const Vector3d& size);
+
 /// A fine triangle mesh of a shape of any kind.
 TriangleMesh fine_mesh(const Shape& shape);
 

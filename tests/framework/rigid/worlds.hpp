@@ -110,4 +110,31 @@ inline Totals totals(const World& world)
     return sum;
 }
 
+/// Stacks of unit cubes beside each other, each cube up to 1 cm off the axis of its stack.
+inline World stacks(int count, int height)
+{
+    std::vector<RigidBody> bodies = {fixed(Plane{}, {0, 0.5})};
+    Random random(7);
+    for (int i = 0; i < count; ++i)
+        for (int k = 0; k < height; ++k)
+            bodies.push_back(body_of(Box{{1, 1, 1}},
+                                     Vector3d(3 * i + 0.01 * random.uniform(-1, 1), 0.5 + k,
+                                              0.01 * random.uniform(-1, 1)),
+                                     {0, 0.5}));
+    World world = world_of(bodies);
+    world.settings.contact_method = ContactMethod::simultaneous;
+    world.settings.formulas_are_reference = true;
+    return world;
+}
+
+/// The largest distance between the positions of a body in two worlds [m].
+inline double largest_distance(const World& a, const World& b)
+{
+    double largest = 0;
+    for (std::size_t i = 0; i < a.bodies.size(); ++i)
+        largest =
+            std::max(largest, (a.bodies[i].state.position - b.bodies[i].state.position).norm());
+    return largest;
+}
+
 } // namespace rigor::testing

@@ -34,6 +34,9 @@ constexpr int last_sweeps = 20; // sweeps after Newton's method
 // Changes below these fractions of the fastest approach are negligible.
 constexpr double to_rounding = 1e-13, for_newton = 1e-8, for_heaps_at_rest = 1e-4,
                  for_moving_heaps = 1e-3;
+// If moving bodies differ in mass by more than this ratio, and further sweeps would still change an
+// impulse by more than this fraction of the fastest approach, the rest is left to Newton's method.
+constexpr double large_ratio = 5, far_off = 1e-3;
 constexpr double rounding = 2 * std::numeric_limits<double>::epsilon();
 
 // The largest of value(contact) over the active contacts, at least 0.
@@ -81,6 +84,17 @@ double fastest_approach(const ContactProblem& problem, std::span<const int> acti
     });
 }
 
+// The mass of the heaviest body of the island, divided by that of the lightest.
+double mass_ratio(const ContactProblem& problem, const Island& island)
+{
+    double least = std::numeric_limits<double>::infinity(), most = 0; // inverse masses
+    for (int i : island.bodies) {
+        least = std::min(least, problem.bodies[i].inverse_mass);
+        most = std::max(most, problem.bodies[i].inverse_mass);
+    }
+    return most / least;
+}
+
 // The kind of sweeps that the world's contact method asks for.
 std::unique_ptr<Sweeps> sweeps_of(ContactProblem& problem, const Island& island,
                                   std::span<const int> active)
@@ -100,7 +114,17 @@ struct SweepLimits {
 // Convergence of a run of sweeps: the largest change in the first and in the last sweep [m/s].
 struct Residuals {
     double first = 0, last = 0;
+    int sweeps = 0;
     bool has_converged = false; // whether the last sweep changed nothing that matters
+
+    // The sum of the changes that further sweeps would make, if each changes the same fraction of
+    // the one before as these sweeps did on average [m/s]. Under a heavy body each sweep changes
+    // little, although much is missing.
+    double missing() const
+    {
+        const double decay = std::log(first / last) / sweeps;
+        return decay > 0 ? last / decay : std::numeric_limits<double>::infinity();
+    }
 };
 
 // Sweeps until the changes are negligible or the limit is reached. After each sweep the impulses
@@ -119,6 +143,7 @@ Residuals run_sweeps(ContactProblem& problem, Sweeps& sweeps, std::size_t count,
         const Progress progress = sweeps.sweep(steps);
         ++problem.counters->contact_sweeps;
         residuals.last = progress.change;
+        residuals.sweeps = i;
         if (i == 1) residuals.first = progress.change;
         residuals.has_converged =
             progress.change <= rounding * progress.total + limits.negligible_change;
@@ -168,6 +193,56 @@ std::vector<Vector3d> initial_impulses(const ContactProblem& problem, std::span<
     return impulses;
 }
 
+double kinetic_energy(std::span<const Body> bodies)
+{
+    double energy = 0;
+    for (const Body& b : bodies)
+        energy += (b.velocity.squaredNorm() / b.inverse_mass +
+                   b.angular_velocity.dot(b.angular_momentum)) /
+                  2;
+    return energy;
+}
+
+// Whether the impulses would add kinetic energy to the bodies of the island.
+// @param bodies  as they are without them, in the order of the island
+bool adds_energy(const ContactProblem& problem, const Island& island, std::span<const int> active,
+                 std::vector<Body> bodies, const std::vector<Vector3d>& impulses)
+{
+    constexpr double least_gain = 1e-9; // as a fraction of the energy; less is rounding
+    std::vector<int> places(problem.bodies.size(), -1);
+    for (std::size_t i = 0; i < island.bodies.size(); ++i)
+        places[island.bodies[i]] = static_cast<int>(i);
+    const double before = kinetic_energy(bodies);
+    for (std::size_t k = 0; k < active.size(); ++k) {
+        const ContactConstraint& c = problem.contacts[active[k]];
+        if (const int i = places[c.body1]; i >= 0)
+            optimised::apply_impulse(bodies[i], c.point, impulses[k]);
+        if (const int i = places[c.body2]; i >= 0)
+            optimised::apply_impulse(bodies[i], c.point, -impulses[k]);
+    }
+    return kinetic_energy(bodies) > (1 + least_gain) * before;
+}
+
+// Where Newton's method starts, and when its result counts.
+struct NewtonStart {
+    const std::vector<Body>& free; // the island's bodies before any impulse
+    const std::vector<Vector3d>& impulses;
+    double allowed = 0; // largest change by a sweep over the result [m/s]
+};
+
+// Continues by Newton's method, and with a few sweeps that check its result. The result counts if
+// the first of them changes it by less than the earlier sweeps changed theirs.
+// @return whether it does
+bool solve_by_newton(ContactProblem& problem, const Island& island, std::span<const int> active,
+                     const NewtonStart& start, const SweepLimits& check, Sweeps& sweeps)
+{
+    ++problem.counters->newton_solves;
+    std::vector<Vector3d> impulses = start.impulses;
+    if (!newton_impulses(problem, island, start.free, active, impulses)) return false;
+    set_impulses(sweeps, impulses);
+    return run_sweeps(problem, sweeps, active.size(), check).first <= start.allowed;
+}
+
 } // namespace
 
 void solve_island(ContactProblem& problem, const Island& island, std::span<const int> active)
@@ -178,7 +253,9 @@ void solve_island(ContactProblem& problem, const Island& island, std::span<const
     const std::size_t bodies = island.bodies.size();
     const bool is_on_joint = bodies == 1 && island.pairs.size() > 1; // sweeps converge slowly there
     // Not for a heap: the factors of its sparse matrix would have too many entries (fill-in).
-    const bool may_use_newton = (rests || is_on_joint) && !is_heap(island);
+    const bool is_stack = !is_heap(island);
+    const bool may_use_newton = (rests || is_on_joint) && is_stack;
+    const double approach = fastest_approach(problem, active);
     const bool is_small = count <= few_contacts || (may_use_newton && bodies <= few_bodies);
     const double tolerance = is_small         ? to_rounding
                              : may_use_newton ? for_newton
@@ -187,24 +264,36 @@ void solve_island(ContactProblem& problem, const Island& island, std::span<const
     const int times = rests && !may_use_newton ? times_at_rest : 1;
     const SweepLimits limits{
         std::clamp(times * most_visits / count, times * fewest_sweeps, most_sweeps),
-        rounding * speed + tolerance * fastest_approach(problem, active)};
-    const std::vector<Body> free = may_use_newton ? problem.bodies_of(island) : std::vector<Body>();
+        rounding * speed + tolerance * approach};
+    const std::vector<Body> free = is_stack ? problem.bodies_of(island) : std::vector<Body>();
     const std::unique_ptr<Sweeps> sweeps = sweeps_of(problem, island, active);
     const Residuals swept = run_sweeps(problem, *sweeps, active.size(), limits);
-    if (!swept.has_converged && may_use_newton) {
+    const bool is_far_off = is_stack && mass_ratio(problem, island) > large_ratio &&
+                            swept.missing() > far_off * approach;
+    if (!swept.has_converged && (may_use_newton || is_far_off)) {
         // Newton's method starts from the better of two sets of impulses: those after the sweeps or
-        // those before them. Its impulses are kept if the next sweeps change them by less than the
-        // earlier sweeps changed theirs.
-        ++problem.counters->newton_solves;
+        // those before them. After the impact of a heavy body these are far from what holds it at
+        // rest, and both may fail. Then it starts again from none. If that fails too, and the
+        // sweeps end with impulses that add energy, they start again from none: so they never add
+        // any.
         const std::vector<Vector3d> start =
             swept.last <= swept.first ? sweeps->impulses() : initial_impulses(problem, active);
-        std::vector<Vector3d> best = start;
-        if (newton_impulses(problem, island, free, active, best)) set_impulses(*sweeps, best);
-        const SweepLimits few{last_sweeps, limits.negligible_change};
-        const Residuals after = run_sweeps(problem, *sweeps, active.size(), few);
-        if (after.first > std::min(swept.first, swept.last)) {
+        const std::vector<Vector3d> none(active.size(), Vector3d::Zero());
+        const double allowed = std::min(swept.first, swept.last);
+        const SweepLimits check{last_sweeps, limits.negligible_change};
+        const auto newton_from = [&](const std::vector<Vector3d>& impulses) {
+            return solve_by_newton(problem, island, active, {free, impulses, allowed}, check,
+                                   *sweeps);
+        };
+        if (!newton_from(start) && !(is_far_off && newton_from(none))) {
             set_impulses(*sweeps, start);
-            run_sweeps(problem, *sweeps, active.size(), few);
+            run_sweeps(problem, *sweeps, active.size(), check);
+            const bool is_pair = bodies <= 2; // among more, single ones may keep too much speed
+            if (is_far_off &&
+                (!is_pair || adds_energy(problem, island, active, free, sweeps->impulses()))) {
+                set_impulses(*sweeps, none);
+                run_sweeps(problem, *sweeps, active.size(), limits);
+            }
         }
     }
     sweeps->finish();

@@ -26,8 +26,16 @@ using Eigen::VectorXd;
 // The penalty ρ of a contact is a weight divided by nᵀKn. A round leaves 1/weight of a velocity
 // error, but with a large weight Newton's method finds which contacts touch and which slide only if
 // it starts close to the solution. So the weight grows from round to round.
-constexpr double first_weight = 1000, last_weight = 1e6, growth = 10;
+constexpr double first_weight = 1000, least_last_weight = 1e6, growth = 10;
+// Through a light body a heavy one feels only a small part of the penalty. Above this ratio of a
+// body's mass to what a contact feels, 1/(nᵀKn), the last weight grows with the ratio.
+constexpr double light = 1e-3;
+// Limits that guard the time; solvable islands need fewer. 30 bisections find a step to 1e-9.
 constexpr int most_rounds = 14, most_steps = 40, most_bisections = 30;
+// An inverse inertia J is singular if its determinant is below this, in units of |J|³. It gets
+// this share of |J| on its diagonal: a moment of inertia so large that the axis does not turn. For
+// a point mass, J = 0, the method fails, and the sweeps go on without it.
+constexpr double singular_determinant = 1e-12, least_inverse_inertia = 1e-9;
 constexpr double settled = 1e-13; // a change of the impulses, relative to their size
 // A round must reduce the change by this factor, or more rounds do not help.
 constexpr double gain = 0.5;
@@ -36,20 +44,20 @@ constexpr double converged = 1e-13; // a Newton step, relative to the size of th
 // Rounding error of a velocity, relative to the fastest body; for λ - ρ u, `weight` times that.
 constexpr double u_rounding = 1e-15;
 
-// Places in `island.bodies`, sorted by height. The order does not depend on how the bodies are
-// numbered.
+// Indices in `island.bodies`, sorted by the height of the bodies. The order does not depend on how
+// the bodies are numbered.
 std::vector<int> from_the_lowest(const ContactProblem& problem, const Island& island)
 {
-    std::vector<int> places(island.bodies.size());
-    std::iota(places.begin(), places.end(), 0);
+    std::vector<int> indices(island.bodies.size());
+    std::iota(indices.begin(), indices.end(), 0);
     const auto position = [&](int i) -> const Vector3d& {
         return problem.bodies[island.bodies[i]].position;
     };
-    const HeightOrder place_of(problem.settings.gravity, places, position);
-    std::sort(places.begin(), places.end(), [&](int i, int j) {
-        return std::pair(place_of(position(i)), i) < std::pair(place_of(position(j)), j);
+    const HeightOrder key_of(problem.settings.gravity, indices, position);
+    std::sort(indices.begin(), indices.end(), [&](int i, int j) {
+        return std::pair(key_of(position(i)), i) < std::pair(key_of(position(j)), j);
     });
-    return places;
+    return indices;
 }
 
 class Newton {
@@ -58,9 +66,9 @@ public:
            std::span<const int> active, const std::vector<Vector3d>& impulses)
     {
         std::vector<int> unknowns(problem.bodies.size(), -1);
-        for (int place : from_the_lowest(problem, island)) {
-            unknowns[island.bodies[place]] = static_cast<int>(bodies_.size());
-            bodies_.push_back(&free[place]);
+        for (int k : from_the_lowest(problem, island)) {
+            unknowns[island.bodies[k]] = static_cast<int>(bodies_.size());
+            bodies_.push_back(&free[k]);
         }
         const auto n = static_cast<Eigen::Index>(6 * bodies_.size());
         v_free_.resize(n);
@@ -70,8 +78,8 @@ public:
             // If a body cannot rotate about an axis, its inverse inertia is singular. A tiny value
             // on the diagonal stands for a very large moment of inertia about that axis.
             const Matrix3d& J = bodies_[i]->inverse_inertia;
-            const bool can_turn = J.determinant() > 1e-12 * std::pow(J.norm(), 3);
-            const double least = can_turn ? 0 : 1e-9 * J.norm() + 1e-300;
+            const bool can_turn = J.determinant() > singular_determinant * std::pow(J.norm(), 3);
+            const double least = can_turn ? 0 : least_inverse_inertia * J.norm();
             inertias_.push_back((J + least * Matrix3d::Identity()).inverse());
         }
         for (std::size_t k = 0; k < active.size(); ++k) {
@@ -89,6 +97,7 @@ public:
             rows_.push_back(row);
         }
         v_ = v_free_ + momentum_change();
+        last_weight_ = least_last_weight * std::max(1.0, light * largest_ratio());
     }
 
     bool solve()
@@ -113,9 +122,9 @@ public:
             if (change <= settled * total + rounding) break;
             // If contacts contradict each other, a velocity remains and their impulses would grow
             // in every round.
-            if (weight == last_weight && change > gain * before) break;
-            before = weight == last_weight ? change : std::numeric_limits<double>::infinity();
-            weight = std::min(last_weight, growth * weight);
+            if (weight == last_weight_ && change > gain * before) break;
+            before = weight == last_weight_ ? change : std::numeric_limits<double>::infinity();
+            weight = std::min(last_weight_, growth * weight);
         }
         return true;
     }
@@ -123,6 +132,17 @@ public:
     const std::vector<NewtonRow>& rows() const { return rows_; }
 
 private:
+    // The largest mass divided by the smallest that a contact feels.
+    double largest_ratio() const
+    {
+        double most_mass = 0, most_K = 0;
+        for (const Body* body : bodies_)
+            most_mass = std::max(most_mass, 1 / body->inverse_mass);
+        for (const NewtonRow& row : rows_)
+            most_K = std::max(most_K, row.normal_K);
+        return most_mass * most_K;
+    }
+
     // M⁻¹ Jᵀ λ
     VectorXd momentum_change() const
     {
@@ -276,6 +296,7 @@ private:
     std::vector<Matrix3d> inertias_; // in world space
     std::vector<NewtonRow> rows_;
     VectorXd v_free_, v_; // V and ω for each body
+    double last_weight_ = least_last_weight;
     Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> solver_;
     bool is_analysed_ = false;
 };

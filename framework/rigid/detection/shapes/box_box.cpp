@@ -16,8 +16,21 @@ namespace rigor {
 
 namespace {
 
+// Squared sine of the angle below which two edges count as parallel, 0.06°. Their cross product is
+// then mostly rounding, and a face separates the boxes as well.
+constexpr double parallel_squared = 1e-6;
+// Distance from a border that counts as rounding, relative to half the width of the face.
+constexpr double border_rounding = 1e-9;
+// In units of the smallest half edge of both boxes: an axis is clearly better than another one if
+// its separation is larger by this. Otherwise a face is preferred to edges and the larger face to
+// the smaller one, so that a box at rest keeps its kind of contact from step to step.
+constexpr double clear_difference = 0.01;
+// In the same units: overlap up to this counts as apart, since a box at rest overlaps by the slop
+// of the position correction.
+constexpr double slop_share = 1e-4;
+
 // A box in world space; its axes are the columns of R.
-struct Placed {
+struct PlacedBox {
     Matrix3d R;
     Vector3d center, half;
 };
@@ -31,11 +44,11 @@ struct Axis {
 
 // Numbers that all axes need: C = AᵀB, |C|, and the vector between the centers in the frame of each
 // box.
-struct Relation {
+struct RelativePose {
     Matrix3d C, C_abs;
     Vector3d d_a, d_b;
 
-    Relation(const Placed& a, const Placed& b)
+    RelativePose(const PlacedBox& a, const PlacedBox& b)
     {
         const Vector3d d = b.center - a.center;
         for (int j = 0; j < 3; ++j) {
@@ -48,13 +61,13 @@ struct Relation {
     }
 };
 
-Vector3d oriented(const Vector3d& axis, const Vector3d& towards)
+Vector3d turned_towards(const Vector3d& axis, const Vector3d& towards)
 {
     return axis.dot(towards) < 0 ? Vector3d(-axis) : axis;
 }
 
 // The best of the three faces of `a`. The direction points towards b.
-Axis best_face(const Placed& a, const Placed& b, const Relation& of)
+Axis best_face(const PlacedBox& a, const PlacedBox& b, const RelativePose& of)
 {
     Axis best;
     for (int i = 0; i < 3; ++i) {
@@ -68,7 +81,7 @@ Axis best_face(const Placed& a, const Placed& b, const Relation& of)
 
 // The best of the three faces of `b`, whose index is stored in `axis1`. The direction points
 // towards a.
-Axis best_other_face(const Placed& a, const Placed& b, const Relation& of)
+Axis best_other_face(const PlacedBox& a, const PlacedBox& b, const RelativePose& of)
 {
     Axis best;
     for (int j = 0; j < 3; ++j) {
@@ -82,7 +95,7 @@ Axis best_other_face(const Placed& a, const Placed& b, const Relation& of)
 
 // The best of the nine pairs of edges (Gottschalk, Lin and Manocha 1996), if it is better than
 // `least`. Parallel edges are skipped, since they separate no better than a face does.
-Axis best_edges(const Placed& a, const Placed& b, const Relation& of, double least)
+Axis best_edges(const PlacedBox& a, const PlacedBox& b, const RelativePose& of, double least)
 {
     Axis best;
     best.separation = least;
@@ -95,19 +108,19 @@ Axis best_edges(const Placed& a, const Placed& b, const Relation& of, double lea
             const double between = distance - reach; // times the axis length ≤ 1
             if (between <= std::min(best.separation, 0.0)) continue;
             const double c = of.C(i, j), squared = 1 - c * c; // squared axis length
-            if (squared < 1e-6) continue;
+            if (squared < parallel_squared) continue;
             const double separation = between / std::sqrt(squared);
             if (separation > best.separation) best = {separation, i, j, Vector3d::Zero()};
         }
     if (best.separation > least) {
         const Vector3d l = a.R.col(best.axis1).cross(b.R.col(best.axis2)).normalized();
-        best.direction = oriented(l, b.center - a.center);
+        best.direction = turned_towards(l, b.center - a.center);
     }
     return best;
 }
 
 // A face that separates the boxes now, and the separation along its normal after the move.
-struct Ahead {
+struct FaceAhead {
     double separation = -std::numeric_limits<double>::infinity();
     Axis axis;
     bool is_of_first = true;
@@ -116,13 +129,14 @@ struct Ahead {
 // The face with the largest separation after the move, among the faces that separate the boxes now
 // up to `slop`.
 // @param move  displacement of box 1 relative to box 2 in this step
-[[gnu::noinline]] Ahead best_face_ahead(const Placed& a, const Placed& b, const Relation& of,
-                                        const Vector3d& move, double slop)
+[[gnu::noinline]] FaceAhead best_face_ahead(const PlacedBox& a, const PlacedBox& b,
+                                            const RelativePose& of, const Vector3d& move,
+                                            double slop)
 {
-    Ahead best;
+    FaceAhead best;
     for (const bool is_of_first : {true, false})
         for (int i = 0; i < 3; ++i) {
-            const Placed& box = is_of_first ? a : b;
+            const PlacedBox& box = is_of_first ? a : b;
             const double d = is_of_first ? of.d_a[i] : -of.d_b[i]; // towards the other box
             const double reach =
                 is_of_first ? of.C_abs.row(i).dot(b.half) : of.C_abs.col(i).dot(a.half);
@@ -151,7 +165,7 @@ struct Polygon {
 // up to rounding counts as inside; otherwise aligned boxes would get vertices by chance.
 void clip(Polygon& polygon, int axis, double sign, double limit)
 {
-    const double border = limit * (1 + 1e-9);
+    const double border = limit * (1 + border_rounding);
     const auto is_inside = [&](const Vector3d& v) { return sign * v[axis] <= border; };
     const auto begin = polygon.vertices.begin(), end = begin + polygon.size;
     if (std::all_of(begin, end, is_inside)) return;
@@ -162,13 +176,15 @@ void clip(Polygon& polygon, int axis, double sign, double limit)
         if (is_inside(from)) kept.add(from);
         if (is_inside(from) == is_inside(to)) continue;
         const double a = sign * from[axis], b = sign * to[axis];
-        kept.add(from + (limit - a) / (b - a) * (to - from));
+        // A vertex on the border up to rounding may lie beyond it, and the quotient far outside of
+        // the side.
+        kept.add(from + std::clamp((limit - a) / (b - a), 0.0, 1.0) * (to - from));
     }
     polygon = kept;
 }
 
 // The face of `box` that faces most against the third axis of the frame (R, origin), in that frame.
-Polygon incident_face(const Placed& box, const Matrix3d& R, const Vector3d& origin)
+Polygon incident_face(const PlacedBox& box, const Matrix3d& R, const Vector3d& origin)
 {
     Matrix3d A; // Rᵀ R_box, the axes of the box in the frame
     for (int i = 0; i < 3; ++i)
@@ -194,9 +210,9 @@ Polygon incident_face(const Placed& box, const Matrix3d& R, const Vector3d& orig
 // is extended by the way along which `other` will come.
 // @param normal  contact normal, from box 2 to box 1
 // @param move    displacement of `other` relative to `reference` in this step
-void touch_face(const Placed& reference, const Placed& other, const Axis& axis,
-                const Vector3d& normal, const Vector3d& move, double reach,
-                std::vector<Contact>& contacts)
+void find_face_contacts(const PlacedBox& reference, const PlacedBox& other, const Axis& axis,
+                        const Vector3d& normal, const Vector3d& move, double reach,
+                        std::vector<Contact>& contacts)
 {
     const int k = axis.axis1, u = (k + 1) % 3, v = (k + 2) % 3;
     Matrix3d R; // frame of the face: two edges and the outward normal
@@ -220,7 +236,7 @@ void touch_face(const Placed& reference, const Placed& other, const Axis& axis,
 }
 
 // The middle of the edge of `box` along its axis `axis` that lies farthest in `direction`.
-Vector3d edge_middle(const Placed& box, int axis, const Vector3d& direction)
+Vector3d edge_middle(const PlacedBox& box, int axis, const Vector3d& direction)
 {
     Vector3d middle = box.center;
     for (int i = 0; i < 3; ++i) {
@@ -231,7 +247,7 @@ Vector3d edge_middle(const Placed& box, int axis, const Vector3d& direction)
 }
 
 // The contact of two edges, at the closest points of both.
-void find_edge_contacts(const Placed& a, const Placed& b, const Axis& axis, double reach,
+void find_edge_contacts(const PlacedBox& a, const PlacedBox& b, const Axis& axis, double reach,
                         std::vector<Contact>& contacts)
 {
     const Vector3d u = a.R.col(axis.axis1), v = b.R.col(axis.axis2);
@@ -249,7 +265,7 @@ void find_edge_contacts(const Placed& a, const Placed& b, const Axis& axis, doub
     contacts.push_back({(on_a + on_b) / 2, -axis.direction, axis.separation});
 }
 
-double face_area(const Placed& box, int axis)
+double face_area(const PlacedBox& box, int axis)
 {
     return box.half[(axis + 1) % 3] * box.half[(axis + 2) % 3];
 }
@@ -259,15 +275,15 @@ double face_area(const Placed& box, int axis)
 void find_box_contacts(const Box& box1, const Pose& pose1, const Box& box2, const Pose& pose2,
                        const Vector3d& move, double reach, std::vector<Contact>& contacts)
 {
-    const Placed a{pose1.R, pose1.X, box1.size / 2}, b{pose2.R, pose2.X, box2.size / 2};
-    const Relation relation(a, b);
+    const PlacedBox a{pose1.R, pose1.X, box1.size / 2}, b{pose2.R, pose2.X, box2.size / 2};
+    const RelativePose relation(a, b);
     const Axis face1 = best_face(a, b, relation);
     if (face1.separation >= reach) return;
     const Axis face2 = best_other_face(a, b, relation); // its direction points from 2 to 1
     if (face2.separation >= reach) return;
 
     const double smallest = std::min(a.half.minCoeff(), b.half.minCoeff());
-    const double clearly = 0.01 * smallest, slop = 1e-4 * smallest;
+    const double clearly = clear_difference * smallest, slop = slop_share * smallest;
     const double least = std::max(face1.separation, face2.separation) + clearly;
     const Axis edges = best_edges(a, b, relation, least);
     bool is_edges = edges.separation > least;
@@ -281,7 +297,7 @@ void find_box_contacts(const Box& box1, const Pose& pose1, const Box& box2, cons
         best.separation - (is_edges || is_first ? 1 : -1) * move.dot(best.direction);
     Vector3d comes = Vector3d::Zero(); // move of the other box relative to the face's
     if (best.separation > -slop && then < -slop) {
-        const Ahead ahead = best_face_ahead(a, b, relation, move, slop);
+        const FaceAhead ahead = best_face_ahead(a, b, relation, move, slop);
         if (ahead.separation > then + slop) {
             is_edges = false;
             is_first = ahead.is_of_first;
@@ -294,7 +310,7 @@ void find_box_contacts(const Box& box1, const Pose& pose1, const Box& box2, cons
         return;
     }
     const Vector3d normal = is_first ? Vector3d(-face.direction) : face.direction;
-    touch_face(is_first ? a : b, is_first ? b : a, face, normal, comes, reach, contacts);
+    find_face_contacts(is_first ? a : b, is_first ? b : a, face, normal, comes, reach, contacts);
 }
 
 } // namespace rigor

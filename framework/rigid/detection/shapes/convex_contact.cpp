@@ -18,6 +18,15 @@ namespace {
 
 using Eigen::Vector2d;
 
+// Distance from a clipping line that counts as rounding, relative to the length of the line.
+constexpr double line_rounding = 1e-9;
+// Sine of the angle above which two segments cross in one point, about 6°. Segments at a smaller
+// angle make a contact at each end, so that a body that rests on an edge does not rock.
+constexpr double crossing_sine = 0.1;
+// A corner is as deep as the closest points if their gaps differ by less than this, relative to the
+// size of shape 1: the error of the search for the closest points.
+constexpr double gap_tolerance = 1e-6;
+
 // A feature projected along the contact normal: places in the tangent plane, and heights along the
 // normal.
 struct Outline {
@@ -99,7 +108,7 @@ double height_at(const Outline& o, const Vector2d& place)
 Outline left_of(const Outline& o, const Vector2d& a, const Vector2d& b)
 {
     const Vector2d d = (b - a).normalized();
-    const double border = -1e-9 * (b - a).norm();
+    const double border = -line_rounding * (b - a).norm();
     Outline kept;
     const int sides = o.count() > 2 ? o.count() : o.count() - 1;
     for (int i = 0; i < o.count(); ++i) {
@@ -107,7 +116,9 @@ Outline left_of(const Outline& o, const Vector2d& a, const Vector2d& b)
         const double from = cross(d, o.places[i] - a), to = cross(d, o.places[j] - a);
         if (from >= border) kept.add(o.places[i], o.heights[i]);
         if (i >= sides || (from >= border) == (to >= border)) continue;
-        const double t = from / (from - to);
+        // A corner that is on the line up to rounding may lie beyond it, and the quotient far
+        // outside of the side.
+        const double t = std::clamp(from / (from - to), 0.0, 1.0);
         kept.add(o.places[i] + t * (o.places[j] - o.places[i]),
                  o.heights[i] + t * (o.heights[j] - o.heights[i]));
     }
@@ -127,7 +138,7 @@ Outline common(const Outline& a, const Outline& b)
 {
     const Vector2d d = a.places[1] - a.places[0], e = b.places[1] - b.places[0];
     Outline o;
-    if (std::abs(cross(d, e)) > 0.1 * d.norm() * e.norm()) return o; // they cross
+    if (std::abs(cross(d, e)) > crossing_sine * d.norm() * e.norm()) return o; // they cross
     const auto along = [&](const Vector2d& p) {
         return (p - a.places[0]).dot(d) / d.squaredNorm();
     };
@@ -152,6 +163,19 @@ Outline overlap(const Outline& a, const Outline& b)
     return o;
 }
 
+// The middle of the gap where the shapes are nearest. Where a shape turns a single point to the
+// other, that point is known better than from the search for the distance: the closest points of a
+// round shape and a large face depend on the search's last triangle.
+Vector3d nearest_middle(const Separation& nearest, const Feature& feature1, const Feature& feature2)
+{
+    const Vector3d half = nearest.distance / 2 * nearest.normal;
+    const Vector3d below1 = feature1.points[0] - half, above2 = feature2.points[0] + half;
+    if (feature1.count == 1 && feature2.count == 1) return (below1 + above2) / 2;
+    if (feature1.count == 1) return below1;
+    if (feature2.count == 1) return above2;
+    return (nearest.point1 + nearest.point2) / 2;
+}
+
 } // namespace
 
 void find_convex_contacts(const Shape& shape1, const Pose& pose1, const Shape& shape2,
@@ -169,8 +193,9 @@ void find_convex_contacts(const Shape& shape1, const Pose& pose1, const Shape& s
     for (int i = 0; i < feature1.count; ++i)
         feature1.points[i] = pose * feature1.points[i];
     const Matrix3d frame = frame_about(n);
+    const Feature feature2 = feature_towards(shape2, n);
     const Outline above = outline(feature1, frame, nearest.point2);
-    const Outline below = outline(feature_towards(shape2, n), frame, nearest.point2);
+    const Outline below = outline(feature2, frame, nearest.point2);
 
     const std::size_t first = contacts.size();
     const auto add = [&](const Vector3d& middle, double gap) {
@@ -186,8 +211,8 @@ void find_convex_contacts(const Shape& shape1, const Pose& pose1, const Shape& s
         add(nearest.point2 + frame * p, gap);
     }
     const double extent = (nearest.point1 - pose.X).norm();
-    if (!(lowest <= nearest.distance + 1e-6 * extent))
-        add((nearest.point1 + nearest.point2) / 2, nearest.distance);
+    if (!(lowest <= nearest.distance + gap_tolerance * extent))
+        add(nearest_middle(nearest, feature1, feature2), nearest.distance);
     reduce_contacts(contacts, first, reach);
 }
 

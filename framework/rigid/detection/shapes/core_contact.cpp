@@ -18,6 +18,14 @@ namespace rigor {
 
 namespace {
 
+// Samples along a segment and around a circle: the ends of 16 intervals, and one every 7.5°. A
+// minimum is found if no other one is within an interval of it.
+constexpr int segment_samples = 17, circle_samples = 48;
+constexpr int golden_steps = 42; // shorten an interval by 0.618⁴² = 2e-9
+// A minimum between samples is a contact of its own if its gap is smaller by more than this, in
+// lengths of the core; a smaller difference is the error of the search.
+constexpr double least_improvement = 1e-9;
+
 // A core curve with a radius around it, in the frame of the other shape.
 struct Core {
     double radius = 0;
@@ -45,22 +53,24 @@ struct CoreOf {
         core.pose = pose;
         return core;
     }
-    Core operator()(const Capsule& c) const { return {c.radius, c.height, 17, false, pose, 0}; }
+    Core operator()(const Capsule& c) const
+    {
+        return {c.radius, c.height, segment_samples, false, pose, 0};
+    }
     Core operator()(const Torus& t) const
     {
-        return {t.tube, 2 * std::numbers::pi, 48, true, pose, t.radius};
+        return {t.tube, 2 * std::numbers::pi, circle_samples, true, pose, t.radius};
     }
     template <class Other> Core operator()(const Other&) const { return {}; }
 };
 
-// A local minimum of f between a and b by golden section search (Kiefer 1953), to 1e-9 of the
-// interval.
+// A local minimum of f between a and b by golden section search (Kiefer 1953).
 template <class Function> double minimum(const Function& f, double a, double b)
 {
     constexpr double golden = 0.6180339887498949;
     double s = b - golden * (b - a), t = a + golden * (b - a);
     double f_s = f(s), f_t = f(t);
-    for (int i = 0; i < 42; ++i) {
+    for (int i = 0; i < golden_steps; ++i) {
         if (f_s <= f_t) {
             b = t;
             t = s;
@@ -101,12 +111,15 @@ public:
         // Between two samples the gap is smaller by at most half their distance.
         if (least - core_.meters() / n - field_.uncertainty() >= reach_) return;
         const std::size_t first = contacts_.size();
+        const bool is_ring = core_.is_closed;
+        const double lowest = is_ring ? add_around_lowest(gaps, step) : 0;
         for (int i = 0; i < n; ++i) {
-            if (gaps[i] < reach_) add(i * step);
+            if (!is_ring && gaps[i] < reach_) add(i * step);
             const double before = gaps[core_.is_closed ? (i + n - 1) % n : std::max(i - 1, 0)];
             const double after = gaps[core_.is_closed ? (i + 1) % n : std::min(i + 1, n - 1)];
             if (gaps[i] > before || gaps[i] > after) continue;
-            refine(i, step, gaps[i]);
+            const double from_lowest = std::abs(std::remainder(i * step - lowest, core_.length));
+            if (!is_ring || from_lowest > 2 * step) refine(i, step, gaps[i]);
         }
         reduce_contacts(contacts_, first, reach_,
                         core_.is_closed ? most_contacts : most_contacts / 2);
@@ -115,6 +128,23 @@ public:
 private:
     double gap(double s) const { return field_.ball_distance(core_.at(s), core_.radius); }
 
+    // Adds points of a ring: eight fixed ones if the other shape is as near everywhere, else the
+    // nearest one and the three at quarters of a turn from it. Fixed points of a ring that rolls
+    // would hit the other shape one after the other like the spokes of a wheel without a rim.
+    // @return the parameter of the nearest point
+    double add_around_lowest(const std::vector<double>& gaps, double step)
+    {
+        constexpr double flat = 1e-6; // difference of the gaps, in lengths of the core
+        const auto [low, high] = std::minmax_element(gaps.begin(), gaps.end());
+        const bool is_flat = *high - *low < flat * core_.meters();
+        const int i = is_flat ? 0 : static_cast<int>(low - gaps.begin()), points = is_flat ? 8 : 4;
+        const auto gap_at = [&](double t) { return gap(t); };
+        const double lowest = is_flat ? 0 : minimum(gap_at, (i - 1) * step, (i + 1) * step);
+        for (int k = 0; k < points; ++k)
+            if (const double s = lowest + core_.length / points * k; gap(s) < reach_) add(s);
+        return lowest;
+    }
+
     void refine(int i, double step, double at_sample)
     {
         const double low = core_.is_closed ? (i - 1) * step : std::max(i - 1, 0) * step;
@@ -122,7 +152,7 @@ private:
             core_.is_closed ? (i + 1) * step : std::min((i + 1) * step, core_.length);
         const double s = minimum([&](double t) { return gap(t); }, low, high);
         const double least = gap(s);
-        if (least < at_sample - 1e-9 * core_.meters()) add(s);
+        if (least < at_sample - least_improvement * core_.meters()) add(s);
     }
 
     void add(double s)
@@ -142,8 +172,8 @@ private:
 // The contacts of a ball on a ring (torus). The circle of the ring is the core. Three points on it
 // are tested, 120° apart with one of them nearest to the ball, so that a ball over the hole rests
 // on three points.
-void find_torus_sphere_contact(const Sphere& sphere, const Vector3d& center, const Torus& torus,
-                               const Pose& pose, double reach, std::vector<Contact>& contacts)
+void find_ball_torus_contacts(const Sphere& sphere, const Vector3d& center, const Torus& torus,
+                              const Pose& pose, double reach, std::vector<Contact>& contacts)
 {
     const Vector3d c = pose.R.transpose() * (center - pose.X);
     const double away = std::hypot(c.x(), c.z());
@@ -161,8 +191,8 @@ void find_torus_sphere_contact(const Sphere& sphere, const Vector3d& center, con
 
 // The contacts of a ball on a mesh: one for each local minimum of the distance from the center to
 // the surface, so both walls of a corner are found.
-void touch_ball(const Core& core, const SolidMesh& mesh, const DistanceField& field,
-                const Pose& pose2, double reach, std::vector<Contact>& contacts)
+void find_ball_mesh_contacts(const Core& core, const SolidMesh& mesh, const DistanceField& field,
+                             const Pose& pose2, double reach, std::vector<Contact>& contacts)
 {
     const Vector3d c = core.at(0);
     const auto add = [&](const SurfaceDistance& ball) {
@@ -191,14 +221,15 @@ void find_core_contacts(const Shape& shape1, const Pose& pose1, const Shape& sha
     const Sphere* sphere = std::get_if<Sphere>(&shape1);
     const Torus* ring = std::get_if<Torus>(&shape2);
     if (sphere && ring)
-        return find_torus_sphere_contact(*sphere, pose1.X, *ring, pose2, reach, contacts);
+        return find_ball_torus_contacts(*sphere, pose1.X, *ring, pose2, reach, contacts);
 
     const Matrix3d to_2 = pose2.R.transpose();
     const Pose pose{to_2 * pose1.R, to_2 * (pose1.X - pose2.X)};
     const DistanceField field(shape2, counters);
     const Core core = std::visit(CoreOf{pose}, shape1);
     const Mesh* mesh = std::get_if<Mesh>(&shape2);
-    if (mesh && sphere) return touch_ball(core, *mesh->solid, field, pose2, reach, contacts);
+    if (mesh && sphere)
+        return find_ball_mesh_contacts(core, *mesh->solid, field, pose2, reach, contacts);
     const std::size_t first = contacts.size();
     AlongCore(core, field, pose2, reach, contacts).find();
     if (!mesh) return;

@@ -11,6 +11,15 @@
 
 namespace rigor {
 
+namespace {
+
+// Cosine of the angle between the gradient and the way to the surface. Below it, 60° about the way
+// back, the exact direction replaces the gradient.
+constexpr double points_back = -0.5;
+constexpr double no_bound = -1e300; // a lower bound of every distance [m]
+
+} // namespace
+
 DistanceField::DistanceField(const Shape& shape, Counters& counters)
     : shape_(shape), counters_(counters)
 {
@@ -31,7 +40,7 @@ double DistanceField::distance(const Vector3d& p) const
 
 double DistanceField::at_least(const Vector3d& p) const
 {
-    return mesh_ ? std::sqrt(squared_distance(mesh_->bounds(), p)) : -1e300;
+    return mesh_ ? std::sqrt(squared_distance(mesh_->bounds(), p)) : no_bound;
 }
 
 bool DistanceField::is_in_grid(const Vector3d& p) const
@@ -63,7 +72,7 @@ SurfaceDistance DistanceField::ball_towards(const Vector3d& center, double radiu
     const Vector3d p = center + way * d, gradient = normal(p);
     // If the gradient roughly points back to the center, the exact direction replaces it. Otherwise
     // the formula's value is kept.
-    return {distance(p) + way - radius, gradient.dot(d) < -0.5 ? Vector3d(-d) : gradient};
+    return {distance(p) + way - radius, gradient.dot(d) < points_back ? Vector3d(-d) : gradient};
 }
 
 double DistanceField::ball_distance(const Vector3d& center, double radius) const

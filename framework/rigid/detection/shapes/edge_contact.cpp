@@ -16,6 +16,9 @@ namespace {
 // Sine of the smallest angle between two edges; below it, their end points are in contact.
 constexpr double parallel = 0.05;
 constexpr double rounding = 1e-6; // relative rounding error of a direction
+// Deepest overlap that makes a contact of edges, relative to the longest side of the mesh's bounds.
+// Deeper ones are left to the surface points, which know the way out.
+constexpr double deepest_share = 0.05;
 
 std::vector<SharpEdge> box_edges(const Box& box)
 {
@@ -46,8 +49,8 @@ bool is_between(const Vector3d& n, const SharpEdge& edge)
 }
 
 // @param deepest  deeper overlaps are not contacts of edges [m]
-void touch(const SharpEdge& a, const SharpEdge& b, double reach, double deepest,
-           std::vector<Contact>& contacts)
+void find_contact_of_edges(const SharpEdge& a, const SharpEdge& b, double reach, double deepest,
+                           std::vector<Contact>& contacts)
 {
     const Vector3d u = a.to - a.from, v = b.to - b.from, across = u.cross(v);
     const double area = across.norm();
@@ -72,7 +75,7 @@ void find_edge_contacts(const Shape& shape1, const Pose& pose, const MeshSurface
 {
     if (surface2.edge_tree().empty()) return;
     Bounds near = surface2.edge_tree().nodes()[0].bounds;
-    const double deepest = 0.05 * (near.high - near.low).maxCoeff();
+    const double deepest = deepest_share * (near.high - near.low).maxCoeff();
     const double slack = std::max(reach, deepest);
     near.grow(slack);
     const auto against_2 = [&](const SharpEdge& edge) {
@@ -80,8 +83,9 @@ void find_edge_contacts(const Shape& shape1, const Pose& pose, const MeshSurface
         Bounds bounds{a.from.cwiseMin(a.to), a.from.cwiseMax(a.to)};
         bounds.grow(slack);
         if (!bounds.overlaps(near)) return;
-        surface2.edge_tree().near(
-            bounds, [&](int i) { touch(a, surface2.edges()[i], reach, deepest, contacts); });
+        surface2.edge_tree().near(bounds, [&](int i) {
+            find_contact_of_edges(a, surface2.edges()[i], reach, deepest, contacts);
+        });
     };
     if (const Box* box = std::get_if<Box>(&shape1))
         for (const SharpEdge& edge : box_edges(*box))

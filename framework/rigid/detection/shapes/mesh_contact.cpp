@@ -23,6 +23,9 @@ namespace {
 constexpr double opposite = 0.3;
 // Distance, in radii of a node, from which on one point stands for all of its points.
 constexpr double far = 6;
+// In spacings of the surface points: the radius of a node in which the nearest point stands for
+// all, and the difference of distances below which two points count as equally near.
+constexpr double small_node = 1.5, equally_near = 1e-3;
 
 // The surface points of a mesh that are near another shape.
 class PointsInField {
@@ -52,14 +55,15 @@ private:
         const double distance = field_.distance(middle);
         if (distance >= farthest) return;
         if (distance > far * radius) return add_nearest(node.first, node.first + 1, contacts);
-        if (radius < 1.5 * surface_.spacing()) return add_nearest(node.first, node.last, contacts);
+        if (radius < small_node * surface_.spacing())
+            return add_nearest(node.first, node.last, contacts);
         descend(index + 1, contacts);
         descend(node.right, contacts);
     }
 
     void add_nearest(int first, int last, std::vector<Contact>& contacts) const
     {
-        const double as_near = 1e-3 * surface_.spacing();
+        const double as_near = equally_near * surface_.spacing();
         int nearest = -1;
         double least = reach_;
         for (int i = first; i < last; ++i) {

@@ -71,21 +71,20 @@ private:
         if (distance < reach_) contacts_.push_back({pose_ * p - radius * n_, n_, distance});
     }
 
-    // Adds eight fixed points of a circle about y, and its lowest point if that is lower than
-    // those.
+    // Adds points of a circle about y: eight fixed ones if it lies flat, else the lowest one and
+    // the three at quarters of a turn from it. Fixed points of a circle that rolls would hit the
+    // plane one after the other like the spokes of a wheel without a rim.
     void add_circle(double radius, double height, double tube) const
     {
-        double lowest = std::numeric_limits<double>::infinity();
-        for (int i = 0; i < 8; ++i) {
-            const double angle = std::numbers::pi / 4 * i;
-            const Vector3d p(radius * std::cos(angle), height, radius * std::sin(angle));
-            lowest = std::min(lowest, gap(p));
-            add_ball(p, tube);
-        }
+        constexpr double flat = 1e-6; // sine of a slope that counts as rounding
         const double slope = std::hypot(down_.x(), down_.z());
-        if (!(slope > 0)) return;
-        const Vector3d p(radius * down_.x() / slope, height, radius * down_.z() / slope);
-        if (gap(p) < lowest - 1e-9 * radius) add_ball(p, tube);
+        const bool is_flat = !(slope > flat);
+        const double first = is_flat ? 0 : std::atan2(down_.z(), down_.x());
+        const int points = is_flat ? 8 : 4;
+        for (int i = 0; i < points; ++i) {
+            const double angle = first + 2 * std::numbers::pi / points * i;
+            add_ball({radius * std::cos(angle), height, radius * std::sin(angle)}, tube);
+        }
     }
 
     const Pose& pose_;

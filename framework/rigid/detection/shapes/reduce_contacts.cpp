@@ -15,13 +15,21 @@ namespace rigor {
 namespace {
 
 constexpr double as_deep = 1e-5; // in extents; the size of rounding and solver errors
+// Distances that differ by less count as equal, relative to them; then the first contact is taken,
+// so that rounding does not decide.
+constexpr double equal_distance = 1e-9;
+// Weight of the squared difference of two normals against the squared distance of two points in
+// extents: opposite normals count as much as points at opposite ends.
+constexpr double normal_weight = 0.25;
+constexpr double least_extent = 1e-300; // avoids 0/0 if all points are equal [m]
+constexpr double not_chosen = 1e300;    // the distance to the chosen contacts if there are none
 
 // Chooses contacts.
 class Selection {
 public:
     Selection(std::span<const Contact> contacts, double reach)
-        : contacts_(contacts), reach_(reach), stands_for_(contacts.size(), 0),
-          distance_(contacts.size(), 1e300)
+        : contacts_(contacts), reach_(reach), nearest_chosen_(contacts.size(), 0),
+          distance_(contacts.size(), not_chosen)
     {
         Bounds bounds;
         deepest_ = contacts[0].gap;
@@ -30,7 +38,7 @@ public:
             deepest_ = std::min(deepest_, t.gap);
             middle_ += t.point / static_cast<double>(contacts.size());
         }
-        extent_ = std::max((bounds.high - bounds.low).norm(), 1e-300);
+        extent_ = std::max((bounds.high - bounds.low).norm(), least_extent);
     }
 
     std::vector<int> choose(std::size_t count)
@@ -48,7 +56,7 @@ public:
             if (best < 0) break;
             add(best);
         }
-        give_way();
+        replace_by_deeper();
         return chosen_;
     }
 
@@ -63,11 +71,11 @@ private:
     }
 
     // The distance of two contacts by place, relative to the extent, and by normal.
-    double apart(int i, int j) const
+    double difference(int i, int j) const
     {
         const Contact &a = contacts_[i], &b = contacts_[j];
         return std::sqrt((a.point - b.point).squaredNorm() / (extent_ * extent_) +
-                         0.25 * (a.normal - b.normal).squaredNorm());
+                         normal_weight * (a.normal - b.normal).squaredNorm());
     }
 
     int outermost_of_deepest() const
@@ -77,7 +85,7 @@ private:
         for (int i = 0; i < size(); ++i) {
             if (contacts_[i].gap > deepest_ + as_deep * extent_) continue;
             const double d = (contacts_[i].point - middle_).norm();
-            if (d <= farthest * (1 + 1e-9)) continue; // the first of equal ones
+            if (d <= farthest * (1 + equal_distance)) continue; // the first of equal ones
             farthest = d;
             best = i;
         }
@@ -87,19 +95,19 @@ private:
     void add(int i)
     {
         for (int j = 0; j < size(); ++j) {
-            const double d = apart(i, j);
+            const double d = difference(i, j);
             if (d >= distance_[j]) continue;
             distance_[j] = d;
-            stands_for_[j] = static_cast<int>(chosen_.size());
+            nearest_chosen_[j] = static_cast<int>(chosen_.size());
         }
         chosen_.push_back(i);
     }
 
     // Replaces each chosen contact by a deeper one that it stands for.
-    void give_way()
+    void replace_by_deeper()
     {
         for (int i = 0; i < size(); ++i) {
-            int& standing = chosen_[stands_for_[i]];
+            int& standing = chosen_[nearest_chosen_[i]];
             if (contacts_[i].gap < contacts_[standing].gap - as_deep * extent_) standing = i;
         }
     }
@@ -108,8 +116,8 @@ private:
     double reach_, deepest_ = 0, extent_ = 0;
     Vector3d middle_ = Vector3d::Zero();
     std::vector<int> chosen_;
-    std::vector<int> stands_for_;  // for each contact, the index of the chosen one near it
-    std::vector<double> distance_; // for each contact, the distance to that one
+    std::vector<int> nearest_chosen_; // for each contact, the index of the chosen one near it
+    std::vector<double> distance_;    // for each contact, the distance to that one
 };
 
 } // namespace

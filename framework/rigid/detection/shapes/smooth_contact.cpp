@@ -14,7 +14,14 @@ namespace rigor {
 
 namespace {
 
-constexpr double alike = 0.98; // least cosine of directions that count as the same
+constexpr double alike = 0.98; // least cosine of directions that count as the same, 11°
+constexpr int most_steps = 4;  // limits an iteration whose gradient goes on turning
+// Largest 1 - cosine of two gradients between which the iteration has converged.
+constexpr double converged = 1e-12;
+// Least cosine between a contact normal and the direction against the gradient, 73°. Below it, the
+// point belongs to the far side of the shape.
+constexpr double least_opposition = 0.3;
+constexpr double zero_length = 1e-9; // a shorter sum of parts of unit vectors is rounding
 
 // The outward normal of a convex shape at a point p of its surface that is closest to the direction
 // d.
@@ -22,8 +29,9 @@ struct NormalAt {
     const Vector3d& p;
     const Vector3d& d;
 
-    // Points beyond this fraction of the size lie on the face up to rounding.
-    static constexpr double on_it = 1 - 1e-9;
+    // Points this close to a face, relative to the size, lie on it up to rounding.
+    static constexpr double rounding = 1e-9;
+    static constexpr double on_it = 1 - rounding;
 
     // The sum of the parts of d along the orthogonal normals, as a unit vector; the first normal if
     // the sum is zero.
@@ -32,7 +40,7 @@ struct NormalAt {
         Vector3d n = Vector3d::Zero();
         for (const Vector3d& face : normals)
             n += std::max(0.0, face.dot(d)) * face;
-        return n.norm() > 1e-9 ? Vector3d(n.normalized()) : *normals.begin();
+        return n.norm() > zero_length ? Vector3d(n.normalized()) : *normals.begin();
     }
     Vector3d outward() const
     {
@@ -45,7 +53,7 @@ struct NormalAt {
         Vector3d n = Vector3d::Zero();
         for (int i = 0; i < 3; ++i)
             if (std::abs(p[i]) >= on_it * b.size[i] / 2 && p[i] * d[i] > 0) n[i] = d[i];
-        return n.norm() > 1e-9 ? Vector3d(n.normalized()) : d;
+        return n.norm() > zero_length ? Vector3d(n.normalized()) : d;
     }
     Vector3d operator()(const Cylinder& c) const
     {
@@ -67,11 +75,11 @@ struct NormalAt {
             return (c.height * Vector3d(d.x() / r, 0, d.z() / r) + Vector3d(0, c.radius, 0))
                 .normalized();
         }
-        if (above_base > 1e-9 * c.height) return slope;
+        if (above_base > rounding * c.height) return slope;
         if (std::hypot(p.x(), p.z()) < on_it * c.radius) return base;
         // At the rim the normal lies between those of the base and the slope.
         const Vector3d in_plane(outward() * outward().dot(d) + Vector3d(0, d.y(), 0));
-        if (in_plane.norm() < 1e-9 || in_plane.normalized().dot(slope) < base.dot(slope))
+        if (in_plane.norm() < zero_length || in_plane.normalized().dot(slope) < base.dot(slope))
             return base.dot(d) > slope.dot(d) ? base : slope;
         const Vector3d n = in_plane.normalized();
         if (n.y() > slope.y()) return slope;
@@ -90,7 +98,8 @@ std::vector<Vector3d> seeds(const Shape& shape)
     std::vector<Vector3d> points;
     for (int i = 0; i < 27; ++i)
         if (i != 13) {
-            const Vector3d d = Vector3d(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1).normalized();
+            const Eigen::Vector3i direction(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
+            const Vector3d d = direction.cast<double>().normalized();
             const Feature feature = feature_towards(shape, d);
             Vector3d middle = Vector3d::Zero();
             for (int k = 0; k < feature.count; ++k)
@@ -139,9 +148,9 @@ private:
     {
         Vector3d n = gradient(seed);
         if (!is_new(n, starts_)) return;
-        for (int step = 0; step < 4; ++step) {
+        for (int step = 0; step < most_steps; ++step) {
             const Vector3d at_lowest = gradient(lowest(feature_towards(shape_, -n)));
-            const bool is_there = at_lowest.dot(n) > 1 - 1e-12;
+            const bool is_there = at_lowest.dot(n) > 1 - converged;
             n = at_lowest;
             if (is_there) break;
         }
@@ -171,7 +180,7 @@ private:
         if (gap >= reach_) return;
         const Vector3d against = -gradient(p);
         const Vector3d own = std::visit(NormalAt{p, against}, shape_);
-        if (own.dot(against) < 0.3) return; // on the far side
+        if (own.dot(against) < least_opposition) return;
         const Vector3d n = -(pose_.R * own);
         contacts_.push_back({x - gap / 2 * n, n, gap});
     }

@@ -1,70 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "framework/rigid/worlds.hpp"
-#include "rigid/detection/narrow_phase.hpp"
+// Contacts of spheres and boxes, and of bodies.
+#include "framework/rigid/contact_shapes.hpp"
 
 using namespace rigor;
 using namespace rigor::testing;
 
 namespace {
-
-constexpr double anything = 1e9;
-
-std::vector<Contact> touches_of(const Shape& a, const Pose& pose_a, const Shape& b,
-                                const Pose& pose_b, double reach = anything)
-{
-    std::vector<Contact> touches;
-    find_shape_contacts(a, pose_a, b, pose_b, reach, touches);
-    return touches;
-}
-
-Pose random_pose(Random& random, double spread)
-{
-    return {random.rotation(), spread * random.vector()};
-}
-
-std::vector<Vector3d> corners(const Box& box, const Pose& pose)
-{
-    std::vector<Vector3d> all;
-    for (int i = 0; i < 8; ++i)
-        all.push_back(
-            pose *
-            Vector3d(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1).cwiseProduct(box.size / 2));
-    return all;
-}
-
-// The distance between two boxes along an axis, by projection of all corners.
-double separation_along(const std::vector<Vector3d>& a, const std::vector<Vector3d>& b,
-                        const Vector3d& n)
-{
-    double low_a = 1e300, high_a = -1e300, low_b = 1e300, high_b = -1e300;
-    for (const Vector3d& x : a) {
-        low_a = std::min(low_a, n.dot(x));
-        high_a = std::max(high_a, n.dot(x));
-    }
-    for (const Vector3d& x : b) {
-        low_b = std::min(low_b, n.dot(x));
-        high_b = std::max(high_b, n.dot(x));
-    }
-    return std::max(low_a - high_b, low_b - high_a);
-}
-
-// The largest separation over the 15 axes, by testing all of them.
-double separation(const Box& a, const Pose& pose_a, const Box& b, const Pose& pose_b)
-{
-    std::vector<Vector3d> axes;
-    for (int i = 0; i < 3; ++i) {
-        axes.push_back(pose_a.R.col(i));
-        axes.push_back(pose_b.R.col(i));
-        for (int j = 0; j < 3; ++j) {
-            const Vector3d l = pose_a.R.col(i).cross(pose_b.R.col(j));
-            if (l.norm() > 1e-3) axes.push_back(l.normalized());
-        }
-    }
-    double best = -1e300;
-    for (const Vector3d& axis : axes)
-        best = std::max(best, separation_along(corners(a, pose_a), corners(b, pose_b), axis));
-    return best;
-}
 
 // The distance from a point to the surface of a box, by testing a fine grid of points on its faces.
 double distance_to_surface(const Box& box, const Vector3d& p, int n)
@@ -143,63 +84,6 @@ TEST_CASE("narrow phase: the touch of a sphere is on its own normal", "[rigid]")
     }
 }
 
-TEST_CASE("narrow phase: a box touches a plane with its vertices", "[rigid]")
-{
-    const Box box{{1, 2, 3}};
-    for (unsigned seed = 0; seed < 50; ++seed) {
-        CAPTURE(seed);
-        Random random(seed);
-        const Pose pose = random_pose(random, 1), plane = random_pose(random, 1);
-        const auto touches = touches_of(box, pose, Plane{}, plane, 0);
-        std::size_t below = 0;
-        for (const Vector3d& corner : corners(box, pose)) {
-            const double gap = (plane.R.transpose() * (corner - plane.X)).y();
-            if (gap >= 0) continue;
-            REQUIRE(below < touches.size());
-            REQUIRE_THAT(touches[below].gap, IsClose(gap, Rounding(16, 4)));
-            REQUIRE_THAT(touches[below].point, IsClose(corner, Rounding(16)));
-            ++below;
-        }
-        REQUIRE(below == touches.size());
-    }
-}
-
-TEST_CASE("narrow phase: boxes overlap by what the fifteen axes say", "[rigid]")
-{
-    int faces = 0, edges = 0;
-    for (unsigned seed = 0; seed < 400; ++seed) {
-        CAPTURE(seed);
-        Random random(seed);
-        const Box a{{1, 1.5, 2}}, b{{0.8, 1.2, 1}};
-        const Pose pose_a = random_pose(random, 0.8), pose_b = random_pose(random, 0.8);
-        const double exact = separation(a, pose_a, b, pose_b);
-        const auto touches = touches_of(a, pose_a, b, pose_b, 0);
-        REQUIRE(touches.empty() == (exact >= 0));
-        if (touches.empty()) continue;
-        double deepest = 0;
-        for (const Contact& t : touches) {
-            deepest = std::min(deepest, t.gap);
-            REQUIRE_THAT(t.normal.norm(), IsClose(1.0, Rounding(16)));
-            // The contact lies in the middle of the overlap, so at most half the overlap deep in
-            // each box.
-            REQUIRE(((pose_a.R.transpose() * (t.point - pose_a.X)).cwiseAbs() - a.size / 2)
-                        .maxCoeff() <= -t.gap / 2 + 1e-9);
-            REQUIRE(((pose_b.R.transpose() * (t.point - pose_b.X)).cwiseAbs() - b.size / 2)
-                        .maxCoeff() <= -t.gap / 2 + 1e-9);
-        }
-        // A face may be preferred if it overlaps only a little more: one percent of half the
-        // shortest edge.
-        REQUIRE(deepest <= exact + 1e-12);
-        REQUIRE(deepest >= exact - 0.0041 - 1e-12);
-        // Moved apart by that distance along the normal, the boxes no longer overlap.
-        const Pose apart{pose_a.R, pose_a.X - (deepest - 1e-9) * touches[0].normal};
-        REQUIRE(separation(a, apart, b, pose_b) >= 0);
-        (touches.size() == 1 ? edges : faces) += 1;
-    }
-    CHECK(faces > 50);
-    CHECK(edges > 10);
-}
-
 TEST_CASE("narrow phase: seen from the other side the contacts are the same", "[rigid]")
 {
     const std::vector<Shape> shapes = {Sphere{0.7}, Box{{1, 2, 1.5}}, Box{{2, 0.5, 1}}};
@@ -221,39 +105,6 @@ TEST_CASE("narrow phase: seen from the other side the contacts are the same", "[
                 if (!there.empty()) REQUIRE_THAT(deepest_back, IsClose(deepest, Rounding(64, 4)));
             }
     }
-}
-
-TEST_CASE("narrow phase: crossed cubes that touch at edges only have their contact there",
-          "[rigid]")
-{
-    // Each cube stands on an edge along its own axis, and the upper one overlaps the lower one
-    // slightly.
-    const double half = std::sqrt(0.5), overlap = 1e-3;
-    const Pose lower{rotation_matrix(turn({1, 0, 0}, std::numbers::pi / 4)), {0, 0, 0}};
-    const Pose upper{rotation_matrix(turn({0, 0, 1}, std::numbers::pi / 4)),
-                     {0, 2 * half - overlap, 0}};
-    const Box cube{{1, 1, 1}};
-    for (const Vector3d& corner : corners(cube, upper)) // no vertex lies in the other cube
-        REQUIRE(((lower.R.transpose() * corner).cwiseAbs().array() > 0.5).any());
-    const auto touches = touches_of(cube, upper, cube, lower, 0);
-    REQUIRE(touches.size() == 1);
-    CHECK_THAT(touches[0].gap, IsClose(-overlap, Rounding(16, 2)));
-    CHECK_THAT(touches[0].normal, IsClose(Vector3d(0, 1, 0), Rounding(16)));
-    CHECK_THAT(touches[0].point, IsClose(Vector3d(0, half - overlap / 2, 0), Rounding(16)));
-}
-
-TEST_CASE("narrow phase: aligned cubes have the four corners of their common face", "[rigid]")
-{
-    const auto touches =
-        touches_of(Box{{1, 1, 1}}, {Matrix3d::Identity(), {0.25, 1, 0}}, Box{{1, 1, 1}}, {}, 0.1);
-    REQUIRE(touches.size() == 4);
-    Vector3d middle = Vector3d::Zero();
-    for (const Contact& t : touches) {
-        CHECK_THAT(t.gap, IsClose(0.0, Rounding(8, 1)));
-        CHECK_THAT(t.normal, IsExactly(Vector3d(0, 1, 0)));
-        middle += t.point / 4;
-    }
-    CHECK_THAT(middle, IsClose(Vector3d(0.125, 0.5, 0), Rounding(16)));
 }
 
 TEST_CASE("narrow phase: a compound body touches with the part that is there", "[rigid]")

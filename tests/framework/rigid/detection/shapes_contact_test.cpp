@@ -5,30 +5,6 @@
 using namespace rigor;
 using namespace rigor::testing;
 
-TEST_CASE("contact: on a plane the deepest touch of a shape is its lowest point", "[rigid]")
-{
-    for (const NamedShape& named : all_shapes())
-        for (unsigned seed = 0; seed < 30; ++seed) {
-            CAPTURE(named.name, seed);
-            Random random(seed);
-            const Pose pose{random.rotation(), random.vector()},
-                plane{random.rotation(), random.vector()};
-            const Vector3d n = plane.R.col(1);
-            const double lowest =
-                n.dot(pose.X - plane.X) - reach_along(named.shape, pose.R.transpose() * -n);
-            const auto touches = touches_of(named.shape, pose, Plane{}, plane);
-            REQUIRE(!touches.empty());
-            REQUIRE(touches.size() <= 18);
-            // Of eight contacts that were kept, the deepest is as deep as the lowest point.
-            REQUIRE_THAT(deepest(touches), IsClose(lowest, Order(3e-5)));
-            for (const Contact& t : touches) {
-                REQUIRE_THAT(t.normal, IsExactly(n));
-                REQUIRE_THAT(n.dot(t.point - plane.X), IsClose(t.gap, Rounding(64, 8)));
-            }
-            REQUIRE(touches_of(named.shape, pose, Plane{}, plane, lowest - 1e-12).empty());
-        }
-}
-
 TEST_CASE("contact: seen from the other side every pair has the same touches", "[rigid]")
 {
     for (const NamedShape& first : all_shapes())

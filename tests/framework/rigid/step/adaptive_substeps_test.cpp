@@ -10,7 +10,7 @@ using namespace rigor::testing;
 namespace {
 
 constexpr double h = 1.0 / 60;
-const Material plastic{0, 0.5}, smooth{0, 0};
+const Material plastic{0, 0.5};
 
 // The depth of body 1 in body 0 [m].
 double overlap(const World& world)
@@ -18,13 +18,6 @@ double overlap(const World& world)
     const auto pose = [&](int i) { return pose_of(world.bodies[i].state); };
     return overlap_depth(world.bodies[0].parts[0].shape, pose(0), world.bodies[1].parts[0].shape,
                          pose(1));
-}
-
-// Two boxes that meet at x = 0, whose tops both lie at y = 0.
-World joint(const RigidBody& body)
-{
-    const Box tile{{10, 1, 10}};
-    return world_of({fixed(tile, smooth, {-5, -0.5, 0}), fixed(tile, smooth, {5, -0.5, 0}), body});
 }
 
 } // namespace
@@ -72,44 +65,4 @@ TEST_CASE("adaptive substeps: thin plates that slap on each other keep their ord
         CHECK(y - below >= 0.9e-3); // within a tenth of the thickness; class I
         below = y;
     }
-}
-
-TEST_CASE("a box that slides over a joint does not run into it, however slowly", "[rigid]")
-{
-    for (const double speed : {0.01, 0.1, 1.0, 10.0})
-        for (const double angle : {0.0, 0.3})
-            for (const bool is_ball : {false, true}) {
-                const Shape shape = is_ball ? Shape(Sphere{0.5}) : Shape(Box{{1, 1, 1}});
-                RigidBody body = body_of(shape, {-0.5 - 10.5 * speed * h, 0.5, 0}, smooth,
-                                         turn({0, 1, 0}, angle));
-                body.state.velocity = {speed, 0, 0};
-                World world = joint(body);
-                run(world, 30, h);
-                CAPTURE(speed, angle, is_ball);
-                CHECK_THAT(world.bodies[2].state.velocity,
-                           IsClose(Vector3d(speed, 0, 0), Rounding(64 * 30, 10)));
-            }
-}
-
-TEST_CASE("a box that lands at a joint keeps its speed along it", "[rigid]")
-{
-    for (int i = 0; i < 20; ++i) {
-        const double x = -0.5 - 0.1 + 0.01 * i; // its center; the front edge is around the joint
-        RigidBody box = body_of(Box{{1, 1, 1}}, {x, 0.51, 0}, smooth);
-        box.state.velocity = {3, -1, 0};
-        World world = joint(box);
-        run(world, 5, h);
-        CAPTURE(x);
-        // The corners do not land at the same time, and the tilt that this causes is of class I.
-        CHECK(std::abs(world.bodies[2].state.velocity.x() - 3) <= 0.01);
-    }
-}
-
-TEST_CASE("a box that flies at the side of another is stopped by it", "[rigid]")
-{
-    RigidBody box = body_of(Box{{1, 1, 1}}, {-1, 0.5, 0}, smooth);
-    box.state.velocity = {3, 0, 0};
-    World world = world_of({fixed(Box{{1, 1, 1}}, smooth, {0.6, 0.5, 0}), box}, {0, 0, 0});
-    run(world, 30, h);
-    CHECK_THAT(world.bodies[1].state.velocity.x(), IsClose(0.0, Rounding(1024, 3)));
 }

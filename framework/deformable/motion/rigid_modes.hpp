@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// Motion of the nodes of a solid as one rigid body, by the formulas of the lecture's derivation.
+#pragma once
+
+#include "deformable/motion/node_motion.hpp"
+
+namespace rigor {
+
+/// A step in the six velocity modes: u = (V, ω) changes by (Sᵀ M S) u̇ + (Sᵀ M Ṡ) u = Sᵀ F, and
+/// each node moves by x += h S u + ½ h² (S u̇ + Ṡ u). The inner forces of the solid play no part.
+/// Gravity and loads act; handles and contacts do not.
+void move_in_modes(const NodeMotion& motion);
+
+/// The same u̇, but the nodes move by `advance_matrix`, which no repair follows: the solid grows.
+void move_by_matrix(const NodeMotion& motion);
+
+} // namespace rigor

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// A quaternion becomes a matrix, or angles, takes the step in that form, and becomes a quaternion
+// again. Of the two quaternions of a rotation, the one nearer to the old one is taken.
+#include "rigid/motion/naive_rotation.hpp"
+
+#include "formulas/rotation.hpp"
+#include "geometry/shapes/pose.hpp"
+
+#include <cmath>
+
+namespace rigor {
+
+namespace {
+
+Quaternion nearer_quaternion_of(const Matrix3d& R, const Quaternion& p)
+{
+    const Quaternion q = quaternion_of(R);
+    return q.s * p.s + q.v.dot(p.v) < 0 ? Quaternion{-q.s, -q.v} : q;
+}
+
+// Roll, pitch and yaw of R = R_z(ψ) R_y(θ) R_x(φ), with the pitch from -π/2 to π/2.
+Vector3d angles_of(const Matrix3d& R)
+{
+    const double pitch = std::atan2(-R(2, 0), std::hypot(R(0, 0), R(1, 0)));
+    return {std::atan2(R(2, 1), R(2, 2)), pitch, std::atan2(R(1, 0), R(0, 0))};
+}
+
+} // namespace
+
+Quaternion turned_by_gram_schmidt(const Quaternion& q, const Vector3d& omega, double time_step)
+{
+    const Matrix3d R = gram_schmidt(advance_matrix(rotation_matrix(q), omega, time_step));
+    return nearer_quaternion_of(R, q);
+}
+
+Quaternion turned_by_euler_angles(const Quaternion& q, const Vector3d& omega, double time_step)
+{
+    const Vector3d angles = angles_of(rotation_matrix(q));
+    const std::optional<Vector3d> rates = euler_rates(angles, omega);
+    if (!rates) return q; // gimbal lock
+    return nearer_quaternion_of(euler_to_matrix(angles + time_step * *rates), q);
+}
+
+} // namespace rigor

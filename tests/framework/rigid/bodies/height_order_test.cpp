@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#include "rigid/bodies/height_order.hpp"
+
+#include "support/catch.hpp"
+#include "support/random.hpp"
+
+#include <vector>
+
+using namespace rigor;
+using namespace rigor::testing;
+
+namespace {
+
+HeightOrder order_of(const std::vector<Vector3d>& points, const Vector3d& gravity)
+{
+    return {gravity, points, [](const Vector3d& x) -> const Vector3d& { return x; }};
+}
+
+} // namespace
+
+TEST_CASE("height order: lower points come first, then those with the smaller x", "[rigid]")
+{
+    const std::vector<Vector3d> points = {{0, 1, 0}, {-3, 2, 0}, {-2, 2, -1}, {-2, 2, 1}};
+    const HeightOrder key_of = order_of(points, {0, -9.81, 0});
+    for (std::size_t i = 1; i < points.size(); ++i)
+        CHECK(key_of(points[i - 1]) < key_of(points[i]));
+    // Upside down, the highest point comes first.
+    const HeightOrder upside_down = order_of(points, {0, 9.81, 0});
+    CHECK(upside_down(points[1]) < upside_down(points[0]));
+}
+
+TEST_CASE("height order: heights that differ by rounding are equal", "[rigid]")
+{
+    for (unsigned seed = 0; seed < 100; ++seed) {
+        CAPTURE(seed);
+        Random random(seed);
+        const Vector3d x = 10 * random.vector();
+        const Vector3d rounded = x + 1e-15 * random.vector();
+        const HeightOrder key_of = order_of({x, rounded, {16, 16, 16}}, {0, -9.81, 0});
+        REQUIRE(key_of(x) == key_of(rounded));
+        REQUIRE(key_of(x) < key_of(x + Vector3d(0, 1e-8, 0)));
+    }
+}

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+// Bodies at rest sleep, and wake when something could move them.
+#include "framework/rigid/worlds.hpp"
+#include "rigid/step/step.hpp"
+
+using namespace rigor;
+using namespace rigor::testing;
+
+namespace {
+
+constexpr double h = 1.0 / 60;
+
+// Randomly placed cubes that fall on each other in a room without a roof.
+World heap(int side)
+{
+    const double w = 0.75 * side + 0.5;
+    std::vector<RigidBody> bodies = {fixed(Plane{}, {0, 0.5})};
+    for (const Vector3d& out : {Vector3d(1, 0, 0), Vector3d(0, 0, 1)})
+        for (double sign : {-1.0, 1.0})
+            bodies.push_back(
+                fixed(Box{{2 * w + 1, 40, 2 * w + 1}}, {0, 0.5}, sign * (2 * w + 0.5) * out));
+    Random random(3);
+    for (int y = 0; y < side; ++y)
+        for (int x = 0; x < side; ++x)
+            for (int z = 0; z < side; ++z) {
+                const Vector3d cell(x - (side - 1) / 2.0, y + 0.6, z - (side - 1) / 2.0);
+                bodies.push_back(body_of(Box{{1, 1, 1}}, 1.5 * cell + 0.2 * random.vector(),
+                                         {0, 0.5},
+                                         turn(random.unit_vector(), random.uniform(0, 0.25))));
+            }
+    World world = world_of(bodies);
+    world.settings.contact_method = ContactMethod::simultaneous;
+    world.settings.formulas_are_reference = true;
+    return world;
+}
+
+} // namespace
+
+TEST_CASE("sleep: bodies at rest sleep where they are and keep their contacts", "[rigid]")
+{
+    World sleeping = stacks(2, 4), awake = sleeping;
+    awake.settings.skips.sleep = false;
+    run(sleeping, 120, h);
+    run(awake, 120, h);
+    CHECK(awake.counters.bodies_asleep == 0);
+    CHECK(sleeping.counters.bodies_asleep > 8 * 60);
+    for (std::size_t i = 1; i < sleeping.bodies.size(); ++i)
+        CHECK(sleeping.bodies[i].rest.is_asleep());
+    CHECK(largest_distance(sleeping, awake) < 1e-4 * std::sqrt(3) / 2); // limit for a body at rest
+
+    // The ground still carries the whole weight.
+    double weight = 0, mass = 0;
+    for (const ContactRecord& c : step(sleeping, h))
+        if (sleeping.bodies[c.body1].is_static || sleeping.bodies[c.body2].is_static)
+            weight += std::abs(c.impulse.y()) / h;
+    for (const RigidBody& body : sleeping.bodies)
+        mass += body.mass;
+    CHECK_THAT(weight, IsClose(mass * g, Order(1e-3 * mass * g)));
+}
+
+TEST_CASE("sleep: what is hit wakes with all that fell asleep with it and no other", "[rigid]")
+{
+    World world = stacks(2, 3);
+    run(world, 60, h);
+    REQUIRE(world.bodies[1].rest.is_asleep());
+    RigidBody ball = body_of(Sphere{0.3}, {-4, 2.5, 0}, {0, 0.5});
+    ball.state.velocity = {20, 0, 0};
+    world.bodies.push_back(ball);
+    double speed = 0;
+    for (int i = 0; i < 20; ++i) {
+        step(world, h);
+        speed = std::max(speed, world.bodies[3].state.velocity.x());
+    }
+    CHECK(speed > 0.1);
+    for (int i : {1, 2, 3})
+        CHECK_FALSE(world.bodies[i].rest.is_asleep());
+    for (int i : {4, 5, 6})
+        CHECK(world.bodies[i].rest.is_asleep());
+}
+
+TEST_CASE("sleep: a block that begins to slip does not sleep", "[rigid]")
+{
+    const double angle = std::atan(0.5) + 1e-3;
+    const Quaternion slope = turn(Vector3d::UnitZ(), angle);
+    const Matrix3d R = rotation_matrix(slope);
+    World world = world_of({fixed(Plane{}, {0, 0.5}, {0, 0, 0}, slope),
+                            body_of(Box{{1, 1, 1}}, R * Vector3d(0, 0.5, 0), {0, 0.5}, slope)});
+    run(world, 200, 0.01);
+    CHECK(world.counters.bodies_asleep == 0);
+    CHECK(world.bodies[1].state.velocity.norm() > 0.01);
+}
+
+TEST_CASE("sleep: a heap comes to rest and sleeps where it would lie awake", "[rigid]")
+{
+    World sleeping = heap(4), awake = sleeping;
+    const auto all_sleep = [&] {
+        return std::all_of(sleeping.bodies.begin(), sleeping.bodies.end(),
+                           [](const RigidBody& body) { return body.is_still(); });
+    };
+    for (int i = 0; !all_sleep() && i < 1200; ++i) {
+        awake = sleeping; // one step behind
+        step(sleeping, h);
+    }
+    REQUIRE(all_sleep());
+    const std::uint64_t before = sleeping.counters.bodies_asleep;
+
+    // Awake, the heap would stay in its place for the next half second as it did for the last one.
+    awake.settings.skips.sleep = false;
+    for (RigidBody& body : awake.bodies)
+        body.rest = {};
+    awake.memory.sleeping_contacts.clear();
+    run(awake, 31, h);
+    run(sleeping, 30, h);
+    CHECK(sleeping.counters.bodies_asleep - before == 30 * 64);
+    CHECK(largest_distance(sleeping, awake) < 1e-4 * std::sqrt(3) / 2); // limit for a body at rest
+}
+
+TEST_CASE("sleep: what moves slowly does not sleep", "[rigid]")
+{
+    // Almost upright on an edge, and so about to fall.
+    const Quaternion tilt = turn(Vector3d::UnitZ(), std::numbers::pi / 4 + 1e-3);
+    RigidBody leaning = body_of(Box{{1, 1, 1}}, {0, std::sqrt(0.5), 0}, {0, 0.5}, tilt);
+    RigidBody gliding = body_of(Box{{1, 1, 1}}, {5, 0.5, 0}, {0, 0});
+    gliding.state.velocity = {1e-3, 0, 0}; // moves 0.2 mm in the time that is needed for sleep
+    World world = world_of({fixed(Plane{}, {0, 0.5}), leaning, gliding});
+    run(world, 60, h);
+    CHECK(world.counters.bodies_asleep == 0);
+    CHECK(world.bodies[2].state.position.x() > 5 + 0.9e-3);
+    run(world, 120, h);
+    CHECK(world.bodies[1].state.position.y() < 0.55); // the leaning box fell
+}
