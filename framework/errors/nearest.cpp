@@ -4,6 +4,8 @@
 // smallest distance wins, unless too many letters differ.
 #include "errors/nearest.hpp"
 
+#include "errors/quotes.hpp"
+
 #include <algorithm>
 #include <numeric>
 #include <utility>
@@ -13,8 +15,8 @@ namespace rigor {
 
 namespace {
 
-// Longest word that is compared [bytes]. A longer one is not a misspelt name, and
-// would only cost time.
+// Longest word that is compared [bytes]. A longer one is not a misspelt name, and would only cost
+// time.
 constexpr std::size_t longest_word = 64;
 
 // Number of letters to insert, remove, replace or swap with a neighbour to turn one word into the
@@ -50,6 +52,21 @@ std::string_view nearest(std::string_view word, std::span<const std::string_view
         best_distance = distance;
     }
     return best;
+}
+
+std::string suggestion(std::string_view word, std::span<const std::string_view> names,
+                       std::string_view otherwise)
+{
+    const std::string_view near = nearest(word, names);
+    if (!near.empty()) return "; did you mean " + in_quotes(near) + "?";
+    return otherwise.empty() ? std::string() : "; " + std::string(otherwise);
+}
+
+std::string suggestion(std::string_view word, std::span<const std::string> names,
+                       std::string_view otherwise)
+{
+    const std::vector<std::string_view> views(names.begin(), names.end());
+    return suggestion(word, views, otherwise);
 }
 
 } // namespace rigor

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace rigor {
@@ -10,5 +11,12 @@ namespace rigor {
 /// swap with a neighbour (Damerau 1964, "A technique for computer detection and correction of
 /// spelling errors"). Empty if more than 2 letters and more than a third of the word differ.
 std::string_view nearest(std::string_view word, std::span<const std::string_view> names);
+
+/// The end of a message about a word that names nothing: `; did you mean "inertia"?` with the
+/// nearest of the names. If none is near, `; ` and `otherwise`, or nothing if that is empty too.
+std::string suggestion(std::string_view word, std::span<const std::string_view> names,
+                       std::string_view otherwise = {});
+std::string suggestion(std::string_view word, std::span<const std::string> names,
+                       std::string_view otherwise = {});
 
 } // namespace rigor

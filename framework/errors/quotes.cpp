@@ -9,8 +9,8 @@ namespace rigor {
 
 namespace {
 
-// Size of the UTF-8 character at the start of a text [bytes]; 0 if it is not UTF-8 or
-// is a control character.
+// Size of the UTF-8 character at the start of a text [bytes]; 0 if it is not UTF-8 or is a control
+// character.
 std::size_t character_size(std::string_view text)
 {
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };

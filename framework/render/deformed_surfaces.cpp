@@ -13,8 +13,6 @@
 namespace rigor {
 namespace {
 
-constexpr double smooth = 0.866; // cosine of 30 degrees, the largest bend without a sharp edge
-
 // The surface of a solid at one moment.
 class DeformedSurface {
 public:

@@ -233,7 +233,8 @@ void FrameSequence::Pipeline::push(Picture picture)
     if (pushed_ == most_frames)
         throw InputError(
             fmt::format("{}: more than {} frames", options_.directory.string(), most_frames));
-    if (!pictures_.push(std::move(picture))) rethrow();
+    // After an error nothing is left half written: every stage ends before it is told.
+    if (!pictures_.push(std::move(picture))) finish();
     ++pushed_;
 }
 

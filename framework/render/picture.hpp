@@ -23,6 +23,9 @@ struct Instance {
     Vector4f color = Vector4f::Ones();    // linear red, green, blue, opacity
 };
 
+/// Cosine of 30 degrees, the largest bend between two triangles without a sharp edge.
+inline constexpr double smooth = 0.866;
+
 /// A corner of a triangle.
 struct SurfaceVertex {
     Vector3f position, normal;

@@ -15,8 +15,7 @@
 namespace rigor {
 namespace {
 
-constexpr double smooth = 0.866; // cosine of 30 degrees, the largest bend without a sharp edge
-constexpr int sides = 64;        // sides of the polygon that stands for a circle
+constexpr int sides = 64; // sides of the polygon that stands for a circle
 
 struct MeshOf {
     TriangleMesh operator()(const Capsule& c) const

@@ -27,6 +27,7 @@ namespace {
 int spawn(pid_t& process, std::vector<std::string> words, int input, int errors)
 {
     std::vector<char*> arguments;
+    arguments.reserve(words.size() + 1);
     for (std::string& word : words)
         arguments.push_back(word.data());
     arguments.push_back(nullptr);

@@ -13,7 +13,6 @@
 
 #include "grading/result.hpp"
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -21,8 +20,5 @@ namespace rigor {
 
 /// The JSON text of the results: one result as an object, several as an array.
 std::string to_json(const std::vector<Result>& results);
-
-/// Writes a file whole or not at all. @throws InputError if it cannot be written
-void write_whole(const std::filesystem::path& file, const std::string& content);
 
 } // namespace rigor

@@ -4,6 +4,7 @@
 // the next step.
 #include "report/table.hpp"
 
+#include "grading/places.hpp"
 #include "report/terminal.hpp"
 
 #include <algorithm>
@@ -32,6 +33,8 @@ Look look_of(Status status)
         return {Color::dim, "skipped"};
     case Status::not_implemented:
         return {Color::yellow, "not implemented yet"};
+    case Status::compile_error:
+        return {Color::red, "does not compile"};
     case Status::failed:
         return {Color::red, "failed"};
     case Status::not_finite:
@@ -46,7 +49,7 @@ Look look_of(Status status)
 
 bool is_wrong(const TaskResult& task)
 {
-    return task.status >= Status::failed;
+    return task.status >= Status::compile_error;
 }
 
 // The law that a test case states, without the topic before it.
@@ -66,6 +69,23 @@ std::string row(const std::string& label, const std::string& text)
 std::string handout(const Result& result, const TaskResult& task)
 {
     return fmt::format("assignments/{}/README.md, {}", result.assignment.name, task.task.tag);
+}
+
+// How the contract declares a formula; empty for a task without one.
+std::string declaration_of(const std::string& topic, const std::string& formula)
+{
+    if (formula.empty()) return "";
+    std::ifstream file(places().source / "framework/formulas" / (topic + ".hpp"));
+    const std::string text(std::istreambuf_iterator<char>(file), {});
+    const std::size_t name = text.find(" " + formula + "(");
+    const std::size_t begin = text.rfind('\n', name) + 1, end = text.find(';', name);
+    if (name == std::string::npos || end == std::string::npos) return "";
+    std::string declaration;
+    for (const char c : text.substr(begin, end - begin)) {
+        const bool is_space = c == ' ' || c == '\n';
+        if (!is_space || !declaration.ends_with(' ')) declaration += is_space ? ' ' : c;
+    }
+    return declaration;
 }
 
 // The text cut after 400 bytes: a longer value says no more than its beginning.
@@ -135,8 +155,12 @@ std::string failure_text(const Result& result, const TaskResult& task,
     const bool compared = !test.expected.empty();
     std::string text = "\n" + colored(task.task.tag + " " + task.task.name(), Color::bold, color) +
                        "  " + colored(look.words, look.color, color) + "\n";
+    if (task.task.discloses == Disclosure::nothing)
+        return text + row("hint", task.task.hint) + row("to read", handout(result, task));
     text += row("the law", law_of(test.name));
     if (!compared) text += row("what happened", shortened(test.message));
+    if (task.status == Status::compile_error)
+        text += row("declared", declaration_of(result.assignment.topic, task.task.formula));
     text += row("the case", compared ? noted(test) : "");
     text += row("where in it", compared ? place_in_words(test.place) : "");
     text += row("expected", shortened(test.expected));

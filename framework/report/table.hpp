@@ -2,7 +2,7 @@
 // The report that a student reads, in 80 columns: the points, what is wrong, and what to do next.
 #pragma once
 
-#include "grading/implementation.hpp"
+#include "grading/build/implementation.hpp"
 #include "grading/result.hpp"
 
 #include <string>

@@ -76,7 +76,7 @@ template <class T> void take_apart(const T& value, const std::string& place, Com
         const double number = static_cast<double>(value);
         parts.add(place, &number, 1, 1);
     } else if constexpr (requires { value.colPivHouseholderQr(); }) {
-        const typename T::PlainObject matrix = value;
+        const auto& matrix = value.eval();
         parts.add(place, matrix.data(), static_cast<int>(matrix.rows()),
                   static_cast<int>(matrix.cols()));
     } else {
@@ -178,7 +178,11 @@ inline RotationMatcher IsRotation()
 void check_order(const std::vector<double>& errors, double order);
 
 /// Class I, an exact inequality: value ≤ limit, with eps of slack relative to `scale`.
+/// @param what  the value in words; another value that is its limit is named after ", by"
 void check_at_most(double value, double limit, const std::string& what, double scale = 1);
+
+/// The same for value ≥ limit.
+void check_at_least(double value, double limit, const std::string& what, double scale = 1);
 
 } // namespace rigor::testing
 

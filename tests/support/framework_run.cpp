@@ -6,5 +6,9 @@ namespace rigor::testing {
 
 void prepare(const RunOptions&) {}
 void begin_test_case() {}
+std::string last_call_text()
+{
+    return "";
+}
 
 } // namespace rigor::testing

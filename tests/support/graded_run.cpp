@@ -2,14 +2,17 @@
 // Setup of the graded tests, which call the formulas of a worker. A failure of the worker becomes
 // the verdict of the test case.
 #include "formulas/table.hpp"
+#include "support/call_text.hpp"
 #include "support/catch.hpp"
 #include "support/run.hpp"
 #include "support/verdict.hpp"
 #include "worker/failure.hpp"
+#include "worker/protocol/wire.hpp"
 #include "worker/proxy/proxy.hpp"
 
 #include <optional>
 #include <stdexcept>
+#include <system_error>
 
 namespace rigor::testing {
 
@@ -19,13 +22,48 @@ void prepare(const RunOptions& options)
         throw std::runtime_error("graded_tests: expected --worker FILE, the program to be tested");
     std::optional<std::filesystem::path> oracle;
     if (!options.oracle.empty()) oracle = options.oracle;
-    use_worker(options.worker, oracle);
+    Limits limits;
+    // A sanitizer needs calls and files that a worker must not have.
+    if (!is_sanitized) limits.trust = Trust::students;
+    make_undumpable();
+    use_worker(options.worker, oracle, limits);
 }
 
 /// Starts a new worker process for each test case, so that no test case can affect the next one.
 void begin_test_case()
 {
     renew_worker();
+}
+
+namespace {
+
+template <class Result, class... Argument>
+std::string decoded(Result (*)(Argument...), std::string_view name,
+                    std::span<const std::byte> encoded)
+{
+    wire::Reader reader(encoded);
+    std::tuple<std::remove_cvref_t<Argument>...> arguments;
+    std::apply([&](auto&... argument) { (wire::decode(reader, argument), ...); }, arguments);
+    return call_text(name, arguments);
+}
+
+using Decode = std::string (*)(std::span<const std::byte>);
+
+#define RIGOR_ROW(tag, topic, function, ...)                                                       \
+    [](std::span<const std::byte> encoded) {                                                       \
+        return decoded(&rigor::function, #function, encoded);                                      \
+    },
+constexpr Decode decoders[] = {RIGOR_FORMULAS(RIGOR_ROW)};
+#undef RIGOR_ROW
+
+} // namespace
+
+std::string last_call_text()
+{
+    constexpr std::size_t longest = 2000;
+    const auto& call = last_call();
+    if (!call || call->arguments.size() > longest) return "";
+    return decoders[static_cast<unsigned>(call->formula)](call->arguments);
 }
 
 namespace {
@@ -46,6 +84,11 @@ CATCH_TRANSLATE_EXCEPTION(const rigor::NotImplemented& stub)
     return rigor::testing::note("not_implemented", rigor::describe(stub));
 }
 
+CATCH_TRANSLATE_EXCEPTION(const rigor::FormulaMissing& missing)
+{
+    return rigor::testing::note("compile_error", missing.what());
+}
+
 CATCH_TRANSLATE_EXCEPTION(const rigor::WorkerFailure& failure)
 {
     std::string text = failure.what();
@@ -60,6 +103,12 @@ CATCH_TRANSLATE_EXCEPTION(const rigor::NotFinite& failure)
 
 // A failure of the oracle is not the student's fault.
 CATCH_TRANSLATE_EXCEPTION(const rigor::OracleFailure& failure)
+{
+    return rigor::testing::note("internal_error", failure.what());
+}
+
+// Nor is it the student's fault if a worker cannot be started.
+CATCH_TRANSLATE_EXCEPTION(const std::system_error& failure)
 {
     return rigor::testing::note("internal_error", failure.what());
 }

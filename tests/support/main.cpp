@@ -112,6 +112,8 @@ private:
             verdict().actual = result.getExpandedExpression();
         for (const Catch::MessageInfo& info : infos)
             if (info.message != message_) message_ += "\n" + info.message;
+        const std::string call = verdict().seed < 0 ? "" : last_call_text();
+        if (!call.empty()) message_ += "\nthe last call was " + call;
     }
 
     std::string name_, tags_, message_;

@@ -20,4 +20,8 @@ void prepare(const RunOptions& options);
 /// Called before each test case.
 void begin_test_case();
 
+/// The last call of a formula in this test case as C++ to paste; empty if there was none or if it
+/// is too long to read.
+std::string last_call_text();
+
 } // namespace rigor::testing

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Runs of whole scenes in the worker under test.
+// Runs of whole scenes with the formulas of the worker under test.
 #pragma once
 
 #include "scene/run/run_scene.hpp"
@@ -14,7 +14,7 @@ namespace rigor::testing {
 /// The trajectory of a shipped scene, such as `a4-collision/rod_tip`, with every step of it.
 /// @param time_step  replaces the scene's own one, to measure orders of convergence [s]
 /// @param changes    a JSON object of keys to replace, such as `{"contact": "simultaneous"}`
-/// @throws as Worker::run_scene; NotFinite if a recorded number is not finite
+/// @throws as run_scene_with_worker
 Trajectory run_scene(const std::string& name, std::optional<double> time_step = {},
                      const std::string& changes = "{}");
 
@@ -44,9 +44,9 @@ inline double steps_of(const Frame& frame)
 /// run `without_memory`. The test compares X, q (up to its sign), V and L of every body, class R,
 /// and names step, body and quantity.
 ///
-/// A step is left out if rounding alone decides what the reference does, that is if the reference
-/// gets another result from a neighbouring state. Fewer than half of the steps may be left out.
-/// Needs an oracle.
+/// A step is left out if rounding alone decides it: if among hundreds of neighbouring states there
+/// is one from which the reference gets another result, or from which both get the same. Fewer than
+/// half of the steps may be left out. Needs an oracle.
 ///
 /// @param changes  a JSON object of keys to replace in the scene
 void check_every_step(const std::string& scene_name, const std::string& changes = "{}");

@@ -14,6 +14,22 @@
 
 namespace rigor {
 
+/// How the mass, the center of mass and the inertia of a body are found from its parts.
+enum class MassMethod {
+    exact,        ///< the closed forms and `combine`
+    particles,    ///< `particle_mass_properties` of points on a grid
+    grid,         ///< `grid_mass_properties`
+    samples,      ///< `sampled_mass_properties`
+    bounding_box, ///< `bounding_box_mass_properties`, with the exact mass
+    thin_rod,     ///< `thin_rod`, for a cylinder
+};
+
+/// The orientation of a body a moment after the start, as a film would show it.
+struct LaterOrientation {
+    double after = 0; // [s]
+    Quaternion orientation;
+};
+
 struct BodyDescription {
     std::string name;
     std::vector<Part> parts; // in the body's own frame, as in the file
@@ -23,10 +39,13 @@ struct BodyDescription {
     // The inertia is given together with the mass, about the center of mass, which is the origin of
     // the frame [kg m²].
     std::optional<Matrix3d> inertia;
+    MassMethod mass_method = MassMethod::exact;
+    int mass_samples = 0;                 // 0: the default of the method
     Vector3d position = Vector3d::Zero(); // position of the frame's origin [m]
     Quaternion orientation;
     Vector3d velocity = Vector3d::Zero();         // velocity of the center of mass [m/s]
     Vector3d angular_velocity = Vector3d::Zero(); // world space [rad/s]
+    std::optional<LaterOrientation> later;        // given instead of an angular velocity
     std::optional<Vector3d> color;                // red, green, blue in 0 … 1
 };
 
@@ -37,6 +56,7 @@ struct SolidDescription {
     SolidMaterial material;
     NodeIntegrator integrator = NodeIntegrator::implicit_step;
     FractureMethod fracture_method = FractureMethod::faces;
+    YieldTest yield_test = YieldTest::strain;
     Vector3d position = Vector3d::Zero(); // position of the frame's origin [m]
     Quaternion orientation;
     Vector3d velocity = Vector3d::Zero();         // velocity of the center of mass [m/s]
@@ -63,20 +83,26 @@ struct Overlays {
     std::optional<std::array<double, 2>> solids_range; // range of the colors [Pa, or no unit]
 };
 
+/// The settings of a scene that says nothing else: gravity along -y.
+inline Settings settings_on_earth()
+{
+    Settings settings;
+    settings.gravity = {0, -9.81, 0}; // [m/s²]
+    return settings;
+}
+
 struct Scene {
     std::string name;        // name of the file, without its ending
     std::string description; // one sentence about what there is to see
     std::string text;        // the text of the file
     std::vector<BodyDescription> bodies;
     std::vector<SolidDescription> solids;
-    std::vector<Spring> springs;              // points in the bodies' frames, as in the file
-    std::vector<AppliedForce> forces;         // points in the bodies' frames, as in the file
-    Vector3d gravity = Vector3d(0, -9.81, 0); // [m/s²]
-    Integrator integrator = Integrator::runge_kutta;
-    ContactMethod contact_method = ContactMethod::built_in;
-    Skips skips;
-    double time_step = 0.01; // [s]
-    double end = 1;          // [s]
+    std::vector<Spring> springs;             // points in the bodies' frames, as in the file
+    std::vector<AppliedForce> forces;        // points in the bodies' frames, as in the file
+    std::vector<int> world_forces;           // those of them whose points are still in world space
+    Settings settings = settings_on_earth(); // copied whole into the world
+    double time_step = 0.01;                 // [s]
+    double end = 1;                          // [s]
     double frames_per_second = 30;
     Camera camera;
     Overlays overlays;

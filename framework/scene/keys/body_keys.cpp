@@ -37,11 +37,42 @@ constexpr Key<PartDraft> part_keys[] = {
      }},
 };
 
+constexpr std::string_view mass_methods[] = {"exact",   "particles",    "grid",
+                                             "samples", "bounding_box", "thin_rod"};
+
+struct FilmDraft {
+    LaterOrientation later;
+    const Value *after = nullptr, *orientation = nullptr;
+};
+
+constexpr Key<FilmDraft> film_keys[] = {
+    {"after", "needed: how long after the start, > 0 [s]",
+     [](FilmDraft& f, const Value& v) {
+         f.later.after = positive(v, "a time");
+         f.after = &v;
+     }},
+    {"orientation", "needed: of the frame at that time",
+     [](FilmDraft& f, const Value& v) {
+         f.later.orientation = orientation(v);
+         f.orientation = &v;
+     }},
+};
+
+LaterOrientation read_film(const Value& value)
+{
+    FilmDraft draft;
+    read_object<FilmDraft>(value, "a film {\"after\": …, \"orientation\": …}", film_keys, draft);
+    if (!draft.after) expected("\"after\" in the film", value);
+    if (!draft.orientation) expected("an \"orientation\" in the film", value);
+    return draft.later;
+}
+
 // A body, and the values whose meaning depends on other keys.
 struct BodyDraft {
     BodyDescription body;
     const Value *shape = nullptr, *parts = nullptr, *density = nullptr, *mass = nullptr,
-                *inertia = nullptr, *motion = nullptr, *grid = nullptr;
+                *inertia = nullptr, *motion = nullptr, *grid = nullptr, *spin = nullptr,
+                *film = nullptr, *method = nullptr, *samples = nullptr;
     const Value* part_density = nullptr; // the first density that a part gives
 };
 
@@ -59,6 +90,17 @@ constexpr Key<BodyDraft> body_keys[] = {
      "with `mass`: three moments, or three rows of a symmetric matrix, about the frame's origin, "
      "which is then the center of mass [kg m²]",
      [](BodyDraft& d, const Value& v) { d.inertia = &v; }},
+    {"mass_by",
+     "how they are found from the shapes: \"exact\", \"particles\", \"grid\", \"samples\", "
+     "\"bounding_box\" or, for a cylinder, \"thin_rod\", default the first",
+     [](BodyDraft& d, const Value& v) {
+         d.method = &v;
+         d.body.mass_method = static_cast<MassMethod>(one_of(v, mass_methods));
+     }},
+    {"mass_samples",
+     "with `mass_by`: cells along the longest edge, from 1 to 100, default 20; of \"samples\" the "
+     "number of points, up to 1 000 000, default 10 000",
+     [](BodyDraft& d, const Value& v) { d.samples = &v; }},
     {"position", "of the frame's origin, default [0, 0, 0] [m]",
      [](BodyDraft& d, const Value& v) { d.body.position = vector3(v); }},
     {"orientation", "of the frame, default none",
@@ -71,7 +113,12 @@ constexpr Key<BodyDraft> body_keys[] = {
     {"angular_velocity", "in world space, default [0, 0, 0] [rad/s]",
      [](BodyDraft& d, const Value& v) {
          d.body.angular_velocity = vector3(v);
-         d.motion = &v;
+         d.motion = d.spin = &v;
+     }},
+    {"filmed", "instead of `angular_velocity`: the orientation a moment after the start",
+     [](BodyDraft& d, const Value& v) {
+         d.body.later = read_film(v);
+         d.film = &v;
      }},
     {"restitution", "ε from 0 to 1, default 0.5; of a pair the smaller counts",
      [](BodyDraft& d, const Value& v) {
@@ -168,6 +215,49 @@ void read_mass(BodyDraft& draft)
         part.density = total > 0 ? mass / total : part.density;
 }
 
+// The number of samples, if the method takes any.
+void read_mass_samples(BodyDraft& draft)
+{
+    if (!draft.samples) return;
+    const MassMethod method = draft.body.mass_method;
+    const bool is_random = method == MassMethod::samples;
+    if (!is_random && method != MassMethod::grid && method != MassMethod::particles)
+        throw Mistake{draft.samples->line,
+                      "expected \"mass_by\" with \"particles\", \"grid\" or \"samples\" beside "
+                      "\"mass_samples\", found none of these"};
+    draft.body.mass_samples = static_cast<int>(
+        integer(*draft.samples, "a number of samples", 1, is_random ? 1'000'000 : 100));
+}
+
+// Refuses a body for which the method cannot find a mass.
+void check_mass_method(const BodyDraft& draft)
+{
+    const BodyDescription& body = draft.body;
+    if (body.mass_method == MassMethod::exact) return;
+    const auto refuse = [&](std::string_view message) {
+        throw Mistake{draft.method->line, std::string(message)};
+    };
+    if (body.mass) refuse("expected either \"inertia\" or \"mass_by\", found both");
+    if (body.is_static) refuse("expected no \"mass_by\" of a static body, found one");
+    for (const Part& part : body.parts)
+        if (std::holds_alternative<Mesh>(part.shape))
+            refuse("expected \"mass_by\" only for shapes that are no mesh, found a mesh");
+    const bool is_cylinder =
+        draft.shape && std::holds_alternative<Cylinder>(body.parts.front().shape);
+    if (body.mass_method == MassMethod::thin_rod && !is_cylinder)
+        refuse("expected one cylinder for \"thin_rod\", found another shape");
+}
+
+void check_film(const BodyDraft& draft)
+{
+    if (!draft.film) return;
+    if (draft.spin)
+        throw Mistake{draft.film->line,
+                      "expected either \"angular_velocity\" or \"filmed\", found both"};
+    if (draft.body.is_static)
+        throw Mistake{draft.film->line, "expected no \"filmed\" of a static body, found one"};
+}
+
 void check_static(const BodyDraft& draft, const Value& value)
 {
     const BodyDescription& body = draft.body;
@@ -190,6 +280,9 @@ void read_body(const Value& value, MeshLibrary& meshes, std::vector<BodyDescript
         throw Mistake{value.line, "expected a \"name\" in the body, found none"};
     read_parts(draft, value, meshes);
     read_mass(draft);
+    read_mass_samples(draft);
+    check_mass_method(draft);
+    check_film(draft);
     check_static(draft, value);
     if (draft.grid)
         read_grid(*draft.grid, draft.body, bodies);
@@ -201,6 +294,7 @@ void body_meanings(std::vector<KeyMeaning>& meanings)
 {
     add_meanings<BodyDraft>("body", body_keys, meanings);
     add_meanings<PartDraft>("part", part_keys, meanings);
+    add_meanings<FilmDraft>("filmed", film_keys, meanings);
     shape_meanings(meanings);
 }
 

@@ -19,11 +19,8 @@ int body_index(const Value& value, const std::vector<BodyDescription>& bodies)
     std::vector<std::string_view> names;
     for (std::size_t i = 0; i < std::min<std::size_t>(bodies.size(), 1000); ++i)
         names.push_back(bodies[i].name);
-    const std::string_view near = nearest(name, names);
-    throw Mistake{value.line,
-                  fmt::format("expected the name of a body, found {}{}", in_quotes(name),
-                              near.empty() ? std::string()
-                                           : fmt::format("; did you mean {}?", in_quotes(near)))};
+    throw Mistake{value.line, fmt::format("expected the name of a body, found {}{}",
+                                          in_quotes(name), suggestion(name, names))};
 }
 
 struct SpringDraft {
@@ -54,7 +51,8 @@ constexpr Key<SpringDraft> spring_keys[] = {
 
 struct ForceDraft {
     AppliedForce force;
-    const Value *body = nullptr, *vector = nullptr, *end = nullptr;
+    const Value *body = nullptr, *vector = nullptr, *end = nullptr, *point = nullptr,
+                *world_point = nullptr;
 };
 
 constexpr Key<ForceDraft> force_keys[] = {
@@ -65,7 +63,15 @@ constexpr Key<ForceDraft> force_keys[] = {
          d.force.force = vector3(v);
      }},
     {"point", "where it acts, in the frame of the body, default [0, 0, 0] [m]",
-     [](ForceDraft& d, const Value& v) { d.force.point = vector3(v); }},
+     [](ForceDraft& d, const Value& v) {
+         d.point = &v;
+         d.force.point = vector3(v);
+     }},
+    {"world_point", "instead of `point`: where it acts at the start, in world space [m]",
+     [](ForceDraft& d, const Value& v) {
+         d.world_point = &v;
+         d.force.point = vector3(v);
+     }},
     {"start", "≥ 0, default 0 [s]",
      [](ForceDraft& d, const Value& v) { d.force.start = not_negative(v, "a start"); }},
     {"end", "later than `start`, default never [s]",
@@ -95,21 +101,24 @@ std::vector<Spring> read_springs(const Value& value, const std::vector<BodyDescr
     return springs;
 }
 
-std::vector<AppliedForce> read_forces(const Value& value,
-                                      const std::vector<BodyDescription>& bodies)
+ForcesRead read_forces(const Value& value, const std::vector<BodyDescription>& bodies)
 {
-    std::vector<AppliedForce> forces;
+    ForcesRead read;
     for (const Value& item : array(value, "a list of forces")) {
         ForceDraft draft;
         read_object<ForceDraft>(item, "a force {\"body\": …, \"force\": …}", force_keys, draft);
         if (!draft.body) expected("a \"body\" in the force", item);
         if (!draft.vector) expected("a \"force\" in it", item);
+        if (draft.point && draft.world_point)
+            throw Mistake{draft.world_point->line,
+                          "expected either \"point\" or \"world_point\", found both"};
         draft.force.body = body_index(*draft.body, bodies);
         if (draft.force.end <= draft.force.start)
             expected(fmt::format("an end > {}", draft.force.start), *draft.end);
-        forces.push_back(draft.force);
+        if (draft.world_point) read.in_world.push_back(static_cast<int>(read.forces.size()));
+        read.forces.push_back(draft.force);
     }
-    return forces;
+    return read;
 }
 
 void force_meanings(std::vector<KeyMeaning>& meanings)

@@ -6,11 +6,16 @@
 
 namespace rigor {
 
-/// Reads springs and forces. Their points are in the frames of the bodies, as in the file.
+/// Reads springs and forces. Their points are as in the file.
 /// @throws Mistake
 std::vector<Spring> read_springs(const Value& value, const std::vector<BodyDescription>& bodies);
-std::vector<AppliedForce> read_forces(const Value& value,
-                                      const std::vector<BodyDescription>& bodies);
+
+/// Forces, and the numbers of those whose points are in world space.
+struct ForcesRead {
+    std::vector<AppliedForce> forces;
+    std::vector<int> in_world;
+};
+ForcesRead read_forces(const Value& value, const std::vector<BodyDescription>& bodies);
 
 void force_meanings(std::vector<KeyMeaning>& meanings);
 

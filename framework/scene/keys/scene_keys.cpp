@@ -34,8 +34,8 @@ struct SceneDraft {
                 *frames_per_second = nullptr;
 };
 
-constexpr std::string_view integrators[] = {"matrix", "linear", "exponential", "buss",
-                                            "runge_kutta"};
+constexpr std::string_view integrators[] = {"matrix",      "linear",       "exponential", "buss",
+                                            "runge_kutta", "gram_schmidt", "euler_angles"};
 
 constexpr std::string_view contact_methods[] = {"built_in", "one_at_a_time", "shock_propagation",
                                                 "simultaneous"};
@@ -61,7 +61,7 @@ constexpr Key<SceneDraft> scene_keys[] = {
     {"description", "one sentence: what to see",
      [](SceneDraft& d, const Value& v) { d.scene.description = line_of_text(v, "a sentence"); }},
     {"gravity", "default [0, -9.81, 0] [m/s²]",
-     [](SceneDraft& d, const Value& v) { d.scene.gravity = vector3(v); }},
+     [](SceneDraft& d, const Value& v) { d.scene.settings.gravity = vector3(v); }},
     {"time_step", "> 0, default 0.01 [s]", [](SceneDraft& d, const Value& v) { d.time_step = &v; }},
     {"end", "when the scene ends, at least one time step, default 1 [s]",
      [](SceneDraft& d, const Value& v) { d.end = &v; }},
@@ -69,20 +69,21 @@ constexpr Key<SceneDraft> scene_keys[] = {
      "> 0, at most one a step, default 30 or one a step; a frame shows the nearest step",
      [](SceneDraft& d, const Value& v) { d.frames_per_second = &v; }},
     {"integrator",
-     "of free flight: \"matrix\", \"linear\", \"exponential\", \"buss\" or \"runge_kutta\", "
-     "default the last",
+     "of free flight: \"matrix\", \"linear\", \"exponential\", \"buss\", \"runge_kutta\", "
+     "\"gram_schmidt\" or \"euler_angles\", default \"runge_kutta\"",
      [](SceneDraft& d, const Value& v) {
-         d.scene.integrator = static_cast<Integrator>(one_of(v, integrators));
+         d.scene.settings.integrator = static_cast<Integrator>(one_of(v, integrators));
      }},
     {"contact",
      "how contacts hold: \"built_in\", \"one_at_a_time\", \"shock_propagation\" or "
      "\"simultaneous\", default the first",
      [](SceneDraft& d, const Value& v) {
-         d.scene.contact_method = static_cast<ContactMethod>(one_of(v, contact_methods));
+         d.scene.settings.contact_method = static_cast<ContactMethod>(one_of(v, contact_methods));
      }},
     {"skip", "work that may be left out, to turn it on and off",
      [](SceneDraft& d, const Value& v) {
-         read_object<Skips>(v, "what to skip {\"sleep\": false}", skip_keys, d.scene.skips);
+         read_object<Skips>(v, "what to skip {\"sleep\": false}", skip_keys,
+                            d.scene.settings.skips);
      }},
     {"meshes",
      "texts of meshes by file name; those of the files that the scene names are put here as it is "
@@ -188,7 +189,11 @@ Scene read_scene(const std::string& text)
     read_times(draft);
     read_matter(draft, root);
     if (draft.springs) draft.scene.springs = read_springs(*draft.springs, draft.scene.bodies);
-    if (draft.forces) draft.scene.forces = read_forces(*draft.forces, draft.scene.bodies);
+    if (draft.forces) {
+        ForcesRead read = read_forces(*draft.forces, draft.scene.bodies);
+        draft.scene.forces = std::move(read.forces);
+        draft.scene.world_forces = std::move(read.in_world);
+    }
     return std::move(draft.scene);
 }
 

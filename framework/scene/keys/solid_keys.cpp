@@ -13,13 +13,16 @@ namespace rigor {
 
 namespace {
 
-constexpr std::string_view integrators[] = {"explicit", "implicit"};
+constexpr std::string_view node_integrators[] = {"explicit", "implicit", "velocity_modes",
+                                                 "matrix"};
+constexpr std::string_view yield_tests[] = {"strain", "yield_strain", "deviator", "frobenius",
+                                            "principal"};
 constexpr std::string_view fracture_methods[] = {"faces", "elements", "virtual_nodes"};
 
 // A solid, and the values whose meaning depends on other keys.
 struct SolidDraft {
     SolidDescription solid;
-    const Value *mesh = nullptr, *handles = nullptr, *loads = nullptr;
+    const Value *mesh = nullptr, *handles = nullptr, *loads = nullptr, *limit = nullptr;
 
     SolidMaterial& material() { return solid.material; }
 };
@@ -52,9 +55,19 @@ constexpr Key<SolidDraft> solid_keys[] = {
     {"yield_stress", "σ_Y > 0: the von Mises stress it flows at, default never [Pa]",
      [](SolidDraft& d, const Value& v) {
          d.material().yield_stress = positive(v, "a yield stress");
+         d.limit = &v;
+     }},
+    {"yield_by",
+     "the formula that finds out whether an element flows: \"strain\", \"yield_strain\", "
+     "\"deviator\", \"frobenius\" or \"principal\", default the first",
+     [](SolidDraft& d, const Value& v) {
+         d.solid.yield_test = static_cast<YieldTest>(one_of(v, yield_tests));
      }},
     {"strength", "> 0: the largest principal stress it bears, it cracks beyond, default any [Pa]",
-     [](SolidDraft& d, const Value& v) { d.material().strength = positive(v, "a strength"); }},
+     [](SolidDraft& d, const Value& v) {
+         d.material().strength = positive(v, "a strength");
+         d.limit = &v;
+     }},
     {"restitution", "ε from 0 to 1, default 0.5; of a pair the smaller counts",
      [](SolidDraft& d, const Value& v) {
          d.material().surface.restitution = in_range(v, "a restitution", 0, 1);
@@ -64,10 +77,10 @@ constexpr Key<SolidDraft> solid_keys[] = {
          d.material().surface.friction = not_negative(v, "a friction");
      }},
     {"integrator",
-     "of its nodes: \"explicit\", in substeps as short as the mesh needs, or \"implicit\", one "
-     "linear system a step, default the last",
+     "of its nodes: \"explicit\", in substeps as short as the mesh needs, \"implicit\", one linear "
+     "system a step, or as one rigid body \"velocity_modes\" or \"matrix\"; default the second",
      [](SolidDraft& d, const Value& v) {
-         d.solid.integrator = static_cast<NodeIntegrator>(one_of(v, integrators));
+         d.solid.integrator = static_cast<NodeIntegrator>(one_of(v, node_integrators));
      }},
     {"fracture",
      "how a crack changes the mesh: \"faces\", \"elements\" or \"virtual_nodes\", default the "
@@ -91,6 +104,21 @@ constexpr Key<SolidDraft> solid_keys[] = {
     {"loads", "forces on nodes, a list", [](SolidDraft& d, const Value& v) { d.loads = &v; }},
 };
 
+// A solid that moves as one rigid body has no handles and no limits of stress.
+void check_rigid(const SolidDraft& draft)
+{
+    const NodeIntegrator integrator = draft.solid.integrator;
+    if (integrator != NodeIntegrator::velocity_modes && integrator != NodeIntegrator::matrix)
+        return;
+    const Value* refused = draft.handles ? draft.handles : draft.limit;
+    if (refused)
+        throw Mistake{
+            refused->line,
+            fmt::format("expected no {} of the solid {} that moves as a rigid body, found one",
+                        draft.handles ? "\"handles\"" : "\"yield_stress\" or \"strength\"",
+                        in_quotes(draft.solid.name))};
+}
+
 } // namespace
 
 void read_solid(const Value& value, MeshLibrary& meshes, std::vector<SolidDescription>& solids)
@@ -103,6 +131,7 @@ void read_solid(const Value& value, MeshLibrary& meshes, std::vector<SolidDescri
     if (!draft.mesh)
         throw Mistake{value.line, fmt::format("expected a \"mesh\" in the solid {}, found none",
                                               in_quotes(solid.name))};
+    check_rigid(draft);
     solid.mesh = read_solid_mesh(*draft.mesh, meshes);
     if (draft.handles) solid.handles = read_handles(*draft.handles, solid);
     if (draft.loads) solid.loads = read_loads(*draft.loads, solid);

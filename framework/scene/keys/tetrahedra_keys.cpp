@@ -34,16 +34,16 @@ constexpr int most_cells = 1000;
 constexpr Key<BlockDraft> size_key = {
     "size", "full extent along x, y, z, each > 0 [m]",
     [](BlockDraft& b, const Value& v) { b.size = positive3(v, "an extent"); }};
-constexpr Key<BlockDraft> cells_key = {
+constexpr Key<BlockDraft> block_cells_key = {
     "cells", "of five tetrahedra each, along x, y, z", [](BlockDraft& b, const Value& v) {
         b.cells = whole_numbers<3>(v, "three numbers of cells", most_cells);
     }};
 
-constexpr Key<BlockDraft> block_keys[] = {size_key, cells_key};
+constexpr Key<BlockDraft> block_keys[] = {size_key, block_cells_key};
 
 constexpr Key<BlockDraft> notched_keys[] = {
     size_key,
-    cells_key,
+    block_cells_key,
     {"notch", "how many cells are missing: along x, and from the top down along y",
      [](BlockDraft& b, const Value& v) {
          b.notch = whole_numbers<2>(v, "two numbers of cells", most_cells);

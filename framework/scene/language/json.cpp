@@ -14,7 +14,9 @@ namespace rigor {
 
 namespace {
 
-constexpr std::size_t most_values = 1'000'000, most_levels = 32, most_keys = 64;
+// An object may name as many meshes as this, and each new key is compared with all before.
+constexpr std::size_t most_keys = 1000;
+constexpr std::size_t most_values = 1'000'000, most_levels = 32;
 
 // The number of newlines that the parser has read, and the last character.
 struct Progress {
@@ -29,11 +31,13 @@ struct Progress {
 // Reads characters and counts lines.
 class CountingIterator {
 public:
+    // NOLINTBEGIN(readability-identifier-naming): the standard library asks for these names
     using iterator_category = std::input_iterator_tag;
     using value_type = char;
     using difference_type = std::ptrdiff_t;
     using pointer = const char*;
     using reference = const char&;
+    // NOLINTEND(readability-identifier-naming)
 
     CountingIterator(const char* at, Progress* progress) : at_(at), progress_(progress) {}
     reference operator*() const { return *at_; }

@@ -18,11 +18,10 @@ std::string list_of(std::span<const std::string_view> names)
 
 void unknown_key(const Value& value, std::span<const std::string_view> names)
 {
-    const std::string_view near = nearest(value.key, names);
-    std::string hint = near.empty() ? fmt::format("expected one of {}", list_of(names))
-                                    : fmt::format("did you mean \"{}\"?", near);
-    if (names.empty()) hint = "expected no key here";
-    throw Mistake{value.line, fmt::format("unknown key {}; {}", in_quotes(value.key), hint)};
+    const std::string all = names.empty() ? std::string("expected no key here")
+                                          : fmt::format("expected one of {}", list_of(names));
+    throw Mistake{value.line, fmt::format("unknown key {}{}", in_quotes(value.key),
+                                          suggestion(value.key, names, all))};
 }
 
 const Value* find(const Value& object, std::string_view key)

@@ -114,11 +114,8 @@ std::size_t one_of(const Value& value, std::span<const std::string_view> words)
     if (value.kind == Value::Kind::string) {
         const auto word = std::find(words.begin(), words.end(), value.text);
         if (word != words.end()) return static_cast<std::size_t>(word - words.begin());
-        const std::string_view near = nearest(value.text, words);
-        if (!near.empty())
-            throw Mistake{value.line, fmt::format("expected one of {}, found {}; did you mean "
-                                                  "\"{}\"?",
-                                                  list_of(words), describe(value), near)};
+        throw Mistake{value.line, fmt::format("expected one of {}, found {}{}", list_of(words),
+                                              describe(value), suggestion(value.text, words))};
     }
     expected(fmt::format("one of {}", list_of(words)), value);
 }

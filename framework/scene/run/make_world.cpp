@@ -5,9 +5,11 @@
 
 #include "deformable/elasticity/totals.hpp"
 #include "deformable/solid/make_deformable.hpp"
+#include "formulas/kinematics.hpp"
 #include "geometry/shapes/pose.hpp"
 #include "geometry/shapes/solid_mesh.hpp"
 #include "rigid/bodies/mass.hpp"
+#include "scene/run/approximate_mass.hpp"
 
 #include <map>
 
@@ -41,6 +43,7 @@ Deformable make_solid(const SolidDescription& described)
                                        rotation_matrix(described.orientation), described.position);
     solid.integrator = described.integrator;
     solid.fracture_method = described.fracture_method;
+    solid.yield_test = described.yield_test;
     solid.handles = described.handles;
     solid.loads = described.loads;
     const Vector3d X = totals(solid).center_of_mass;
@@ -49,6 +52,34 @@ Deformable make_solid(const SolidDescription& described)
     for (std::size_t i = 0; i < solid.positions.size(); ++i)
         solid.velocities[i] = V + w.cross(solid.positions[i] - X);
     return solid;
+}
+
+// ω, given or from two orientations a moment apart.
+Vector3d angular_velocity_of(const BodyDescription& body)
+{
+    if (!body.later) return body.angular_velocity;
+    const Matrix3d R = rotation_matrix(body.orientation);
+    const Matrix3d R_later = rotation_matrix(body.later->orientation);
+    return angular_velocity((R_later - R) / body.later->after, R);
+}
+
+// Sets the mass of a body from its parts, by the method that the scene names, and moves the parts
+// so that the origin is the center of mass. Returns this center in the frame of the scene file.
+Vector3d set_mass_by(const BodyDescription& described, RigidBody& body)
+{
+    if (described.mass_method == MassMethod::exact) return set_mass_from_parts(body);
+    const MassProperties properties = approximate_mass(described);
+    for (Part& part : body.parts)
+        part.position -= properties.center_of_mass;
+    set_mass(body, properties.mass, properties.inertia);
+    return properties.center_of_mass;
+}
+
+// The point of a force in object space, if the scene gives it in world space.
+Vector3d point_of_force(const AppliedForce& force, const World& world)
+{
+    const RigidState& state = world.bodies[force.body].state;
+    return object_point(rotation_matrix(state.orientation), state.position, force.point);
 }
 
 } // namespace
@@ -67,10 +98,7 @@ RecordedWorld make_recorded_world(const Scene& scene, const RunSettings& setting
 {
     RecordedWorld made;
     World& world = made.world.rigid;
-    world.settings.gravity = scene.gravity;
-    world.settings.integrator = scene.integrator;
-    world.settings.contact_method = scene.contact_method;
-    world.settings.skips = scene.skips;
+    world.settings = scene.settings;
     world.settings.formulas_are_reference = settings.formulas_are_reference;
     world.pool = ThreadPool(settings.threads);
     world.springs = scene.springs;
@@ -89,11 +117,11 @@ RecordedWorld make_recorded_world(const Scene& scene, const RunSettings& setting
         } else if (described.mass) {
             set_mass(body, *described.mass, described.inertia.value());
         } else {
-            center = set_mass_from_parts(body);
+            center = set_mass_by(described, body);
         }
         const Matrix3d R = rotation_matrix(described.orientation);
         // L = I(t) ω,  I(t) = R I_body Rᵀ
-        const Vector3d& w = described.angular_velocity;
+        const Vector3d w = angular_velocity_of(described);
         body.state = {described.position + R * center, described.orientation, described.velocity,
                       R * (body.inertia * (R.transpose() * w))};
         made.bodies.push_back({body.is_static, body.mass, center, body.inertia});
@@ -109,6 +137,8 @@ RecordedWorld make_recorded_world(const Scene& scene, const RunSettings& setting
     }
     for (AppliedForce& force : world.forces)
         shift(force.body, force.point);
+    for (const int i : scene.world_forces)
+        world.forces[i].point = point_of_force(scene.forces[i], world);
     for (const SolidDescription& solid : scene.solids)
         made.world.solids.push_back(make_solid(solid));
     return made;

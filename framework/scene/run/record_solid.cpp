@@ -70,8 +70,11 @@ SolidFrame SolidRecorder::frame(const Deformable& solid, double time)
     frame.totals = totals(solid);
     frame.positions = solid.positions;
     frame.velocities = solid.velocities;
-    for (const Matrix3d& stress : element_stresses(solid))
-        frame.stresses.push_back(static_cast<float>(von_mises_stress(stress)));
+    if (is_rigid(solid))
+        frame.stresses.assign(solid.rest.tetrahedra.size(), 0);
+    else
+        for (const Matrix3d& stress : element_stresses(solid))
+            frame.stresses.push_back(static_cast<float>(von_mises_stress(stress)));
     for (const Matrix3d& strain : solid.plastic_strains)
         frame.plastic_strains.push_back(static_cast<float>(equivalent_strain(strain)));
     check_finite(frame, solid.name, time);

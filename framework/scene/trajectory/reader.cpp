@@ -4,12 +4,11 @@
 // again and again until the end record.
 #include "scene/trajectory/reader.hpp"
 
-#include "errors/input_error.hpp"
 #include "errors/quotes.hpp"
 #include "scene/keys/scene_keys.hpp"
+#include "scene/trajectory/rigid_records.hpp"
 
 #include <algorithm>
-#include <fstream>
 
 namespace rigor {
 
@@ -17,22 +16,6 @@ namespace {
 
 constexpr std::size_t most_name_bytes = 255, most_text_bytes = 16'000'000,
                       most_contacts = 1'000'000;
-constexpr std::size_t body_bytes = 1 + 13 * sizeof(double), state_bytes = 13 * sizeof(double),
-                      contact_bytes = 2 * sizeof(std::int32_t) + 10 * sizeof(double);
-
-void check_state(const RigidState& state, std::int64_t step, const std::string& body)
-{
-    const bool is_finite = state.position.allFinite() && std::isfinite(state.orientation.s) &&
-                           state.orientation.v.allFinite() && state.velocity.allFinite() &&
-                           state.angular_momentum.allFinite();
-    if (is_finite) return; // the usual case needs no text for an error
-    const std::string where = fmt::format("step {}, body {}", step, in_quotes(body));
-    check_finite(state.position, where, "position");
-    check_finite(state.orientation.s, where, "orientation");
-    check_finite(state.orientation.v, where, "orientation");
-    check_finite(state.velocity, where, "velocity");
-    check_finite(state.angular_momentum, where, "angular momentum");
-}
 
 } // namespace
 
@@ -130,22 +113,8 @@ void TrajectoryReader::read_text(ByteCursor& bytes)
 
 void TrajectoryReader::read_bodies(ByteCursor& bytes)
 {
-    for (const BodyDescription& described : scene_.bodies) {
-        const std::string where = fmt::format("header, body {}", in_quotes(described.name));
-        RecordedBody body;
-        const std::uint8_t is_static = bytes.take<std::uint8_t>();
-        if (is_static != (described.is_static ? 1 : 0))
-            fail(where, described.is_static ? "a static body" : "a body that moves",
-                 fmt::format("mark {}", is_static));
-        body.is_static = described.is_static;
-        body.mass = bytes.take<double>();
-        body.center_of_mass = bytes.take<Vector3d>();
-        body.inertia = bytes.take<Matrix3d>();
-        check_finite(body.mass, where, "mass");
-        check_finite(body.center_of_mass, where, "center of mass");
-        check_finite(body.inertia, where, "inertia");
-        bodies_.push_back(body);
-    }
+    for (const BodyDescription& described : scene_.bodies)
+        bodies_.push_back(read_recorded_body(bytes, described));
     if (version_ == 1)
         start();
     else
@@ -195,16 +164,8 @@ void TrajectoryReader::read_frame(ByteCursor& bytes)
     const double time = static_cast<double>(frame_.step) * scene_.time_step;
     if (!(std::abs(frame_.time - time) <= 1e-6 * scene_.time_step + 1e-9 * time))
         fail(where, fmt::format("the time {}", time), fmt::format("{}", frame_.time));
-    for (const BodyDescription& body : scene_.bodies) {
-        RigidState state;
-        state.position = bytes.take<Vector3d>();
-        state.orientation.s = bytes.take<double>();
-        state.orientation.v = bytes.take<Vector3d>();
-        state.velocity = bytes.take<Vector3d>();
-        state.angular_momentum = bytes.take<Vector3d>();
-        check_state(state, frame_.step, body.name);
-        frame_.bodies.push_back(state);
-    }
+    for (const BodyDescription& body : scene_.bodies)
+        frame_.bodies.push_back(read_state(bytes, frame_.step, body));
     const std::size_t contacts =
         count_of(where, "contacts", bytes.take<std::uint32_t>(), most_contacts);
     next(&TrajectoryReader::read_contacts, contacts * contact_bytes);
@@ -212,26 +173,9 @@ void TrajectoryReader::read_frame(ByteCursor& bytes)
 
 void TrajectoryReader::read_contacts(ByteCursor& bytes)
 {
-    const std::string where = fmt::format("step {}, a contact", frame_.step);
     const std::int64_t bodies = static_cast<std::int64_t>(scene_.bodies.size());
-    for (std::size_t count = bytes.left() / contact_bytes; count > 0; --count) {
-        ContactRecord contact;
-        contact.body1 = bytes.take<std::int32_t>();
-        contact.body2 = bytes.take<std::int32_t>();
-        for (const int body : {contact.body1, contact.body2})
-            if (body < 0 || body >= bodies)
-                fail(where, fmt::format("a body from 0 to {}", bodies - 1),
-                     fmt::format("{}", body));
-        contact.depth = bytes.take<double>();
-        contact.point = bytes.take<Vector3d>();
-        contact.normal = bytes.take<Vector3d>();
-        contact.impulse = bytes.take<Vector3d>();
-        check_finite(contact.depth, where, "depth");
-        check_finite(contact.point, where, "point");
-        check_finite(contact.normal, where, "normal");
-        check_finite(contact.impulse, where, "impulse");
-        frame_.contacts.push_back(contact);
-    }
+    for (std::size_t count = bytes.left() / contact_bytes; count > 0; --count)
+        frame_.contacts.push_back(read_contact(bytes, frame_.step, bodies));
     next_solid();
 }
 
@@ -313,28 +257,6 @@ void TrajectoryReader::read_counters(ByteCursor& bytes)
         counters.*field.member = bytes.take<std::uint64_t>();
     complete_ = true;
     if (handlers_.on_end) handlers_.on_end(counters);
-}
-
-Trajectory load_trajectory(const std::filesystem::path& file)
-{
-    std::error_code error;
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream || !std::filesystem::is_regular_file(file, error))
-        throw InputError(
-            fmt::format("{}: expected a trajectory file, found {}", file.string(),
-                        std::filesystem::exists(file, error) ? "something else" : "nothing"));
-    Trajectory trajectory;
-    TrajectoryReader reader(trajectory);
-    try {
-        std::vector<char> chunk(1 << 16);
-        while (stream.read(chunk.data(), static_cast<std::streamsize>(chunk.size())),
-               stream.gcount() > 0)
-            reader.feed(std::as_bytes(std::span(chunk.data(), stream.gcount())));
-        if (!reader.started()) fail("header", "a whole one", "the end of the file");
-    } catch (const InputError& mistake) {
-        throw InputError(fmt::format("{}: {}", file.string(), mistake.what()));
-    }
-    return trajectory;
 }
 
 } // namespace rigor

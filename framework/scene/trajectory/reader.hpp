@@ -3,7 +3,6 @@
 
 #include "scene/trajectory/solid_records.hpp"
 
-#include <filesystem>
 #include <functional>
 #include <span>
 #include <string>
@@ -70,8 +69,5 @@ private:
     std::int64_t last_step_ = -1;
     bool started_ = false, complete_ = false, broken_ = false;
 };
-
-/// The trajectory of a file, as far as the file goes. @throws InputError
-Trajectory load_trajectory(const std::filesystem::path& file);
 
 } // namespace rigor

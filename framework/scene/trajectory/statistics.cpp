@@ -61,15 +61,15 @@ FrameStatistics Statistics::of(const Frame& frame) const
         const double M = bodies_[i].mass;
         const Vector3d &X = state.position, &V = state.velocity, &L = state.angular_momentum;
         sums.kinetic_energy += 0.5 * M * V.squaredNorm() + 0.5 * L.dot(angular_velocity(i, state));
-        sums.potential_energy -= M * scene_.gravity.dot(X);
+        sums.potential_energy -= M * scene_.settings.gravity.dot(X);
         sums.momentum += M * V;
         sums.angular_momentum += X.cross(M * V) + L;
     }
     for (const SolidFrame& solid : frame.solids) {
         const DeformableTotals& totals = solid.totals;
         sums.kinetic_energy += totals.kinetic_energy;
-        sums.potential_energy +=
-            totals.elastic_energy - totals.mass * scene_.gravity.dot(totals.center_of_mass);
+        sums.potential_energy += totals.elastic_energy -
+                                 totals.mass * scene_.settings.gravity.dot(totals.center_of_mass);
         sums.momentum += totals.momentum;
         sums.angular_momentum += totals.angular_momentum;
         sums.solids.push_back(statistics_of(solid));

@@ -21,3 +21,14 @@ TEST_CASE("nearest: a word unlike every name gets none", "[errors]")
     CHECK(nearest("", names).empty());
     CHECK(nearest(std::string(100, 'b'), names).empty());
 }
+
+TEST_CASE("nearest: a suggestion is the nearest name in quotes or else what the caller says",
+          "[errors]")
+{
+    constexpr std::array<std::string_view, 2> names = {"box", "sphere"};
+    CHECK(suggestion("sphre", names, "there are two") == "; did you mean \"sphere\"?");
+    CHECK(suggestion("velocity", names, "there are two") == "; there are two");
+    CHECK(suggestion("velocity", names).empty());
+    const std::array<std::string, 1> escaped = {"a\nball"};
+    CHECK(suggestion("a ball", escaped) == "; did you mean \"a\\nball\"?");
+}

@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "errors/input_error.hpp"
 #include "report/result_json.hpp"
 #include "results.hpp"
 #include "scene/description/scene.hpp"
 #include "support/catch.hpp"
-#include "support/temporary_folder.hpp"
 
 #include <nlohmann/json.hpp>
-
-#include <sstream>
 
 namespace rigor::testing {
 
@@ -51,19 +47,6 @@ TEST_CASE("report: hostile bytes stay inside their text", "[report]")
     const nlohmann::json value = nlohmann::json::parse(to_json({result}));
     REQUIRE(value["status"] == "compile_error");
     REQUIRE(value["score"] == 2);
-}
-
-TEST_CASE("report: a file is written whole or not at all", "[report]")
-{
-    const TemporaryFolder folder;
-    const auto file = folder.path() / "result.json";
-    write_whole(file, "first");
-    write_whole(file, "second");
-    std::stringstream text;
-    text << std::ifstream(file).rdbuf();
-    REQUIRE(text.str() == "second");
-    REQUIRE(std::distance(std::filesystem::directory_iterator(folder.path()), {}) == 1);
-    REQUIRE_THROWS_AS(write_whole(folder.path() / "no" / "file", "x"), InputError);
 }
 
 } // namespace rigor::testing

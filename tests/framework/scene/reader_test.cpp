@@ -2,6 +2,7 @@
 #include "errors/input_error.hpp"
 #include "scene/keys/scene_keys.hpp"
 #include "scene/trajectory/reader.hpp"
+#include "scene/trajectory/trajectory_file.hpp"
 #include "scene/trajectory/writer.hpp"
 #include "support/random.hpp"
 #include "trajectory_bytes.hpp"

@@ -62,11 +62,11 @@ TEST_CASE("scene: what is written is what is read")
     CHECK(scene.name == "some.scene");
     CHECK(scene.text == text);
     CHECK(scene.description == "A ball on a spring.");
-    CHECK(scene.gravity == Vector3d(0, -1, 0));
+    CHECK(scene.settings.gravity == Vector3d(0, -1, 0));
     CHECK(scene.time_step == 0.02);
     CHECK(scene.end == 4);
     CHECK(scene.frames_per_second == 25);
-    CHECK(scene.integrator == Integrator::buss);
+    CHECK(scene.settings.integrator == Integrator::buss);
     REQUIRE(scene.bodies.size() == 2);
     const BodyDescription& ball = scene.bodies[0];
     CHECK(std::get<Sphere>(ball.parts.at(0).shape).radius == 2);

@@ -154,7 +154,8 @@ TEST_CASE("solids: a material that cannot be is refused")
         "s:3: expected one of \"faces\", \"elements\", \"virtual_nodes\", found \"face\"; did you "
         "mean \"faces\"?");
     CHECK(refused("\"integrator\": \"euler\"") ==
-          "s:3: expected one of \"explicit\", \"implicit\", found \"euler\"");
+          "s:3: expected one of \"explicit\", \"implicit\", \"velocity_modes\", \"matrix\", found "
+          "\"euler\"");
 }
 
 TEST_CASE("solids: a handle or load that acts on nothing is refused")

@@ -82,6 +82,7 @@ int Bench::finish(bool json) const
         result["rows"] = Json::array();
         for (const Row& row : rows_)
             result["rows"].push_back(json_of(row));
+        result["not_installed"] = missing_;
         result["reach"] = Json::array();
         for (const Reach& r : reach_)
             result["reach"].push_back({{"what", r.what},
@@ -98,6 +99,9 @@ int Bench::finish(bool json) const
             ++end;
         print_table(rows_.data() + begin, rows_.data() + end);
     }
+    for (const std::string& engine : missing_)
+        std::printf("  Not compared with %s: lib%s-dev was not installed when this was built.\n",
+                    engine == "ode" ? "ODE" : "Bullet", engine.c_str());
     for (const std::string& note : notes_)
         std::printf("  %s\n", note.c_str());
     for (const Reach& r : reach_)

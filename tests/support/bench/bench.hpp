@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Tools of every benchmark: a timer that resists drift, a table, and the JSON format of DESIGN.md.
+// Tools of every benchmark: a timer that resists drift, a table, and one JSON format for all.
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <string>
 #include <utility>
@@ -21,7 +22,7 @@ struct Reach {
 };
 
 /// Collects rows and promises, then prints them once: as a table, or as one JSON object
-/// `{bench, machine, rows, reach}`.
+/// `{bench, machine, rows, not_installed, reach}`.
 class Bench {
 public:
     using Value = std::variant<double, std::string>;
@@ -34,6 +35,9 @@ public:
     void reach(Reach reach) { reach_.push_back(std::move(reach)); }
     /// A line of text below the table: how something was measured.
     void note(std::string text) { notes_.push_back(std::move(text)); }
+    /// Says that an engine to compare with was not installed when this was built, so that no row
+    /// and no promise of it is missed in silence. `engine` is "bullet" or "ode".
+    void missing(std::string engine) { missing_.push_back(std::move(engine)); }
 
     /// Prints to standard output. @return the exit status, 0: a missed promise is a result
     int finish(bool json) const;
@@ -42,8 +46,17 @@ private:
     std::string name_;
     std::vector<Row> rows_;
     std::vector<Reach> reach_;
-    std::vector<std::string> notes_;
+    std::vector<std::string> notes_, missing_;
 };
+
+/// Calls `Bench::missing` for Bullet and for ODE, unless a contestant runs it.
+template <class Contestants> void note_missing_engines(Bench& bench, const Contestants& contestants)
+{
+    for (const char* engine : {"bullet", "ode"})
+        if (std::none_of(contestants.begin(), contestants.end(),
+                         [&](const auto& contestant) { return contestant.engine == engine; }))
+            bench.missing(engine);
+}
 
 /// Whether `--json` is among the arguments.
 bool wants_json(int argc, char** argv);

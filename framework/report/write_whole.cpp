@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#include "report/write_whole.hpp"
+
+#include "errors/input_error.hpp"
+
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <unistd.h>
+
+namespace rigor {
+
+void write_whole(const std::filesystem::path& file, const std::string& content)
+{
+    const std::string draft = file.string() + ".new";
+    const auto fail = [&] {
+        throw InputError(file.string() + ": cannot be written: " + std::strerror(errno));
+    };
+    const int descriptor = open(draft.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+    if (descriptor < 0) fail();
+    bool ok = true;
+    for (std::size_t sent = 0; ok && sent < content.size();) {
+        const ssize_t n = write(descriptor, content.data() + sent, content.size() - sent);
+        ok = n > 0;
+        if (ok) sent += static_cast<std::size_t>(n);
+    }
+    // fsync before the rename: after a crash there is either the old file or the new one.
+    ok = fsync(descriptor) == 0 && ok;
+    close(descriptor);
+    if (!ok || rename(draft.c_str(), file.c_str()) != 0) fail();
+}
+
+} // namespace rigor
