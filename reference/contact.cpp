@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Solutions of assignment A5: the impulses of many contacts between many bodies. A5.1 to A5.4
 // resolve one contact after the other, the deepest first, and then level by level from the ground
-// up (Guendelman, Bridson and Fedkiw 2003, sections 7 and 8). A5.5 resolves all contacts together
+// up (Guendelman, Bridson and Fedkiw 2003). A5.5 resolves all contacts together
 // by projected Gauss–Seidel (Jean 1999).
 #include "formulas/contact.hpp"
 

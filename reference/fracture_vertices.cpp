@@ -162,7 +162,8 @@ void divide(std::vector<Part>& parts, const Vector4d& h)
         Part above = {{}, {}}, below = {{}, {}};
         for (int c = 0; c < 4; ++c)
             (h[c] >= 0 ? above : below).real[c] = parts[i].real[c];
-        if (above.real == Tetrahedron() || below.real == Tetrahedron()) continue;
+        const Tetrahedron nothing = {};
+        if (above.real == nothing || below.real == nothing) continue;
 
         for (const Piece& piece : parts[i].pieces)
             clip(piece, piece.transpose() * h, above.pieces, below.pieces);

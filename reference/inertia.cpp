@@ -106,12 +106,12 @@ MassProperties solid_box(double density, const Vector3d& size)
 
 MassProperties solid_cylinder(double density, double radius, double height)
 {
-    const double rho = density, r = radius, h = height;
-    const double M = rho * pi * r * r * h;
+    const double rho = density, r = radius, l = height;
+    const double M = rho * pi * r * r * l;
 
-    // Iyy = ½ M r²    Ixx = Izz = M/12 (3 r² + h²)
+    // Iyy = ½ M r²    Ixx = Izz = M/12 (3 r² + l²)
     const double Iyy = M / 2 * r * r;
-    const double Ixx = M / 12 * (3 * r * r + h * h);
+    const double Ixx = M / 12 * (3 * r * r + l * l);
     return {M, Vector3d::Zero(), Vector3d(Ixx, Iyy, Ixx).asDiagonal()};
 }
 
@@ -158,21 +158,22 @@ MassProperties mesh_mass_properties(const TriangleMesh& mesh, double density)
     // For a closed mesh, the sum does not depend on the common apex o of the tetrahedra. An apex on
     // the mesh keeps the terms as small as the body, however far the body is from the origin.
     const auto vertex = [&](int i) -> const Vector3d& { return mesh.vertices[i]; };
-    const Vector3d o = vertex(mesh.triangles[0][0]);
+    const Vector3d& o = vertex(mesh.triangles[0][0]);
 
     double V = 0;
     Vector3d Vx = Vector3d::Zero();
     Matrix3d Vxx = Matrix3d::Zero();
     for (const auto& [i, j, k] : mesh.triangles) {
-        const Vector3d a = vertex(i) - o, b = vertex(j) - o, c = vertex(k) - o;
-        const Vector3d s = a + b + c;
-        const double det = a.dot(b.cross(c));
+        const Vector3d x1 = vertex(i) - o, x2 = vertex(j) - o, x3 = vertex(k) - o;
+        const Vector3d s = x1 + x2 + x3;
+        const double det = x1.dot(x2.cross(x3));
 
-        // ∫ dV = det/6    ∫ x dV = det/24 s    ∫ x xᵀ dV = det/120 (s sᵀ + a aᵀ + b bᵀ + c cᵀ)
+        // ∫ dV = det/6    ∫ x dV = det/24 s    ∫ x xᵀ dV = det/120 (s sᵀ + x₁x₁ᵀ + x₂x₂ᵀ + x₃x₃ᵀ)
         V += det / 6;
         Vx += det / 24 * s;
-        Vxx += det / 120 *
-               (s * s.transpose() + a * a.transpose() + b * b.transpose() + c * c.transpose());
+        Vxx +=
+            det / 120 *
+            (s * s.transpose() + x1 * x1.transpose() + x2 * x2.transpose() + x3 * x3.transpose());
     }
     const double M = density * V;
     if (M == 0) return {}; // no volume or no density
@@ -199,6 +200,22 @@ MassProperties combine(const MassProperties& a, const MassProperties& b)
 
     // I = I₁ + M₁ (X₁ - X)*ᵀ (X₁ - X)* + I₂ + M₂ (X₂ - X)*ᵀ (X₂ - X)*
     return {M, X, I1 + point_inertia(M1, X1 - X) + I2 + point_inertia(M2, X2 - X)};
+}
+
+MassProperties bounding_box_mass_properties(const std::vector<Vector3d>& vertices, double mass)
+{
+    if (vertices.empty() || mass == 0) return {};
+
+    Vector3d low = vertices.front(), high = low;
+    for (const Vector3d& vertex : vertices) {
+        low = low.cwiseMin(vertex);
+        high = high.cwiseMax(vertex);
+    }
+
+    // Ixx = M/12 (b² + c²), and so on, for the edges (a, b, c)
+    const Vector3d squares = (high - low).cwiseAbs2();
+    const Vector3d I = mass / 12 * (squares.sum() * Vector3d::Ones() - squares);
+    return {mass, (low + high) / 2, I.asDiagonal()};
 }
 
 } // namespace rigor

@@ -87,4 +87,27 @@ MatrixStateRate equations_of_motion(const MatrixState& state, double inverse_mas
     return {V, cross_matrix(w) * R, F * inverse_mass, tau};
 }
 
+Matrix36d velocity_mode_rates(const Vector3d& V, const Vector3d& v)
+{
+    // Ṡ = ( 0  V* - v* )
+    Matrix36d S_dot;
+    S_dot << Matrix3d::Zero(), cross_matrix(V - v);
+    return S_dot;
+}
+
+Wrench inertial_wrench(const std::vector<Particle>& particles, const Vector3d& X, const Vector3d& V,
+                       const Vector3d& omega)
+{
+    Eigen::Matrix<double, 6, 1> u, sum = Eigen::Matrix<double, 6, 1>::Zero();
+    u << V, omega;
+
+    // Σ mᵢ Sᵢᵀ Ṡᵢ u
+    for (const Particle& particle : particles) {
+        const Vector3d v = point_velocity(V, omega, X, particle.position);
+        const Matrix36d S = velocity_modes(X, particle.position);
+        sum += particle.mass * S.transpose() * (velocity_mode_rates(V, v) * u);
+    }
+    return {sum.head<3>(), sum.tail<3>()};
+}
+
 } // namespace rigor

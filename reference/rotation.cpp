@@ -130,7 +130,7 @@ Quaternion advance_exact(const Quaternion& q, const Vector3d& omega, double time
 {
     if (omega.isZero(0)) return q; // there is no axis to turn about
 
-    // (cos|Δt ω/2|, sin|Δt ω/2| ω/|ω|) q
+    // (cos(Δt |ω|/2), sin(Δt |ω|/2) ω/|ω|) q
     constexpr double largest = std::numeric_limits<double>::max(); // sin(∞) is NaN
     const double half_angle = std::clamp(time_step / 2 * omega.stableNorm(), -largest, largest);
     const Vector3d axis = direction(omega);

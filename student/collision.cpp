@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Assignment A4. Read: assignments/a4-collision/README.md, then framework/formulas/collision.hpp,
-// which says what each function takes and gives, and what it does in special cases.
+// which says what each function takes and returns, and what it does in special cases.
 // Check: ./rigor check collision, or one task, ./rigor check A4.5
 #include "formulas/collision.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Assignment A5. Read: assignments/a5-contact/README.md, then framework/formulas/contact.hpp,
-// which says what each function takes and gives, and what it does in special cases.
+// which says what each function takes and returns, and what it does in special cases.
 // Check: ./rigor check contact, or one task, ./rigor check A5.3
 #include "formulas/contact.hpp"
 

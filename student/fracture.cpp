@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Assignment A7. Read: assignments/a7-fracture/README.md, then framework/formulas/fracture.hpp,
-// which says what each function takes and gives, and what it does in special cases.
+// which says what each function takes and returns, and what it does in special cases.
 // Check: ./rigor check fracture, or one task, ./rigor check A7.3
 #include "formulas/fracture.hpp"
 

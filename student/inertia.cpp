@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Assignment A2. Read: assignments/a2-inertia/README.md, then framework/formulas/inertia.hpp,
-// which says what each function takes and gives, and what it does in special cases.
+// which says what each function takes and returns, and what it does in special cases.
 // Check: ./rigor check inertia, or one task, ./rigor check A2.4
 #include "formulas/inertia.hpp"
 
@@ -30,7 +30,7 @@ PrincipalAxes principal_axes(const Matrix3d& I)
     throw NotImplemented("inertia::principal_axes");
 }
 
-// A2.5  1/mᵢ, but 0 where mᵢ ≤ 1e-12 max(m)
+// A2.5  1/Jᵢ, but 0 where Jᵢ ≤ 1e-12 max(J)
 Vector3d invert_moments(const Vector3d& moments)
 {
     throw NotImplemented("inertia::invert_moments");
@@ -48,7 +48,7 @@ MassProperties solid_box(double density, const Vector3d& size)
     throw NotImplemented("inertia::solid_box");
 }
 
-// A2.8  M = ρ π r² h    Iyy = ½ M r²    Ixx = Izz = M/12 (3 r² + h²)
+// A2.8  M = ρ π r² l    Iyy = ½ M r²    Ixx = Izz = M/12 (3 r² + l²)
 MassProperties solid_cylinder(double density, double radius, double height)
 {
     throw NotImplemented("inertia::solid_cylinder");
@@ -88,6 +88,12 @@ MassProperties mesh_mass_properties(const TriangleMesh& mesh, double density)
 MassProperties combine(const MassProperties& a, const MassProperties& b)
 {
     throw NotImplemented("inertia::combine");
+}
+
+// A2.17  the box that bounds the vertices, with the given mass
+MassProperties bounding_box_mass_properties(const std::vector<Vector3d>& vertices, double mass)
+{
+    throw NotImplemented("inertia::bounding_box_mass_properties");
 }
 
 } // namespace rigor

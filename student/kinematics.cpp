@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Assignment A1. Read: assignments/a1-kinematics/README.md, then framework/formulas/kinematics.hpp,
-// which says what each function takes and gives, and what it does in special cases.
+// which says what each function takes and returns, and what it does in special cases.
 // Check: ./rigor check kinematics, or one task, ./rigor check A1.4
 #include "formulas/kinematics.hpp"
 
@@ -60,6 +60,19 @@ MatrixStateRate equations_of_motion(const MatrixState& state, double inverse_mas
                                     const Matrix3d& I_inverse, const Wrench& wrench)
 {
     throw NotImplemented("kinematics::equations_of_motion");
+}
+
+// A1.12  Ṡ = ( 0  V* - v* )
+Matrix36d velocity_mode_rates(const Vector3d& V, const Vector3d& v)
+{
+    throw NotImplemented("kinematics::velocity_mode_rates");
+}
+
+// A1.13  Σ mᵢ Sᵢᵀ Ṡᵢ u
+Wrench inertial_wrench(const std::vector<Particle>& particles, const Vector3d& X, const Vector3d& V,
+                       const Vector3d& omega)
+{
+    throw NotImplemented("kinematics::inertial_wrench");
 }
 
 } // namespace rigor

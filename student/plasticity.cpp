@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Assignment A6. Read: assignments/a6-plasticity/README.md, then framework/formulas/plasticity.hpp,
-// which says what each function takes and gives, and what it does in special cases.
+// which says what each function takes and returns, and what it does in special cases.
 // Check: ./rigor check plasticity, or one task, ./rigor check A6.3
 #include "formulas/plasticity.hpp"
 

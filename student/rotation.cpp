@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Assignment A3. Read: assignments/a3-rotation/README.md, then framework/formulas/rotation.hpp,
-// which says what each function takes and gives, and what it does in special cases.
+// which says what each function takes and returns, and what it does in special cases.
 // Check: ./rigor check rotation, or one task, ./rigor check A3.5
 #include "formulas/rotation.hpp"
 
@@ -66,7 +66,7 @@ Quaternion quaternion_rate(const Quaternion& q, const Vector3d& omega)
     throw NotImplemented("rotation::quaternion_rate");
 }
 
-// A3.11  (cos|Δt ω/2|, sin|Δt ω/2| ω/|ω|) q, smooth at ω = 0
+// A3.11  (cos(Δt |ω|/2), sin(Δt |ω|/2) ω/|ω|) q, smooth at ω = 0
 Quaternion advance_exact(const Quaternion& q, const Vector3d& omega, double time_step)
 {
     throw NotImplemented("rotation::advance_exact");

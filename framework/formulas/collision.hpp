@@ -27,7 +27,8 @@ double sample_level_set(const LevelSet& grid, const Vector3d& p);
 /// point of the grid's box. Zero gradient: (0, 1, 0).
 Vector3d level_set_normal(const LevelSet& grid, const Vector3d& p);
 
-/// A4.3 Relative velocity at x, v = v₁ - v₂ with vᵢ = ωᵢ × (x - Xᵢ) + Vᵢ [m/s].
+/// A4.3 Relative velocity at x, v = v₁ - v₂ with vᵢ = ωᵢ × (x - Xᵢ) + Vᵢ [m/s]. A static body may
+/// have a velocity, like the belt of a conveyor.
 /// Lecture: "Frictionless impulse".
 Vector3d relative_velocity(const Body& body1, const Body& body2, const Vector3d& x);
 
@@ -38,9 +39,11 @@ Vector3d relative_velocity(const Body& body1, const Body& body2, const Vector3d&
 Matrix3d impulse_matrix(double inverse_mass, const Matrix3d& I_inverse, const Vector3d& X,
                         const Vector3d& x);
 
-/// A4.5 Frictionless impulse j = -(1 + ε) vₙ / (nᵀ K n) n [N s].
+/// A4.5 Frictionless impulse j = -(1 + ε) vₙ / (nᵀ K n) n [N s]. Like A4.6 and A4.8 it does not ask
+/// whether the bodies approach.
 /// Lecture: "Computing frictionless impulse".
 ///
+/// The formula also holds for bodies that separate, where it pulls; A4.9 leaves those alone.
 /// Both bodies static (nᵀ K n = 0): zero.
 Vector3d frictionless_impulse(const Matrix3d& K, const Vector3d& v, const Vector3d& n,
                               double restitution);
@@ -48,7 +51,8 @@ Vector3d frictionless_impulse(const Matrix3d& K, const Vector3d& v, const Vector
 /// A4.6 Impulse that stops all tangential motion, j = K⁻¹ (-v - ε vₙ n).
 /// Lecture: "Computing static friction".
 ///
-/// K is symmetric positive definite unless both bodies are static (K = 0): zero.
+/// Like A4.5 it also holds for bodies that separate. K is symmetric positive definite unless both
+/// bodies are static (K = 0): zero.
 Vector3d static_friction_impulse(const Matrix3d& K, const Vector3d& v, const Vector3d& n,
                                  double restitution);
 

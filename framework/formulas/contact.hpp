@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Topic `contact`, assignment A5: many contact points, many bodies, stacks.
 // Source: lecture "Inertia, rotation, impulses", "Rigid collision algorithms"; Guendelman, Bridson
-// and Fedkiw (2003), "Nonconvex rigid bodies with stacking", sections 7 and 8. Conventions:
+// and Fedkiw (2003), "Nonconvex rigid bodies with stacking". Conventions:
 // types.hpp. Everything is in world space; n points from body 2 to body 1; v = v1 - v2 at the
 // contact's point; body 1 receives +j, body 2 receives -j.
 //
@@ -15,7 +15,7 @@
 namespace rigor {
 
 /// A5.1 Restitution of iteration k = 0 … n-1 of n: ε = (k + 1)/n - 1, from nearly -1 up to 0.
-/// Paper: section 7.1, where n = 10 gives -0.9, -0.8, … 0.
+/// The paper takes n = 10, which gives -0.9, -0.8, … 0.
 ///
 /// A negative restitution removes only a part of the approaching velocity, so that the first
 /// contact point does not take the whole load. k < 0 counts as 0. The result is 0 for k ≥ n - 1 and
@@ -23,7 +23,7 @@ namespace rigor {
 double contact_restitution(int k, int n);
 
 /// A5.2 Contacts resolved one at a time, the deepest first, in n iterations with increasing
-/// restitution. Paper: section 7.1.
+/// restitution.
 ///
 /// Iteration k visits each contact once, in order of depth, the deepest first (of equal depths, the
 /// one that comes first in `contacts`). If the bodies of a contact approach at that moment,
@@ -36,7 +36,7 @@ double contact_restitution(int k, int n);
 ContactResult resolve_contacts(const std::vector<Body>& bodies,
                                const std::vector<BodyContact>& contacts, int n);
 
-/// A5.3 The level of each body: its height above the ground, counted in bodies. Paper: section 8.
+/// A5.3 The level of each body: its height above the ground, counted in bodies.
 ///
 /// A static body has level 0. The level of any other body is one more than the highest level among
 /// the bodies that it rests on (1 if it rests on nothing). Bodies that rest on each other in a
@@ -50,7 +50,7 @@ std::vector<int> contact_levels(const std::vector<std::vector<int>>& rests_on,
                                 const std::vector<bool>& is_static);
 
 /// A5.4 Contacts resolved level by level, from the ground up, so that the weight of the upper
-/// bodies cannot push the lower ones into each other. Paper: section 8, "shock propagation".
+/// bodies cannot push the lower ones into each other: "shock propagation".
 ///
 /// For each level ℓ = 1, 2, … the contacts whose higher body has level ℓ are resolved as in
 /// `resolve_contacts` with n iterations. Meanwhile every body of a level below ℓ is held: it keeps
@@ -67,7 +67,7 @@ ContactResult shock_propagation(const std::vector<Body>& bodies,
 /// A5.5 All contacts resolved at once, by sweeps of projected Gauss–Seidel on the friction-cone
 /// problem.
 /// Source: Jean (1999), "The non-smooth contact dynamics method"; Erleben (2007), "Velocity-based
-/// shock propagation for multibody dynamics animation", section 3.
+/// shock propagation for multibody dynamics animation".
 ///
 /// First the `impulse` of every contact (the warm start) is applied to its bodies. Then each sweep
 /// visits the contacts in the order given. With the velocity v at that moment, the total impulse j
@@ -77,7 +77,8 @@ ContactResult shock_propagation(const std::vector<Body>& bodies,
 ///     j_T ← j_T - v_T / λ,  shortened to |j_T| = μ jₙ where it is longer
 ///
 /// Here λ is the larger eigenvalue of K perpendicular to n (that of P K P with P = δ - n nᵀ), and
-/// jₙ on the second line is the new one. The bodies receive the difference of the impulses at once.
+/// jₙ on the second line is the new one, while v is the same on both lines. The bodies receive the
+/// difference of the impulses at once.
 /// Where the sweeps converge, all contacts satisfy their laws at the same time: jₙ ≥ 0 and v·n ≥ s,
 /// at least one of the two with equality, and |j_T| ≤ μ jₙ. Where v_T ≠ 0, |j_T| = μ jₙ and j_T is
 /// opposite to v_T.

@@ -8,8 +8,8 @@
 //
 // Meshes are conforming: two tetrahedra share a whole face, a whole edge, a vertex or nothing, at
 // most two tetrahedra share a face, and the tetrahedra around each vertex are connected through
-// faces. The returned meshes are conforming too. Every index is valid; for an invalid index the
-// result may be anything finite.
+// faces. A vertex that no tetrahedron uses is kept. The returned meshes are conforming too. Every
+// index is valid; for an invalid index the result may be anything finite.
 #pragma once
 
 #include "formulas/not_implemented.hpp"
@@ -41,7 +41,7 @@ std::optional<Vector3d> crack_plane(const Matrix3d& stress, double threshold);
 /// A7.4 The face of a tetrahedron whose normal is nearest to the normal of a crack: the f with the
 /// largest |n_f · n|. The signs of both normals do not matter. Of equal faces, the lowest f.
 ///
-/// @param tetrahedron  its vertices [m]; a face without area counts as perpendicular to the crack
+/// @param tetrahedron  its vertices [m]; for a face without area, |n_f · n| counts as 0
 /// @param normal       n, unit
 /// @return  0 … 3, the face opposite the vertex of this number
 int closest_face(const std::array<Vector3d, 4>& tetrahedron, const Vector3d& normal);
@@ -69,7 +69,8 @@ SplitMesh split_along_faces(const TetrahedralMesh& mesh, const std::vector<MeshF
 /// crosses the plane. All tetrahedra of the mesh that have this edge are halved there, also those
 /// without the vertex, so that the mesh stays conforming. The edges are processed one after
 /// another, in any order. Then each tetrahedron of the vertex is on one side of the plane: the side
-/// of its vertices that do not lie on the plane, or the side of its center if all of them do. The
+/// of its vertices that do not lie on the plane, or the side of its center if all of them do (a
+/// center exactly on the plane is above). The
 /// mesh splits, as in `split_along_faces`, along the faces between tetrahedra on different sides.
 /// The volume is conserved and no tetrahedron is inverted.
 ///

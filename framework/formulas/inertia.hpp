@@ -25,7 +25,7 @@ Matrix3d world_inertia(const Matrix3d& R, const Matrix3d& I_body);
 /// only once.
 Matrix3d world_inverse_inertia(const Matrix3d& R, const Matrix3d& I_body_inverse);
 
-/// A2.4 Principal axes: a rotation Q (det +1) and ascending moments with I = Q diag(moments) Qᵀ.
+/// A2.4 Principal axes: a rotation Q (det +1) and ascending moments J with I = Q diag(J) Qᵀ.
 ///
 /// Moments that are negative because of rounding become 0. If moments are repeated, any rotation
 /// that satisfies the equation is correct.
@@ -33,14 +33,14 @@ Matrix3d world_inverse_inertia(const Matrix3d& R, const Matrix3d& I_body_inverse
 /// @param I  symmetric, positive semi-definite [kg m²]
 PrincipalAxes principal_axes(const Matrix3d& I);
 
-/// A2.5 Inverse of principal moments, 1/mᵢ, but 0 where mᵢ is 0.
+/// A2.5 Inverse of principal moments, 1/Jᵢ, but 0 where Jᵢ is 0.
 /// Lecture: "Degenerate inertia tensors".
 ///
 /// The rotation of a thin rod about its own axis, or of a point about any axis, has no effect; the
-/// result for such an axis is 0. A moment counts as 0 if mᵢ ≤ 1e-12 max(m), so that rounding errors
+/// result for such an axis is 0. A moment counts as 0 if Jᵢ ≤ 1e-12 max(J), so that rounding errors
 /// are not inverted. If all moments are zero, the result is zero.
 ///
-/// @param moments  each ≥ 0 [kg m²]
+/// @param moments  J, each ≥ 0 [kg m²]
 Vector3d invert_moments(const Vector3d& moments);
 
 /// A2.6 A solid sphere about its center: M = ρ 4/3 π r³, I = 2/5 M r² δ.
@@ -59,7 +59,9 @@ MassProperties solid_sphere(double density, double radius);
 MassProperties solid_box(double density, const Vector3d& size);
 
 /// A2.8 A solid cylinder about its center, its axis along y:
-/// M = ρ π r² h, Iyy = ½ M r², Ixx = Izz = M/12 (3 r² + h²).
+/// M = ρ π r² l, Iyy = ½ M r², Ixx = Izz = M/12 (3 r² + l²).
+///
+/// @param height  l ≥ 0 [m]
 MassProperties solid_cylinder(double density, double radius, double height);
 
 /// A2.9 A solid ellipsoid about its center, semi-axes (a, b, c): M = ρ 4/3 π a b c,
@@ -98,7 +100,8 @@ MassProperties sampled_mass_properties(const std::vector<DensitySample>& samples
 /// One method sums over the signed tetrahedra that the triangles form with the origin; another one
 /// uses the divergence theorem, which turns the integrals into sums over the surface (Mirtich 1996,
 /// "Fast and accurate computation of polyhedral mass properties"). Open mesh: the result of the sum
-/// over its triangles. No volume: all results are zero.
+/// over its triangles. Mesh inside out: mass and inertia change their sign, the center does not. No
+/// volume: all results are zero.
 ///
 /// @param density  ρ [kg/m³]
 MassProperties mesh_mass_properties(const TriangleMesh& mesh, double density);
@@ -112,5 +115,15 @@ MassProperties mesh_mass_properties(const TriangleMesh& mesh, double density);
 /// The sum I₁ + I₂ alone would be wrong. If one body has zero mass, the result is the other body.
 /// If both do, all results are zero.
 MassProperties combine(const MassProperties& a, const MassProperties& b);
+
+/// A2.17 The simpler figure: mass properties of a solid box that bounds the vertices, its edges
+/// along the axes of the frame. Its mass is the given one, spread evenly.
+/// Lecture: "Approximating inertia tensors".
+///
+/// No vertex, or no mass: all results are zero. The box may be flat.
+///
+/// @param vertices  of the body, in any order
+/// @param mass      M ≥ 0 [kg]
+MassProperties bounding_box_mass_properties(const std::vector<Vector3d>& vertices, double mass);
 
 } // namespace rigor

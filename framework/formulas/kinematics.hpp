@@ -68,4 +68,20 @@ Wrench net_wrench(const std::vector<PointForce>& forces, const Vector3d& X);
 MatrixStateRate equations_of_motion(const MatrixState& state, double inverse_mass,
                                     const Matrix3d& I_inverse, const Wrench& wrench);
 
+/// A1.12 Rates of the velocity modes: the 3×6 matrix Ṡ = ( 0  V* - v* ) [1/s] of a particle at x
+/// that moves with v. Lecture: "Change of S".
+///
+/// It stands in (Sᵀ M S) u̇ + (Sᵀ M Ṡ) u = Sᵀ F, with u = (V, ω).
+Matrix36d velocity_mode_rates(const Vector3d& V, const Vector3d& v);
+
+/// A1.13 The force and the torque Σ mᵢ Sᵢᵀ Ṡᵢ u, with u = (V, ω), of particles that move as one
+/// rigid body: vᵢ = ω × (xᵢ - X) + V. Lecture: "Constrained dynamics", "Change of S".
+///
+/// X may be any point that moves with V. About the center of mass the force is 0 and the torque is
+/// ω × I ω. No particle: zero.
+///
+/// @param particles  in world space
+Wrench inertial_wrench(const std::vector<Particle>& particles, const Vector3d& X, const Vector3d& V,
+                       const Vector3d& omega);
+
 } // namespace rigor

@@ -61,8 +61,9 @@ Matrix3d to_matrix(const Quaternion& q);
 /// Lecture: "Rotating with quaternions".
 Quaternion quaternion_rate(const Quaternion& q, const Vector3d& omega);
 
-/// A3.11 Exact update for constant ω: (cos|Δt ω/2|, sin|Δt ω/2| ω/|ω|) q.
+/// A3.11 Exact update for constant ω: (cos(Δt |ω|/2), sin(Δt |ω|/2) ω/|ω|) q.
 ///
+/// A negative Δt turns back: the engine's method for springs takes such steps.
 /// As ω → 0 the result goes smoothly to q, without 0/0, also for denormal numbers.
 Quaternion advance_exact(const Quaternion& q, const Vector3d& omega, double time_step);
 

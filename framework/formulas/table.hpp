@@ -28,6 +28,8 @@
     FORMULA(A1.7,  kinematics, generalized_mass, particles, X)                                     \
     FORMULA(A1.8,  kinematics, net_wrench, forces, X)                                              \
     FORMULA(A1.9,  kinematics, equations_of_motion, state, inverse_mass, I_inverse, wrench)        \
+    FORMULA(A1.12, kinematics, velocity_mode_rates, V, v)                                          \
+    FORMULA(A1.13, kinematics, inertial_wrench, particles, X, V, omega)                            \
     FORMULA(A2.1,  inertia,    particle_mass_properties, particles)                                \
     FORMULA(A2.2,  inertia,    world_inertia, R, I_body)                                           \
     FORMULA(A2.3,  inertia,    world_inverse_inertia, R, I_body_inverse)                           \
@@ -42,6 +44,7 @@
     FORMULA(A2.12, inertia,    sampled_mass_properties, samples, volume)                           \
     FORMULA(A2.13, inertia,    mesh_mass_properties, mesh, density)                                \
     FORMULA(A2.14, inertia,    combine, a, b)                                                      \
+    FORMULA(A2.17, inertia,    bounding_box_mass_properties, vertices, mass)                       \
     FORMULA(A3.1,  rotation,   advance_matrix, R, omega, time_step)                                \
     FORMULA(A3.2,  rotation,   gram_schmidt, R)                                                    \
     FORMULA(A3.3,  rotation,   euler_to_matrix, angles)                                            \

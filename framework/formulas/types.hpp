@@ -10,7 +10,7 @@
 //   * Bodies 1 and 2: the unit normal n points from 2 to 1, v = v1 - v2, body 1 receives +j and
 //     body 2 receives -j. The bodies approach where v.n < 0.
 //   * A static body has inverse mass 0 and inverse inertia 0. No formula divides by its mass.
-//   * Every formula is total: for finite input it returns a finite result.
+//   * Every formula is total: finite input, with squares in range, gives a finite result.
 #pragma once
 
 #include <Eigen/Dense>

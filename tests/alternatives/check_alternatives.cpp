@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Checks that a correct solution that computes differently from the reference gets every point.
-// Prints each topic with its points, and the failures of an alternative that lost some.
+// Prints each alternative with its points, and the failures of one that lost some. A solution of
+// topic `contact` also runs with each solution of `collision`, whose formulas it calls.
 //
-//     check_alternatives [TOPIC]
+//     check_alternatives [NAME [SEEDS]]    NAME `all` for all; SEEDS: how many first seeds
 #include "formulas/table.hpp"
 #include "grading/run_tests.hpp"
 #include "grading/selection.hpp"
@@ -20,49 +21,68 @@ using namespace rigor;
 namespace fs = std::filesystem;
 
 struct Alternative {
-    std::string topic;
+    std::string name;        // "collision_inverse", "contact+collision_inverse"
     std::string explanation; // line 2 of its source
     fs::path worker;
-    Result result;
-    std::string fault; // what lost points or went wrong
+    double points = 0, max_points = 0; // at the last seed
+    std::string fault;                 // what lost points or went wrong, and at which seed
+
+    std::string topic() const { return name.substr(0, name.find_first_of("_+")); }
 };
 
-std::vector<Alternative> find_alternatives(const std::vector<Assignment>& assignments,
-                                           const std::string& wanted)
+Alternative alternative(const std::string& name, const std::string& explanation)
+{
+    Alternative result;
+    result.name = name;
+    result.explanation = explanation;
+    result.worker = fs::path(RIGOR_ALTERNATIVE_WORKERS) / ("worker_alternative_" + name);
+    return result;
+}
+
+std::vector<Alternative> find_alternatives()
 {
     std::vector<Alternative> alternatives;
-    for (const Assignment& assignment : assignments) {
-        const std::string& topic = assignment.topic;
-        const fs::path file = fs::path(RIGOR_ALTERNATIVES_DIR) / (topic + ".cpp");
-        if (!wanted.empty() && wanted != topic) continue;
-        if (!fs::exists(file)) continue;
-        Alternative alternative;
-        alternative.topic = topic;
-        alternative.explanation = testing::second_line(file, "says what is different");
-        alternative.worker = fs::path(RIGOR_ALTERNATIVE_WORKERS) / ("worker_alternative_" + topic);
-        alternatives.push_back(std::move(alternative));
+    for (const auto& entry : fs::directory_iterator(RIGOR_ALTERNATIVES_DIR)) {
+        const fs::path& file = entry.path();
+        if (file.extension() != ".cpp" || file.stem() == "check_alternatives") continue;
+        alternatives.push_back(
+            alternative(file.stem(), testing::second_line(file, "says what is different")));
     }
+    const std::size_t single = alternatives.size();
+    for (std::size_t i = 0; i < single; ++i)
+        for (std::size_t k = 0; k < single; ++k)
+            if (alternatives[i].topic() == "contact" && alternatives[k].topic() == "collision")
+                alternatives.push_back(alternative(
+                    alternatives[i].name + "+" + alternatives[k].name, "both of them together."));
+    std::sort(alternatives.begin(), alternatives.end(),
+              [](const auto& a, const auto& b) { return a.name < b.name; });
     return alternatives;
 }
 
 void judge(Alternative& alternative, const std::vector<Assignment>& assignments,
            const GradingRun& run)
 {
+    if (!fs::exists(alternative.worker)) {
+        alternative.fault = alternative.worker.string() + " is missing: it was not built";
+        return;
+    }
     for (const Assignment& assignment : assignments) {
-        if (assignment.topic != alternative.topic) continue;
+        if (assignment.topic != alternative.topic()) continue;
         Selection selection = {assignment, {}};
         for (const Task& task : assignment.tasks)
             selection.tags.push_back(task.tag);
         Implementation implementation;
         implementation.name = "alternative";
         implementation.worker = alternative.worker;
-        alternative.result = grade(selection, implementation, run);
-        if (alternative.result.status != SubmissionStatus::graded)
-            alternative.fault = alternative.result.message;
-        for (const TaskResult& task : alternative.result.tasks)
+        const Result result = grade(selection, implementation, run);
+        alternative.points = result.score();
+        alternative.max_points = result.max_score();
+        if (result.status != SubmissionStatus::graded) alternative.fault += result.message;
+        for (const TaskResult& task : result.tasks)
             for (const TestCase& test : task.tests)
                 if (test.status != Status::passed)
-                    alternative.fault += fmt::format("\n        {}: {}", test.name, test.message);
+                    alternative.fault +=
+                        fmt::format("\n        seed {}, {}: {}", run.seed, test.name, test.message);
     }
 }
 
@@ -70,27 +90,34 @@ int report(const std::vector<Alternative>& alternatives)
 {
     int failed = 0;
     for (const Alternative& alternative : alternatives) {
-        fmt::print("{}: {}\n", alternative.topic, alternative.explanation);
-        fmt::print("    {} of {} points{}\n", alternative.result.score(),
-                   alternative.result.max_score(), alternative.fault);
-        const bool full = alternative.fault.empty() && alternative.result.max_score() > 0 &&
-                          alternative.result.score() == alternative.result.max_score();
+        fmt::print("{}: {}\n", alternative.name, alternative.explanation);
+        fmt::print("    {} of {} points{}\n", alternative.points, alternative.max_points,
+                   alternative.fault);
+        const bool full = alternative.fault.empty() && alternative.max_points > 0 &&
+                          alternative.points == alternative.max_points;
         failed += full ? 0 : 1;
     }
     fmt::print("\n{} alternatives, {} of them lost points\n", alternatives.size(), failed);
     return failed == 0 && !alternatives.empty() ? 0 : 1;
 }
 
-int run(const std::string& wanted)
+int run(const std::string& wanted, unsigned seeds)
 {
     const std::vector<Assignment> assignments = load_assignments(RIGOR_ASSIGNMENTS_DIR);
-    std::vector<Alternative> alternatives = find_alternatives(assignments, wanted);
-    GradingRun grading;
-    grading.test_program = RIGOR_GRADED_TESTS;
-    grading.oracle = RIGOR_ORACLE;
-
-    testing::judge_all(alternatives,
-                       [&](Alternative& alternative) { judge(alternative, assignments, grading); });
+    std::vector<Alternative> alternatives = find_alternatives();
+    if (wanted != "all")
+        std::erase_if(alternatives, [&](const Alternative& alternative) {
+            return alternative.name != wanted && alternative.topic() != wanted;
+        });
+    testing::judge_all(alternatives, [&](Alternative& alternative) {
+        for (unsigned i = 0; i < seeds; ++i) {
+            GradingRun grading;
+            grading.test_program = RIGOR_GRADED_TESTS;
+            grading.oracle = RIGOR_ORACLE;
+            grading.seed = 1000 * i; // no property draws as many cases
+            judge(alternative, assignments, grading);
+        }
+    });
     return report(alternatives);
 }
 
@@ -99,7 +126,8 @@ int run(const std::string& wanted)
 int main(int count, char** arguments)
 {
     try {
-        return run(count > 1 ? arguments[1] : "");
+        return run(count > 1 ? arguments[1] : "all",
+                   count > 2 ? static_cast<unsigned>(std::stoul(arguments[2])) : 1);
     } catch (const std::exception& error) {
         std::fprintf(stderr, "check_alternatives: %s\n", error.what());
         return 2;

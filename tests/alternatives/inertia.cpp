@@ -5,6 +5,7 @@
 // functions.
 #include "formulas/inertia.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
@@ -190,6 +191,33 @@ MassProperties combine(const MassProperties& a, const MassProperties& b)
     const double reduced = a.mass / M * b.mass;
     return {M, a.center_of_mass + b.mass / M * d,
             b.inertia + a.inertia + reduced * inertia_of(d * d.transpose())};
+}
+
+MassProperties bounding_box_mass_properties(const std::vector<Vector3d>& vertices, double mass)
+{
+    if (vertices.empty() || mass == 0) return {};
+
+    // the eight corners of the box as particles, which are drawn in to 1/√3 of their distance
+    std::array<std::array<double, 2>, 3> range;
+    for (int i = 0; i < 3; ++i) {
+        const auto [low, high] =
+            std::minmax_element(vertices.begin(), vertices.end(),
+                                [i](const Vector3d& a, const Vector3d& b) { return a[i] < b[i]; });
+        range[i] = {(*low)[i], (*high)[i]};
+    }
+    Vector3d center, half;
+    for (int i = 0; i < 3; ++i) {
+        center[i] = 0.5 * range[i][0] + 0.5 * range[i][1];
+        half[i] = (range[i][1] - range[i][0]) / 2;
+    }
+    std::vector<Particle> corners;
+    for (int c = 0; c < 8; ++c) {
+        const Vector3d sign((c & 1) ? 1 : -1, (c & 2) ? 1 : -1, (c & 4) ? 1 : -1);
+        corners.push_back({mass / 8, half.cwiseProduct(sign) / std::sqrt(3.0)});
+    }
+    MassProperties result = particle_mass_properties(corners);
+    result.center_of_mass += center;
+    return result;
 }
 
 } // namespace rigor

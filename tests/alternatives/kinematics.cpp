@@ -103,4 +103,27 @@ MatrixStateRate equations_of_motion(const MatrixState& state, double inverse_mas
     return rate;
 }
 
+Matrix36d velocity_mode_rates(const Vector3d& V, const Vector3d& v)
+{
+    // column i is the acceleration that mode i makes of the particle's motion about X
+    Matrix36d rates = Matrix36d::Zero();
+    for (int i = 0; i < 3; ++i)
+        rates.col(3 + i) = Vector3d::Unit(i).cross(v - V);
+    return rates;
+}
+
+Wrench inertial_wrench(const std::vector<Particle>& particles, const Vector3d& X, const Vector3d&,
+                       const Vector3d& omega)
+{
+    // ω × (ω × Σ m r) and ω × I ω = Σ m (ω·r) r × ω = -ω × C ω, with C = Σ m r rᵀ
+    Vector3d first = Vector3d::Zero();
+    Matrix3d C = Matrix3d::Zero();
+    for (auto particle = particles.rbegin(); particle != particles.rend(); ++particle) {
+        const Vector3d r = particle->position - X;
+        first += particle->mass * r;
+        C += particle->mass * r * r.transpose();
+    }
+    return {omega.cross(omega.cross(first)), -omega.cross(C * omega)};
+}
+
 } // namespace rigor

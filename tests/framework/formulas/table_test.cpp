@@ -19,16 +19,19 @@ TEST_CASE("table: every tag and every function is there once", "[formulas]")
     CHECK(tags.size() == formula_count);
 }
 
-TEST_CASE("table: the tags of a topic count up from 1", "[formulas]")
+TEST_CASE("table: the tags of a topic begin at 1 and ascend", "[formulas]")
 {
     std::string_view topic;
-    int expected = 0;
+    int before = 0; // there are gaps: tasks about scenes have tags but no formula
     for (const Formula& formula : formulas) {
-        expected = formula.topic == topic ? expected + 1 : 1;
-        topic = formula.topic;
-        const std::size_t dot = formula.tag.find('.');
+        const int number = std::stoi(std::string(formula.tag.substr(formula.tag.find('.') + 1)));
         CAPTURE(formula.tag, formula.name);
-        CHECK(std::string(formula.tag.substr(dot + 1)) == std::to_string(expected));
+        if (formula.topic == topic)
+            CHECK(number > before);
+        else
+            CHECK(number == 1);
+        topic = formula.topic;
+        before = number;
     }
 }
 

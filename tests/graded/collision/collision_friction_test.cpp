@@ -92,7 +92,7 @@ TEST_CASE("collision: no impulse leaves less energy than plastic sticking", "[A4
         check_at_most(work(j), 0, "the work of a plastic sticking impulse", 16 * scale);
         for (int i = 0; i < 20; ++i) {
             const Vector3d other = j + 0.3 * pair.size * random.vector();
-            check_at_most(work(j), work(other), "its work against another impulse's", 16 * scale);
+            check_at_most(work(j), work(other), "its work, by that of another impulse", 16 * scale);
         }
     }
 }

@@ -158,8 +158,8 @@ TEST_CASE("collision: K is symmetric and at least the inverse mass", "[A4.4][col
             impulse_matrix(body.inverse_mass, body.inverse_inertia, body.position, x);
 
         REQUIRE_THAT(Matrix3d(K.transpose()), IsClose(K, Rounding(32)));
-        check_at_most(body.inverse_mass, j.dot(K * j), "1/M against jᵀ K j for a unit j",
-                      8 * K.norm());
+        check_at_least(j.dot(K * j), body.inverse_mass, "jᵀ K j for a unit j, by 1/M",
+                       8 * K.norm());
     }
 }
 
@@ -197,7 +197,9 @@ TEST_CASE("collision: without friction the normal velocity becomes -ε times its
         const Vector3d after = v + K * j;
         const double scale = size * K.norm() * condition;
         REQUIRE_THAT(after.dot(n), IsClose(-restitution * v.dot(n), Rounding(16, scale)));
-        REQUIRE_THAT(j, IsClose(Vector3d(j.dot(n) * n), Rounding(16)));
+        // the terms of j have the size of v, of which vₙ may be a small part
+        const double terms = (1 + restitution) * v.norm() / n.dot(K * n);
+        REQUIRE_THAT(j, IsClose(Vector3d(j.dot(n) * n), Rounding(16, terms * condition)));
     }
 }
 
@@ -219,7 +221,8 @@ TEST_CASE("collision: a frictionless impulse takes the energy that restitution s
         if (body2.is_static()) continue; // if it moves, it does work on body 1
         const double before = energy(body1) + energy(body2);
         const double after = energy(kicked(body1, x, j)) + energy(kicked(body2, x, -j));
-        check_at_most(after, before, "kinetic energy after against before", 16 * (before + scale));
+        check_at_most(after, before, "the kinetic energy after, by that before",
+                      16 * (before + scale));
     }
 }
 

@@ -66,7 +66,7 @@ inline void check_sliding(const CollidingPair& pair, double friction, const Vect
         INFO("the tangential part is -μ jₙ T");
         REQUIRE_THAT(tangential(j, n), IsClose(-friction * j.dot(n) * T, Rounding(64, scale)));
     }
-    check_at_most(0, j.dot(n), "0 against jₙ", scale);
+    check_at_least(j.dot(n), 0, "jₙ", scale);
 }
 
 /// K of a contact that jams if it slides along x with μ ≥ 2: then friction presses it down harder

@@ -117,8 +117,8 @@ inline void check_cones(const ContactCase& problem, const ContactResult& result,
         const Vector3d &n = problem.contacts[i].normal, &j = result.impulses[i];
         const double mu = problem.contacts[i].friction, j_n = j.dot(n);
         CAPTURE(i);
-        check_at_most(0, j_n, "0 against jₙ", scale * j.norm());
-        check_at_most((j - j_n * n).norm(), mu * j_n, "|j_T| against μ jₙ",
+        check_at_least(j_n, 0, "jₙ", scale * j.norm());
+        check_at_most((j - j_n * n).norm(), mu * j_n, "|j_T|, by μ jₙ",
                       scale * (1 + mu) * j.norm());
     }
 }

@@ -128,7 +128,7 @@ TEST_CASE("contact: a dry wall stands until it is hit", "[A5.6][contact][scene]"
 {
     const Trajectory run = run_scene("a5-contact/wall");
     check_at_most(farthest(run, "brick", 1), 0.01, "way of a brick before the ball comes [m]");
-    check_at_most(1, farthest(run, "brick", end_of(run)), "1 m against the farthest brick [m]");
+    check_at_least(farthest(run, "brick", end_of(run)), 1, "way of the farthest brick [m]");
 }
 
 TEST_CASE("contact: an arch carries a load and the floor carries both", "[A5.6][contact][scene]")

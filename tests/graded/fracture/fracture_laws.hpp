@@ -198,7 +198,7 @@ inline void check_conforms(const TetrahedralMesh& mesh)
     check_indices(mesh);
     for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t) {
         CAPTURE(t);
-        check_at_most(0, volume(mesh, t), "0 against the volume of a tetrahedron");
+        check_at_least(volume(mesh, t), 0, "the volume of a tetrahedron");
         REQUIRE(volume(mesh, t) > 0);
     }
     for (const auto& [face, sharing] : tetrahedra_of_faces(mesh)) {

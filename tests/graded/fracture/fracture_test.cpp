@@ -115,8 +115,8 @@ TEST_CASE("fracture: a smooth stress lies between those it is made of",
                 low = std::min(low, stresses[n].trace());
                 high = std::max(high, stresses[n].trace());
             }
-            check_at_most(low, smooth[e].trace(), "the lowest trace against the average", 32);
-            check_at_most(smooth[e].trace(), high, "the average against the highest trace", 32);
+            check_at_least(smooth[e].trace(), low, "the average trace, by the lowest", 32);
+            check_at_most(smooth[e].trace(), high, "the average trace, by the highest", 32);
         }
     }
 }
@@ -175,8 +175,8 @@ TEST_CASE("fracture: the largest eigenvalue is at most the mean and two thirds o
         const double sigma_vM = std::sqrt(1.5) * (sigma - p * Matrix3d::Identity()).norm();
         const double sigma_1 = principal_stress(sigma).stress;
         // they are equal where the other two eigenvalues are equal
-        check_at_most(sigma_1, p + 2 * sigma_vM / 3, "σ₁ against p + ⅔ σ_vM", 16);
-        check_at_most(p, sigma_1, "p against σ₁", 16);
+        check_at_most(sigma_1, p + 2 * sigma_vM / 3, "σ₁, by p + ⅔ σ_vM", 16);
+        check_at_least(sigma_1, p, "σ₁, by p", 16);
     }
     const Matrix3d uniaxial = Vector3d(6, 0, 0).asDiagonal();
     REQUIRE_THAT(principal_stress(uniaxial).stress, IsClose(2.0 + 4.0, Rounding(16, 6)));

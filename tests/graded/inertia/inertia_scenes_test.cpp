@@ -76,7 +76,7 @@ TEST_CASE("inertia: the hammer turns about its center of mass and that flies a p
 {
     const Trajectory run = run_scene("a2-inertia/hammer");
     const RigidState& start = run.frames.front().bodies[0];
-    const Vector3d g = run.scene.gravity;
+    const Vector3d g = run.scene.settings.gravity;
     for (const Frame& frame : run.frames) {
         const double t = steps_of(frame) * run.scene.time_step;
         CAPTURE(t);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A1.6 and A1.7: velocity modes, virtual work, generalized mass.
+// A1.6, A1.7, A1.12 and A1.13: velocity modes, virtual work, generalized mass, and the change of
+// the modes.
 #include "formulas/kinematics.hpp"
 #include "support/close.hpp"
 #include "support/mass_properties.hpp"
@@ -20,6 +21,16 @@ Matrix3d star(const Vector3d& w)
     for (int i = 0; i < 3; ++i)
         w_x.col(i) = w.cross(Vector3d::Unit(i));
     return w_x;
+}
+
+// Six particles of 0.5 kg with the moments 13, 10 and 5, as in the handout.
+std::vector<Particle> six_particles()
+{
+    std::vector<Particle> particles;
+    for (int i = 0; i < 3; ++i)
+        for (const double side : {-1.0, 1.0})
+            particles.push_back({0.5, side * (i + 1) * Vector3d::Unit(i)});
+    return particles;
 }
 
 Vector6d stacked(const Vector3d& V, const Vector3d& w)
@@ -139,4 +150,108 @@ TEST_CASE("kinematics: blocks of the generalized mass about any point", "[A1.7][
         REQUIRE_THAT(Matrix3d(center.bottomLeftCorner<3, 3>()),
                      IsClose(Matrix3d(Matrix3d::Zero()), Rounding(16, 4 * M)));
     }
+}
+
+TEST_CASE("kinematics: rates of the velocity modes by hand", "[A1.12][kinematics]")
+{
+    Matrix36d expected = Matrix36d::Zero();
+    expected.rightCols<3>() << 0, 3, -2, -3, 0, 1, 2, -1, 0;
+
+    REQUIRE_THAT(velocity_mode_rates(Vector3d::Zero(), Vector3d(1, 2, 3)), IsExactly(expected));
+    INFO("with V = (1, 1, 1) and v = (2, 3, 4) they are the same");
+    REQUIRE_THAT(velocity_mode_rates(Vector3d(1, 1, 1), Vector3d(2, 3, 4)), IsExactly(expected));
+}
+
+TEST_CASE("kinematics: modes do not change where a particle moves with the center",
+          "[A1.12][kinematics]")
+{
+    const Vector3d V(1, 2, 3);
+    REQUIRE_THAT(velocity_mode_rates(V, V), IsExactly(Matrix36d(Matrix36d::Zero())));
+}
+
+TEST_CASE("kinematics: the rates are the derivative of the velocity modes", "[A1.12][kinematics]")
+{
+    for (Random random : seeds(100)) {
+        const Vector3d X = random.vector(), V = random.vector();
+        const Vector3d x = random.vector(), v = random.vector();
+        const double h = 0.25; // S is linear in both points, so the difference is exact
+
+        const Vector3d X_next = X + h * V, x_next = x + h * v;
+        Matrix36d change = Matrix36d::Zero();
+        change.rightCols<3>() = (star(X_next - x_next) - star(X - x)) / h;
+
+        REQUIRE_THAT(velocity_mode_rates(V, v), IsClose(change, Rounding(64, 8)));
+    }
+}
+
+TEST_CASE("kinematics: the rates give the centripetal acceleration", "[A1.12][kinematics]")
+{
+    for (Random random : seeds(100)) {
+        const Vector3d V = random.vector(), w = random.vector(), r = random.vector();
+        const Vector3d v = w.cross(r) + V;
+
+        const Vector3d acceleration = velocity_mode_rates(V, v) * stacked(V, w);
+
+        const double scale = w.norm() * (V.norm() + w.norm() * r.norm());
+        REQUIRE_THAT(acceleration, IsClose(Vector3d(w.cross(w.cross(r))), Rounding(16, scale)));
+    }
+}
+
+TEST_CASE("kinematics: inertial wrench of six particles by hand", "[A1.13][kinematics]")
+{
+    const Vector3d w(1, 2, 3), V(5, -4, 2);
+    const Wrench expected{Vector3d::Zero(), Vector3d(-30, 24, -6)};
+    const double scale = 3 * 14 * 9; // total mass × |ω|² × largest distance²
+
+    for (const Vector3d& at : {Vector3d(0, 0, 0), Vector3d(1, 1, 1)}) {
+        std::vector<Particle> particles = six_particles();
+        for (Particle& particle : particles)
+            particle.position += at;
+        REQUIRE_THAT(inertial_wrench(particles, at, V, w), IsClose(expected, Rounding(16, scale)));
+    }
+}
+
+TEST_CASE("kinematics: about the center of mass the inertial torque is ω × I ω",
+          "[A1.13][kinematics]")
+{
+    for (Random random : seeds(100)) {
+        const std::vector<Particle> particles = random.particles(5);
+        const MassProperties body = sum_of(particles);
+        const Vector3d V = random.vector(), w = random.vector();
+
+        const Wrench wrench = inertial_wrench(particles, body.center_of_mass, V, w);
+
+        const Wrench expected{Vector3d::Zero(), w.cross(body.inertia * w)};
+        const double scale = body.mass * w.norm() * (V.norm() + 4 * w.norm()) * 16;
+        REQUIRE_THAT(wrench, IsClose(expected, Rounding(16, scale)));
+    }
+}
+
+TEST_CASE("kinematics: inertial wrench about any point", "[A1.13][kinematics]")
+{
+    for (Random random : seeds(100)) {
+        const std::vector<Particle> particles = random.particles(5);
+        const Vector3d X = random.vector(), V = random.vector(), w = random.vector();
+        Wrench expected;
+        for (const auto& [m, x] : particles) {
+            const Vector3d f = m * w.cross(w.cross(x - X));
+            expected.force += f;
+            expected.torque += (x - X).cross(f);
+        }
+
+        const double M = sum_of(particles).mass;
+        const double scale = M * w.norm() * (V.norm() + 4 * w.norm()) * 16;
+        REQUIRE_THAT(inertial_wrench(particles, X, V, w), IsClose(expected, Rounding(16, scale)));
+    }
+}
+
+TEST_CASE("kinematics: no inertial wrench without rotation and without particles",
+          "[A1.13][kinematics]")
+{
+    const Vector3d X(1, 2, 3), V(4, 5, 6), none = Vector3d::Zero();
+    REQUIRE_THAT(inertial_wrench(six_particles(), X, V, none), IsClose(Wrench{}, Rounding(1, 0)));
+    REQUIRE_THAT(inertial_wrench({}, X, V, Vector3d(1, 2, 3)), IsExactly(Wrench{}));
+    INFO("about a principal axis there is no torque");
+    REQUIRE_THAT(inertial_wrench(six_particles(), none, V, Vector3d(0, 2, 0)),
+                 IsClose(Wrench{}, Rounding(16, 3 * 2 * 20)));
 }

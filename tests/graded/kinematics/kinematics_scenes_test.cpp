@@ -24,7 +24,7 @@ TEST_CASE("kinematics: a thrown body's center flies a parabola however it spins"
           "[A1.10][kinematics][scene]")
 {
     const Trajectory run = run_scene("a1-kinematics/projectile_with_spin");
-    const Vector3d g = run.scene.gravity;
+    const Vector3d g = run.scene.settings.gravity;
     for (const char* name : {"spinning", "still"}) {
         const auto i = static_cast<std::size_t>(body_index(run, name));
         const BodyDescription& start = run.scene.bodies[i];

@@ -120,7 +120,7 @@ TEST_CASE("rotation: a box thrown by symplectic Euler falls as its closed form s
     const Trajectory run = run_scene("a3-rotation/thrown_box");
     const RigidState& start = run.frames.front().bodies[0];
     const double h = run.scene.time_step;
-    const Vector3d g = run.scene.gravity;
+    const Vector3d g = run.scene.settings.gravity;
     for (const Frame& frame : run.frames) {
         const double n = steps_of(frame);
         CAPTURE(n);

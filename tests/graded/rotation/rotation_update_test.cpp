@@ -57,6 +57,17 @@ TEST_CASE("rotation: the exact update keeps the length", "[A3.11][rotation]")
     REQUIRE_THAT(length(q), IsClose(1.0, Rounding(n)));
 }
 
+TEST_CASE("rotation: an exact step back undoes a step", "[A3.11][rotation]")
+{
+    for (Random random : seeds(100)) {
+        const Quaternion q = random.quaternion();
+        const Vector3d w = 10 * random.vector();
+        const double h = random.uniform(0, 2);
+        const Quaternion back = advance_exact(advance_exact(q, w, h), w, -h);
+        REQUIRE_THAT(back, IsClose(q, Rounding(32, 1 + h * w.norm())));
+    }
+}
+
 TEST_CASE("rotation: at rest the exact update changes nothing", "[A3.11][rotation]")
 {
     const Quaternion q = {0.1, {-0.7, 0.5, 0.5}};

@@ -102,8 +102,12 @@ struct ElementRules {
     bool opens = true;             // otherwise the mesh is only refined
     bool opens_rim = false;        // separates each tetrahedron at the vertex from all others
     bool halves_in_the_middle = false;
-    bool swaps_corners = false;  // in one of the two halves
-    double snap_distance = 0.05; // relative to the longest edge
+    bool swaps_corners = false;      // in one of the two halves
+    double snap_distance = 0.05;     // relative to the longest edge
+    bool asks_for_both_sides = true; // otherwise it splits even if no vertex is above, or below
+    // The side of a tetrahedron on the plane, from the height of its center: positive for above, 0
+    // for neither.
+    double (*side_on_plane)(double height) = [](double height) { return height; };
 };
 
 inline bool has(const Tetrahedron& t, int vertex)
@@ -137,6 +141,13 @@ inline SplitMesh split_by(const ElementRules& rules, const TetrahedralMesh& mesh
     std::map<int, double> heights = heights_at(mesh, vertex, n, rules.snap_distance);
     std::vector<Tetrahedron>& tetrahedra = split.mesh.tetrahedra;
     std::vector<Vector3d>& x = split.mesh.vertices;
+    const auto some = [&](auto is_there) {
+        return std::any_of(heights.begin(), heights.end(),
+                           [&](const auto& height) { return is_there(height.second); });
+    };
+    const bool is_two_sided =
+        some([](double h) { return h > 0; }) && some([](double h) { return h < 0; });
+    if (rules.asks_for_both_sides && !is_two_sided) return split;
 
     std::set<std::pair<int, int>> edges;
     for (const Tetrahedron& t : mesh.tetrahedra)
@@ -163,10 +174,12 @@ inline SplitMesh split_by(const ElementRules& rules, const TetrahedralMesh& mesh
     }
 
     const auto side = [&](const Tetrahedron& t) {
-        double sum = 0;
-        for (int v : t)
+        double sum = 0, center = 0;
+        for (int v : t) {
             sum += heights[v];
-        return sum;
+            center += n.dot(x[v] - x[vertex]) / 4;
+        }
+        return sum != 0 ? sum : rules.side_on_plane(center);
     };
     std::vector<MeshFace> faces;
     for (const auto& [face, sharing] : faces_of(split.mesh)) {

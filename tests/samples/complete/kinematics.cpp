@@ -84,4 +84,24 @@ MatrixStateRate equations_of_motion(const MatrixState& state, double inverse_mas
     return rate;
 }
 
+Matrix36d velocity_mode_rates(const Vector3d& V, const Vector3d& v)
+{
+    Matrix36d S_dot;
+    S_dot << Matrix3d::Zero(), cross_matrix(V - v);
+    return S_dot;
+}
+
+Wrench inertial_wrench(const std::vector<Particle>& particles, const Vector3d& X, const Vector3d&,
+                       const Vector3d& omega)
+{
+    Wrench sum;
+    for (const Particle& particle : particles) {
+        const Vector3d r = particle.position - X;
+        const Vector3d f = particle.mass * omega.cross(omega.cross(r));
+        sum.force += f;
+        sum.torque += r.cross(f);
+    }
+    return sum;
+}
+
 } // namespace rigor

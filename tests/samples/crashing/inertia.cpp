@@ -145,4 +145,17 @@ MassProperties combine(const MassProperties& a, const MassProperties& b)
                 point_inertia(b.mass, b.center_of_mass - X)};
 }
 
+MassProperties bounding_box_mass_properties(const std::vector<Vector3d>& vertices, double mass)
+{
+    if (vertices.empty() || mass == 0) return {};
+    Vector3d low = vertices.front(), high = low;
+    for (const Vector3d& vertex : vertices) {
+        low = low.cwiseMin(vertex);
+        high = high.cwiseMax(vertex);
+    }
+    const Vector3d s = (high - low).cwiseAbs2();
+    const Vector3d I = mass / 12 * Vector3d(s.y() + s.z(), s.z() + s.x(), s.x() + s.y());
+    return {mass, (low + high) / 2, I.asDiagonal()};
+}
+
 } // namespace rigor

@@ -115,4 +115,9 @@ MassProperties combine(const MassProperties& a, const MassProperties& b)
     return both;
 }
 
+MassProperties bounding_box_mass_properties(const std::vector<Vector3d>&, double)
+{
+    throw NotImplemented("inertia::bounding_box_mass_properties");
+}
+
 } // namespace rigor

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+// A7: flat and tiny tetrahedra, tetrahedra that lie on the plane of a crack, stresses that hardly
+// pull.
+#include "fracture_laws.hpp"
+#include "support/seeds.hpp"
+
+namespace rigor::testing {
+
+namespace {
+
+// A flat tetrahedron on the plane z = 0 whose vertex 3 is 0.02 above it. Below its face 0 1 2 is a
+// tetrahedron down to vertex 4. With `above` there are three more on its upper faces, up to vertex
+// 5.
+TetrahedralMesh flat_tetrahedron(bool above)
+{
+    TetrahedralMesh mesh = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.4, 0.4, 0.02}, {0.3, 0.3, -1}},
+                            {{0, 1, 2, 3}, {0, 2, 1, 4}}};
+    if (above) {
+        mesh.vertices.push_back({0.3, 0.3, 1});
+        for (const auto& [a, b] : {std::pair(0, 1), std::pair(1, 2), std::pair(2, 0)})
+            mesh.tetrahedra.push_back({a, b, 3, 5});
+    }
+    return mesh;
+}
+
+} // namespace
+
+TEST_CASE("fracture: a tetrahedron that lies on the plane is on the side of its center",
+          "[A7.6][fracture]")
+{
+    const TetrahedralMesh mesh = flat_tetrahedron(true);
+    for (const double sign : {1.0, -1.0}) {
+        CAPTURE(sign);
+        const SplitMesh result = split_element(mesh, 0, sign * Vector3d::UnitZ());
+        check_split(mesh, result);
+        INFO("the flat tetrahedron stays with those above it, and the lower one comes off");
+        REQUIRE(tetrahedron_count(result.mesh) == tetrahedron_count(mesh));
+        REQUIRE(vertex_count(result.mesh) == vertex_count(mesh) + 3);
+        const double lower = volume(mesh, 1);
+        REQUIRE_THAT(piece_volumes(result.mesh),
+                     IsClose(std::vector{lower, volume(mesh) - lower}, Rounding(64, 1)));
+    }
+}
+
+TEST_CASE("fracture: where no vertex is above the plane nothing splits", "[A7.6][fracture]")
+{
+    const TetrahedralMesh mesh = flat_tetrahedron(false);
+    for (const double sign : {1.0, -1.0}) { // turned round, no vertex is below
+        CAPTURE(sign);
+        const SplitMesh result = split_element(mesh, 0, sign * Vector3d::UnitZ());
+        check_split(mesh, result);
+        REQUIRE(vertex_count(result.mesh) == vertex_count(mesh));
+        REQUIRE(tetrahedron_count(result.mesh) == tetrahedron_count(mesh));
+    }
+}
+
+TEST_CASE("fracture: the nearest face of flat and of tiny tetrahedra", "[A7.4][fracture]")
+{
+    for (Random random : seeds(50)) {
+        const Matrix3d R = random.rotation();
+        for (const double size : {1e-6, 1.0, 1e6})
+            for (const double height : {1e-3, 1e-6, 1e-9}) {
+                CAPTURE(size, height);
+                // faces 1, 2 and 3 are across x, y and z; face 0 is nearly along x
+                const std::array<Vector3d, 4> flat = {
+                    size * R * Vector3d(0, 0, 0), size * R * Vector3d(1, 0, 0),
+                    size * R * Vector3d(0, height, 0), size * R * Vector3d(0, 0, height)};
+                REQUIRE_THAT(closest_face(flat, R * Vector3d(1, 0.1, 0).normalized()),
+                             IsExactly(1));
+                REQUIRE_THAT(closest_face(flat, R * Vector3d(0.1, 1, 0).normalized()),
+                             IsExactly(2));
+                REQUIRE_THAT(closest_face(flat, R * Vector3d(0.1, 0, -1).normalized()),
+                             IsExactly(3));
+            }
+    }
+}
+
+TEST_CASE("fracture: any tension above the threshold opens a crack", "[A7.3][fracture]")
+{
+    for (Random random : seeds(50)) {
+        const Matrix3d R = random.rotation();
+        const double low = -random.mass();
+        for (const double sigma : {1e-3, 1e-6, 1e-9}) {
+            CAPTURE(sigma);
+            const Matrix3d stress = R * Vector3d(low, 2 * low, sigma).asDiagonal() * R.transpose();
+            const Matrix3d symmetric = (stress + stress.transpose()) / 2;
+            for (const double threshold : {0.0, -1.0, 0.9 * sigma}) {
+                CAPTURE(threshold);
+                const auto normal = crack_plane(symmetric, threshold);
+                REQUIRE(normal.has_value());
+                REQUIRE_THAT(std::abs(normal->dot(R.col(2))), IsClose(1.0, Rounding(1 << 10, 1)));
+            }
+            REQUIRE_THAT(crack_plane(symmetric, 1.1 * sigma), IsExactly(std::optional<Vector3d>()));
+        }
+    }
+}
+
+TEST_CASE("fracture: an element without volume takes the stress of its neighbours",
+          "[A7.1][fracture]")
+{
+    const Matrix3d one = Matrix3d::Identity(), two = 2 * one, five = 5 * one;
+    const std::vector<Matrix3d> smooth =
+        smooth_stress({one, two, five}, {{1}, {0}, {}}, {0, 3e-18, 0});
+    REQUIRE_THAT(smooth, IsClose(std::vector<Matrix3d>{two, two, five}, Rounding(8)));
+}
+
+} // namespace rigor::testing

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+// A2.17: the inertia of a simpler figure, the box that bounds a body.
+#include "formulas/inertia.hpp"
+#include "support/close.hpp"
+#include "support/mass_properties.hpp"
+#include "support/random.hpp"
+#include "support/seeds.hpp"
+
+#include <algorithm>
+
+using namespace rigor;
+using namespace rigor::testing;
+
+namespace {
+
+std::vector<Vector3d> corners_of(const Vector3d& center, const Vector3d& size)
+{
+    std::vector<Vector3d> corners;
+    for (int c = 0; c < 8; ++c) {
+        const Vector3d side((c & 1) ? 0.5 : -0.5, (c & 2) ? 0.5 : -0.5, (c & 4) ? 0.5 : -0.5);
+        corners.push_back(center + size.cwiseProduct(side));
+    }
+    return corners;
+}
+
+} // namespace
+
+TEST_CASE("inertia: bounding box of two corners by hand", "[A2.17][inertia]")
+{
+    const MassProperties expected = {12, Vector3d(0.5, 1, 1.5), Vector3d(13, 10, 5).asDiagonal()};
+    require_mass_properties(
+        bounding_box_mass_properties({Vector3d(0, 0, 0), Vector3d(1, 2, 3)}, 12), expected, 4, 16);
+    INFO("far from the origin, with the corners crosswise");
+    const MassProperties far = {12, Vector3d(10.5, -9, 1.5), Vector3d(13, 10, 5).asDiagonal()};
+    require_mass_properties(
+        bounding_box_mass_properties({Vector3d(11, -10, 3), Vector3d(10, -8, 0)}, 12), far, 15, 16);
+}
+
+TEST_CASE("inertia: a box is its own bounding box", "[A2.17][inertia]")
+{
+    for (Random random : seeds(100)) {
+        const Vector3d size = random.vector().cwiseAbs(), center = random.vector();
+        const double M = random.mass();
+        const Vector3d s = size.cwiseAbs2();
+        const Matrix3d I =
+            (M / 12 * Vector3d(s.y() + s.z(), s.z() + s.x(), s.x() + s.y())).asDiagonal();
+        require_mass_properties(bounding_box_mass_properties(corners_of(center, size), M),
+                                {M, center, I}, 3, 32);
+    }
+}
+
+TEST_CASE("inertia: only the bounds of the vertices matter", "[A2.17][inertia]")
+{
+    for (Random random : seeds(100)) {
+        std::vector<Vector3d> vertices = corners_of(random.vector(), Vector3d(1, 2, 3));
+        const MassProperties expected = bounding_box_mass_properties(vertices, 2);
+        const Vector3d low = vertices.front(), high = vertices.back();
+        for (int i = 0; i < 20; ++i) {
+            const Vector3d share = (random.vector() + Vector3d::Ones()) / 2;
+            vertices.insert(vertices.begin() + i % 3, low + share.cwiseProduct(high - low));
+        }
+        std::reverse(vertices.begin(), vertices.end());
+        require_mass_properties(bounding_box_mass_properties(vertices, 2), expected, 4, 16);
+    }
+}
+
+TEST_CASE("inertia: a bounding box may be flat or a point", "[A2.17][inertia]")
+{
+    const MassProperties plate = {12, Vector3d(0.5, 0, 1.5), Vector3d(9, 10, 1).asDiagonal()};
+    require_mass_properties(
+        bounding_box_mass_properties({Vector3d(0, 0, 0), Vector3d(1, 0, 3)}, 12), plate, 4, 16);
+    const MassProperties point = {3, Vector3d(1, 2, 3), Matrix3d::Zero()};
+    require_mass_properties(bounding_box_mass_properties({Vector3d(1, 2, 3)}, 3), point, 4, 1);
+}
+
+TEST_CASE("inertia: no vertex or no mass has no bounding box", "[A2.17][inertia]")
+{
+    REQUIRE_THAT(bounding_box_mass_properties({}, 3), IsExactly(MassProperties{}));
+    REQUIRE_THAT(bounding_box_mass_properties({Vector3d(0, 0, 0), Vector3d(1, 2, 3)}, 0),
+                 IsExactly(MassProperties{}));
+}

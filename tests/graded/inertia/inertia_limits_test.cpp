@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+// A2: inputs at the limits of the formulas: moments at their threshold in any order, tensors that
+// are nearly diagonal, bodies of very different mass.
+#include "formulas/inertia.hpp"
+#include "support/close.hpp"
+#include "support/random.hpp"
+#include "support/seeds.hpp"
+
+#include <algorithm>
+
+using namespace rigor;
+using namespace rigor::testing;
+
+TEST_CASE("inertia: the largest moment decides wherever it stands", "[A2.5][inertia]")
+{
+    for (Random random : seeds(30)) {
+        const double largest = random.mass();
+        const double shares[3] = {1, random.uniform(0.1, 0.9), 0};
+        for (const double share : {0.9e-12, 1.1e-12, 1e-11, 1e-9, 1e-6}) {
+            int order[3] = {0, 1, 2};
+            do {
+                Vector3d moments, expected;
+                for (int i = 0; i < 3; ++i) {
+                    moments[i] = largest * (order[i] == 2 ? share : shares[order[i]]);
+                    expected[i] = order[i] == 2 && share < 1e-12 ? 0 : 1 / moments[i];
+                }
+                CAPTURE(moments.transpose());
+                const Vector3d found = invert_moments(moments);
+                for (int i = 0; i < 3; ++i)
+                    REQUIRE_THAT(found[i], IsClose(expected[i], Rounding(8)));
+            } while (std::next_permutation(order, order + 3));
+        }
+    }
+}
+
+TEST_CASE("inertia: principal axes of a tensor that is nearly diagonal", "[A2.4][inertia]")
+{
+    for (Random random : seeds(20))
+        for (const double angle : {1e-3, 1e-5, 1e-7, 1e-9, 1e-11}) {
+            CAPTURE(angle);
+            const Matrix3d R = Eigen::AngleAxisd(angle, random.unit_vector()).toRotationMatrix();
+            const Matrix3d turned = R * Vector3d(1, 2, 2.5).asDiagonal() * R.transpose();
+            const Matrix3d I = (turned + turned.transpose()) / 2;
+            const PrincipalAxes axes = principal_axes(I);
+            REQUIRE_THAT(axes.rotation, IsRotation());
+            INFO("I = Q diag(moments) Qᵀ");
+            REQUIRE_THAT(
+                Matrix3d(axes.rotation * axes.moments.asDiagonal() * axes.rotation.transpose()),
+                IsClose(I, Rounding(64, I.norm())));
+        }
+}
+
+TEST_CASE("inertia: a light part far away counts", "[A2.14][inertia]")
+{
+    for (Random random : seeds(20))
+        for (const double ratio : {1e-3, 1e-6, 1e-9, 1e-12}) {
+            // reduced mass m M/(m + M) at the distance d, with m d² = 1 kg m²
+            CAPTURE(ratio);
+            const double d = 1 / std::sqrt(ratio), reduced = ratio / (1 + ratio);
+            const Vector3d at = d * random.unit_vector();
+            const Matrix3d I = random.inertia();
+            Matrix3d expected =
+                I + reduced * (at.squaredNorm() * Matrix3d::Identity() - at * at.transpose());
+            const MassProperties heavy = {1, Vector3d::Zero(), I},
+                                 light = {ratio, at, Matrix3d::Zero()};
+            for (const MassProperties& both : {combine(heavy, light), combine(light, heavy)}) {
+                REQUIRE_THAT(both.mass, IsClose(1 + ratio, Rounding(8)));
+                REQUIRE_THAT(both.center_of_mass, IsClose(Vector3d(reduced * at), Rounding(16, d)));
+                REQUIRE_THAT(both.inertia, IsClose(expected, Rounding(64, 2 + I.norm())));
+            }
+        }
+}

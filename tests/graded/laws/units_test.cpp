@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+// The law of the units, for every formula: if mass, length and time are measured in other units,
+// the result changes as its dimension says. The factors are powers of four, from a grain of sand to
+// a planet, so the change itself is exact.
+#include "change.hpp"
+#include "inputs.hpp"
+#include "support/seeds.hpp"
+
+#include <fmt/format.h>
+
+namespace rigor::testing {
+
+namespace {
+
+// Masses up to 2^±60, lengths up to 2^±44 and times up to 2^±20, half of them the extremes: from
+// less than a grain of sand to a planet. The sixth power of a pressure, which an eigenvalue solver
+// may need, is still a number.
+Dimension random_units(Random& random)
+{
+    const auto exponent = [&](int largest) {
+        if (random.bits() % 2 == 0) return random.bits() % 2 == 0 ? largest : -largest;
+        return 2 * (random_index(random, static_cast<std::size_t>(largest) + 1) - largest / 2);
+    };
+    const int mass = exponent(60), length = exponent(44);
+    return {mass, length, exponent(20)};
+}
+
+// The factor by which a number grew, as a power of four where it is one.
+std::string growth(double ratio)
+{
+    const double power = std::log2(std::abs(ratio));
+    if (std::abs(power - std::round(power)) < 1e-6 && std::abs(power) < 30)
+        return power < 0 ? fmt::format("shrink to 1/{:.0f}", std::exp2(-std::round(power)))
+               : std::round(power) == 0
+                   ? "stay"
+                   : fmt::format("grow {:.0f}-fold", std::exp2(std::round(power)));
+    return fmt::format("be {:.6g} times as large", ratio);
+}
+
+/// What happens to a wrong number of the result if only one unit changes, in words.
+template <FormulaIndex f, auto& formula>
+std::string units_in_words(const Arguments<formula>& arguments)
+{
+    const FormulaQuantities& of = formula_quantities[static_cast<unsigned>(f)];
+    const auto result = std::apply(formula, arguments);
+    const Components before = components(comparable(result));
+    const std::tuple<std::string, std::string, Dimension> units[] = {
+        {"masses", "a mass", {2, 0, 0}},
+        {"lengths", "a length", {0, 2, 0}},
+        {"times", "a time", {0, 0, 2}}};
+    std::string text;
+    for (const auto& [all, one, unit] : units) {
+        const Change c = {unit};
+        Arguments<formula> larger = arguments;
+        change_arguments(larger, of, c);
+        const Components wanted = components(comparable(changed(result, of.result, c))),
+                         found = components(comparable(std::apply(formula, larger)));
+        if (found.numbers.size() != before.numbers.size()) {
+            text += fmt::format("when all {} grow 4-fold, the number of values changes; ", all);
+            continue;
+        }
+        for (std::size_t i = 0; i < before.numbers.size(); ++i) {
+            const double old = before.numbers[i].value, should = wanted.numbers[i].value / old,
+                         is = found.numbers[i].value / old;
+            if (!(std::abs(old) > 1e-9) || std::abs(is - should) <= 1e-6 * std::abs(should))
+                continue;
+            const double missing = std::log2(should / is) / 2;
+            const bool is_power = std::abs(missing - std::round(missing)) < 1e-6;
+            const std::string& place = before.numbers[i].place;
+            text += fmt::format("when all {} grow 4-fold, {} must {}; yours would {}: ", all,
+                                place.empty() ? "the result" : place, growth(should), growth(is));
+            text += is_power ? fmt::format("{} to the power {:.0f} is missing; ", one, missing)
+                             : "a number in the formula has a unit, such as an absolute "
+                               "threshold; ";
+            break;
+        }
+    }
+    return text.empty() ? "the result depends on the units: a number in the formula has a unit, "
+                          "such as an absolute threshold"
+                        : text.substr(0, text.size() - 2);
+}
+
+bool has_units(FormulaIndex f)
+{
+    const FormulaQuantities& of = formula_quantities[static_cast<unsigned>(f)];
+    return std::any_of(
+        of.arguments.begin(), of.arguments.begin() + of.count,
+        [](const Quantity& q) { return q.dimension != Dimension() || q.kind == Kind::fields; });
+}
+
+template <FormulaIndex f, auto& formula> void check_units()
+{
+    const FormulaQuantities& of = formula_quantities[static_cast<unsigned>(f)];
+    for (unsigned seed : seeds(40)) {
+        Random random(seed + 5000);
+        const Change c = {random_units(random)};
+        const Arguments<formula> arguments = random_arguments<f, formula>(seed);
+        Arguments<formula> others = arguments;
+        change_arguments(others, of, c);
+
+        const auto expected = std::apply(formula, arguments);
+        auto found = changed(std::apply(formula, others), of.result, c.undone());
+        choose_as(found, expected, of.result);
+
+        const auto& should = comparable(expected);
+        const auto& is = comparable(found);
+        const Tolerance tolerance = universal(should);
+        const bool is_wrong = compare(components(is), components(should), tolerance).any;
+        const std::string words = is_wrong ? units_in_words<f, formula>(arguments) : "";
+        INFO(words);
+        INFO(fmt::format("masses are 2^{} times as large, lengths 2^{}, times 2^{}", c.units.mass,
+                         c.units.length, c.units.time));
+        REQUIRE_THAT(is, IsClose(should, tolerance));
+    }
+}
+
+#define RIGOR_ROW(tag, topic, function, ...)                                                       \
+    const bool units_of_##function =                                                               \
+        has_units(FormulaIndex::function) &&                                                       \
+        add_test(&check_units<FormulaIndex::function, rigor::function>,                            \
+                 #topic ": " #function " is the same in all units", "[" #tag "][" #topic "]");
+RIGOR_FORMULAS(RIGOR_ROW)
+#undef RIGOR_ROW
+
+} // namespace
+
+} // namespace rigor::testing

