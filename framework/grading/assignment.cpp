@@ -32,6 +32,7 @@ struct TaskDraft {
 };
 
 constexpr std::string_view visibilities[] = {"visible", "hidden"};
+constexpr std::string_view disclosures[] = {"all", "law", "nothing"};
 
 constexpr Key<TaskDraft> task_keys[] = {
     {"tag", "needed: such as \"A2.14\"",
@@ -54,6 +55,10 @@ constexpr Key<TaskDraft> task_keys[] = {
      [](TaskDraft& d, const Value& v) { d.task.hint = line_of_text(v, "a hint"); }},
     {"builds_on", "tags of the tasks whose formulas its tests call too",
      [](TaskDraft& d, const Value& v) { d.task.builds_on = texts(v, "tags"); }},
+    {"discloses", "what a failure tells: \"all\", \"law\" or \"nothing\" (\"all\")",
+     [](TaskDraft& d, const Value& v) {
+         d.task.discloses = static_cast<Disclosure>(one_of(v, disclosures));
+     }},
     {"scenes", "files of scenes/ that it is judged by",
      [](TaskDraft& d, const Value& v) {
          d.task.scenes = texts(v, "scene files");
@@ -223,6 +228,7 @@ std::vector<Assignment> load_assignments(const std::filesystem::path& folder)
                          ": expected folders with an assignment.json, found none");
     std::sort(files.begin(), files.end());
     std::vector<Assignment> assignments;
+    assignments.reserve(files.size());
     for (const auto& file : files)
         assignments.push_back(load_assignment(file));
     return assignments;

@@ -9,6 +9,13 @@
 
 namespace rigor {
 
+/// What a student is told about a test that failed.
+enum class Disclosure {
+    all,    // the law, the case, and the numbers
+    law,    // the law that broke, and how
+    nothing // that the task failed
+};
+
 struct Task {
     std::string tag;     // "A2.14"
     std::string formula; // "combine"; empty for a task about scenes
@@ -18,6 +25,7 @@ struct Task {
     std::string hint;                   // for a student whose solution fails
     std::vector<std::string> builds_on; // tags of the tasks whose formulas its tests call too
     std::vector<std::string> scenes;    // files of the scenes it is judged by
+    Disclosure discloses = Disclosure::all;
 
     const std::string& name() const { return formula.empty() ? title : formula; }
 };

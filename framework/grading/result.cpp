@@ -8,8 +8,9 @@ namespace rigor {
 
 namespace {
 
-constexpr std::array<std::string_view, 7> statuses = {
-    "passed", "skipped", "not_implemented", "failed", "not_finite", "timed_out", "crashed"};
+constexpr std::array<std::string_view, 8> statuses = {"passed",        "skipped", "not_implemented",
+                                                      "compile_error", "failed",  "not_finite",
+                                                      "timed_out",     "crashed"};
 constexpr std::array<std::string_view, 4> submission_statuses = {"graded", "compile_error",
                                                                  "rejected", "internal_error"};
 
@@ -40,6 +41,26 @@ const TestCase* TaskResult::first_failure() const
     return worst == tests.end() || worst->status == Status::passed ? nullptr : &*worst;
 }
 
+namespace {
+
+// Takes out what the task does not disclose. A message can quote the student's own exception, which
+// may have a hidden input in it, so it goes too.
+void hide_undisclosed(TaskResult& result)
+{
+    if (result.task.discloses == Disclosure::all) return;
+    for (TestCase& test : result.tests) {
+        TestCase told;
+        if (result.task.discloses == Disclosure::law) told.name = test.name;
+        told.status = test.status;
+        told.is_hidden = test.is_hidden;
+        test = std::move(told);
+    }
+    if (result.task.discloses == Disclosure::nothing && result.first_failure())
+        result.tests = {TestCase(*result.first_failure())};
+}
+
+} // namespace
+
 TaskResult score_task(const Task& task, std::vector<TestCase> tests)
 {
     TaskResult result = {task, Status::skipped, 0, 0, std::move(tests)};
@@ -49,6 +70,7 @@ TaskResult score_task(const Task& task, std::vector<TestCase> tests)
     if (result.status == Status::skipped) return result;
     result.max_score = task.points;
     if (result.status == Status::passed) result.score = task.points;
+    hide_undisclosed(result);
     return result;
 }
 

@@ -18,7 +18,16 @@ namespace rigor {
 /// A crash is worse than a wrong value, since it hides what would have been found after it.
 /// `failed` is worse than `not_implemented`, since a task that fails on its own is not excused by a
 /// stub that it calls as well.
-enum class Status { passed, skipped, not_implemented, failed, not_finite, timed_out, crashed };
+enum class Status {
+    passed,
+    skipped,
+    not_implemented,
+    compile_error, // the formula, or one that it calls, is missing from what was compiled
+    failed,
+    not_finite,
+    timed_out,
+    crashed
+};
 
 std::string_view to_string(Status status);
 /// The status with this name; empty if there is none.
@@ -57,6 +66,7 @@ struct Result {
     std::uint32_t seed = 0;
     std::vector<TaskResult> tasks;
     double build_seconds = 0, test_seconds = 0;
+    std::string walls; // the walls around the submission: "A: namespaces, uid, seccomp, Landlock"
 
     double score() const;
     double max_score() const;
@@ -64,7 +74,7 @@ struct Result {
 };
 
 /// The result of a task from its test cases. It gets all of its points if it has test cases and all
-/// of them passed, otherwise none.
+/// of them passed, otherwise none. What the task does not disclose is left out.
 TaskResult score_task(const Task& task, std::vector<TestCase> tests);
 
 } // namespace rigor

@@ -7,6 +7,7 @@
 #include "grading/places.hpp"
 #include "grading/process.hpp"
 #include "grading/verdicts.hpp"
+#include "sandbox/tier.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -23,6 +24,17 @@ std::vector<std::string> runnable(const Selection& selection, bool has_oracle)
     for (const std::string& tag : selection.tags)
         if (has_oracle || !selection.assignment.task(tag)->is_hidden) tags.push_back(tag);
     return tags;
+}
+
+// The walls around the submission, in words. A sanitizer needs calls that walls refuse, so the
+// sanitized build of the tests has none.
+std::string walls_in_words()
+{
+#ifdef RIGOR_SANITIZED
+    return "C: rlimits, for a sanitizer";
+#else
+    return description(usual_tier());
+#endif
 }
 
 // Catch2's test specification for these tags.
@@ -74,11 +86,12 @@ Result grade(const Selection& selection, const Implementation& implementation,
     result.assignment = selection.assignment;
     result.submission = implementation.name;
     result.seed = run.seed;
+    result.walls = walls_in_words();
     result.build_seconds = implementation.build_seconds;
     const std::vector<std::string> tags = runnable(selection, run.oracle.has_value());
-    if (!implementation.built()) {
+    if (implementation.is_broken(selection.assignment.topic)) {
         result.status = SubmissionStatus::compile_error;
-        result.message = implementation.compile_error;
+        result.message = implementation.broken.at(selection.assignment.topic);
         for (const std::string& tag : selection.tags) { // no test ran, so no task gets points
             const Task& task = *selection.assignment.task(tag);
             const bool counts = std::find(tags.begin(), tags.end(), tag) != tags.end();
@@ -119,7 +132,7 @@ GradingRun own_grading_run(const OnBuildStep& on_step)
     GradingRun run;
     run.test_program = places().program("graded_tests");
     std::vector<std::string> targets = {"graded_tests"};
-    if (places().has_reference()) {
+    if (places().has_reference() && !has_too_weak_walls()) {
         run.oracle = places().program("worker_reference");
         targets.emplace_back("worker_reference");
     }

@@ -2,7 +2,7 @@
 // The graded tests, run against one implementation.
 #pragma once
 
-#include "grading/implementation.hpp"
+#include "grading/build/implementation.hpp"
 #include "grading/result.hpp"
 #include "grading/selection.hpp"
 
@@ -31,8 +31,8 @@ struct GradingRun {
 Result grade(const Selection& selection, const Implementation& implementation,
              const GradingRun& run);
 
-/// The graded tests of this tree, with the reference as the oracle if there is one. Both are built
-/// if they are out of date.
+/// The graded tests of this tree, with the reference as the oracle if there is one and if the walls
+/// keep submissions away from it. Both are built if they are out of date.
 GradingRun own_grading_run(const OnBuildStep& on_step = {});
 
 } // namespace rigor

@@ -3,8 +3,10 @@
 // tags and formulas of all assignments. A word that names nothing is an error with a hint: the
 // range of tags if it looks like a tag, or else the nearest name.
 #include "grading/selection.hpp"
+
 #include "errors/input_error.hpp"
 #include "errors/nearest.hpp"
+#include "errors/quotes.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -60,8 +62,9 @@ std::string tags_there_are(const std::string& word, const std::vector<Assignment
     return "; `rigor list` names them";
 }
 
-// A hint such as "; did you mean 'inertia'?" or the range of existing tags.
-std::string suggestion(const std::string& word, const std::vector<Assignment>& assignments)
+// What to tell a user about a word that names nothing: the range of existing tags, or the nearest
+// name.
+std::string suggestion_for(const std::string& word, const std::vector<Assignment>& assignments)
 {
     if (const std::string tags = tags_there_are(word, assignments); !tags.empty()) return tags;
     std::vector<std::string> known;
@@ -72,9 +75,7 @@ std::string suggestion(const std::string& word, const std::vector<Assignment>& a
             if (!task.formula.empty()) known.push_back(task.formula);
         }
     }
-    const std::vector<std::string_view> views(known.begin(), known.end());
-    const std::string_view near = nearest(word, views);
-    return near.empty() ? "" : "; did you mean '" + std::string(near) + "'?";
+    return suggestion(word, known);
 }
 
 } // namespace
@@ -87,8 +88,8 @@ std::vector<Selection> select_tasks(const std::vector<Assignment>& assignments,
         marked.emplace_back(assignment.tasks.size(), words.empty());
     for (const std::string& word : words)
         if (word.empty() || !mark(lower(word), assignments, marked))
-            throw InputError("expected an assignment, a topic, a task's tag or a formula, found '" +
-                             word + "'" + suggestion(lower(word), assignments));
+            throw InputError("expected an assignment, a topic, a task's tag or a formula, found " +
+                             in_quotes(word) + suggestion_for(lower(word), assignments));
 
     std::vector<Selection> result;
     for (std::size_t a = 0; a < assignments.size(); ++a) {

@@ -4,7 +4,8 @@
 // implementation, and the next request starts a fresh process.
 #include "worker/client.hpp"
 
-#include "worker/finite.hpp"
+#include "errors/printable.hpp"
+#include "worker/protocol/finite.hpp"
 
 #include <fmt/format.h>
 
@@ -16,19 +17,20 @@ namespace {
 
 constexpr std::size_t piece = std::size_t{1} << 18; // states that one request advances [bytes]
 
-/// Untrusted text made safe for a terminal and for JSON: ASCII without control characters.
-std::string printable(std::string text)
-{
-    for (char& c : text) {
-        const bool plain = (c >= ' ' && c <= '~') || c == '\n' || c == '\t';
-        if (!plain) c = '?';
-    }
-    return text;
-}
-
 std::string text_of(const Bytes& bytes)
 {
     return printable(std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
+}
+
+/// The subject of the formula whose index a worker sent.
+std::string missing_in(const Bytes& reply)
+{
+    try {
+        const auto index = wire::decode_all<unsigned>(reply);
+        if (index < formula_count) return subject_of(FormulaIndex{index});
+    } catch (const wire::Malformed&) {
+    }
+    return "a formula";
 }
 
 /// The size of the encoded states of all bodies [bytes].
@@ -115,20 +117,28 @@ Reply Worker::exchange(const Question& question, Allowance& allowance)
     }
 }
 
-Bytes Worker::ask(const Question& question, Seconds floor)
+Bytes Worker::ask(const Question& question, Allowance& allowance)
 {
-    Allowance allowance{floor, limits_.multiple};
+    allowance.multiple = limits_.multiple;
     allowance.by_silence = question.sink && limits_.scene_by_silence;
     if (oracle_) allowance.reference = [&] { return oracle_->duration(question); };
     Reply reply = exchange(question, allowance);
+    if (reply.status != ReplyStatus::done) refuse(reply);
+    return std::move(reply.payload);
+}
+
+/// Throws what a reply without a result says.
+void Worker::refuse(const Reply& reply)
+{
     switch (reply.status) {
-    case Status::done:
-        return std::move(reply.payload);
-    case Status::not_implemented:
+    case ReplyStatus::not_implemented:
         throw NotImplemented(text_of(reply.payload));
-    case Status::not_finite:
+    case ReplyStatus::not_finite:
         throw NotFinite(subject_, text_of(reply.payload));
-    case Status::threw:
+    case ReplyStatus::missing:
+        throw FormulaMissing(subject_, missing_in(reply.payload));
+    case ReplyStatus::done:
+    case ReplyStatus::threw:
         break;
     }
     fail({WorkerFailure::threw, "threw " + text_of(reply.payload)}, nullptr);
@@ -142,7 +152,7 @@ Worker::Seconds Worker::duration(Question question)
     Allowance allowance{limits_.oracle};
     try {
         const Reply reply = exchange(question, allowance);
-        return reply.status == Status::done ? allowance.waited : Seconds(0);
+        return reply.status == ReplyStatus::done ? allowance.waited : Seconds(0);
     } catch (const WorkerFailure&) {
         return Seconds(0); // the limit is then the floor
     }
@@ -151,8 +161,48 @@ Worker::Seconds Worker::duration(Question question)
 Bytes Worker::call(FormulaIndex formula, std::span<const std::byte> arguments, std::size_t largest)
 {
     subject_ = subject_of(formula);
-    return ask({Request::call, static_cast<std::uint32_t>(formula), arguments, largest},
-               limits_.call);
+    require_hope(formula);
+    const Question question{Request::call, static_cast<std::uint32_t>(formula), arguments, largest};
+    Allowance allowance{limits_.call};
+    try {
+        Bytes result = ask(question, allowance);
+        count_time(question, allowance.waited);
+        return result;
+    } catch (const WorkerFailure& failure) {
+        if (failure.cause == WorkerFailure::timed_out) ++timed_out_[formula];
+        all_calls_ += allowance.waited;
+        throw;
+    }
+}
+
+bool Worker::is_hopeless(FormulaIndex formula) const
+{
+    const auto often = timed_out_.find(formula);
+    return often != timed_out_.end() && often->second >= 2;
+}
+
+/// Gives up on a formula that has had its chances, so that an endless loop costs seconds and not
+/// every test case the same time again.
+void Worker::require_hope(FormulaIndex formula) const
+{
+    const auto late = [&](const std::string& why) {
+        return WorkerFailure(WorkerFailure::timed_out, subject_, why);
+    };
+    if (is_hopeless(formula)) throw late("did not return twice, so it is not asked again");
+    const Seconds most =
+        oracle_ ? limits_.call + limits_.multiple * paid_by_oracle_ : 3 * limits_.all_calls;
+    if (paid_calls_ > most)
+        throw late(fmt::format("is not asked any more: all calls together took {:.3g} s",
+                               all_calls_.count()));
+}
+
+/// Counts the time of a call. The oracle is asked the same only after the free time is used up.
+void Worker::count_time(const Question& question, Seconds waited)
+{
+    all_calls_ += waited;
+    if (all_calls_ <= limits_.all_calls) return;
+    paid_calls_ += waited;
+    if (oracle_) paid_by_oracle_ += oracle_->duration(question);
 }
 
 void Worker::run_scene(const std::string& scene_text, const std::string& scene_name, Record record,
@@ -162,9 +212,11 @@ void Worker::run_scene(const std::string& scene_text, const std::string& scene_n
     Bytes request;
     wire::encode(request, scene_text);
     wire::encode(request, scene_name);
-    const auto argument =
-        static_cast<std::uint32_t>(record) + 2 * static_cast<std::uint32_t>(threads);
-    ask({Request::run_scene, argument, request, 0, &sink}, limits_.scene);
+    SceneOptions options;
+    options.every_step = record == Record::every_step;
+    options.threads = threads;
+    Allowance allowance{limits_.scene};
+    ask({Request::run_scene, options.packed(), request, 0, limits_.trajectory, &sink}, allowance);
 }
 
 Worker::States Worker::advance(const std::string& scene_text, const std::string& scene_name,
@@ -194,7 +246,8 @@ Worker::States Worker::advance_some(const std::string& scene_text, const std::st
     std::size_t largest = sizeof(std::uint64_t);
     for (const Start& start : starts)
         largest += encoded_size(start);
-    const Bytes reply = ask({Request::advance, 0, request, largest}, limits_.call);
+    Allowance allowance{limits_.call};
+    const Bytes reply = ask({Request::advance, 0, request, largest}, allowance);
     States states;
     try {
         states = wire::decode_all<States>(reply);

@@ -8,6 +8,8 @@
 #include "worker/failure.hpp"
 #include "worker/session.hpp"
 
+#include <map>
+
 namespace rigor {
 
 /// Tag and name of a formula: "A4.10 apply_impulse".
@@ -27,7 +29,8 @@ public:
 
     /// The encoded result of a formula on encoded arguments.
     /// @param largest  largest size of an encoded result [bytes]
-    /// @throws NotImplemented, WorkerFailure
+    /// A formula that did not return twice is not asked again.
+    /// @throws NotImplemented, FormulaMissing, WorkerFailure
     Bytes call(FormulaIndex formula, std::span<const std::byte> arguments, std::size_t largest);
 
     /// Runs a scene and passes its trajectory to `sink` as it comes, up to the failure if there is
@@ -57,10 +60,15 @@ public:
     const std::filesystem::path& executable() const { return executable_; }
 
 private:
+    friend class SceneAnswers;
     using Seconds = Allowance::Seconds;
     using States = std::vector<std::vector<RigidState>>;
 
-    Bytes ask(const Question& question, Seconds floor);
+    Bytes ask(const Question& question, Allowance& allowance);
+    [[noreturn]] void refuse(const Reply& reply);
+    bool is_hopeless(FormulaIndex formula) const;
+    void require_hope(FormulaIndex formula) const;
+    void count_time(const Question& question, Seconds waited);
     Reply exchange(const Question& question, Allowance& allowance);
     Seconds duration(Question question);
     States advance_some(const std::string& scene_text, const std::string& scene_name,
@@ -75,6 +83,10 @@ private:
     std::string output_;
     int failed_starts_ = 0;
     std::optional<WorkerFailure> start_failure_;
+    std::map<FormulaIndex, int> timed_out_; // for each formula, how often it did not return
+    /// See Limits::all_calls: the time of all calls, and of those after the free part, here and by
+    /// the oracle.
+    Seconds all_calls_{}, paid_calls_{}, paid_by_oracle_{};
 };
 
 } // namespace rigor

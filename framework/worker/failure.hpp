@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The ways in which an implementation can fail without an answer. With `NotImplemented`, these are
+// The ways in which an implementation can fail without an answer. With `NotImplemented`, they are
 // all exceptions of a call through a worker that a student's code can cause. Any other exception is
 // a fault of the framework.
 #pragma once
@@ -32,6 +32,19 @@ struct WorkerFailure : std::runtime_error {
     Cause cause;
     std::string subject; // "A4.10 apply_impulse", "scene bounce", "the start of the program"
     std::string output;  // the beginning of what the implementation printed
+};
+
+/// A formula that the implementation does not define, or defines with another signature:
+/// `A4.10 apply_impulse is not defined`.
+struct FormulaMissing : std::runtime_error {
+    /// @param asked    the formula that was called
+    /// @param missing  the formula that is not defined: the same one, or one that `asked` calls
+    FormulaMissing(const std::string& asked, const std::string& missing)
+        : std::runtime_error(asked == missing
+                                 ? missing + " is not defined"
+                                 : asked + " calls " + missing + ", which is not defined")
+    {
+    }
 };
 
 /// An answer that contains NaN or infinity: `A4.10 apply_impulse: angular_momentum.y is NaN`.

@@ -2,12 +2,12 @@
 // One worker process from start to end: its memory, its output, its death.
 #pragma once
 
-#include "worker/channel.hpp"
+#include "sandbox/confined.hpp"
 #include "worker/failure.hpp"
+#include "worker/protocol/channel.hpp"
 
 #include <chrono>
 #include <filesystem>
-#include <memory>
 #include <optional>
 #include <string>
 
@@ -21,11 +21,18 @@ inline constexpr bool is_sanitized = false;
 /// A factor for time limits. It is larger than the slowdown of a scene by a sanitizer.
 inline constexpr double patience = is_sanitized ? 20 : 1;
 
+/// Whose formulas a worker runs. It decides which walls there are around it.
+enum class Trust {
+    ours,     // the reference, or scenes for its author's own eyes: limits on resources only
+    students, // formulas that are graded: the walls of the usual tier; needs a static worker
+};
+
 /// The limits of an implementation. A time limit is the greater of its floor and `multiple` times
 /// what the oracle took for the same request; without an oracle it is the floor. Time counts from
 /// the request, while the client waits and the worker has a processor or sleeps. While the worker
 /// waits for a processor on a busy machine, a tenth of the time counts.
 struct Limits {
+    Trust trust = Trust::ours;
     std::chrono::duration<double> start{10}; // from exec until the worker is ready
     std::chrono::duration<double> call{2};   // floor for a formula, or 256 kB of states to advance
     std::chrono::duration<double> scene{20 * patience}; // floor for a whole scene
@@ -34,6 +41,9 @@ struct Limits {
     bool scene_by_silence = false;
     std::chrono::duration<double> oracle{60 * patience}; // limit for the oracle itself
     double multiple = 50;
+    /// Time for all calls of formulas together. The first part is free; after it, the oracle is
+    /// asked the same, and the rest may take `multiple` times as long as the oracle.
+    std::chrono::duration<double> all_calls{30 * patience};
     std::size_t memory = std::size_t{2} << 30; // address space [bytes]; unlimited under a sanitizer
     std::size_t output = std::size_t{1} << 20; // what a request may print [bytes]
     std::size_t trajectory = std::size_t{1} << 30; // what a scene may stream [bytes]
@@ -46,14 +56,13 @@ struct Broken {
     std::string text; // "crashed: segmentation fault"
 };
 
-/// A child process with a `Channel`. It runs in a session of its own, inherits no descriptor except
-/// its end of the output pipe and hardly any environment, and dies with the thread that started it.
-/// Ending it ends every process of its group. A process of the same user can still do harm that
-/// only a sandbox prevents (signals, files): this class is no sandbox.
+/// A child process with a `Channel`, behind the walls that its `Trust` asks for. It inherits no
+/// descriptor except a null input, its end of the output pipe and the shared memory, and hardly any
+/// environment. It dies with the thread that started it, and ending it ends all that it started.
 class Process {
 public:
     /// Starts the executable and does not wait until it is ready.
-    /// @throws std::system_error if it cannot be started
+    /// @throws std::system_error if it cannot be started behind these walls
     Process(const std::filesystem::path& executable, const Limits& limits);
     ~Process();
     Process(const Process&) = delete;
@@ -62,7 +71,7 @@ public:
     Channel& channel() { return *channel_; }
 
     /// How it ended or stopped; empty while it runs.
-    std::optional<Broken> ending() const;
+    std::optional<Broken> ending();
 
     /// The time for which it was ready to run but other processes had the processors.
     std::chrono::nanoseconds time_without_processor() const;
@@ -72,8 +81,9 @@ public:
     std::size_t drain(std::string& kept, std::size_t keep);
 
 private:
-    int pid_ = -1;
-    int output_ = -1;
+    Ends output_ = output_pipe();
+    Descriptor memory_;
+    Confined program_;
     Channel* channel_ = nullptr;
 };
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Asks a worker process and waits for its reply. While it waits, it passes on the trajectory,
+// Asks a worker process and waits for its reply. While it waits, it passes on what is streamed,
 // collects what the process prints, and checks that the process lives and keeps its time limit. The
 // time that the worker waits for a processor hardly counts. A reply is copied before it is checked.
 #include "worker/session.hpp"
 
-#include "worker/wire.hpp"
+#include "worker/protocol/wire.hpp"
 
 #include <fmt/format.h>
 
@@ -49,13 +49,15 @@ void Session::await_greeting()
     Bytes expected;
     wire::encode(expected, contract_fingerprint());
     Allowance allowance{limits_.start};
-    await_reply(allowance, nullptr);
-    if (take_reply(expected.size()).payload != expected)
+    largest_ = expected.size();
+    while (!next_part(allowance).empty()) {
+    }
+    if (take_reply().payload != expected)
         throw Broken{WorkerFailure::malformed,
                      "was built from other headers than this: build it again"};
 }
 
-Reply Session::ask(const Question& question, Allowance& allowance)
+void Session::begin(const Question& question)
 {
     Channel& channel = process_.channel();
     if (channel.reply.load(std::memory_order_acquire) != sequence_)
@@ -65,11 +67,21 @@ Reply Session::ask(const Question& question, Allowance& allowance)
     channel.request_size = question.payload.size();
     channel.streamed = channel.taken = taken_ = 0;
     std::copy(question.payload.begin(), question.payload.end(), channel.payload);
-    handed_on_ = printed_ = 0;
+    largest_ = question.largest;
+    longest_stream_ = question.longest_stream;
+    streamed_ = printed_ = 0;
     ++sequence_;
     post(channel.request, sequence_);
-    await_reply(allowance, question.sink);
-    return take_reply(question.largest);
+}
+
+Reply Session::ask(const Question& question, Allowance& allowance)
+{
+    begin(question);
+    for (Bytes part = next_part(allowance); !part.empty(); part = next_part(allowance)) {
+        if (question.sink) (*question.sink)(part);
+        if (allowance.by_silence) allowance.waited = {};
+    }
+    return take_reply();
 }
 
 /// The part of the time that the worker could use: all but its waiting for a processor, and at
@@ -83,24 +95,25 @@ Allowance::Seconds Session::usable(Allowance::Seconds passed,
     return std::max(passed - lost, passed / 10);
 }
 
-/// Waits until the reply with the current sequence number is there and
-/// watches the process meanwhile.
-void Session::await_reply(Allowance& allowance, const ByteSink* sink)
+/// Waits for a part of the stream, or until the reply with the current sequence number is there,
+/// and watches the process meanwhile.
+Bytes Session::next_part(Allowance& allowance)
 {
     const std::atomic<std::uint32_t>& reply = process_.channel().reply;
     std::chrono::milliseconds slice(1);
     std::optional<Allowance::Seconds> starved;
     for (;;) {
+        if (Bytes part = take_stream(); !part.empty()) return part;
         const Clock::time_point start = Clock::now();
         const std::uint32_t now = await_change(reply, sequence_ - 1, slice);
-        const Allowance::Seconds passed = Clock::now() - start; // without the time of the sink
+        const Allowance::Seconds passed = Clock::now() - start;
         allowance.waited += now == sequence_ ? passed : usable(passed, starved);
-        if (sink && hand_on_stream(*sink) && allowance.by_silence) allowance.waited = {};
-        if (now == sequence_) return;
+        if (now == sequence_) return take_stream();
         if (now != sequence_ - 1) throw Broken{WorkerFailure::malformed, "answered out of turn"};
         collect_output();
         if (const auto ending = process_.ending()) {
             if (reply.load(std::memory_order_acquire) == sequence_) continue; // it answered before
+            if (Bytes part = take_stream(); !part.empty()) return part;
             throw *ending;
         }
         if (allowance.used_up()) throw Broken{WorkerFailure::timed_out, allowance.verdict()};
@@ -108,17 +121,17 @@ void Session::await_reply(Allowance& allowance, const ByteSink* sink)
     }
 }
 
-Reply Session::take_reply(std::size_t largest)
+Reply Session::take_reply()
 {
     // Each word is read once and the payload is copied, so that the worker
     // cannot change them later.
     Channel& channel = process_.channel();
-    const Status status = channel.status;
+    const ReplyStatus status = channel.status;
     const std::uint64_t size = channel.reply_size;
-    if (status > Status::last)
+    if (status > ReplyStatus::last)
         throw Broken{WorkerFailure::malformed, "sent an answer of no known kind"};
     const std::size_t most =
-        std::min(status == Status::done ? largest : Channel::longest_text, Channel::capacity);
+        std::min(status == ReplyStatus::done ? largest_ : Channel::longest_text, Channel::capacity);
     if (size > most)
         throw Broken{WorkerFailure::malformed,
                      fmt::format("sent {} bytes where an answer has at most {}", size, most)};
@@ -129,29 +142,30 @@ Bytes Session::rest_of_stream()
 {
     Channel& channel = process_.channel();
     const std::uint32_t n = channel.streamed.load(std::memory_order_acquire) - taken_;
-    if (n > Channel::ring || handed_on_ + n > limits_.trajectory) return {};
+    if (n > Channel::ring || streamed_ + n > longest_stream_) return {};
     const std::uint32_t at = taken_ % Channel::ring;
     const std::uint32_t first = std::min(n, Channel::ring - at);
     Bytes bytes(channel.stream + at, channel.stream + at + first);
     bytes.insert(bytes.end(), channel.stream, channel.stream + (n - first));
     taken_ += n;
-    handed_on_ += n;
-    post(channel.taken, taken_);
+    streamed_ += n;
+    channel.taken.store(taken_, std::memory_order_release);
+    // A worker that waits found the ring full, and then one of two parts is at least half of it.
+    if (n >= Channel::ring / 2) wake(channel.taken);
     return bytes;
 }
 
-bool Session::hand_on_stream(const ByteSink& sink)
+Bytes Session::take_stream()
 {
     const std::uint32_t streamed = process_.channel().streamed.load(std::memory_order_acquire);
-    if (streamed == taken_) return false;
+    if (streamed == taken_) return {};
     if (streamed - taken_ > Channel::ring)
         throw Broken{WorkerFailure::malformed, "streamed more than there is room for"};
-    const Bytes bytes = rest_of_stream();
+    Bytes bytes = rest_of_stream();
     if (bytes.empty())
         throw Broken{WorkerFailure::flooded,
-                     fmt::format("streamed more than {} MB", limits_.trajectory >> 20)};
-    sink(bytes);
-    return true;
+                     fmt::format("streamed more than {} MB", longest_stream_ >> 20)};
+    return bytes;
 }
 
 void Session::collect_output()

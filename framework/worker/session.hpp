@@ -15,7 +15,7 @@ struct Allowance {
     Seconds limit;                           // the floor at first
     double multiple = 0;                     // factor for the time of the reference
     std::function<Seconds()> reference = {}; // empty if there is none or it has been asked
-    bool by_silence = false;                 // whether a part of the trajectory restarts the time
+    bool by_silence = false;                 // whether a part of the stream restarts the time
     Seconds waited = {}, reference_took = {};
 
     bool used_up();
@@ -27,12 +27,13 @@ struct Question {
     std::uint32_t argument = 0;
     std::span<const std::byte> payload;
     std::size_t largest = 0;        // largest size of an answer [bytes]
-    const ByteSink* sink = nullptr; // takes the trajectory
+    std::size_t longest_stream = 0; // [bytes]
+    const ByteSink* sink = nullptr; // takes what is streamed
 };
 
 /// A reply as the worker wrote it. Only its size has been checked.
 struct Reply {
-    Status status;
+    ReplyStatus status;
     Bytes payload;
 };
 
@@ -47,26 +48,32 @@ public:
     /// @throws Broken, what the sink throws; the session cannot be used any more then
     Reply ask(const Question& question, Allowance& allowance);
 
-    /// The rest of the trajectory that came before the conversation broke.
+    /// The same in parts: asks a question, whose sink is not used. After it, `next_part` is called
+    /// until there is no more, and then `take_reply`. @throws Broken
+    void begin(const Question& question);
+    /// Waits for a part of the stream. @return it; empty if the reply has come instead
+    Bytes next_part(Allowance& allowance);
+    Reply take_reply();
+
+    /// The rest of the stream that came before the conversation broke.
     Bytes rest_of_stream();
 
     /// The beginning of what was printed since the last call of this function.
     std::string take_output();
 
 private:
-    void await_reply(Allowance& allowance, const ByteSink* sink);
     Allowance::Seconds usable(Allowance::Seconds passed,
                               std::optional<Allowance::Seconds>& starved) const;
-    Reply take_reply(std::size_t largest);
-    bool hand_on_stream(const ByteSink& sink);
+    Bytes take_stream();
     void collect_output();
 
     Limits limits_;
     Process process_;
     std::uint32_t sequence_ = 1; // number of the last question; 1 asks whether it is ready
     std::uint32_t taken_ = 0;    // how much of the stream was read, modulo 2^32 [bytes]
-    std::size_t handed_on_ = 0;  // how much of the stream was passed on [bytes]
-    std::size_t printed_ = 0;    // how much was printed since the last question [bytes]
+    std::size_t streamed_ = 0;   // how much of the stream was read [bytes]
+    std::size_t largest_ = 0, longest_stream_ = 0; // limits of the last question [bytes]
+    std::size_t printed_ = 0; // how much was printed since the last question [bytes]
     std::string output_;
 };
 

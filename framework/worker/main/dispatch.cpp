@@ -2,6 +2,7 @@
 #include "worker/main/dispatch.hpp"
 
 #include "formulas/table.hpp"
+#include "worker/engine/scenes.hpp"
 
 #include <tuple>
 
@@ -29,6 +30,10 @@ constexpr Call calls[] = {RIGOR_FORMULAS(RIGOR_ROW)};
 #undef RIGOR_ROW
 
 } // namespace
+
+#define RIGOR_ROW(tag, topic, function, ...) reinterpret_cast<AnyFormula>(&rigor::function),
+const AnyFormula rigor_formulas[] = {RIGOR_FORMULAS(RIGOR_ROW)};
+#undef RIGOR_ROW
 
 wire::Bytes call_formula(unsigned index, std::span<const std::byte> arguments)
 {

@@ -2,7 +2,7 @@
 // The worker's table of formulas: calls one of them by its index.
 #pragma once
 
-#include "worker/wire.hpp"
+#include "worker/protocol/wire.hpp"
 
 namespace rigor {
 

@@ -4,7 +4,7 @@
 // in another process answers.
 #pragma once
 
-#include "worker/client.hpp"
+#include "worker/scene_answers.hpp"
 
 #include <filesystem>
 #include <optional>
@@ -22,8 +22,20 @@ Worker& worker();
 /// The worker that runs the reference; nullptr if there is none.
 Worker* oracle();
 
+/// Makes the formulas take their answers from this run of a scene; nullptr: ask for each again.
+void answer_from(SceneAnswers* run);
+
 /// Makes the next call start a fresh process.
 void renew_worker();
+
+/// A call of a formula with its encoded arguments.
+struct FormulaCall {
+    FormulaIndex formula;
+    Bytes arguments;
+};
+
+/// The last call of a formula of the worker under test since `renew_worker`, if there was one.
+const std::optional<FormulaCall>& last_call();
 
 /// The reference failed, which is never the fault of the implementation under test.
 struct OracleFailure : std::runtime_error {

@@ -10,7 +10,7 @@ namespace rigor {
 Matrix3d cross_matrix(const Vector3d&)
 {
     Channel& channel = find_channel();
-    channel.status = Status::done;
+    channel.status = ReplyStatus::done;
     channel.reply_size = 9 * sizeof(double);
     post(channel.reply, channel.request);
     post(channel.reply, channel.request + 1);

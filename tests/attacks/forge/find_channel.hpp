@@ -2,7 +2,7 @@
 // Looks up the address of the shared memory, which any attacker can do.
 #pragma once
 
-#include "worker/channel.hpp"
+#include "worker/protocol/channel.hpp"
 
 #include <cstdio>
 #include <cstring>

@@ -10,7 +10,7 @@ namespace rigor {
 Matrix3d cross_matrix(const Vector3d&)
 {
     Channel& channel = find_channel();
-    channel.status = static_cast<Status>(77);
+    channel.status = static_cast<ReplyStatus>(77);
     channel.reply_size = 0;
     post(channel.reply, channel.request);
     for (;;)

@@ -153,7 +153,8 @@ TEST_CASE("scoring: code that does not compile has the points of nothing", "[sco
     selection.assignment.tasks = {task_worth(2, "A2.1"), task_worth(5, "A2.3", true)};
     selection.tags = {"A2.1", "A2.3"};
     Implementation broken;
-    broken.compile_error = "student/inertia.cpp:3: error: expected ';'";
+    selection.assignment.topic = "inertia";
+    broken.broken["inertia"] = "inertia.cpp:3: error: expected ';'";
     const Result result = grade(selection, broken, {});
     REQUIRE(result.status == SubmissionStatus::compile_error);
     REQUIRE(result.score() == 0);
@@ -179,6 +180,35 @@ TEST_CASE("scoring: a verdict keeps numbers and seed and says each line once", "
     REQUIRE(test.tolerance == "1e-15");
     REQUIRE(test.is_hidden);
     REQUIRE(verdicts.of("A2.2").empty());
+}
+
+TEST_CASE("scoring: a failure tells no more than its task discloses", "[scoring]")
+{
+    Task task = task_worth(2);
+    std::vector<TestCase> tests = tests_with({Status::passed, Status::failed, Status::crashed});
+    for (TestCase& test : tests) {
+        test.name = "topic: a law";
+        test.message = test.expected = test.actual = test.error = test.hint = "42";
+        test.seed = 7;
+    }
+    REQUIRE(score_task(task, tests).tests[2].message == "42");
+    task.discloses = Disclosure::law;
+    const TaskResult law = score_task(task, tests);
+    REQUIRE(law.status == Status::crashed);
+    REQUIRE(law.tests.size() == 3);
+    for (const TestCase& test : law.tests) {
+        REQUIRE(test.name == "topic: a law");
+        REQUIRE((test.message + test.expected + test.actual + test.error + test.hint).empty());
+        REQUIRE_FALSE(test.seed);
+    }
+    task.discloses = Disclosure::nothing;
+    const TaskResult nothing = score_task(task, tests);
+    REQUIRE(nothing.status == Status::crashed);
+    REQUIRE(nothing.score == 0);
+    REQUIRE(nothing.tests.size() == 1);
+    REQUIRE(nothing.tests[0].name.empty());
+    task.discloses = Disclosure::all;
+    REQUIRE(score_task(task, tests_with({Status::passed})).score == 2);
 }
 
 } // namespace rigor::testing

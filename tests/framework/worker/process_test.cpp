@@ -2,7 +2,8 @@
 // Tests of a worker's process: what it inherits, when it ends, how long it may take.
 #include "attack.hpp"
 #include "support/catch.hpp"
-#include "worker/wire.hpp"
+#include "support/temporary_folder.hpp"
+#include "worker/protocol/wire.hpp"
 
 #include <sstream>
 #include <sys/wait.h>
@@ -85,6 +86,35 @@ TEST_CASE("worker: a program that is not there is our fault")
 {
     use_worker("/nowhere/worker");
     REQUIRE_THROWS_AS(next_call_is_answered(), std::system_error);
+}
+
+TEST_CASE("worker: a build under a strict umask can be graded by root, too")
+{
+    if (is_sanitized) return; // there are no walls then
+    const testing::TemporaryFolder folder;
+    const auto copy = folder.path() / "worker";
+    std::filesystem::copy_file(RIGOR_BINARY_DIR "/bin/worker_reference", copy);
+    std::filesystem::permissions(copy, std::filesystem::perms::owner_all);
+    Limits limits = tight();
+    limits.trust = Trust::students;
+    use_worker(copy, {}, limits);
+    REQUIRE(next_call_is_answered());
+}
+
+TEST_CASE("worker: a formula that did not return twice is not asked again")
+{
+    use_worker(attack("endless_loop"), {}, tight());
+    for (int i = 0; i < 2; ++i)
+        REQUIRE_THROWS_WITH(attacked(), "A1.1 cross_matrix did not return within 0.6 s");
+    REQUIRE_THROWS_WITH(attacked(),
+                        "A1.1 cross_matrix did not return twice, so it is not asked again");
+    REQUIRE(next_call_is_answered());
+}
+
+TEST_CASE("worker: a formula that is nowhere defined says so")
+{
+    use_worker(RIGOR_BINARY_DIR "/bin/worker_nothing");
+    REQUIRE_THROWS_WITH(attacked(), "A1.1 cross_matrix is not defined");
 }
 
 } // namespace rigor

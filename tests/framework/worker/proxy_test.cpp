@@ -2,7 +2,7 @@
 #include "echo/echo.hpp"
 #include "formulas/table.hpp"
 #include "support/catch.hpp"
-#include "worker/finite.hpp"
+#include "worker/protocol/finite.hpp"
 #include "worker/proxy/proxy.hpp"
 
 #include <tuple>

@@ -2,7 +2,7 @@
 #include "attack.hpp"
 #include "scene/trajectory/reader.hpp"
 #include "support/catch.hpp"
-#include "worker/wire.hpp"
+#include "worker/protocol/wire.hpp"
 
 namespace rigor {
 

@@ -2,7 +2,7 @@
 // Tests with hostile bytes: a reader accepts one encoding of each value and nothing else.
 #include "echo/echo.hpp"
 #include "support/catch.hpp"
-#include "worker/finite.hpp"
+#include "worker/protocol/finite.hpp"
 
 #include <cmath>
 

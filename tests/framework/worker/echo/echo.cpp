@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "echo.hpp"
 
-#include "worker/define_formulas.hpp"
+#include "worker/protocol/define_formulas.hpp"
 
 namespace rigor {
 
 namespace {
 
-template <class Result, class... Argument>
-Result answer(FormulaIndex formula, const Argument&... arguments)
+template <FormulaIndex formula, class Formula, class... Argument>
+typename Formula::Result answer(const Argument&... arguments)
 {
     wire::Bytes bytes;
     (wire::encode(bytes, arguments), ...);
-    return echo_of<Result>(static_cast<unsigned>(formula), bytes);
+    return echo_of<typename Formula::Result>(static_cast<unsigned>(formula), bytes);
 }
 
 } // namespace

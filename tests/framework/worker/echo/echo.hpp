@@ -3,7 +3,7 @@
 // way there or back, the result is another one.
 #pragma once
 
-#include "worker/wire.hpp"
+#include "worker/protocol/wire.hpp"
 
 namespace rigor {
 

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: MIT
+// A private folder has `files`, the copies that the compiler reads; `out`, where tools write; and
+// the objects, each with a key and the names that it defines and uses.
+#include "grading/build/compiled_folder.hpp"
+
+#include "errors/input_error.hpp"
+#include "errors/printable.hpp"
+#include "grading/build/includes.hpp"
+#include "grading/build/replace_all.hpp"
+#include "grading/topics.hpp"
+#include "sandbox/blocked_calls.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <fmt/format.h>
+#include <fstream>
+#include <future>
+#include <mutex>
+#include <sstream>
+#include <thread>
+
+namespace rigor {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string content_of(const fs::path& file)
+{
+    std::ifstream in(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+std::vector<std::string> lines_of(const std::string& text)
+{
+    std::vector<std::string> lines;
+    std::istringstream in(text);
+    for (std::string line; std::getline(in, line);)
+        lines.push_back(line);
+    return lines;
+}
+
+fs::path contract()
+{
+    return places().source / "framework/formulas";
+}
+
+// A hash of the headers of the contract and of the time when they were compiled beforehand.
+std::uint64_t hash_of_contract(const Toolchain& tools)
+{
+    std::vector<fs::path> headers;
+    for (const auto& entry : fs::directory_iterator(contract()))
+        headers.push_back(entry.path());
+    std::sort(headers.begin(), headers.end());
+    std::uint64_t hash = hash_of("");
+    for (const fs::path& header : headers)
+        hash = hash_of(header.filename().string() + content_of(header), hash);
+    for (const auto& entry : fs::directory_iterator(tools.precompiled))
+        if (entry.path().filename().string().starts_with("cmake_pch.hxx."))
+            hash = hash_of(fmt::format("{}", entry.last_write_time().time_since_epoch().count()),
+                           hash);
+    return hash;
+}
+
+// The private folder of a folder: the same in every run.
+fs::path place_of(const fs::path& folder)
+{
+    const bool is_student = folder == places().source / "student";
+    const fs::path place =
+        places().build / "submissions" /
+        (is_student ? "student" : fmt::format("{:016x}", hash_of(folder.string())));
+    fs::create_directories(place);
+    return place;
+}
+
+std::string why_it_ended(const ConfinedRun& run, const std::string& file)
+{
+    if (run.timed_out)
+        return fmt::format("{}: took longer than {} s to compile\n", file, compile_limit);
+    if (run.blocked_call)
+        return fmt::format("{}: the compiler tried to {}\n", file,
+                           words_for_blocked_call(*run.blocked_call));
+    if (run.output.find("File size limit exceeded") != std::string::npos)
+        return fmt::format("{}: expected an object of at most {} MB\n", file, largest_output >> 20);
+    std::string errors = shown_errors(run.output);
+    if (run.flooded) errors += "(there are more messages than anyone reads)\n";
+    if (run.signal != 0)
+        errors += fmt::format("{}: the compiler was ended by signal {}\n", file, run.signal);
+    return errors.empty() ? file + ": does not compile\n" : errors;
+}
+
+} // namespace
+
+bool KeyFile::holds(std::uint64_t key) const
+{
+    std::ifstream in(file_);
+    std::string line;
+    return std::getline(in, line) && line == fmt::format("{:016x}", key);
+}
+
+std::vector<std::string> KeyFile::lines() const
+{
+    std::vector<std::string> lines = lines_of(content_of(file_));
+    if (!lines.empty()) lines.erase(lines.begin());
+    return lines;
+}
+
+void KeyFile::write(std::uint64_t key, const std::vector<std::string>& lines) const
+{
+    std::ofstream out(file_);
+    out << fmt::format("{:016x}\n", key);
+    for (const std::string& line : lines)
+        out << line << '\n';
+}
+
+std::string shown_errors(const std::string& output)
+{
+    std::string text = first_errors(lines_of(printable(output)));
+    replace_all(text, places().source.string() + "/", "");
+    return text;
+}
+
+CompiledFolder::CompiledFolder(const fs::path& folder, const Toolchain& tools)
+    : tools_(tools), place_(place_of(folder)), lock_(place_),
+      files_(take_files(folder, place_ / "files")),
+      surroundings_(hash_of(fmt::format("{} {:x}", fmt::join(tools.compile, " "), files_.hash),
+                            hash_of_contract(tools)))
+{
+    if (files_.topics.empty() && files_.refused.empty())
+        throw InputError(fmt::format("{}: expected some of {}.cpp, found none", folder.string(),
+                                     fmt::join(topics(), ".cpp, ")));
+    let_others_read(place_ / "files");
+    let_others_read(contract());
+    let_others_read(tools.precompiled);
+}
+
+bool CompiledFolder::has(const std::string& topic) const
+{
+    return files_.refused.count(topic) > 0 ||
+           std::find(files_.topics.begin(), files_.topics.end(), topic) != files_.topics.end();
+}
+
+fs::path CompiledFolder::object_of(const std::string& topic) const
+{
+    return place_ / (topic + ".o");
+}
+
+KeyFile CompiledFolder::key_of(const std::string& topic) const
+{
+    return KeyFile(place_ / (topic + ".key"));
+}
+
+// The object of an earlier run; with errors if there is none that is up to date.
+CompiledTopic CompiledFolder::up_to_date(const std::string& topic) const
+{
+    CompiledTopic compiled{object_of(topic), {}, 0, "out of date"};
+    compiled.key = hash_of(content_of(place_ / "files" / (topic + ".cpp")), surroundings_);
+    const KeyFile key = key_of(topic);
+    if (!fs::exists(compiled.object) || !key.holds(compiled.key)) return compiled;
+    compiled.symbols = parse_symbols(fmt::format("{}", fmt::join(key.lines(), "\n")));
+    compiled.errors.clear();
+    return compiled;
+}
+
+void CompiledFolder::compile_topic(const std::string& topic, CompiledTopic& compiled) const
+{
+    const std::string file = topic + ".cpp";
+    const fs::path out = place_ / "out" / topic, object = out / (topic + ".o"),
+                   list = out / (topic + ".d");
+    fs::remove(key_of(topic).file());
+    fs::remove_all(out);
+    fs::create_directories(out);
+    ToolRun compiler{tools_.compile, place_ / "files", {contract(), tools_.precompiled}, out};
+    compiler.readable.push_back(compiler.folder);
+    compiler.arguments.insert(compiler.arguments.end(),
+                              {"-MD", "-MF", list.string(), "-o", object.string(), "-c", file});
+    const ConfinedRun run = run_tool(compiler);
+    compiled.errors = run.ok() ? forbidden_include(list, compiler.folder) : why_it_ended(run, file);
+    if (!compiled.errors.empty()) return;
+    const ConfinedRun names = run_tool({{"/usr/bin/nm", "-P", object.string()}, out, {out}, out});
+    if (!names.ok()) {
+        compiled.errors = file + ": its object cannot be read\n" + shown_errors(names.output);
+        return;
+    }
+    take_over(object, compiled.object);
+    fs::remove_all(out);
+    compiled.symbols = parse_symbols(names.output);
+    key_of(topic).write(compiled.key, lines_of(names.output));
+}
+
+std::map<std::string, CompiledTopic> CompiledFolder::compile(const std::vector<std::string>& wanted,
+                                                             const OnBuildStep& on_step,
+                                                             std::vector<std::string>& steps)
+{
+    std::map<std::string, CompiledTopic> all;
+    std::vector<std::pair<const std::string, CompiledTopic>*> stale;
+    for (const std::string& topic : wanted) {
+        if (files_.refused.count(topic)) {
+            all[topic].errors = files_.refused.at(topic);
+        } else if (has(topic)) {
+            const auto entry = all.emplace(topic, up_to_date(topic)).first;
+            if (!entry->second.errors.empty()) stale.push_back(&*entry);
+        }
+    }
+    std::atomic<std::size_t> next = 0;
+    std::mutex guard; // for `steps` and what `on_step` prints
+    const auto work = [&] {
+        for (std::size_t i; (i = next++) < stale.size();) {
+            compile_topic(stale[i]->first, stale[i]->second);
+            const std::lock_guard hold(guard);
+            steps.push_back("Building " + stale[i]->first + ".cpp");
+            if (on_step)
+                on_step(static_cast<int>(steps.size()),
+                        static_cast<int>(steps.size() + stale.size()), steps.back());
+        }
+    };
+    const std::size_t hands = std::clamp<std::size_t>(std::thread::hardware_concurrency(), 1, 8);
+    std::vector<std::future<void>> others;
+    for (std::size_t i = 1; i < std::min(hands, stale.size()); ++i)
+        others.push_back(std::async(std::launch::async, work));
+    work();
+    for (std::future<void>& other : others)
+        other.get();
+    return all;
+}
+
+} // namespace rigor

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+// Finds files that a solution may not include. The compiler lists every file that it opened for an
+// object; each path of that list is resolved, with its links, and compared with the allowed
+// folders. Macros and relative paths cannot hide an include, since the list has the
+// files that were opened.
+#include "grading/build/includes.hpp"
+
+#include "grading/places.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+#include <vector>
+
+namespace rigor {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+bool is_within(const fs::path& file, const fs::path& folder)
+{
+    return std::mismatch(folder.begin(), folder.end(), file.begin(), file.end()).first ==
+           folder.end();
+}
+
+// The files in a list "object: file file \<newline> file", with the paths that the compiler opened.
+std::vector<std::string> listed_files(const fs::path& list)
+{
+    std::ifstream file(list);
+    std::stringstream content;
+    content << file.rdbuf();
+    const std::string text = content.str();
+    const std::size_t colon = text.find(": ");
+    if (colon == std::string::npos)
+        throw std::runtime_error(list.string() +
+                                 ": expected the compiler's list of what it included");
+    std::vector<std::string> files(1);
+    for (std::size_t i = colon + 1; i < text.size(); ++i) {
+        const char next = i + 1 < text.size() ? text[i + 1] : '\n';
+        const bool is_escaped =
+            (text[i] == '\\' && (next == ' ' || next == '#')) || (text[i] == '$' && next == '$');
+        if (is_escaped)
+            files.back() += text[++i];
+        else if (text[i] == ' ' || text[i] == '\n' || (text[i] == '\\' && next == '\n'))
+            files.emplace_back();
+        else
+            files.back() += text[i];
+    }
+    std::erase(files, "");
+    return files;
+}
+
+// Whether a solution in `folder` may include `file`. The links of both paths are resolved before.
+bool may_include(const fs::path& file, const fs::path& folder)
+{
+    const fs::path tree = fs::weakly_canonical(places().source);
+    const fs::path build = fs::weakly_canonical(places().build);
+    if (is_within(file, tree / "framework/formulas") || is_within(file, folder)) return true;
+    if (is_within(file, build / "framework/CMakeFiles/eigen_precompiled.dir")) return true;
+    return !is_within(file, tree) && !is_within(file, build);
+}
+
+// The path for messages, relative to the top of the tree.
+std::string shown(const fs::path& file)
+{
+    const fs::path tree = fs::weakly_canonical(places().source);
+    return is_within(file, tree) ? file.lexically_relative(tree).string() : file.string();
+}
+
+} // namespace
+
+std::string forbidden_include(const fs::path& list, const fs::path& folder)
+{
+    const fs::path own = fs::weakly_canonical(folder);
+    for (const std::string& name : listed_files(list)) {
+        std::error_code missing;
+        const fs::path file = fs::canonical(own / name, missing);
+        if (!missing && may_include(file, own)) continue;
+        return list.stem().string() + ".cpp: includes " + (missing ? name : shown(file)) +
+               ": a solution may include framework/formulas/, its own folder and what the "
+               "system offers\n";
+    }
+    return {};
+}
+
+} // namespace rigor

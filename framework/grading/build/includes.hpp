@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// Checks what a solution includes. It may include the contract of the formulas, files of its own
+// folder, and system headers. Behind strong walls the compiler finds nothing else anyway.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace rigor {
+
+/// An error message of one line if a forbidden file is in the compiler's list of what it opened:
+/// another file of this tree or of its build (by whatever path, macro or link it was included), or
+/// a file that does not exist any more. Empty if there is none.
+///
+/// @param list    the compiler's list, `<topic>.d`
+/// @param folder  the compiler's working directory, where the solution's files are
+/// @throws std::runtime_error if there is no list
+std::string forbidden_include(const std::filesystem::path& list,
+                              const std::filesystem::path& folder);
+
+} // namespace rigor

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// Runs ninja and parses its output.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace rigor {
+
+/// Called after each finished step of a build.
+using OnBuildStep = std::function<void(int done, int total, const std::string& step)>;
+
+/// The result of a run of ninja.
+struct NinjaRun {
+    bool ok = false;
+    bool timed_out = false;          // one file took longer than the limit
+    std::vector<std::string> steps;  // "Building CXX object …", "Linking CXX executable …"
+    std::vector<std::string> failed; // outputs that could not be made
+    std::string errors;              // the compiler's first errors
+    double seconds = 0;
+};
+
+/// Longest time to compile a single file [s]. Student code can keep a compiler busy for ever.
+inline constexpr double compile_limit = 120;
+
+/// Runs ninja in the build folder.
+/// @param arguments  targets and options
+NinjaRun run_ninja(const std::vector<std::string>& arguments, const OnBuildStep& on_step = {});
+
+/// The commands that make a target, in order.
+std::vector<std::string> ninja_commands(const std::string& target);
+
+/// The names of the build's programs that begin with `prefix`, sorted and without the prefix.
+std::vector<std::string> ninja_programs(const std::string& prefix);
+
+/// The first errors of a compiler's or linker's output: at most 20 lines, beginning with the first
+/// one that names an error.
+std::string first_errors(const std::vector<std::string>& lines);
+
+} // namespace rigor

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// The names that the objects of a submission define for each other and for the worker.
+#pragma once
+
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace rigor {
+
+/// The names of one object, as the linker sees them.
+struct ObjectSymbols {
+    std::set<std::string> defined;   // strongly
+    std::set<std::string> undefined; // used but not defined
+};
+
+/// Parses what `nm -P` prints about one object.
+ObjectSymbols parse_symbols(const std::string& listing);
+
+/// For each topic's object, the names that it must keep to itself: all but the formulas and what
+/// another object uses. So two files may have helpers of one name, and a `main` for a try of the
+/// student's own is not in the way. A formula that two objects define counts where its topic is.
+std::map<std::string, std::vector<std::string>>
+names_to_hide(const std::map<std::string, ObjectSymbols>& objects);
+
+} // namespace rigor

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: MIT
+// What the worker needs besides the folder's files is built first, by the main build. Then each
+// file is compiled, and the objects are linked. If the link fails, objects are added one after the
+// other, and those that make it fail are left out.
+#include "grading/build/submission_build.hpp"
+
+#include "errors/printable.hpp"
+#include "grading/build/compiled_folder.hpp"
+#include "grading/places.hpp"
+#include "grading/topics.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <fmt/format.h>
+#include <fstream>
+#include <mutex>
+#include <optional>
+#include <stdexcept>
+
+namespace rigor {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// The commands for student/, after what every worker needs was built: the contract as a precompiled
+// header, the engine, the launcher. This is done once, since a process grades with one framework.
+const Toolchain& tools_after_framework(const OnBuildStep& on_step, std::vector<std::string>& steps)
+{
+    static std::mutex guard;
+    static std::optional<Toolchain> built;
+    const std::lock_guard hold(guard);
+    if (built) return *built;
+    Toolchain tools = student_toolchain();
+    const BuildLock lock;
+    std::vector<std::string> targets = tools.linked_inputs;
+    targets.insert(targets.end(), {"eigen_precompiled", "confine"});
+    const NinjaRun run = run_ninja(targets, on_step);
+    if (!run.ok) throw std::runtime_error("code of the framework does not compile:\n" + run.errors);
+    steps = run.steps;
+    built = std::move(tools);
+    return *built;
+}
+
+// The names in the linker's warnings, "mold: warning: undefined symbol: helper(double)".
+std::vector<std::string> undefined_names(const std::string& output)
+{
+    std::vector<std::string> names;
+    constexpr std::string_view words = "undefined symbol: ";
+    for (std::size_t at = 0; (at = output.find(words, at)) != std::string::npos;) {
+        at += words.size();
+        names.push_back(output.substr(at, output.find('\n', at) - at));
+    }
+    std::sort(names.begin(), names.end());
+    names.erase(std::unique(names.begin(), names.end()), names.end());
+    return names;
+}
+
+// How a link ended.
+struct Linked {
+    std::string errors;                 // empty if there is a worker, which starts
+    std::vector<std::string> undefined; // names that are used and defined nowhere
+};
+
+// The objects of a worker, by topic, and the folder that they are linked in.
+class Link {
+public:
+    Link(const Toolchain& tools, fs::path folder) : tools_(tools), folder_(std::move(folder)) {}
+
+    void add(const std::string& topic, const CompiledTopic& compiled)
+    {
+        objects_.insert_or_assign(topic, &compiled);
+    }
+    void remove(const std::string& topic) { objects_.erase(topic); }
+
+    fs::path worker() const { return folder_ / "worker"; }
+
+    // What the worker is made of: if it has not changed, nor has the worker.
+    std::uint64_t key() const
+    {
+        std::uint64_t key = hash_of(fmt::format("{}", fmt::join(tools_.link, " ")));
+        for (const auto& [topic, compiled] : objects_)
+            key = hash_of(fmt::format("{} {:x};", topic, compiled->key), key);
+        for (const fs::path& input : inputs())
+            key = hash_of(fmt::format("{} {};", fs::file_size(input),
+                                      fs::last_write_time(input).time_since_epoch().count()),
+                          key);
+        return key;
+    }
+
+    // Links all objects. Names that each keeps to itself are hidden in a copy first.
+    Linked run() const
+    {
+        const fs::path out = folder_ / "out/link";
+        fs::remove_all(out);
+        fs::create_directories(out);
+        ToolRun tool{tools_.link, places().build, inputs(), out};
+        for (const auto& [topic, hidden] : hidden_names()) {
+            fs::path object = objects_.at(topic)->object;
+            if (!hidden.empty()) {
+                const fs::path copy = out / (topic + ".o");
+                const ConfinedRun copied = hide(object, hidden, copy);
+                if (!copied.ok()) return {shown_errors(copied.output), {}};
+                object = copy;
+            }
+            tool.readable.push_back(object);
+            tool.arguments.insert(tool.arguments.begin() + 1, object.string());
+        }
+        tool.arguments.insert(tool.arguments.end(), {"-o", (out / "worker").string()});
+        for (const fs::path& input : tool.readable)
+            let_others_read(input);
+        const ConfinedRun linked = run_tool(tool);
+        if (!linked.ok()) return {"cannot be linked:\n" + shown_errors(linked.output), {}};
+        take_over(out / "worker", worker());
+        fs::remove_all(out);
+        return {why_it_does_not_start(worker()), undefined_names(printable(linked.output))};
+    }
+
+private:
+    std::vector<fs::path> inputs() const
+    {
+        std::vector<fs::path> result;
+        for (const std::string& input : tools_.linked_inputs)
+            result.push_back(places().build / input);
+        return result;
+    }
+
+    std::map<std::string, std::vector<std::string>> hidden_names() const
+    {
+        std::map<std::string, ObjectSymbols> symbols;
+        for (const auto& [topic, compiled] : objects_)
+            symbols[topic] = compiled->symbols;
+        std::map<std::string, std::vector<std::string>> hidden = names_to_hide(symbols);
+        for (const auto& [topic, compiled] : objects_)
+            hidden[topic]; // one entry each, also without names
+        return hidden;
+    }
+
+    static ConfinedRun hide(const fs::path& object, const std::vector<std::string>& names,
+                            const fs::path& copy)
+    {
+        const fs::path list = copy.string() + ".names";
+        std::ofstream(list) << fmt::format("{}\n", fmt::join(names, "\n"));
+        return run_tool({{"/usr/bin/objcopy", "--localize-symbols=" + list.string(),
+                          object.string(), copy.string()},
+                         copy.parent_path(),
+                         {object},
+                         copy.parent_path()});
+    }
+
+    const Toolchain& tools_;
+    fs::path folder_;
+    std::map<std::string, const CompiledTopic*> objects_;
+};
+
+// Adds one object after the other, and leaves out each with which there is no worker that starts.
+Linked link_what_can_be(Link& link, const std::map<std::string, CompiledTopic>& compiled,
+                        std::map<std::string, std::string>& broken)
+{
+    for (const auto& [topic, object] : compiled)
+        link.remove(topic);
+    if (const Linked nothing = link.run(); !nothing.errors.empty())
+        throw std::runtime_error("a worker without formulas " + nothing.errors);
+    for (const auto& [topic, object] : compiled) {
+        link.add(topic, object);
+        if (const Linked next = link.run(); !next.errors.empty()) {
+            link.remove(topic);
+            broken[topic] = topic + ".cpp: " + next.errors;
+        }
+    }
+    return link.run();
+}
+
+void link_worker(Link& link, const fs::path& folder,
+                 const std::map<std::string, CompiledTopic>& compiled, SubmissionBuild& build)
+{
+    const KeyFile key(folder / "worker.key");
+    build.worker = link.worker();
+    if (fs::exists(build.worker) && key.holds(link.key())) {
+        build.undefined = key.lines();
+        return;
+    }
+    fs::remove(key.file());
+    build.steps.emplace_back("Linking worker");
+    Linked linked = link.run();
+    if (!linked.errors.empty()) linked = link_what_can_be(link, compiled, build.broken);
+    build.undefined = std::move(linked.undefined);
+    key.write(link.key(), build.undefined);
+}
+
+} // namespace
+
+SubmissionBuild build_submission(const fs::path& folder, const OnBuildStep& on_step)
+{
+    const auto start = Clock::now();
+    SubmissionBuild build;
+    const Toolchain& tools = tools_after_framework(on_step, build.steps);
+
+    CompiledFolder own(folder, tools);
+    std::map<std::string, CompiledTopic> compiled = own.compile(topics(), on_step, build.steps);
+    const fs::path student = places().source / "student";
+    for (const std::string& topic : topics())
+        if (!own.has(topic) && fs::exists(student / (topic + ".cpp")))
+            build.borrowed.push_back(topic);
+    if (!build.borrowed.empty()) {
+        CompiledFolder lender(student, tools);
+        compiled.merge(lender.compile(build.borrowed, on_step, build.steps));
+    }
+    for (const auto& [topic, object] : compiled)
+        if (!object.errors.empty()) build.broken[topic] = object.errors;
+    std::erase_if(compiled, [](const auto& entry) { return !entry.second.errors.empty(); });
+    Link link(tools, own.place());
+    for (const auto& [topic, object] : compiled)
+        link.add(topic, object);
+    link_worker(link, own.place(), compiled, build);
+    build.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    return build;
+}
+
+} // namespace rigor

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// Builds a worker from a folder of topic files. The compiler and the linker run behind walls in a
+// private folder, one file at a time: a file that does not compile costs its own formulas only.
+// Each file is compiled again only if it, a header, or the contract has changed.
+#pragma once
+
+#include "grading/build/ninja.hpp"
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace rigor {
+
+struct SubmissionBuild {
+    std::filesystem::path worker;
+    std::map<std::string, std::string> broken; // topic and the first errors of its file
+    std::vector<std::string> borrowed;         // topics that the folder lacks, taken from student/
+    std::vector<std::string> undefined;        // names that are used and defined nowhere
+    std::vector<std::string> steps;            // what was out of date: "Building inertia.cpp"
+    double seconds = 0;
+};
+
+/// Builds the worker of a folder with some topics' files. Two builds of one folder wait for each
+/// other; builds of different folders do not.
+/// @throws InputError if the folder has no topic's file, std::runtime_error if code of the framework
+///     does not compile, std::system_error if the walls cannot be put up
+SubmissionBuild build_submission(const std::filesystem::path& folder, const OnBuildStep& on_step);
+
+} // namespace rigor

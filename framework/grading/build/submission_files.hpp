@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// The files of a submission, copied to a place of the grader's own. Nothing but regular files is
+// taken, and no more than a solution needs; nothing is opened that could make the grader wait.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace rigor {
+
+struct SubmissionFiles {
+    std::vector<std::string> topics;            // those whose file was taken
+    std::map<std::string, std::string> refused; // topic and why its file was not taken, in a line
+    std::uint64_t hash = 0;                     // all other files: a hash of names and contents
+};
+
+/// Copies the topics' files of a folder, and its headers and other sources that these may include,
+/// to the folder `into`, which has nothing else afterwards. Links are not followed.
+SubmissionFiles take_files(const std::filesystem::path& folder, const std::filesystem::path& into);
+
+/// A hash of `text` that continues from `start` (FNV-1a of Fowler, Noll and Vo). It names private
+/// folders and says what is out of date. It is no protection against a forger, who could only fool
+/// the build of an own folder.
+inline std::uint64_t hash_of(std::string_view text, std::uint64_t start = 0xcbf29ce484222325)
+{
+    for (const char c : text)
+        start = (start ^ static_cast<unsigned char>(c)) * 0x100000001b3;
+    return start;
+}
+
+} // namespace rigor

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+#include "grading/build/toolchain.hpp"
+
+#include "grading/build/ninja.hpp"
+#include "grading/places.hpp"
+
+#include "sandbox/blocked_calls.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <stdexcept>
+#include <unistd.h>
+#include <utility>
+
+namespace rigor {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// The words of a command line, without the shell's quotes.
+std::vector<std::string> words_of(const std::string& command)
+{
+    std::vector<std::string> words;
+    std::string word;
+    bool is_open = false; // whether a word has begun
+    char quote = 0;
+    for (std::size_t i = 0; i < command.size(); ++i) {
+        const char c = command[i];
+        if (quote != 0 && c == quote) {
+            quote = 0;
+        } else if (quote == 0 && (c == '\'' || c == '"')) {
+            quote = c;
+            is_open = true;
+        } else if (quote == 0 && c == ' ') {
+            if (is_open) words.push_back(std::exchange(word, {}));
+            is_open = false;
+        } else {
+            if (c == '\\' && quote != '\'' && i + 1 < command.size()) ++i;
+            word += command[i];
+            is_open = true;
+        }
+    }
+    if (is_open) words.push_back(word);
+    return words;
+}
+
+// Without what stands before the compiler, such as a compiler cache.
+void drop_launcher(std::vector<std::string>& words)
+{
+    const auto option = std::find_if(words.begin(), words.end(),
+                                     [](const std::string& word) { return word[0] == '-'; });
+    if (option - words.begin() > 1) words.erase(words.begin(), option - 1);
+}
+
+bool is_student_object(const std::string& word)
+{
+    return word.find("formulas_student.dir/") != std::string::npos;
+}
+
+void take_compile(Toolchain& tools, const std::string& command)
+{
+    std::vector<std::string> words = words_of(command);
+    drop_launcher(words);
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        const bool has_file =
+            words[i] == "-MT" || words[i] == "-MF" || words[i] == "-o" || words[i] == "-c";
+        if (words[i].find("/cmake_pch.hxx") != std::string::npos) // by whatever option
+            tools.precompiled = fs::path(words[i]).parent_path();
+        if (has_file)
+            ++i;
+        else if (words[i] != "-MD")
+            tools.compile.push_back(words[i]);
+    }
+    // A file that includes itself could have errors without end. Clang stops by itself.
+    if (tools.compile[0].find("clang") == std::string::npos)
+        tools.compile.emplace_back("-fmax-errors=20");
+}
+
+void take_link(Toolchain& tools, const std::string& command)
+{
+    const std::vector<std::string> words = words_of(command);
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        const std::string ending = fs::path(words[i]).extension().string();
+        if (words[i] == ":" || words[i] == "&&" || is_student_object(words[i])) continue;
+        if (words[i] == "-o") {
+            ++i;
+        } else {
+            if (words[i][0] != '-' && words[i][0] != '/' && (ending == ".o" || ending == ".a"))
+                tools.linked_inputs.push_back(words[i]);
+            tools.link.push_back(words[i]);
+        }
+    }
+    // A name that is defined nowhere costs those who use it only.
+    tools.link.emplace_back("-Wl,--warn-unresolved-symbols");
+}
+
+} // namespace
+
+Toolchain student_toolchain()
+{
+    Toolchain tools;
+    const std::vector<std::string> commands = ninja_commands("worker_student");
+    const auto compiles = [](const std::string& command) {
+        return is_student_object(command) && command.find(" -c ") != std::string::npos;
+    };
+    const auto compile = std::find_if(commands.begin(), commands.end(), compiles);
+    if (compile == commands.end())
+        throw std::runtime_error("the build has no command that compiles a file of student/");
+    take_compile(tools, *compile);
+    if (tools.precompiled.empty())
+        throw std::runtime_error("the build compiles student/ without a precompiled header");
+    take_link(tools, commands.back());
+    return tools;
+}
+
+ConfinedRun run_tool(const ToolRun& tool)
+{
+    Confinement walls{Profile::compiler, usual_tier()};
+    walls.readable = tool.readable;
+    walls.readable.push_back(tool.folder);
+    walls.writable = {tool.out};
+    walls.folder = tool.folder;
+    walls.environment = {"PATH=/usr/bin:/bin", "LC_ALL=C", "TMPDIR=" + tool.out.string()};
+    walls.limits.address_space = std::uint64_t{6} << 30;
+    walls.limits.processor_time = static_cast<std::uint64_t>(compile_limit);
+    walls.limits.file_size = largest_output;
+    RunLimits limits;
+    limits.time = std::chrono::duration<double>(compile_limit);
+    return run_confined(walls, tool.arguments, limits);
+}
+
+std::string why_it_does_not_start(const fs::path& worker)
+{
+#ifdef RIGOR_SANITIZED // a sanitizer needs calls that walls refuse
+    Confinement walls{Profile::worker, Tier::c};
+#else
+    Confinement walls{Profile::worker, usual_tier()};
+    walls.limits.address_space = std::uint64_t{2} << 30;
+#endif
+    RunLimits limits;
+    limits.time = std::chrono::duration<double>(5);
+    // Without a client, the main function says so and ends with this status.
+    constexpr int without_client = 2;
+    const ConfinedRun run = run_confined(walls, {worker.string()}, limits);
+    if (run.status == without_client && run.signal == 0 && !run.blocked_call && !run.timed_out)
+        return "";
+    const std::string when = " before any function is called: look at what it defines globally\n";
+    if (run.timed_out) return "does not return" + when;
+    if (run.blocked_call) return "tries to " + words_for_blocked_call(*run.blocked_call) + when;
+    if (run.signal != 0) return std::string("crashes (") + strsignal(run.signal) + ")" + when;
+    return "ends the program" + when;
+}
+
+void take_over(const fs::path& made, const fs::path& place)
+{
+    fs::remove(place);
+    fs::copy_file(made, place);
+    fs::remove(made);
+}
+
+void let_others_read(const fs::path& path)
+{
+    if (geteuid() != 0) return; // nothing runs as another user
+    using fs::perms;
+    const auto open = [](const fs::path& file) {
+        const bool is_folder = fs::is_directory(file);
+        const perms wanted = perms::others_read | (is_folder ? perms::others_exec : perms::none);
+        std::error_code error; // if this is not allowed, the tool says what it could not read
+        if ((fs::status(file, error).permissions() & wanted) != wanted)
+            fs::permissions(file, wanted, fs::perm_options::add, error);
+    };
+    open(path);
+    if (fs::is_directory(path))
+        for (const auto& entry : fs::recursive_directory_iterator(path))
+            open(entry.path());
+}
+
+} // namespace rigor

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// The commands that make a worker of the students' files, run behind walls.
+#pragma once
+
+#include "sandbox/run_confined.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace rigor {
+
+/// How the build of student/ compiles a topic's file and links a worker: words of command lines.
+struct Toolchain {
+    std::vector<std::string> compile; // the compiler and its options, without input and output
+    std::vector<std::string> link;    // the linker's command, without objects of the topics
+    std::vector<std::string>
+        linked_inputs;                 // its objects and libraries, relative to the build folder
+    std::filesystem::path precompiled; // the folder of the precompiled headers
+};
+
+/// Taken from the commands of the main build.
+Toolchain student_toolchain();
+
+/// The largest file that a tool may write [bytes].
+inline constexpr std::uint64_t largest_output = std::uint64_t{256} << 20;
+
+/// A program that is run for a submission: it reads the files named here and the system's, and
+/// writes in `out` only.
+struct ToolRun {
+    std::vector<std::string> arguments;
+    std::filesystem::path folder; // its working directory, which it may read
+    std::vector<std::filesystem::path> readable;
+    std::filesystem::path out;
+};
+
+/// @throws std::system_error if it cannot be started behind these walls
+ConfinedRun run_tool(const ToolRun& tool);
+
+/// Why a worker does not get as far as its main function; empty if it does. Objects that a file
+/// defines globally are made before.
+std::string why_it_does_not_start(const std::filesystem::path& worker);
+
+/// Moves a file that a tool made to a place of ours. It is a copy, which is ours alone.
+void take_over(const std::filesystem::path& made, const std::filesystem::path& place);
+
+/// Lets every user read a file, or a folder with its files: a tool may run as another user, and the
+/// umask may have been strict.
+void let_others_read(const std::filesystem::path& path);
+
+} // namespace rigor

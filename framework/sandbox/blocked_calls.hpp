@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+// Words for system calls that a program behind walls must not make.
+#pragma once
+
+#include <string>
+
+namespace rigor {
+
+/// What the program tried to do: `open a network socket`.
+std::string words_for_blocked_call(int call);
+
+} // namespace rigor

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+// A program behind walls, from start to end.
+//
+// The grader starts the launcher `confine`, which stays as the warden outside the walls; its child
+// puts up the walls around itself and becomes the program. The warden ends in the way in which the
+// program ends, and nothing that the program started outlives it. A call that is not allowed waits
+// for the grader, who learns which call it is from the kernel; the program never sees an answer.
+#pragma once
+
+#include "sandbox/descriptor.hpp"
+#include "sandbox/tier.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <sys/resource.h>
+#include <sys/types.h>
+#include <vector>
+
+namespace rigor {
+
+/// What kind of program it is. In tier C both are limited in the same way.
+enum class Profile {
+    worker,  // a static program that computes: it opens and starts nothing
+    compiler // a program that reads /usr and the readable paths, and starts others from there
+};
+
+/// Limits for each process. Without a value there is no limit besides the user's own.
+struct ResourceLimits {
+    std::optional<std::uint64_t> address_space;  // [bytes]
+    std::optional<std::uint64_t> processor_time; // [s]
+    std::optional<std::uint64_t> file_size;      // [bytes]
+    std::optional<std::uint64_t> open_files;
+    std::optional<std::uint64_t> stack; // [bytes]
+    /// Processes and threads of the user; left out unless `can_limit_processes`.
+    std::optional<std::uint64_t> processes;
+};
+
+struct Confinement {
+    Profile profile;
+    Tier tier; // usual_tier() for what students wrote
+    /// Paths to read and start programs from, and paths to change, for a compiler. In tiers A and B
+    /// it has no others, besides those of the system. If it runs as another user, the paths to
+    /// change become that user's, and the others must be readable for everybody.
+    std::vector<std::filesystem::path> readable = {}, writable = {};
+    std::filesystem::path folder = "/";        // its working directory
+    std::vector<std::string> environment = {}; // "NAME=value"; it has no others
+    ResourceLimits limits = {};
+};
+
+/// Whether a limit on the number of processes holds behind these walls. The kernel counts all
+/// processes of the user outside too, unless the program has a user or a user namespace of its own,
+/// and it never limits root.
+bool can_limit_processes(const Walls& walls);
+
+/// Closes the memory, the descriptors and the environment of this process to other processes of
+/// the same user (`/proc/PID/mem`, `fd`, `environ`).
+void make_undumpable();
+
+class Confined {
+public:
+    /// Starts a program. `arguments` begins with its path, and `descriptors` become its descriptors
+    /// 0, 1, …; it has no others.
+    /// @throws std::system_error if it cannot be started behind these walls
+    Confined(const Confinement& confinement, const std::vector<std::string>& arguments,
+             std::span<const int> descriptors);
+    /// Ends the program and all that it started.
+    ~Confined();
+    Confined(const Confined&) = delete;
+    Confined& operator=(const Confined&) = delete;
+
+    /// The warden. It ends as the program ends, and stops as it stops.
+    pid_t warden() const { return warden_; }
+
+    /// The program itself. Its number is only good for a look at `/proc`.
+    pid_t program() const { return program_; }
+
+    /// The first call of the program that was not allowed. The program, or one that it started,
+    /// waits for ever then. Without a listener the program was killed by SIGSYS instead.
+    std::optional<int> blocked_call();
+
+    /// Becomes readable when a call was blocked; -1 without a listener.
+    int listener() const { return listener_; }
+
+    /// Ends the program and all that it started. @return what they used
+    rusage end();
+
+private:
+    void start(const Confinement& confinement, const std::vector<std::string>& arguments,
+               std::span<const int> descriptors);
+    void await_start(const Descriptor& reports, const std::string& program, bool asks);
+
+    pid_t warden_ = -1, program_ = -1;
+    Descriptor listener_;
+    std::optional<int> blocked_;
+};
+
+} // namespace rigor

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// The tables of system calls: what a worker may call, and what a compiler may not.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace rigor::confine {
+
+/// A condition on one argument of a call. Flags, descriptors and process numbers are 32-bit; only
+/// `is_null` looks at all 64 bits.
+struct Condition {
+    enum Kind { always, equals, lacks_bits, is_null } kind = always;
+    unsigned argument = 0; // counted from 0
+    std::uint32_t value = 0;
+};
+
+/// What happens to a call.
+enum class Verdict {
+    allowed,
+    refused,  // it does not happen, and the grader learns of it
+    declined, // it fails quietly with EPERM, since programs try it and can do without
+    missing,  // it fails quietly with ENOSYS, so that the C library takes an older call
+};
+
+struct Rule {
+    int call; // SYS_…
+    Verdict verdict;
+    Condition condition = {};
+    Verdict otherwise = Verdict::refused; // if the condition does not hold
+};
+
+/// What the numbers in the rules of a worker are.
+struct OwnNumbers {
+    std::uint32_t process; // the number of this process, as it sees it
+    std::uint32_t report;  // the socket to the grader, closed when the program starts
+    std::uint32_t program; // the descriptor of the program, closed when it starts
+};
+
+/// The calls of a worker; all others are refused.
+std::vector<Rule> worker_rules(const OwnNumbers& own, bool grader_allows_start);
+
+/// The calls that are forbidden to a compiler; all others are allowed.
+std::vector<Rule> compiler_rules();
+
+} // namespace rigor::confine

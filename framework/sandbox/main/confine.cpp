@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// The launcher `confine`: starts one program behind walls. It makes the namespaces, stays outside
+// of the walls as the warden, and forks a child that puts up the walls around itself and becomes
+// the program. It is static and does little else, so that a fresh worker costs milliseconds.
+#include "sandbox/main/failure.hpp"
+#include "sandbox/main/namespaces.hpp"
+#include "sandbox/main/options.hpp"
+#include "sandbox/main/probe.hpp"
+#include "sandbox/main/walls.hpp"
+#include "sandbox/main/warden.hpp"
+
+#include <csignal>
+#include <fcntl.h>
+#include <sys/prctl.h>
+#include <unistd.h>
+
+namespace rigor::confine {
+
+namespace {
+
+/// The first process of a process namespace. It does nothing; if it ends, all others there do.
+pid_t start_init()
+{
+    const pid_t init = must(fork(), "start the first process");
+    if (init > 0) return init;
+    leave_warden();
+    signal(SIGCHLD, SIG_IGN); // the kernel removes orphans that have ended
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    close_range(0, ~0u, 0);
+    for (;;)
+        pause();
+}
+
+[[noreturn]] void launch(const Options& options)
+{
+    must(fcntl(report_socket, F_SETFD, FD_CLOEXEC), "keep the socket from the program");
+    close_range(static_cast<unsigned>(report_socket) + 1, ~0u, 0);
+    if (options.namespaces) enter_namespaces(options.user_namespace);
+    become_warden();
+    const pid_t init = options.namespaces ? start_init() : 0;
+    const pid_t program = must(fork(), "start a process");
+    if (program == 0) {
+        leave_warden();
+        become_program(options);
+    }
+    watch(program, init);
+}
+
+} // namespace
+
+} // namespace rigor::confine
+
+int main(int, char** arguments)
+{
+    using namespace rigor::confine;
+    const Options options = parse(arguments + 1);
+    if (!options.probe) launch(options);
+    probe(options);
+}

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// How the launcher ends if a wall cannot be put up: it never goes on with fewer walls.
+#pragma once
+
+#include <string>
+
+namespace rigor::confine {
+
+/// The socket to the grader; -1 if nobody asks, as while probing.
+inline int report_socket = -1;
+
+/// Reports the errno of the action that failed and ends this process.
+[[noreturn]] void fail(const std::string& action);
+
+/// @return the result of a system call. If it is negative, this process ends with a report.
+template <class Result> Result must(Result result, const char* action)
+{
+    if (result < 0) fail(action);
+    return result;
+}
+
+/// Reports that the walls are up, and attaches the listener of blocked calls if there is one
+/// (>= 0). If the grader has died, this process ends.
+void report_ready(int listener);
+
+} // namespace rigor::confine

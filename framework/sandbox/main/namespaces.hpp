@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// Namespaces: the program sees no process, network or file system but its own.
+#pragma once
+
+#include "sandbox/main/landlock.hpp"
+
+#include <vector>
+
+namespace rigor::confine {
+
+/// A path that the program may use.
+struct OpenPath {
+    const char* name;
+    int descriptor; // O_PATH
+    Access access;
+};
+
+/// Gives this process and its children namespaces of their own for mounts, network, System V IPC
+/// and the host name; its later children also share a new process namespace. With `user_namespace`
+/// there is a user namespace around them, which needs no privilege.
+void enter_namespaces(bool user_namespace);
+
+/// Makes a root folder that has only these paths, read-only except those that may be written, and
+/// moves there. It needs `enter_namespaces`.
+void enter_empty_root(const std::vector<OpenPath>& paths);
+
+} // namespace rigor::confine

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// The command line of the launcher, which only the grader writes (`sandbox/confined.cpp`):
+//
+//     confine --report=4 --profile=worker --namespaces=own --user=1879048200 --seccomp=notify
+//             --landlock --read=FOLDER --write=FOLDER --folder=FOLDER
+//             --limit=address_space:2147483648 -- PROGRAM ARGUMENT...
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <sys/resource.h>
+#include <vector>
+
+namespace rigor::confine {
+
+struct ResourceLimit {
+    __rlimit_resource resource;
+    std::uint64_t most;
+};
+
+struct Options {
+    bool probe = false;          // only find out which walls are possible
+    int report = -1;             // the socket; the descriptors below it are the program's
+    bool is_compiler = false;    // the profile: compiler or worker
+    bool namespaces = false;     // own mounts, processes, network, IPC, host name
+    bool user_namespace = false; // whether the namespaces need a user namespace around them
+    unsigned user = 0;           // the program's user and group; 0: the user as it is
+    bool seccomp = false;
+    bool notify =
+        false; // a blocked call waits for the grader, who learns which; otherwise it kills
+    bool landlock = false;
+    std::vector<const char*> readable, writable; // paths, besides those of the profile
+    const char* folder = "/";                    // working directory
+    std::vector<ResourceLimit> limits;
+    char** program = nullptr; // its path and arguments
+};
+
+/// @return the options; a malformed command line ends this process
+Options parse(char** arguments);
+
+} // namespace rigor::confine

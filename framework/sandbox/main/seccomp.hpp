@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+// Puts the tables of system calls in force.
+#pragma once
+
+#include "sandbox/main/calls.hpp"
+
+namespace rigor::confine {
+
+/// Puts the rules in force for this process and all that it starts, for ever. Calls without a rule
+/// get the verdict `others`. A refused call waits for the grader if `notify`; otherwise it kills
+/// the process.
+/// @return the listener through which the grader learns of refused calls; -1 without `notify`
+int filter_calls(const std::vector<Rule>& rules, Verdict others, bool notify);
+
+} // namespace rigor::confine

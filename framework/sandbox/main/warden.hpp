@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// The warden is the process that stays outside the walls while the program runs inside. Nothing
+// that the program starts outlives it.
+#pragma once
+
+#include <sys/types.h>
+
+namespace rigor::confine {
+
+/// The limit for core files by which none are written. With a limit of 0 bytes, the kernel would
+/// still hand a core over to a program that collects them; with a limit of 1 it does not.
+inline constexpr unsigned no_core = 1; // [bytes]
+
+/// Makes this process the warden of all processes that it starts from now on, also of those whose
+/// parents have died. If the grader dies, it gets SIGTERM.
+void become_warden();
+
+/// In a child of the warden: signals are as usual again.
+void leave_warden();
+
+/// Waits until the program ends or until SIGTERM comes, ends every other descendant, and then ends
+/// this process in the way in which the program ended. If the program is stopped, this process
+/// stops too. `init` is the first process of the program's process namespace, 0 if it has none.
+[[noreturn]] void watch(pid_t program, pid_t init);
+
+} // namespace rigor::confine

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// What the launcher says to the grader on the socket between them. Before the program starts, it
+// sends a report of an error, or one without error, to which the listener of blocked calls is
+// attached. The socket is closed when the program starts, so no report can come from the program.
+#pragma once
+
+namespace rigor {
+
+struct Report {
+    int error;        // errno of what failed; 0 if the walls are up
+    char action[252]; // what failed: "open /path/worker"
+};
+
+/// The exit status of the launcher if the program could not be started.
+inline constexpr int not_started = 125;
+
+} // namespace rigor

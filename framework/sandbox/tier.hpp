@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// How strong the walls around a student's program are on this machine, for this user.
+//
+// | tier | walls                                                                      |
+// |------|----------------------------------------------------------------------------|
+// | A    | namespaces, filter of system calls, Landlock, for root also another user   |
+// | B    | filter of system calls, Landlock, for root also another user               |
+// | C    | limits on resources only                                                   |
+//
+// All tiers have limits on resources, and in all of them nothing that the program starts outlives
+// it. The tier is part of each result; nothing runs in a weaker one without being asked to.
+#pragma once
+
+#include <string>
+
+namespace rigor {
+
+enum class Tier { a, b, c };
+
+/// What this machine and this user allow.
+struct Walls {
+    enum class Namespaces { none, plain, user } namespaces = Namespaces::none;
+    bool another_user = false;
+    bool filter = false;   // whether system calls can be filtered (seccomp)
+    bool listener = false; // whether the grader learns which call was blocked
+    bool landlock = false; // whether files can be taken away
+};
+
+/// The walls that can be put up here, found out once by putting up each. @throws std::system_error
+const Walls& possible_walls();
+
+/// The strongest tier that these walls make.
+Tier strongest(const Walls& walls);
+
+/// The tier for what students wrote: the strongest, or a weaker one that the environment variable
+/// RIGOR_TIER (A, B or C) names.
+/// @throws InputError if RIGOR_TIER is none of them or is not possible here
+Tier usual_tier();
+
+/// Whether the walls are too weak for what students must not see: only limits are possible here,
+/// and RIGOR_TIER does not say that this will do.
+bool has_too_weak_walls();
+
+/// The walls of a tier here: those of weaker tiers are possible, but left out.
+Walls walls_of(Tier tier);
+
+/// `A: namespaces, uid, seccomp, Landlock`, or `B: seccomp, no Landlock`.
+std::string description(Tier tier);
+
+/// A user number that nobody has: drawn at random from numbers that are given to nobody.
+unsigned unused_user();
+
+} // namespace rigor

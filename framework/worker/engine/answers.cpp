@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// Defines each formula for the engine alone: the names are local to the engine's part of a worker.
+#include "worker/engine/answers.hpp"
+
+#include "worker/protocol/define_formulas.hpp"
+#include "worker/protocol/streamed_answer.hpp"
+#include "worker/protocol/wire.hpp"
+
+namespace rigor {
+
+namespace {
+
+const Stream* listener = nullptr;
+wire::Bytes encoded; // kept, since a scene makes millions of calls
+
+template <class Result> void stream_answer(FormulaIndex formula, const Result& result)
+{
+    encoded.resize(sizeof(StreamedAnswer));
+    wire::encode(encoded, result);
+    const StreamedAnswer header{
+        static_cast<std::uint32_t>(formula),
+        static_cast<std::uint32_t>(encoded.size() - sizeof(StreamedAnswer))};
+    std::memcpy(encoded.data(), &header, sizeof header);
+    (*listener)(encoded);
+}
+
+template <FormulaIndex formula, class Formula, class... Argument>
+typename Formula::Result answer(const Argument&... arguments)
+{
+    const auto implementation =
+        reinterpret_cast<typename Formula::Pointer>(rigor_formulas[static_cast<unsigned>(formula)]);
+    auto result = implementation(arguments...);
+    if (listener) stream_answer(formula, result);
+    return result;
+}
+
+} // namespace
+
+RIGOR_FORMULAS(RIGOR_DEFINE_FORMULA)
+
+StreamAnswers::StreamAnswers(const Stream& stream)
+{
+    listener = &stream;
+}
+StreamAnswers::~StreamAnswers()
+{
+    listener = nullptr;
+}
+
+} // namespace rigor

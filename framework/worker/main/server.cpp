@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+// Serves one client through the shared memory in descriptor 3. A request is awaited, answered by
+// a formula or by the engine, and replied to; what a formula throws becomes a reply too.
+#include "worker/main/server.hpp"
+
+#include "formulas/not_implemented.hpp"
+#include "worker/main/dispatch.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <cxxabi.h>
+#include <new>
+#include <stdexcept>
+#include <sys/mman.h>
+#include <unistd.h>
+
+namespace rigor {
+
+void Server::greet()
+{
+    wire::Bytes hello;
+    wire::encode(hello, contract_fingerprint());
+    reply(ReplyStatus::done, hello);
+}
+
+void Server::serve_next()
+{
+    await_request();
+    try {
+        reply(ReplyStatus::done, answer());
+    } catch (const NotImplemented& stub) {
+        reply_text(ReplyStatus::not_implemented, stub.what());
+    } catch (const MissingFormula& missing) {
+        wire::Bytes index;
+        wire::encode(index, missing.index);
+        reply(ReplyStatus::missing, index);
+    } catch (const NonFiniteAnswer& state) {
+        reply_text(ReplyStatus::not_finite, state.text);
+    } catch (const std::bad_alloc&) {
+        reply_text(ReplyStatus::threw, "std::bad_alloc: out of memory");
+    } catch (const std::exception& exception) {
+        const char* text = exception.what();
+        reply_text(ReplyStatus::threw,
+                   text ? std::string("an exception: ") + text : "an exception without a text");
+    } catch (const abi::__forced_unwind&) {
+        throw; // pthread_exit: not an exception, and it must not be stopped
+    } catch (...) {
+        reply_text(ReplyStatus::threw, "something that is no std::exception");
+    }
+}
+
+void Server::await_request()
+{
+    ++sequence_;
+    std::uint32_t now = channel_.request.load(std::memory_order_acquire);
+    while (now != sequence_)
+        now = await_change(channel_.request, now, std::chrono::hours(1));
+}
+
+wire::Bytes Server::answer()
+{
+    const std::span<const std::byte> payload(channel_.payload, channel_.request_size);
+    switch (const Request kind = channel_.kind; kind) {
+    case Request::call:
+        return call_formula(channel_.argument, payload);
+    case Request::run_scene:
+    case Request::advance:
+        return run_scenes(kind, payload);
+    }
+    throw wire::Malformed("there is no such request");
+}
+
+wire::Bytes Server::run_scenes(Request kind, std::span<const std::byte> payload)
+{
+    streamed_ = announced_ = 0;
+    wire::Bytes result;
+    rigor_run_scenes(
+        {kind, SceneOptions::unpacked(channel_.argument), payload, is_reference_},
+        [this](std::span<const std::byte> bytes) { stream(bytes); }, result);
+    return result;
+}
+
+void Server::reply(ReplyStatus status, std::span<const std::byte> payload)
+{
+    if (payload.size() > Channel::capacity) throw std::length_error("an answer is too large");
+    std::copy(payload.begin(), payload.end(), channel_.payload);
+    channel_.status = status;
+    channel_.reply_size = payload.size();
+    post(channel_.reply, sequence_);
+}
+
+void Server::reply_text(ReplyStatus status, std::string text)
+{
+    text.resize(std::min(text.size(), Channel::longest_text));
+    reply(status, std::as_bytes(std::span(text)));
+}
+
+// Writes to the ring, which the client reads while the scene goes on. Waking it takes longer than
+// most writes: it also looks by itself from time to time.
+void Server::stream(std::span<const std::byte> bytes)
+{
+    constexpr std::uint32_t worth_waking = std::uint32_t{1} << 16; // [bytes]
+    while (!bytes.empty()) {
+        const std::uint32_t taken = channel_.taken.load(std::memory_order_acquire);
+        const std::uint32_t room = Channel::ring - (streamed_ - taken);
+        if (room == 0) { // the scene waits only while the ring is full
+            wake(channel_.reply);
+            await_change(channel_.taken, taken, std::chrono::hours(1));
+            continue;
+        }
+        const std::uint32_t at = streamed_ % Channel::ring;
+        const std::size_t n = std::min<std::size_t>({bytes.size(), room, Channel::ring - at});
+        std::copy_n(bytes.begin(), n, channel_.stream + at);
+        bytes = bytes.subspan(n);
+        streamed_ += static_cast<std::uint32_t>(n);
+        channel_.streamed.store(streamed_, std::memory_order_release);
+    }
+    if (streamed_ - announced_ < worth_waking) return;
+    announced_ = streamed_;
+    wake(channel_.reply);
+}
+
+int run_worker(bool is_reference)
+{
+    void* memory = mmap(nullptr, sizeof(Channel), PROT_READ | PROT_WRITE, MAP_SHARED, 3, 0);
+    if (memory == MAP_FAILED) {
+        std::fputs("a worker is started by its client: use ./rigor\n", stderr);
+        return 2;
+    }
+    close(3);
+    // A process that an implementation forks must not take part in the conversation.
+    madvise(memory, sizeof(Channel), MADV_DONTFORK);
+    // Output is flushed after each line, so that it is seen even if the next line crashes.
+    std::setvbuf(stdout, nullptr, _IOLBF, 0);
+
+    Server server(*static_cast<Channel*>(memory), is_reference);
+    server.greet();
+    for (;;)
+        server.serve_next();
+}
+
+} // namespace rigor

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// The loop of a worker: it takes one request after the other from the shared memory, and answers.
+#pragma once
+
+#include "worker/engine/scenes.hpp"
+#include "worker/protocol/channel.hpp"
+#include "worker/protocol/wire.hpp"
+
+#include <string>
+
+namespace rigor {
+
+/// A formula that the implementation does not define.
+struct MissingFormula {
+    unsigned index;
+};
+
+/// Answers the requests of one client until the process is killed.
+class Server {
+public:
+    Server(Channel& channel, bool is_reference) : channel_(channel), is_reference_(is_reference) {}
+
+    /// Tells the client that the worker is ready.
+    void greet();
+    void serve_next();
+
+private:
+    wire::Bytes answer();
+    wire::Bytes run_scenes(Request kind, std::span<const std::byte> payload);
+    void await_request();
+    void stream(std::span<const std::byte> bytes);
+    void reply(ReplyStatus status, std::span<const std::byte> payload);
+    void reply_text(ReplyStatus status, std::string text);
+
+    Channel& channel_;
+    bool is_reference_;
+    std::uint32_t streamed_ = 0, announced_ = 0; // bytes, and those that the client was woken for
+    std::uint32_t sequence_ = 1;                 // the current request; request 1 is to get ready
+};
+
+/// The main function of a worker: takes the shared memory from its client and serves for ever.
+/// @param is_reference  see SceneRequest
+/// @return the exit status, if no client started it
+int run_worker(bool is_reference);
+
+} // namespace rigor

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// The functions of the library fmt that are compiled once. Debian has them as a shared library
+// only, and a worker is static.
+#include <fmt/format-inl.h>
+
+namespace fmt {
+
+namespace detail {
+
+template dragonbox::decimal_fp<float> dragonbox::to_decimal(float);
+template dragonbox::decimal_fp<double> dragonbox::to_decimal(double);
+template locale_ref::locale_ref(const std::locale&);
+template std::locale locale_ref::get<std::locale>() const;
+template thousands_sep_result<char> thousands_sep_impl(locale_ref);
+template char decimal_point_impl(locale_ref);
+template void buffer<char>::append(const char*, const char*);
+template void vformat_to(buffer<char>&, string_view, basic_format_args<FMT_BUFFER_CONTEXT(char)>,
+                         locale_ref);
+
+} // namespace detail
+
+} // namespace fmt

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+// Waiting on a word of shared memory. The reader first spins for some microseconds and then sleeps
+// in a futex until the other process wakes it. The time to spin adapts to
+// whether spinning has helped.
+#include "worker/protocol/channel.hpp"
+
+#include "formulas/table.hpp"
+
+#include <climits>
+#include <ctime>
+#include <linux/futex.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+namespace rigor {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using Microseconds = std::chrono::duration<double, std::micro>;
+
+// If both processes have a processor, an answer comes in under a microsecond, while waking a
+// process that sleeps on another processor takes fifty. On one processor, or on busy ones, spinning
+// only keeps the other process from answering: so the time to spin is halved each time it fails,
+// down to none, and spinning is tried again from time to time.
+constexpr Microseconds longest_spin(20);
+constexpr int waits_between_tries = 32;
+
+struct Spinning {
+    Microseconds time = longest_spin;
+    int waits_without = 0;
+
+    void succeeded() { time = longest_spin; }
+    void failed() { time = time > Microseconds(4) ? time / 2 : Microseconds(0); }
+    Microseconds next()
+    {
+        if (time > Microseconds(0)) return time;
+        if (++waits_without < waits_between_tries) return Microseconds(0);
+        waits_without = 0;
+        return Microseconds(4);
+    }
+};
+thread_local Spinning spinning;
+
+void pause_processor()
+{
+#if defined(__x86_64__)
+    __builtin_ia32_pause();
+#elif defined(__aarch64__)
+    asm volatile("yield");
+#endif
+}
+
+} // namespace
+
+std::uint64_t contract_fingerprint()
+{
+    std::uint64_t hash = 14695981039346656037u; // FNV-1a (Fowler, Noll and Vo)
+    const auto add = [&](std::string_view text) {
+        for (const char c : text)
+            hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211u;
+    };
+    add("rigor worker 1");
+    for (const Formula& formula : formulas) {
+        add(formula.tag);
+        add(formula.name);
+        add(formula.arguments);
+    }
+    return hash;
+}
+
+void wake(std::atomic<std::uint32_t>& word)
+{
+    syscall(SYS_futex, &word, FUTEX_WAKE, INT_MAX, nullptr, nullptr, 0);
+}
+
+void post(std::atomic<std::uint32_t>& word, std::uint32_t value)
+{
+    word.store(value, std::memory_order_release);
+    wake(word);
+}
+
+std::uint32_t await_change(const std::atomic<std::uint32_t>& word, std::uint32_t old,
+                           std::chrono::nanoseconds longest)
+{
+    if (const Microseconds spin = spinning.next(); spin > Microseconds(0)) {
+        const Clock::time_point start = Clock::now();
+        do {
+            for (int i = 0; i < 32; ++i) {
+                if (const std::uint32_t now = word.load(std::memory_order_acquire); now != old) {
+                    spinning.succeeded();
+                    return now;
+                }
+                pause_processor();
+            }
+        } while (Clock::now() - start < spin);
+        spinning.failed();
+    }
+    const auto whole = std::chrono::duration_cast<std::chrono::seconds>(longest);
+    const timespec timeout = {whole.count(), (longest - whole).count()};
+    // Returns at once if the word has changed meanwhile. It may wake early; the
+    // caller then waits again.
+    syscall(SYS_futex, &word, FUTEX_WAIT, old, &timeout, nullptr, 0);
+    return word.load(std::memory_order_acquire);
+}
+
+} // namespace rigor

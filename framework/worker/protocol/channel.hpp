@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+// The memory that a worker shares with its client, and how each waits for the other.
+//
+// The client writes a request and sets `request` to the next sequence number; the worker writes the
+// reply over the request and sets `reply` to the same number. The worker may write to this memory
+// at any time: so the client keeps its own values in variables of its own, and copies a reply
+// before it looks at it. What a scene streams goes through a ring buffer beside it, so that all of
+// it can be read even if the worker dies in the next instruction.
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+
+namespace rigor {
+
+/// The kinds of requests.
+enum class Request : std::uint32_t {
+    call,      // calls formula `argument` on the encoded arguments in the payload
+    run_scene, // runs a scene: the payload has its text and name, `argument` the SceneOptions
+    advance,   // advances states: the payload has text, name, steps and starts, as above
+};
+
+/// How a scene is run, and what comes back.
+struct SceneOptions {
+    /// Whether the answers of the formulas are streamed, one after the other, instead of the
+    /// trajectory or the states.
+    bool streams_answers = false;
+    bool every_step = false; // whether a trajectory has every step, or only the frames
+    int threads = 1;         // for the reference; other implementations use one
+
+    std::uint32_t packed() const
+    {
+        return unsigned{streams_answers} + 2 * unsigned{every_step} +
+               4 * static_cast<std::uint32_t>(threads);
+    }
+    static SceneOptions unpacked(std::uint32_t word)
+    {
+        return {(word & 1) != 0, (word & 2) != 0, static_cast<int>(word >> 2)};
+    }
+};
+
+/// The kinds of answers.
+enum class ReplyStatus : std::uint32_t {
+    done,            // the payload is the result
+    not_implemented, // the payload is the text of NotImplemented
+    not_finite,      // the payload says which quantity of the scene is not finite
+    threw,           // the payload says what was thrown
+    missing,         // the payload is the index of a formula that is nowhere defined
+    last = missing,
+};
+
+struct Channel {
+    // Sizes [bytes].
+    static constexpr std::size_t capacity = std::size_t{64} << 20; // only used pages take memory
+    static constexpr std::size_t longest_text = 4096;              // longest text of a failure
+    static constexpr std::uint32_t ring = std::uint32_t{4} << 20;  // a power of two
+
+    alignas(64) std::atomic<std::uint32_t> request;
+    std::atomic<Request> kind;
+    std::atomic<std::uint32_t> argument;
+    std::atomic<std::uint64_t> request_size;
+    alignas(64) std::atomic<std::uint32_t> reply;
+    std::atomic<ReplyStatus> status;
+    std::atomic<std::uint64_t> reply_size;
+    // Numbers of bytes streamed and read since the scene's start, modulo 2^32. Byte n is
+    // stream[n % ring].
+    alignas(64) std::atomic<std::uint32_t> streamed;
+    alignas(64) std::atomic<std::uint32_t> taken;
+    alignas(64) std::byte stream[ring];
+    std::byte payload[capacity];
+};
+
+/// A hash of the contract and of this protocol. A worker that was built with
+/// another one is refused.
+std::uint64_t contract_fingerprint();
+
+/// Wakes the process that waits for the word to change.
+void wake(std::atomic<std::uint32_t>& word);
+
+/// Sets the word and wakes the process that waits for it to change.
+void post(std::atomic<std::uint32_t>& word, std::uint32_t value);
+
+/// Spins for a moment, then sleeps until the word is not `old` any more, until it is woken, or
+/// until the time is over.
+/// @return the word
+std::uint32_t await_change(const std::atomic<std::uint32_t>& word, std::uint32_t old,
+                           std::chrono::nanoseconds longest);
+
+} // namespace rigor

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// Finds the first number of a value that is not finite.
+#pragma once
+
+#include "worker/protocol/wire.hpp"
+
+#include <cmath>
+#include <string>
+
+namespace rigor {
+
+inline std::string name_of_non_finite(double number)
+{
+    return std::isnan(number) ? " is NaN" : number > 0 ? " is +infinity" : " is -infinity";
+}
+
+/// The first number in `value` that is not finite, with its path from the value, such as
+/// `angular_momentum.y is NaN`. Empty if all are finite.
+template <class T> std::string find_non_finite(const T& value, const std::string& path = "")
+{
+    std::string found;
+    if constexpr (std::is_floating_point_v<T>) {
+        if (!std::isfinite(value)) found = (path.empty() ? "it" : path) + name_of_non_finite(value);
+    } else if constexpr (wire::FixedMatrix<T>) {
+        for (int i = 0; i < value.size() && found.empty(); ++i) {
+            if (std::isfinite(value.data()[i])) continue;
+            const int row = i % T::RowsAtCompileTime, column = i / T::RowsAtCompileTime;
+            const std::string element =
+                T::ColsAtCompileTime == 1 && T::RowsAtCompileTime == 3
+                    ? std::string(path.empty() ? "" : ".") + "xyz"[row]
+                    : "(" + std::to_string(row) + ", " + std::to_string(column) + ")";
+            found = path + element + name_of_non_finite(value.data()[i]);
+        }
+    } else if constexpr (wire::is_array<T> || wire::is_vector<T>) {
+        for (std::size_t i = 0; i < value.size() && found.empty(); ++i)
+            found = find_non_finite(value[i], path + "[" + std::to_string(i) + "]");
+    } else if constexpr (wire::is_optional<T>) {
+        if (value) found = find_non_finite(*value, path);
+    } else if constexpr (Plain<T>) {
+        Fields<T>::each(value, [&](std::string_view name, const auto& field) {
+            if (!found.empty()) return;
+            found = find_non_finite(field, path + (path.empty() ? "" : ".") + std::string(name));
+        });
+    }
+    return found;
+}
+
+} // namespace rigor

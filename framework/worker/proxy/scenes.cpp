@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#include "worker/proxy/scenes.hpp"
+
+#include "rigid/bodies/non_finite.hpp"
+#include "scene/keys/scene_keys.hpp"
+#include "worker/protocol/wire.hpp"
+#include "worker/proxy/proxy.hpp"
+#include "worker/scene_answers.hpp"
+
+namespace rigor {
+
+namespace {
+
+// Makes the engine's formulas take their answers from a run of the worker under test.
+class Answered {
+public:
+    Answered(const Scene& scene, Request kind, Bytes payload, Record record)
+        : answers_(worker(), scene.name, kind, std::move(payload), record == Record::every_step)
+    {
+        answer_from(&answers_);
+    }
+    ~Answered() { answer_from(nullptr); }
+    Answered(const Answered&) = delete;
+    Answered& operator=(const Answered&) = delete;
+
+private:
+    SceneAnswers answers_;
+};
+
+template <class Run> auto finite(const Scene& scene, const Run& run)
+{
+    try {
+        return run();
+    } catch (const NonFiniteState& state) {
+        throw NotFinite("scene " + scene.name, state.what());
+    }
+}
+
+} // namespace
+
+void run_scene_with_worker(const Scene& scene, Record record, const ByteSink& write)
+{
+    Bytes request;
+    wire::encode(request, scene.text);
+    wire::encode(request, scene.name);
+    const Answered answered(scene, Request::run_scene, std::move(request), record);
+    // The worker reads the scene from its text too.
+    finite(scene, [&] { run_scene(parse_scene(scene.text, scene.name), record, write); });
+}
+
+std::vector<std::vector<RigidState>>
+advance_with_worker(const Scene& scene, const std::vector<Moment>& starts, int steps)
+{
+    Bytes request;
+    wire::encode(request, scene.text);
+    wire::encode(request, scene.name);
+    wire::encode(request, steps);
+    wire::encode(request, starts);
+    const Answered answered(scene, Request::advance, std::move(request), Record::frames);
+    return finite(scene,
+                  [&] { return advance(parse_scene(scene.text, scene.name), starts, steps); });
+}
+
+} // namespace rigor

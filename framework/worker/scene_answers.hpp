@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// A scene with an implementation's formulas, whose motion is not the implementation's word. The
+// engine runs on our side. The worker runs the same scene ahead of it, and streams nothing but the
+// answer of each formula in the order of the calls; our engine takes these instead of asking for
+// each, which would take far longer. Both engines are the same code and get the same answers, so
+// they call the same formulas. A worker that streams something else has only given wrong answers.
+#pragma once
+
+#include "worker/client.hpp"
+
+namespace rigor {
+
+class SceneAnswers {
+public:
+    /// Lets the worker begin. It must outlive this object, and be asked nothing else meanwhile.
+    /// @param scene_name  for messages
+    /// @param kind        run_scene or advance
+    /// @param payload     as `kind` expects it
+    /// @param every_step  whether every step is recorded: what a solid records takes formulas
+    SceneAnswers(Worker& worker, const std::string& scene_name, Request kind, Bytes payload,
+                 bool every_step);
+    /// Ends the worker's process, unless it is done with the scene too.
+    ~SceneAnswers();
+    SceneAnswers(const SceneAnswers&) = delete;
+    SceneAnswers& operator=(const SceneAnswers&) = delete;
+
+    /// The encoded answer of the formula that the engine calls now, valid until the next call.
+    /// @param largest  largest size of the answer [bytes]
+    /// @throws NotImplemented, FormulaMissing, WorkerFailure
+    std::span<const std::byte> next(FormulaIndex formula, std::size_t largest);
+
+private:
+    using Seconds = Allowance::Seconds;
+
+    void require(std::size_t size, FormulaIndex formula);
+    Bytes await_part(FormulaIndex formula);
+    Seconds reference_time();
+    std::string subject(FormulaIndex formula) const;
+    [[noreturn]] void say_why_it_ended(FormulaIndex formula);
+    [[noreturn]] void fail(const Broken& broken, FormulaIndex formula);
+
+    Worker& worker_;
+    std::string scene_name_;
+    Bytes payload_;
+    Question question_;
+    Bytes part_;         // the part of the stream that has come last
+    std::size_t at_ = 0; // how much of it was taken
+    Seconds waited_{};   // for all answers so far
+    std::optional<Seconds> reference_time_;
+};
+
+} // namespace rigor

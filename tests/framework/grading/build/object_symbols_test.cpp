@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#include "grading/build/object_symbols.hpp"
+#include "support/catch.hpp"
+
+#include <algorithm>
+
+namespace rigor {
+
+namespace {
+
+// Linker names as g++ and clang make them.
+const std::string normalized = "_ZN5rigor9normalizeERKNS_10QuaternionE"; // topic `rotation`
+const std::string helper = "_Z6helperd", cleanup = "_Z7cleanupv";
+
+ObjectSymbols symbols(const std::string& listing)
+{
+    return parse_symbols(listing);
+}
+
+} // namespace
+
+TEST_CASE("object symbols: strong definitions and uses are told apart", "[build]")
+{
+    const ObjectSymbols found = symbols("f T 0 1\ng U\nh W 0 1\ni t 0 1\nj B 8 4\nk V 0 1\nl w\n");
+    REQUIRE(found.defined == std::set<std::string>{"f", "j"});
+    REQUIRE(found.undefined == std::set<std::string>{"g"});
+    REQUIRE(symbols("").defined.empty());
+    REQUIRE(symbols("/usr/bin/nm: x: file format not recognized\n").undefined.empty());
+}
+
+TEST_CASE("object symbols: each file keeps its helpers to itself", "[build]")
+{
+    const auto hidden = names_to_hide({
+        {"inertia", symbols(helper + " T 0 1\n" + normalized + " U\nmain T 0 1\n")},
+        {"rotation", symbols(helper + " T 0 1\n" + normalized + " T 0 1\n")},
+    });
+    REQUIRE(hidden.at("inertia") == std::vector<std::string>{helper, "main"});
+    REQUIRE(hidden.at("rotation") == std::vector<std::string>{helper});
+}
+
+TEST_CASE("object symbols: a helper that another file uses is shared", "[build]")
+{
+    const auto hidden = names_to_hide({
+        {"inertia", symbols(helper + " U\n")},
+        {"rotation", symbols(helper + " T 0 1\n" + cleanup + " T 0 1\n")},
+    });
+    REQUIRE(hidden.at("rotation") == std::vector<std::string>{cleanup});
+    REQUIRE(hidden.count("inertia") == 0);
+}
+
+TEST_CASE("object symbols: a formula counts in the file of its topic", "[build]")
+{
+    const auto twice = names_to_hide({
+        {"inertia", symbols(normalized + " T 0 1\n")},
+        {"rotation", symbols(normalized + " T 0 1\n")},
+    });
+    REQUIRE(twice.at("inertia") == std::vector<std::string>{normalized});
+    REQUIRE(twice.count("rotation") == 0);
+    const auto elsewhere = names_to_hide({
+        {"contact", symbols(normalized + " T 0 1\n")},
+        {"inertia", symbols(normalized + " T 0 1\n")},
+    });
+    REQUIRE(elsewhere.size() == 1); // one of them has to
+}
+
+} // namespace rigor

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+// What is taken from a folder that holds more than a solution.
+#include "grading/build/submission_files.hpp"
+#include "support/catch.hpp"
+#include "support/temporary_folder.hpp"
+
+#include <algorithm>
+#include <sys/socket.h>
+#include <sys/stat.h>
+#include <sys/un.h>
+#include <unistd.h>
+
+namespace rigor {
+
+namespace fs = std::filesystem;
+using testing::TemporaryFolder;
+
+namespace {
+
+struct Intake {
+    TemporaryFolder folder, copies;
+    SubmissionFiles take() const { return take_files(folder.path(), copies.path()); }
+
+    std::vector<std::string> copied() const
+    {
+        std::vector<std::string> names;
+        for (const auto& entry : fs::recursive_directory_iterator(copies.path()))
+            if (entry.is_regular_file())
+                names.push_back(entry.path().lexically_relative(copies.path()).string());
+        std::sort(names.begin(), names.end());
+        return names;
+    }
+};
+
+} // namespace
+
+TEST_CASE("submission files: topics and headers are taken, the rest is not", "[build]")
+{
+    const Intake intake;
+    intake.folder.write("inertia.cpp", "int a;\n");
+    intake.folder.write("own/a b.hpp", "int b;\n");
+    intake.folder.write("report.pdf", "%PDF");
+    intake.folder.write("a/b/c/d/e/f/deep.hpp", "");
+    intake.folder.write("bad\nname.hpp", "");
+    intake.copies.write("left/over.hpp", "");
+    const SubmissionFiles files = intake.take();
+    REQUIRE(files.topics == std::vector<std::string>{"inertia"});
+    REQUIRE(files.refused.empty());
+    REQUIRE(intake.copied() == std::vector<std::string>{"inertia.cpp", "own/a b.hpp"});
+    const std::uint64_t before = files.hash;
+    intake.folder.write("own/a b.hpp", "int c;\n");
+    REQUIRE(intake.take().hash != before);
+}
+
+TEST_CASE("submission files: what is no file is refused in a line, without waiting", "[build]")
+{
+    const Intake intake;
+    const fs::path folder = intake.folder.path();
+    fs::create_directory(folder / "pipeline.cpp");
+    REQUIRE(mkfifo((folder / "inertia.cpp").c_str(), 0600) == 0);
+    fs::create_symlink("contact.cpp", folder / "collision.cpp");
+    fs::create_symlink("collision.cpp", folder / "contact.cpp");
+    fs::create_symlink("/dev/zero", folder / "rotation.cpp");
+    intake.folder.write("fracture.cpp", std::string(std::size_t{3} << 20, ' '));
+    const int socket_end = socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
+    sockaddr_un address = {};
+    address.sun_family = AF_UNIX;
+    (folder / "plasticity.cpp").string().copy(address.sun_path, sizeof address.sun_path - 1);
+    REQUIRE(bind(socket_end, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0);
+    close(socket_end);
+
+    const SubmissionFiles files = intake.take();
+    REQUIRE(files.topics.empty());
+    REQUIRE(files.refused ==
+            std::map<std::string, std::string>{
+                {"pipeline", "pipeline.cpp: expected a file, found a folder\n"},
+                {"inertia", "inertia.cpp: expected a file, found a pipe\n"},
+                {"collision", "collision.cpp: expected a file, found a link\n"},
+                {"contact", "contact.cpp: expected a file, found a link\n"},
+                {"rotation", "rotation.cpp: expected a file, found a link\n"},
+                {"fracture", "fracture.cpp: expected at most 1024 kB, found 3072 kB\n"},
+                {"plasticity", "plasticity.cpp: expected a file, found a socket\n"}});
+}
+
+TEST_CASE("submission files: links to headers are not followed", "[build]")
+{
+    const Intake intake;
+    intake.folder.write("inertia.cpp", "");
+    fs::create_symlink("/etc/hostname", intake.folder.path() / "host.hpp");
+    fs::create_directory_symlink("/etc", intake.folder.path() / "etc");
+    REQUIRE(intake.take().topics.size() == 1);
+    REQUIRE(intake.copied() == std::vector<std::string>{"inertia.cpp"});
+}
+
+} // namespace rigor

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+// Scenes that our engine runs with the answers of a worker, which is hostile in most of them.
+#include "attack.hpp"
+#include "scene/keys/scene_keys.hpp"
+#include "scene/trajectory/reader.hpp"
+#include "support/catch.hpp"
+#include "worker/protocol/wire.hpp"
+#include "worker/proxy/scenes.hpp"
+
+namespace rigor {
+
+namespace {
+
+const Scene& ball()
+{
+    static const Scene scene = parse_scene(R"({
+  "gravity": [0, -10, 0], "time_step": 0.01, "end": 2, "frames_per_second": 50,
+  "bodies": [{"name": "ball", "shape": {"sphere": {"radius": 0.5}}, "velocity": [1, 2, 3]}]
+})",
+                                           "ball");
+    return scene;
+}
+
+/// The frames of a run as bytes, and how it ended.
+struct Run {
+    std::vector<wire::Bytes> frames;
+    bool complete = false;
+    std::exception_ptr failure;
+
+    std::string what() const
+    {
+        try {
+            if (failure) std::rethrow_exception(failure);
+        } catch (const std::exception& exception) {
+            return exception.what();
+        }
+        return "";
+    }
+};
+
+template <class Simulate> Run run(const Simulate& simulate)
+{
+    Run result;
+    TrajectoryReader reader(
+        {[](const Scene&, const std::vector<RecordedBody>&) {},
+         [&](const Frame& frame) { wire::encode(result.frames.emplace_back(), frame.bodies); },
+         [](const Counters&) {}});
+    try {
+        simulate([&](std::span<const std::byte> bytes) { reader.feed(bytes); });
+    } catch (...) {
+        result.failure = std::current_exception();
+    }
+    result.complete = reader.complete();
+    return result;
+}
+
+Run run_with(const std::string& worker_file)
+{
+    Limits limits = tight();
+    limits.scene = Seconds(0.6);
+    use_worker(worker_file, {}, limits);
+    return run(
+        [](const ByteSink& sink) { run_scene_with_worker(ball(), Record::every_step, sink); });
+}
+
+Run honest()
+{
+    return run_with(RIGOR_BINARY_DIR "/bin/worker_reference");
+}
+
+bool begins_as(const Run& run, const Run& other)
+{
+    return run.frames.size() <= other.frames.size() &&
+           std::equal(run.frames.begin(), run.frames.end(), other.frames.begin());
+}
+
+} // namespace
+
+TEST_CASE("scene answers: our engine makes the same bits as the worker's")
+{
+    const Run ours = honest();
+    REQUIRE(ours.complete);
+    REQUIRE(ours.frames.size() == 201);
+    const Run theirs = run([](const ByteSink& sink) {
+        worker().run_scene(ball().text, ball().name, Record::every_step, sink);
+    });
+    REQUIRE(ours.frames == theirs.frames);
+}
+
+TEST_CASE("scene answers: states are advanced as in a run")
+{
+    const Run run = honest();
+    const std::vector<Moment> start = {
+        {1.0, wire::decode_all<std::vector<RigidState>>(run.frames[100])}};
+    for (int repeat = 0; repeat < 3; ++repeat) {
+        wire::Bytes after;
+        wire::encode(after, advance_with_worker(ball(), start, 5).at(0));
+        REQUIRE(after == run.frames[105]);
+        REQUIRE(next_call_is_answered());
+    }
+}
+
+TEST_CASE("scene answers: a failure names the formula and keeps what was before it")
+{
+    const Run right = honest();
+    const auto expect = [&](const char* name, const std::string& text) {
+        const Run run = run_with(attack(name).string());
+        CAPTURE(name);
+        REQUIRE(run.what() == text);
+        REQUIRE_FALSE(run.complete);
+        REQUIRE(run.frames.size() > 20);
+        REQUIRE(begins_as(run, right));
+        REQUIRE(next_call_is_answered());
+    };
+    expect("crash_in_scene", "A3.14 gravity_wrench in scene ball crashed: segmentation fault");
+    expect("loop_in_scene", "A3.14 gravity_wrench in scene ball did not return within 0.6 s");
+}
+
+TEST_CASE("scene answers: a stub and a number that is lost are told as such")
+{
+    const Run stub = run_with(attack("stub_in_scene").string());
+    REQUIRE(stub.what() == "rotation::gravity_wrench");
+    const Run lost = run_with(attack("nan_in_scene").string());
+    REQUIRE_THROWS_AS(std::rethrow_exception(lost.failure), NotFinite);
+    REQUIRE(lost.frames.size() > 20);
+    const Run nothing = run_with(RIGOR_BINARY_DIR "/bin/worker_nothing");
+    REQUIRE_THROWS_AS(std::rethrow_exception(nothing.failure), FormulaMissing);
+}
+
+TEST_CASE("scene answers: a forged stream moves nothing")
+{
+    const Run right = honest();
+    const Run forged = run_with(attack("forge_scene").string());
+    REQUIRE(forged.what().find("sent no answer: it is out of step") != std::string::npos);
+    REQUIRE_FALSE(forged.complete);
+    REQUIRE(begins_as(forged, right));
+    REQUIRE(next_call_is_answered());
+}
+
+TEST_CASE("scene answers: a worker with a main of its own moves nothing")
+{
+    const Run forged = run_with(attack("own_main").string());
+    REQUIRE(forged.what().find("sent no answer") != std::string::npos);
+    REQUIRE(forged.frames.size() <= 1);
+}
+
+} // namespace rigor
