@@ -5,6 +5,7 @@
 #include "cli/options.hpp"
 #include "errors/input_error.hpp"
 #include "errors/nearest.hpp"
+#include "errors/quotes.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -27,11 +28,9 @@ int unknown_command(const std::string& word)
     std::vector<std::string_view> names;
     for (const CommandEntry& command : commands())
         names.push_back(command.name);
-    const std::string near(nearest(word, names));
-    return complain(
-        "unknown command '" + word + "'" +
-            (near.empty() ? "; `rigor --help` lists them" : "; did you mean '" + near + "'?"),
-        exit_input);
+    return complain("unknown command " + in_quotes(word) +
+                        suggestion(word, names, "`rigor --help` lists them"),
+                    exit_input);
 }
 
 bool is_command(const std::string& word)

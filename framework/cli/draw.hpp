@@ -2,7 +2,7 @@
 // The shared parts of the commands that draw: their options, and the writing of frames to files.
 #pragma once
 
-#include "grading/implementation.hpp"
+#include "grading/build/implementation.hpp"
 #include "render/frames.hpp"
 #include "render/visualizer.hpp"
 #include "scene/trajectory/trajectory.hpp"

@@ -4,6 +4,7 @@
 #include "cli/progress.hpp"
 #include "errors/input_error.hpp"
 #include "errors/nearest.hpp"
+#include "errors/quotes.hpp"
 #include "grading/places.hpp"
 #include "grading/process.hpp"
 
@@ -11,6 +12,7 @@
 #include <cstdio>
 #include <fmt/format.h>
 #include <stdexcept>
+#include <unistd.h>
 
 namespace rigor {
 
@@ -27,17 +29,17 @@ OnBuildStep on_step(Progress& progress)
 
 } // namespace
 
-Implementation prepared_implementation(const std::string& with,
-                                       const std::vector<std::string>& asked)
+Implementation prepared_implementation(const std::string& with)
 {
     Progress progress("building");
-    return build_implementation(with, on_step(progress), asked);
+    return build_implementation(with, on_step(progress));
 }
 
 Implementation working_implementation(const std::string& with)
 {
     Implementation result = prepared_implementation(with);
-    if (!result.built()) throw InputError(with + " does not compile:\n" + result.compile_error);
+    if (const std::string errors = result.errors(); !errors.empty())
+        throw InputError(with + " does not compile:\n" + errors);
     return result;
 }
 
@@ -64,6 +66,16 @@ int run_program(const std::vector<std::string>& arguments)
     });
     if (!ended.signal) return ended.status;
     throw std::runtime_error(fmt::format("{} was ended by signal {}", arguments[0], ended.signal));
+}
+
+void require_folder(const std::string& out, const std::string& content)
+{
+    if (out.empty()) throw InputError("expected --out DIR, the folder for " + content);
+    std::error_code error;
+    fs::create_directories(out, error);
+    if (!fs::is_directory(out)) throw InputError("--out: expected a folder, found " + out);
+    if (access(out.c_str(), W_OK) != 0)
+        throw InputError("--out: expected a folder that can be written, found " + out);
 }
 
 std::vector<SceneFile> shipped_scenes()
@@ -95,11 +107,8 @@ fs::path find_scene(const std::string& text)
     if (found.size() > 1)
         throw InputError("the scene '" + text + "' is in " + found[0].name + " and in " +
                          found[1].name + ": expected one of these names");
-    const std::vector<std::string_view> views(names.begin(), names.end());
-    const std::string near(nearest(text, views));
-    throw InputError(
-        "no scene '" + text + "'" +
-        (near.empty() ? "; `rigor list --scenes` names them" : "; did you mean '" + near + "'?"));
+    throw InputError("no scene " + in_quotes(text) +
+                     suggestion(text, names, "`rigor list --scenes` names them"));
 }
 
 } // namespace rigor

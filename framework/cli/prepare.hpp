@@ -10,13 +10,11 @@
 
 namespace rigor {
 
-/// The implementation with an up-to-date worker. Shows a progress bar while the worker is built.
-/// @param asked  see `build_implementation`
+/// The implementation with an up-to-date worker. Shows a progress bar while it is built.
 /// @throws InputError if there is no such implementation
-Implementation prepared_implementation(const std::string& with,
-                                       const std::vector<std::string>& asked = {});
+Implementation prepared_implementation(const std::string& with);
 
-/// The same for a command that needs a worker.
+/// The same for a command that runs scenes.
 /// @throws InputError also if the implementation does not compile, with the compiler's errors
 Implementation working_implementation(const std::string& with);
 
@@ -31,6 +29,11 @@ GradingRun prepared_grading_run();
 /// @return its exit status
 /// @throws std::runtime_error if it crashed
 int run_program(const std::vector<std::string>& arguments);
+
+/// Makes the folder that --out names, if it is missing.
+/// @param content  what will be written there: "the figures"
+/// @throws InputError if it cannot be written
+void require_folder(const std::string& out, const std::string& content);
 
 struct SceneFile {
     std::filesystem::path file;

@@ -28,7 +28,7 @@ RunOutcome run_in_worker(const Implementation& implementation, const Scene& scen
     TrajectoryReader::Handlers handlers;
     handlers.on_start =
         run.on_start ? run.on_start : [](const Scene&, const std::vector<RecordedBody>&) {};
-    handlers.on_frame = [&](Frame frame) {
+    handlers.on_frame = [&](const Frame& frame) {
         if (run.on_frame) run.on_frame(frame);
     };
     handlers.on_end = run.on_end ? run.on_end : [](const Counters&) {};

@@ -2,7 +2,7 @@
 // A scene that runs in the worker of an implementation and is reported record by record.
 #pragma once
 
-#include "grading/implementation.hpp"
+#include "grading/build/implementation.hpp"
 #include "scene/run/run_scene.hpp"
 
 #include <functional>

@@ -2,7 +2,7 @@
 #include "cli/test_run.hpp"
 
 #include "cli/progress.hpp"
-#include "grading/ninja.hpp"
+#include "grading/build/ninja.hpp"
 #include "grading/places.hpp"
 #include "grading/process.hpp"
 #include "report/terminal.hpp"
@@ -126,6 +126,9 @@ private:
     bool showing_ = false;
 };
 
+// A test that takes longer has failed, so that one that hangs does not hide the others [s].
+constexpr const char* longest_test = "1200";
+
 SuiteResult build_preset(const std::string& preset, const fs::path& build, SuiteSize size)
 {
     fs::create_directories(build);
@@ -195,6 +198,8 @@ std::vector<SuiteResult> run_preset(const std::string& preset, SuiteSize size)
                        size == SuiteSize::all ? "^sample$" : "^long$",
                        "--output-on-failure",
                        "--no-tests=error",
+                       "--timeout",
+                       longest_test,
                        "-j2"};
     const Ended ended = run(ctest, [&](std::string_view line) { lines.take(std::string(line)); });
     const auto failed = [](const SuiteResult& result) {

@@ -5,7 +5,8 @@
 #include "cli/prepare.hpp"
 #include "errors/input_error.hpp"
 #include "errors/nearest.hpp"
-#include "grading/ninja.hpp"
+#include "errors/quotes.hpp"
+#include "grading/build/ninja.hpp"
 #include "grading/places.hpp"
 #include "grading/process.hpp"
 
@@ -29,11 +30,8 @@ const std::string& known_name(const std::string& name, const std::vector<std::st
 {
     const auto found = std::find(known.begin(), known.end(), name);
     if (found != known.end()) return *found;
-    const std::vector<std::string_view> views(known.begin(), known.end());
-    const std::string near(nearest(name, views));
-    throw InputError(fmt::format("no benchmark '{}'; {}", name,
-                                 near.empty() ? fmt::format("there are {}", fmt::join(known, ", "))
-                                              : "did you mean '" + near + "'?"));
+    const std::string all = fmt::format("there are {}", fmt::join(known, ", "));
+    throw InputError("no benchmark " + in_quotes(name) + suggestion(name, known, all));
 }
 
 // The benchmarks that write plots.

@@ -11,6 +11,8 @@
 #include "report/result_json.hpp"
 #include "report/table.hpp"
 #include "report/terminal.hpp"
+#include "report/write_whole.hpp"
+#include "sandbox/tier.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -40,21 +42,15 @@ int status_of(const std::vector<Result>& results)
 
 void say_what_was_built(const Implementation& implementation)
 {
-    std::vector<std::string> lacking;
-    for (const std::string& topic : implementation.borrowed) {
-        const auto& broken = implementation.broken;
-        if (std::find(broken.begin(), broken.end(), topic) == broken.end())
-            lacking.push_back(topic);
-        else
-            fmt::print(stderr,
-                       "{}/{}.cpp does not compile and is not asked for: what student/ has takes "
-                       "its place\n",
-                       implementation.name, topic);
-    }
-    if (!lacking.empty())
+    for (const auto& [topic, errors] : implementation.broken)
+        fmt::print(stderr, "{}/{}.cpp does not compile: its formulas are missing\n",
+                   implementation.name, topic);
+    if (!implementation.borrowed.empty())
         fmt::print(stderr, "{} has no {}.cpp: what student/ has takes their place\n",
-                   implementation.name, fmt::join(lacking, ".cpp, "));
-    if (implementation.built() && !implementation.build_steps.empty())
+                   implementation.name, fmt::join(implementation.borrowed, ".cpp, "));
+    for (const std::string& name : implementation.undefined)
+        fmt::print(stderr, "{} calls {}, which is defined nowhere\n", implementation.name, name);
+    if (!implementation.build_steps.empty())
         fmt::print(stderr, "built in {:.1f} s ({} {})\n", implementation.build_seconds,
                    implementation.build_steps.size(),
                    implementation.build_steps.size() == 1 ? "step" : "steps");
@@ -63,14 +59,6 @@ void say_what_was_built(const Implementation& implementation)
 void print_report(const std::vector<Result>& results, const Implementation& implementation)
 {
     const bool color = wants_color(STDOUT_FILENO);
-    const auto broken = std::find_if(results.begin(), results.end(), [](const Result& result) {
-        return result.status == SubmissionStatus::compile_error;
-    });
-    if (broken != results.end()) { // every task has the same error: print it once
-        fmt::print("{}\n{}", colored(implementation.name + " does not compile", Color::red, color),
-                   broken->message);
-        return;
-    }
     for (const Result& result : results)
         fmt::print("{}{}", &result == results.data() ? "" : "\n",
                    points_table(result, implementation, color));
@@ -92,13 +80,15 @@ int check(const CheckOptions& options)
 {
     const std::vector<Selection> selections =
         select_tasks(load_assignments(places().assignments()), options.what);
-    std::vector<std::string> asked; // the topics whose files must compile; without WHAT, all
-    for (const Selection& selection : selections)
-        if (!options.what.empty()) asked.push_back(selection.assignment.topic);
-    const Implementation implementation = prepared_implementation(options.with, asked);
+    const Implementation implementation = prepared_implementation(options.with);
     for (const Selection& selection : selections)
         if (!options.what.empty()) require_own_file(selection, implementation);
     say_what_was_built(implementation);
+    if (options.with != "student" && options.with != "reference")
+        fmt::print(stderr, "walls around it: {}\n", description(usual_tier()));
+    if (has_too_weak_walls())
+        fmt::print(stderr, "no walls are possible here: hidden tests are left out; with "
+                           "RIGOR_TIER=C they run all the same\n");
     GradingRun run = prepared_grading_run();
     run.seed = options.seed;
     std::vector<Result> results;

@@ -13,6 +13,7 @@
 #include "report/result_json.hpp"
 #include "report/table.hpp"
 #include "report/terminal.hpp"
+#include "report/write_whole.hpp"
 #include "scene/keys/scene_keys.hpp"
 
 #include <algorithm>
@@ -154,6 +155,7 @@ int demo(const DemoOptions& options)
         const std::vector<Selection> selection =
             select_tasks(load_assignments(places().assignments()), {assignment});
         std::vector<Result> results;
+        results.reserve(submissions.size());
         for (const std::string& name : submissions)
             results.push_back(grade_one(name, out / "graded", selection.at(0), run));
         print_points(assignment, results);

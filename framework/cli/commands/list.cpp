@@ -22,15 +22,15 @@ struct ListOptions {
     bool json = false, scenes = false;
 };
 
-using json = nlohmann::ordered_json;
+using Json = nlohmann::ordered_json;
 
-json as_json(const Assignment& assignment)
+Json as_json(const Assignment& assignment)
 {
-    json tasks = json::array();
+    Json tasks = Json::array();
     for (const Task& task : assignment.tasks)
         tasks.push_back({{"tag", task.tag},
                          {"name", task.name()},
-                         {"formula", task.formula.empty() ? json(nullptr) : json(task.formula)},
+                         {"formula", task.formula.empty() ? Json(nullptr) : Json(task.formula)},
                          {"points", task.points},
                          {"visibility", task.is_hidden ? "hidden" : "visible"},
                          {"builds_on", task.builds_on}});
@@ -65,7 +65,7 @@ int list(const ListOptions& options)
     const std::vector<Selection> selections =
         select_tasks(load_assignments(places().assignments()), options.what);
     if (options.json) {
-        json all = json::array();
+        Json all = Json::array();
         for (const Selection& selection : selections)
             all.push_back(as_json(selection.assignment));
         fmt::print("{}\n", all.dump(2));

@@ -7,7 +7,7 @@
 #include "cli/scene_run.hpp"
 #include "errors/input_error.hpp"
 #include "scene/keys/scene_keys.hpp"
-#include "scene/trajectory/reader.hpp"
+#include "scene/trajectory/trajectory_file.hpp"
 
 #include <array>
 #include <fstream>

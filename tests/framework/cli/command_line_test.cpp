@@ -25,31 +25,40 @@ void require_one_line(const std::vector<std::string>& arguments, const std::stri
     REQUIRE(result.output.find(words) != std::string::npos);
 }
 
-const std::vector<std::string> names = {"demo",     "test",   "list",    "check",
-                                        "simulate", "render", "compare", "bench"};
+const std::vector<std::string> names = {"demo",   "test",    "list",  "check", "hint",   "simulate",
+                                        "render", "compare", "bench", "book",  "figures"};
 
 } // namespace
 
 TEST_CASE("command line: bad usage is one line and status 2", "[cli]")
 {
-    require_one_line({"chekc"}, "did you mean 'check'?");
-    require_one_line({"frobnicate"}, "unknown command 'frobnicate'");
+    require_one_line({"chekc"}, "did you mean \"check\"?");
+    require_one_line({"frobnicate"}, "unknown command \"frobnicate\"");
     require_one_line({"--frobnicate"}, "--frobnicate");
     require_one_line({"check", "--frobnicate"}, "--frobnicate");
     require_one_line({"check", "--seed", "minus"}, "--seed");
-    require_one_line({"check", "iertia"}, "did you mean 'inertia'?");
+    require_one_line({"check", "iertia"}, "did you mean \"inertia\"?");
     require_one_line({"check", "--with", "/no/such/folder"}, "/no/such/folder");
     require_one_line({"simulate"}, "SCENE");
-    require_one_line({"simulate", "spining_box"}, "did you mean 'spinning_box'?");
+    require_one_line({"simulate", "spining_box"}, "did you mean \"spinning_box\"?");
     require_one_line({"simulate", "spinning_box"},
                      "a2-inertia/spinning_box and in a3-rotation/spinning_box");
     require_one_line({"render", "rod_tip"}, "--out");
     require_one_line(
         {"render", "rod_tip", "--with", "reference", "--out", "/tmp/x", "--size", "big"},
         "WIDTHxHEIGHT");
-    require_one_line({"bench", "spim"}, "no benchmark 'spim'");
+    require_one_line({"bench", "spim"}, "no benchmark \"spim\"; did you mean \"spin\"?");
     require_one_line({"bench", "accuracy", "--out", "/dev/null"}, "expected a folder for plots");
     require_one_line({"bench", "spin", "--out", "plots"}, "expected a benchmark that draws");
+    require_one_line({"hint"}, "TAG");
+    require_one_line({"hint", "A4.88"}, "did you mean \"A4.8\"?");
+    require_one_line({"hint", "friction"}, "expected the tag of a task, found \"friction\"");
+    require_one_line({"hint", "A4.8", "--step", "9"},
+                     "--step: expected at most 3 for A4.8, found 9");
+    require_one_line({"book"}, "expected --out DIR");
+    require_one_line({"book", "--out", "/dev/null"}, "expected a folder");
+    require_one_line({"figures"}, "expected --out DIR");
+    require_one_line({"figures", "--out", "/dev/null"}, "expected a folder");
     require_one_line({"test", "fast"}, "one of release, debug, clang, found 'fast'");
     require_one_line({"test", "--quick"}, "go with --stress");
     require_one_line({"test", "--all", "--stress"}, "expected one of");

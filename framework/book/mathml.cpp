@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: MIT
+// Reads a formula from left to right. An atom is a letter, a number, a command or a group; indices
+// and exponents that follow are attached to it. Matrices and fractions read their parts in the same
+// way.
+#include "book/mathml.hpp"
+
+#include "errors/input_error.hpp"
+
+#include <cctype>
+#include <fmt/format.h>
+#include <map>
+#include <string_view>
+#include <vector>
+
+namespace rigor::book {
+
+namespace {
+
+using Words = std::map<std::string, std::string_view, std::less<>>;
+
+const Words letters = {{"alpha", "α"},   {"beta", "β"},       {"gamma", "γ"},  {"delta", "δ"},
+                       {"epsilon", "ϵ"}, {"varepsilon", "ε"}, {"theta", "θ"},  {"lambda", "λ"},
+                       {"mu", "μ"},      {"nu", "ν"},         {"rho", "ρ"},    {"sigma", "σ"},
+                       {"tau", "τ"},     {"phi", "ϕ"},        {"varphi", "φ"}, {"psi", "ψ"},
+                       {"omega", "ω"},   {"pi", "π"},         {"Delta", "Δ"},  {"Omega", "Ω"}};
+const Words operators = {{"cdot", "·"},  {"times", "×"}, {"ast", "∗"},       {"le", "≤"},
+                         {"ge", "≥"},    {"pm", "±"},    {"sum", "∑"},       {"int", "∫"},
+                         {"nabla", "∇"}, {"to", "→"},    {"leftarrow", "←"}, {"partial", "∂"},
+                         {"dots", "…"},  {"lvert", "|"}, {"rvert", "|"},     {"lVert", "‖"},
+                         {"rVert", "‖"}};
+const Words functions = {{"cos", "cos"}, {"sin", "sin"}, {"tan", "tan"}, {"arctan", "arctan"},
+                         {"exp", "exp"}, {"det", "det"}, {"max", "max"}};
+const Words spaces = {
+    {"qquad", "2em"}, {"quad", "1em"}, {",", "0.17em"}, {";", "0.28em"}, {" ", "0.25em"}};
+const Words accents = {{"dot", "˙"}, {"ddot", "¨"}, {"bar", "¯"}};
+
+std::string element(std::string_view name, const std::string& content)
+{
+    return fmt::format("<{0}>{1}</{0}>", name, content);
+}
+
+class Formula {
+public:
+    explicit Formula(const std::string& latex) : text_(latex) {}
+
+    /// Atoms up to the end, or up to `end`, which is passed over.
+    std::string row(std::string_view end = "")
+    {
+        std::string result;
+        skip_space();
+        while (at_ < text_.size()) {
+            if (!end.empty() && starts_with(end)) {
+                at_ += end.size();
+                return element("mrow", result);
+            }
+            result += with_scripts();
+            skip_space();
+        }
+        if (!end.empty()) fail("expected " + std::string(end));
+        return element("mrow", result);
+    }
+
+private:
+    [[noreturn]] void fail(const std::string& what) const
+    {
+        throw InputError(fmt::format("formula {}: {}", text_, what));
+    }
+    bool starts_with(std::string_view word) const
+    {
+        return text_.compare(at_, word.size(), word) == 0;
+    }
+    void skip_space()
+    {
+        while (at_ < text_.size() && std::isspace(static_cast<unsigned char>(text_[at_])) != 0)
+            ++at_;
+    }
+
+    std::string with_scripts()
+    {
+        const std::string base = atom();
+        std::string below, above;
+        skip_space();
+        while (at_ < text_.size() && (text_[at_] == '_' || text_[at_] == '^')) {
+            std::string& script = text_[at_++] == '_' ? below : above;
+            script = argument();
+            skip_space();
+        }
+        if (below.empty() && above.empty()) return base;
+        if (above.empty()) return element("msub", base + below);
+        if (below.empty()) return element("msup", base + above);
+        return element("msubsup", base + below + above);
+    }
+
+    // One atom, without scripts of its own.
+    std::string argument()
+    {
+        skip_space();
+        if (at_ >= text_.size()) fail("expected an argument at the end");
+        if (std::isdigit(static_cast<unsigned char>(text_[at_])) != 0)
+            return element("mn", std::string(1, text_[at_++]));
+        return atom();
+    }
+
+    std::string atom()
+    {
+        const char c = text_[at_];
+        if (c == '{') {
+            ++at_;
+            return row("}");
+        }
+        if (c == '\\') return command();
+        if (std::isdigit(static_cast<unsigned char>(c)) != 0) return number();
+        ++at_;
+        if (std::isalpha(static_cast<unsigned char>(c)) != 0)
+            return element("mi", std::string(1, c));
+        if (c == '-') return element("mo", "−");
+        std::string whole(1, c); // with the other bytes of a letter that is not ASCII
+        while (at_ < text_.size() && (static_cast<unsigned char>(text_[at_]) & 0xC0) == 0x80)
+            whole += text_[at_++];
+        return element("mo", c == '\'' ? "′" : escaped(whole));
+    }
+
+    std::string number()
+    {
+        const std::size_t start = at_;
+        while (at_ < text_.size() &&
+               (std::isdigit(static_cast<unsigned char>(text_[at_])) != 0 ||
+                (text_[at_] == '.' && at_ + 1 < text_.size() &&
+                 std::isdigit(static_cast<unsigned char>(text_[at_ + 1])) != 0)))
+            ++at_;
+        return element("mn", text_.substr(start, at_ - start));
+    }
+
+    std::string name()
+    {
+        std::size_t end = at_;
+        while (end < text_.size() && std::isalpha(static_cast<unsigned char>(text_[end])) != 0)
+            ++end;
+        if (end == at_) ++end; // \, and the like
+        const std::string found = text_.substr(at_, end - at_);
+        at_ = end;
+        return found;
+    }
+
+    // The text in braces, as it stands.
+    std::string plain()
+    {
+        skip_space();
+        const std::size_t end = text_.find('}', at_);
+        if (at_ >= text_.size() || text_[at_] != '{' || end == std::string::npos)
+            fail("expected a text in braces");
+        const std::string found = text_.substr(at_ + 1, end - at_ - 1);
+        at_ = end + 1;
+        return found;
+    }
+
+    std::string command()
+    {
+        ++at_;
+        const std::string word = name();
+        if (const auto i = letters.find(word); i != letters.end())
+            return element("mi", std::string(i->second));
+        if (const auto i = operators.find(word); i != operators.end())
+            return element("mo", std::string(i->second));
+        if (const auto i = functions.find(word); i != functions.end())
+            return element("mi", std::string(i->second));
+        if (const auto i = spaces.find(word); i != spaces.end())
+            return fmt::format("<mspace width=\"{}\"/>", i->second);
+        if (const auto i = accents.find(word); i != accents.end())
+            return fmt::format("<mover accent=\"true\">{}<mo>{}</mo></mover>", argument(),
+                               i->second);
+        return structure(word);
+    }
+
+    std::string structure(const std::string& word)
+    {
+        if (word == "frac" || word == "tfrac" || word == "dfrac") {
+            const std::string above = argument();
+            return element("mfrac", above + argument());
+        }
+        if (word == "sqrt") return element("msqrt", argument());
+        if (word == "mathrm")
+            return fmt::format("<mi mathvariant=\"normal\">{}</mi>", escaped(plain()));
+        if (word == "text") return element("mtext", escaped(plain()));
+        if (word == "mathrel") return argument();
+        if (word == "left" || word == "right") {
+            skip_space();
+            return atom();
+        }
+        if (word == "underbrace") return element("munder", argument() + "<mo>⏟</mo>");
+        if (word == "begin") return matrix(plain());
+        fail("unknown command \\" + word);
+    }
+
+    std::string matrix(const std::string& kind)
+    {
+        if (kind != "pmatrix") fail("unknown environment " + kind);
+        const std::string end = "\\end{" + kind + "}";
+        const std::size_t stop = text_.find(end, at_);
+        if (stop == std::string::npos) fail("expected " + end);
+        std::string rows, cells, cell;
+        const auto end_cell = [&] {
+            cells += element("mtd", Formula(cell).row());
+            cell.clear();
+        };
+        for (; at_ < stop; ++at_) {
+            if (text_[at_] == '&') {
+                end_cell();
+            } else if (starts_with("\\\\")) {
+                end_cell();
+                rows += element("mtr", cells);
+                cells.clear();
+                ++at_;
+            } else {
+                cell += text_[at_];
+            }
+        }
+        end_cell();
+        rows += element("mtr", cells);
+        at_ = stop + end.size();
+        return element("mrow", "<mo>(</mo>" + element("mtable", rows) + "<mo>)</mo>");
+    }
+
+    const std::string text_;
+    std::size_t at_ = 0;
+};
+
+} // namespace
+
+std::string mathml(const std::string& latex, bool is_block)
+{
+    return fmt::format("<math{}>{}</math>", is_block ? " display=\"block\"" : "",
+                       Formula(latex).row());
+}
+
+std::string escaped(const std::string& text)
+{
+    std::string result;
+    for (const char c : text)
+        result += c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '&' ? "&amp;" : std::string(1, c);
+    return result;
+}
+
+} // namespace rigor::book

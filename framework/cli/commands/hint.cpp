@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#include "cli/commands/hint.hpp"
+
+#include "cli/hints.hpp"
+#include "cli/options.hpp"
+#include "errors/input_error.hpp"
+#include "errors/nearest.hpp"
+#include "errors/quotes.hpp"
+#include "grading/places.hpp"
+#include "report/terminal.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <fmt/format.h>
+#include <fstream>
+
+namespace rigor {
+
+namespace {
+
+struct HintOptions {
+    std::string tag;
+    std::uint32_t step = 0;
+};
+
+struct Found {
+    Assignment assignment;
+    Task task;
+};
+
+Found find_task(const std::string& tag)
+{
+    std::vector<Assignment> assignments = load_assignments(places().assignments());
+    std::vector<std::string_view> tags;
+    for (const Assignment& assignment : assignments) {
+        if (const Task* task = assignment.task(tag)) return {assignment, *task};
+        for (const Task& task : assignment.tasks)
+            tags.push_back(task.tag);
+    }
+    throw InputError(fmt::format("expected the tag of a task, found {}{}", in_quotes(tag),
+                                 suggestion(tag, tags, "`rigor list` names them")));
+}
+
+// How many hints of a task were shown so far is kept in a file of the build folder.
+std::filesystem::path memory_of(const Task& task)
+{
+    return places().build / "hints" / task.tag;
+}
+
+std::size_t shown_before(const Task& task)
+{
+    std::size_t shown = 0;
+    std::ifstream(memory_of(task)) >> shown;
+    return shown;
+}
+
+void remember(const Task& task, std::size_t shown)
+{
+    std::error_code error;
+    std::filesystem::create_directories(memory_of(task).parent_path(), error);
+    std::ofstream file(memory_of(task));
+    file << shown << "\n";
+    file.close();
+    if (!file)
+        fmt::print(stderr, "cannot remember this in {}; ask with --step for the next hint\n",
+                   memory_of(task).string());
+}
+
+int hint(const HintOptions& options)
+{
+    const auto [assignment, task] = find_task(options.tag);
+    const std::vector<std::string> hints = hints_of(assignment, task);
+    if (options.step > hints.size())
+        throw InputError(fmt::format("--step: expected at most {} for {}, found {}", hints.size(),
+                                     task.tag, options.step));
+    const std::size_t step =
+        options.step > 0 ? options.step : std::min(shown_before(task) + 1, hints.size());
+    fmt::print("{} {}: hint {} of {}\n", task.tag, task.name(), step, hints.size());
+    fmt::print("  {}\n", wrapped(hints[step - 1], 78, 2));
+    if (step < hints.size())
+        fmt::print("`rigor hint {}` gives the next one.\n", task.tag);
+    else
+        fmt::print("That was the last one. The rest is in {}.\n",
+                   (assignment.folder / "README.md").lexically_relative(places().source).string());
+    remember(task, step);
+    return exit_done;
+}
+
+} // namespace
+
+Action declare_hint(Options& options)
+{
+    const auto chosen = std::make_shared<HintOptions>();
+    options.word("TAG", chosen->tag, "A task, such as A4.8");
+    options.option("--step", "N", chosen->step, "This hint, not the next one");
+    options.examples({"hint A4.8            the first hint, and then the next one each time",
+                      "hint A4.8 --step 1   the first again"});
+    return [chosen] { return hint(*chosen); };
+}
+
+} // namespace rigor

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+// A drawing in the plane, as SVG that can be read on light and on dark ground.
+#pragma once
+
+#include <Eigen/Dense>
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rigor::figures {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+using Points = std::vector<Vector2d>;
+
+/// Where the text of a label lies beside its point.
+enum class Side { left, right, above, below, middle };
+
+/// What is drawn gets a class of style: a color ("ink", "grey", "blue", "orange", "green", "red"),
+/// and with it "dashed", "thick", "thin" or "filled".
+class Drawing {
+public:
+    /// @param title  one sentence, which screen readers read
+    /// @param width, height  [px]
+    Drawing(std::string title, double width, double height);
+
+    /// Everything after this call is drawn with the origin at `origin`, in px from the upper left
+    /// corner, and `unit` px for a unit of length. The second coordinate points up.
+    void place(const Vector2d& origin, double unit);
+
+    void line(const Vector2d& a, const Vector2d& b, std::string_view style);
+    void arrow(const Vector2d& a, const Vector2d& b, std::string_view style);
+    void curve(const Points& points, std::string_view style);
+    void polygon(const Points& points, std::string_view style);
+    void circle(const Vector2d& center, double radius, std::string_view style);
+    void dot(const Vector2d& point, std::string_view style);
+    void label(const Vector2d& point, const std::string& text, Side side = Side::right,
+               std::string_view style = "ink");
+
+    /// The points f(t) for t from `from` to `to`.
+    static Points sampled(double from, double to, int steps,
+                          const std::function<Vector2d(double)>& f);
+
+    std::string svg() const;
+
+private:
+    Vector2d px(const Vector2d& point) const;
+    std::string path(const Points& points) const;
+
+    std::string title_, content_;
+    double width_, height_, unit_ = 1;
+    Vector2d origin_ = Vector2d::Zero();
+};
+
+/// A view of space from the side and from above, without perspective.
+class View {
+public:
+    /// @param turn, tilt  how far the eye is turned about the vertical and raised [degrees]
+    View(double turn, double tilt);
+    Vector2d operator()(const Vector3d& x) const { return {right_.dot(x), up_.dot(x)}; }
+    /// How far a point is in front of the plane through the origin that faces the eye.
+    double nearness(const Vector3d& x) const { return right_.cross(up_).dot(x); }
+
+private:
+    Vector3d right_, up_;
+};
+
+} // namespace rigor::figures

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: MIT
+// The figures of A3.
+#pragma once
+
+#include "figures/figure.hpp"
+
+namespace rigor::figures {
+
+std::span<const Figure> rotation_figures();
+
+} // namespace rigor::figures

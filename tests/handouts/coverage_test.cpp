@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+// coverage.md names sections, tasks and scenes that exist, and all tasks that ask for a formula.
+#include "formulas/table.hpp"
+#include "handouts/handouts.hpp"
+#include "support/catch.hpp"
+
+#include <set>
+
+using namespace rigor::handouts;
+
+namespace {
+
+struct Row {
+    std::string slide, statement, label, section, tag, scene;
+};
+
+std::vector<Row> coverage()
+{
+    std::vector<Row> rows;
+    for (const auto& cells : table_rows(content(assignments() / "coverage.md"))) {
+        if (cells.size() < 5 || cells[0] == "slide") continue;
+        const std::size_t blank = cells[2].find(' ');
+        rows.push_back({cells[0], cells[1], cells[2].substr(0, blank), cells[2].substr(blank + 1),
+                        cells[3], cells[4]});
+    }
+    return rows;
+}
+
+const Handout& handout_of(const std::vector<Handout>& handouts, const std::string& label)
+{
+    for (const Handout& handout : handouts)
+        if (handout.label == label) return handout;
+    throw std::runtime_error("no handout " + label);
+}
+
+// Whether a handout has this section: a heading, or a paragraph that begins with it.
+bool has_section(const Handout& handout, const std::string& section)
+{
+    for (const std::string& start :
+         {"\n### " + section + "\n", "\n**" + section + ".**", "\n**" + section + "**"})
+        if (handout.text.find(start) != std::string::npos) return true;
+    return false;
+}
+
+} // namespace
+
+TEST_CASE("coverage: each section, task and scene exists", "[coverage]")
+{
+    const std::vector<Handout> handouts = all_handouts();
+    const std::vector<Row> rows = coverage();
+    REQUIRE(rows.size() > 100);
+    for (const Row& row : rows) {
+        CAPTURE(row.slide, row.statement, row.label, row.section, row.tag, row.scene);
+        CHECK(has_section(handout_of(handouts, row.label), row.section));
+        const std::string of_task = row.tag.substr(0, row.tag.find('.'));
+        const std::string heading = "\n### " + row.tag + " ";
+        CHECK(handout_of(handouts, of_task).text.find(heading) != std::string::npos);
+        const std::size_t slash = row.scene.find('/');
+        REQUIRE(slash != std::string::npos);
+        const std::string folder = row.scene.substr(1, slash - 1); // without the quotes
+        const std::string scene = row.scene.substr(slash + 1, row.scene.size() - slash - 2);
+        CHECK(std::filesystem::exists(assignments() / folder / "scenes" / (scene + ".json")));
+    }
+}
+
+TEST_CASE("coverage: each formula of the lectures has a row", "[coverage]")
+{
+    std::set<std::string> tags;
+    for (const Row& row : coverage())
+        tags.insert(row.tag);
+    for (const rigor::Formula& formula : rigor::formulas) {
+        if (formula.topic == "pipeline") continue; // the warm-up is not in the lectures
+        CAPTURE(formula.tag, formula.name);
+        CHECK(tags.count(std::string(formula.tag)) == 1);
+    }
+}

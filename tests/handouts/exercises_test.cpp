@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+// What a handout asks of a reader: hours that fit the points, questions with folded answers, and a
+// text that every viewer shows.
+#include "handouts/handouts.hpp"
+#include "support/catch.hpp"
+
+#include <cctype>
+#include <nlohmann/json.hpp>
+#include <regex>
+
+using namespace rigor::handouts;
+
+namespace {
+
+// The points of all tasks of an assignment.
+double points_of(const Handout& handout)
+{
+    const auto assignment =
+        nlohmann::json::parse(content(assignments() / handout.name / "assignment.json"));
+    double sum = 0;
+    for (const auto& task : assignment.at("tasks"))
+        sum += task.at("points").get<double>();
+    return sum;
+}
+
+std::vector<std::string> matches(const std::string& text, const std::string& pattern)
+{
+    std::vector<std::string> found;
+    const std::regex regex(pattern);
+    for (std::sregex_iterator i(text.begin(), text.end(), regex), end; i != end; ++i)
+        found.push_back((*i)[1]);
+    return found;
+}
+
+// All handouts but the warm-up.
+std::vector<Handout> long_handouts()
+{
+    std::vector<Handout> handouts = all_handouts();
+    std::erase_if(handouts, [](const Handout& h) { return h.label == "A0"; });
+    return handouts;
+}
+
+} // namespace
+
+TEST_CASE("exercises: the points of an assignment fit its hours", "[exercises]")
+{
+    for (const Handout& handout : long_handouts()) {
+        CAPTURE(handout.label);
+        const std::regex hours(R"(Count\s+on\s+(\d+)\s+to\s+(\d+)\s+hours)");
+        std::smatch found;
+        REQUIRE(std::regex_search(handout.text, found, hours));
+        const double mean = (std::stod(found[1]) + std::stod(found[2])) / 2;
+        CAPTURE(mean, points_of(handout));
+        CHECK(points_of(handout) >= 2.5 * mean);
+        CHECK(points_of(handout) <= 5 * mean);
+    }
+}
+
+TEST_CASE("exercises: the heading of a task has its points", "[exercises]")
+{
+    for (const Handout& handout : all_handouts()) {
+        double sum = 0;
+        for (const std::string& points :
+             matches(handout.text, "\n### A\\d\\.\\d+ [^\n]*\\((\\d+) points?"))
+            sum += std::stod(points);
+        CAPTURE(handout.label);
+        CHECK(sum == points_of(handout));
+    }
+}
+
+TEST_CASE("exercises: each question has an answer behind a fold", "[exercises]")
+{
+    for (const Handout& handout : long_handouts()) {
+        CAPTURE(handout.label);
+        const auto questions =
+            matches(handout.text, "\n<details>\n<summary>([^<]+)</summary>\n\n[^<]+\n</details>\n");
+        CHECK(questions.size() >= 5);
+        CHECK(questions.size() == matches(handout.text, "(<details>)").size());
+        CHECK(questions.size() == matches(handout.text, "(</details>)").size());
+        for (const std::string& question : questions) {
+            CAPTURE(question);
+            CHECK(question.find_first_of("$`*") == std::string::npos); // shown as it is
+        }
+    }
+}
+
+TEST_CASE("exercises: each handout has the same sections", "[exercises]")
+{
+    for (const Handout& handout : long_handouts()) {
+        std::size_t at = 0;
+        for (const char* section :
+             {"The mathematics", "Conventions", "Tasks", "Predict, then run", "Watch",
+              "If you see this", "A table of your own", "Find the bug", "A scene of your own",
+              "Read on", "What the tests check"}) {
+            CAPTURE(handout.label, section);
+            at = handout.text.find(std::string("\n## ") + section + "\n", at);
+            REQUIRE(at != std::string::npos);
+        }
+    }
+}
+
+TEST_CASE("exercises: no text has a character that cannot be seen", "[exercises]")
+{
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(assignments())) {
+        if (entry.path().extension() != ".md" && entry.path().extension() != ".json") continue;
+        CAPTURE(entry.path());
+        int unseen = 0;
+        for (const char c : content(entry.path()))
+            unseen += c != '\n' && std::iscntrl(static_cast<unsigned char>(c)) != 0 ? 1 : 0;
+        CHECK(unseen == 0);
+    }
+}

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+// Each formula of the contract is called in some shipped scene, except those that only tests call.
+#include "formulas/table.hpp"
+#include "handouts/handouts.hpp"
+#include "handouts/reached/called.hpp"
+#include "scene/keys/scene_keys.hpp"
+#include "scene/run/run_scene.hpp"
+#include "support/catch.hpp"
+
+#include <algorithm>
+#include <map>
+#include <regex>
+#include <set>
+
+using namespace rigor;
+using namespace rigor::handouts;
+
+namespace {
+
+// The warm-up has no scene of its own. A formula that a scene reaches must leave the list.
+const std::set<std::string> only_in_tests = {"A0.1"};
+
+// Long enough for every method to be at work [s].
+constexpr double longest = 1;
+
+std::vector<std::filesystem::path> scenes_of(const Handout& handout)
+{
+    std::vector<std::filesystem::path> files;
+    const auto folder = assignments() / handout.name / "scenes";
+    if (!std::filesystem::exists(folder)) return files;
+    for (const auto& entry : std::filesystem::directory_iterator(folder))
+        if (entry.path().extension() == ".json") files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+// The formulas that the scenes of a handout call.
+std::set<std::string> called_by(const Handout& handout)
+{
+    forget_calls();
+    for (const auto& file : scenes_of(handout)) {
+        Scene scene = load_scene(file);
+        scene.end = std::min(scene.end, longest);
+        scene.frames_per_second = std::min(scene.frames_per_second, 1 / scene.time_step);
+        run_scene(scene, Record::frames, [](const auto&...) {});
+    }
+    return called_formulas();
+}
+
+// For each handout, the formulas that its scenes call. The scenes run once.
+const std::map<std::string, std::set<std::string>>& called()
+{
+    static const auto all = [] {
+        std::map<std::string, std::set<std::string>> tags;
+        for (const Handout& handout : all_handouts())
+            tags[handout.label] = called_by(handout);
+        return tags;
+    }();
+    return all;
+}
+
+// The tags in the sentence "The scenes also call …" of a handout, which may be "A3.5 to A3.9".
+std::set<std::string> said_of_scenes(const Handout& handout)
+{
+    std::set<std::string> tags;
+    const std::string text = std::regex_replace(handout.text, std::regex("\n(?!\n)"), " ");
+    const std::size_t start = text.find("scenes also call");
+    if (start == std::string::npos) return tags;
+    const std::string sentence = text.substr(start, text.find("Count", start) - start);
+    static const std::regex tag(R"((A\d\.)(\d+)( to A\d\.(\d+))?)");
+    for (std::sregex_iterator i(sentence.begin(), sentence.end(), tag), end; i != end; ++i) {
+        const int first = std::stoi((*i)[2]);
+        const int last = (*i)[4].matched ? std::stoi((*i)[4]) : first;
+        for (int number = first; number <= last; ++number)
+            tags.insert((*i)[1].str() + std::to_string(number));
+    }
+    return tags;
+}
+
+std::string joined(const std::set<std::string>& tags)
+{
+    std::string text;
+    for (const std::string& tag : tags)
+        text += tag + " ";
+    return text;
+}
+
+} // namespace
+
+TEST_CASE("scenes: each formula is reached by a shipped scene", "[reached]")
+{
+    std::set<std::string> reached;
+    for (const auto& [label, tags] : called())
+        reached.insert(tags.begin(), tags.end());
+    for (const Formula& formula : formulas) {
+        const std::string tag(formula.tag);
+        INFO(tag << " " << formula.name << " is called by "
+                 << (reached.count(tag) ? "a scene" : "no scene"));
+        CHECK(reached.count(tag) + only_in_tests.count(tag) == 1);
+    }
+}
+
+TEST_CASE("scenes: a handout names the formulas of others that its scenes call", "[reached]")
+{
+    for (const Handout& handout : all_handouts()) {
+        std::set<std::string> others;
+        for (const std::string& tag : called().at(handout.label))
+            if (tag.substr(0, tag.find('.')) != handout.label) others.insert(tag);
+        INFO(handout.label << " must say: " << joined(others));
+        CHECK(joined(said_of_scenes(handout)) == joined(others));
+    }
+}
