@@ -26,7 +26,7 @@ trap 'rm -rf "$work"' EXIT
 
 options=(-std=c++20 -w -ferror-limit=0 "-I$root/framework" "-I$root/tests"
          -isystem /usr/include/eigen3)
-for text in SOURCE_DIR BINARY_DIR MODULE_DIR GL FONT VERSION COMPILER; do
+for text in SOURCE_DIR BINARY_DIR MODULE_DIR GL FONT VERSION COMPILER LAUNCHER; do
     options+=("-DRIGOR_$text=\"\"") # CMake fills these in
 done
 
@@ -75,10 +75,15 @@ check_lot() {
     unit=$lot.cpp
     touch "$lot.found"
     while [[ -s $lot ]]; do
-        including "$lot" >"$unit"
-        refused "$lot" "$unit" >"$lot.refused"
-        grep -vxFf "$lot.refused" "$lot" >"$lot.taken" || head -n 1 "$lot" >"$lot.taken"
-        including "$lot.taken" >"$unit"
+        cp "$lot" "$lot.taken"
+        # An error can hide another one: the compiler says nothing of a name that conflicts with
+        # one that it refused already. So it is asked until it refuses none.
+        while including "$lot.taken" >"$unit"
+            refused "$lot.taken" "$unit" >"$lot.refused"
+            [[ -s $lot.refused && $(wc -l <"$lot.taken") -gt 1 ]]; do
+            grep -vxFf "$lot.refused" "$lot.taken" >"$lot.rest" || head -n 1 "$lot.taken" >"$lot.rest"
+            mv "$lot.rest" "$lot.taken"
+        done
         clang-tidy --quiet --config-file="$root/.clang-tidy" "$unit" -- "${options[@]}" \
             >>"$lot.found" 2>"$lot.log" || true
         grep -vxFf "$lot.taken" "$lot" >"$lot.left" || true
