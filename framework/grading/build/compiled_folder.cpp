@@ -62,15 +62,10 @@ std::uint64_t hash_of_contract(const Toolchain& tools)
     return hash;
 }
 
-// The private folder of a folder: the same in every run.
-fs::path place_of(const fs::path& folder)
+fs::path made(const fs::path& folder)
 {
-    const bool is_student = folder == places().source / "student";
-    const fs::path place =
-        places().build / "submissions" /
-        (is_student ? "student" : fmt::format("{:016x}", hash_of(folder.string())));
-    fs::create_directories(place);
-    return place;
+    fs::create_directories(folder);
+    return folder;
 }
 
 std::string why_it_ended(const ConfinedRun& run, const std::string& file)
@@ -120,8 +115,15 @@ std::string shown_errors(const std::string& output)
     return text;
 }
 
+fs::path CompiledFolder::place_of(const fs::path& folder)
+{
+    const bool is_student = folder == places().source / "student";
+    return places().build / "submissions" /
+           (is_student ? "student" : fmt::format("{:016x}", hash_of(folder.string())));
+}
+
 CompiledFolder::CompiledFolder(const fs::path& folder, const Toolchain& tools)
-    : tools_(tools), place_(place_of(folder)), lock_(place_),
+    : tools_(tools), place_(made(place_of(folder))), lock_(place_),
       files_(take_files(folder, place_ / "files")),
       surroundings_(hash_of(fmt::format("{} {:x}", fmt::join(tools.compile, " "), files_.hash),
                             hash_of_contract(tools)))
