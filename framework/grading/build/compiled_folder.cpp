@@ -17,6 +17,7 @@
 #include <future>
 #include <mutex>
 #include <sstream>
+#include <stdexcept>
 #include <thread>
 
 namespace rigor {
@@ -77,6 +78,8 @@ std::string why_it_ended(const ConfinedRun& run, const std::string& file)
                            words_for_blocked_call(*run.blocked_call));
     if (run.output.find("File size limit exceeded") != std::string::npos)
         return fmt::format("{}: expected an object of at most {} MB\n", file, largest_output >> 20);
+    if (run.output.find("No space left on device") != std::string::npos)
+        throw std::runtime_error(file + " cannot be compiled: no space left on the disk");
     std::string errors = shown_errors(run.output);
     if (run.flooded) errors += "(there are more messages than anyone reads)\n";
     if (run.signal != 0)

@@ -28,6 +28,11 @@ bool holds(const fs::path& folder, const std::string& wanted)
 // What lies in a folder, without what programs made.
 struct Listing {
     std::vector<fs::path> folders, archives, links, others;
+
+    bool is_empty() const
+    {
+        return folders.empty() && archives.empty() && links.empty() && others.empty();
+    }
 };
 
 Listing listing_of(const fs::path& folder)
@@ -85,6 +90,7 @@ public:
             throw InputError("expected a folder or an archive, found no file " + in_quotes(text));
         if (!fs::is_directory(path)) return add(path);
         const Listing listing = listing_of(path);
+        if (is_only_path && listing.is_empty()) return; // which is told as no submission
         if (!holds_many(path, listing, wanted_, is_only_path)) return add(path);
         for (const fs::path& folder : listing.folders)
             add(folder);

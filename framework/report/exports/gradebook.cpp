@@ -29,7 +29,7 @@ std::string counts_of_statuses(const std::vector<Row>& rows)
 {
     constexpr std::array<std::pair<const char*, const char*>, 4> kinds = {
         {{"graded", "graded"},
-         {"compile_error", "do not compile"},
+         {"compile_error", "with compile errors"},
          {"rejected", "rejected"},
          {"internal_error", "not graded for a fault of the framework"}}};
     std::string text;
@@ -82,8 +82,8 @@ std::string distribution(const std::vector<const Row*>& rows)
     for (int i = 0; i < 10; ++i) {
         // the bar has at most forty signs
         const int bar = static_cast<int>((40 * tenths[i] + static_cast<int>(n) - 1) / n);
-        text += fmt::format("  {:>3} to {:>3} % {:>5}  {}\n", 10 * i, 10 * (i + 1), tenths[i],
-                            std::string(bar, '#'));
+        text += fmt::format("  {:>3} to {:>3} % {:>5}{}{}\n", 10 * i, 10 * (i + 1), tenths[i],
+                            bar > 0 ? "  " : "", std::string(bar, '#'));
     }
     return text;
 }

@@ -110,9 +110,8 @@ TEST_CASE("archive: links and devices are refused", "[intake]")
                    "a link"));
     CHECK(contains(refusal_of(Format::zip, {{"collision.cpp", "", AE_IFLNK, "/etc/passwd"}}),
                    "a link"));
-    CHECK(contains(
-        refusal_of(Format::tar, {good, {"b.cpp", "", AE_IFREG, "", "collision.cpp"}}),
-        "a hard link"));
+    CHECK(contains(refusal_of(Format::tar, {good, {"b.cpp", "", AE_IFREG, "", "collision.cpp"}}),
+                   "a hard link"));
     CHECK(contains(refusal_of(Format::tar, {{"collision.cpp", "", AE_IFIFO}}), "a pipe"));
     CHECK(contains(refusal_of(Format::tar, {{"collision.cpp", "", AE_IFCHR}}), "a device"));
 }

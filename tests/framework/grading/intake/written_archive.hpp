@@ -30,9 +30,8 @@ inline void add_entry(archive* out, const ArchiveEntry& entry)
     archive_entry_set_size(written, static_cast<la_int64_t>(entry.text.size()));
     if (!entry.link.empty()) archive_entry_set_symlink(written, entry.link.c_str());
     if (!entry.hard_link.empty()) archive_entry_set_hardlink(written, entry.hard_link.c_str());
-    const bool ok =
-        archive_write_header(out, written) == ARCHIVE_OK &&
-        archive_write_data(out, entry.text.data(), entry.text.size()) >= la_ssize_t{0};
+    const bool ok = archive_write_header(out, written) == ARCHIVE_OK &&
+                    archive_write_data(out, entry.text.data(), entry.text.size()) >= la_ssize_t{0};
     archive_entry_free(written);
     if (!ok) throw std::runtime_error(archive_error_string(out));
 }
