@@ -10,7 +10,7 @@ namespace rigor {
 
 /// A folder or an archive that somebody handed in.
 struct Submission {
-    std::string name; // of the folder, or of the archive without its ending
+    std::string name; // the folder's, or the archive's without its ending
     std::filesystem::path path;
     std::string refusal; // why it cannot be graded; empty if nothing speaks against it yet
 };

@@ -18,8 +18,8 @@ std::string canvas_csv(const std::vector<Row>& rows, const std::string& assignme
 
 /// For the upload of a grading worksheet in Moodle: the columns Identifier, Full name, Grade,
 /// Maximum Grade, Last modified (grade) and Feedback comments. Moodle finds a submission that it
-/// named itself, `Jane Doe_12345_assignsubmission_file`, by the number 12345. Any other is left out,
-/// since its line could be taken for that of somebody else.
+/// named itself, `Jane Doe_12345_assignsubmission_file`, by the number 12345. Any other is left
+/// out, since its line could be taken for that of somebody else.
 std::string moodle_csv(const std::vector<Row>& rows);
 
 } // namespace rigor
