@@ -118,14 +118,18 @@ void write_class_files(const fs::path& out, const std::vector<Row>& rows,
     write_whole(out / gradebook_file, gradebook_csv(rows));
 }
 
+std::string points_in_words(const Row& row)
+{
+    return row.has_points() ? fmt::format("{}, {:g} points", row.status, row.points) : row.status;
+}
+
 // Says whose points are not what they were.
 void note_change(const Row& row, const std::optional<Row>& before,
                  std::vector<std::string>& changes)
 {
-    if (!before || (before->points == row.points && before->status == row.status)) return;
-    changes.push_back(fmt::format("  {}: {} with {:g} points, before {} with {:g}\n",
-                                  row.submission, row.status, row.points, before->status,
-                                  before->points));
+    if (!before || points_in_words(*before) == points_in_words(row)) return;
+    changes.push_back(fmt::format("  {}: {}; before: {}\n", row.submission, points_in_words(row),
+                                  points_in_words(*before)));
 }
 
 int tell(const ClassOutcome& outcome, std::vector<std::string> changes, const std::string& out)

@@ -7,6 +7,7 @@
 #include "errors/input_error.hpp"
 #include "grading/build/submission_build.hpp"
 #include "grading/build/submission_files.hpp"
+#include "grading/class/control.hpp"
 #include "grading/class/fingerprint.hpp"
 #include "grading/class/graded_submission.hpp"
 #include "grading/class/isolated.hpp"
@@ -68,21 +69,6 @@ private:
 
     fs::path folder_;
 };
-
-// What is wrong with the result of a control; empty if nothing is.
-std::string fault_of_control(const Result& result, bool is_complete)
-{
-    if (result.status != SubmissionStatus::graded)
-        return fmt::format("is {}: {}", to_string(result.status), result.message);
-    if (result.max_score() <= 0) return "could get no points";
-    const double expected = is_complete ? result.max_score() : 0;
-    if (result.score() == expected) return "";
-    for (const TaskResult& task : result.tasks)
-        if ((task.score > 0) != is_complete && task.max_score > 0)
-            return fmt::format("got {:g} of {:g} points, expected {:g}; the first wrong task is {}",
-                               result.score(), result.max_score(), expected, task.task.tag);
-    return fmt::format("got {:g} points, expected {:g}", result.score(), expected);
-}
 
 class ClassGrading {
 public:

@@ -123,7 +123,7 @@ TEST_CASE("grade: a class gets a gradebook that does not depend on how it was ma
     const Run changed = grade(submissions.path(), out, "2");
     CAPTURE(changed.output);
     CHECK(contains(changed.output, "1 graded now, 4 as before"));
-    CHECK(contains(changed.output, "carol: graded with 1 points, before graded with 0"));
+    CHECK(contains(changed.output, "carol: graded, 1 points; before: graded, 0 points"));
 }
 
 TEST_CASE("grade: bad input for the run is one line and nothing is written", "[cli][class]")
