@@ -56,6 +56,19 @@ unsigned jobs_of(const GradeOptions& options)
     return options.jobs > 0 ? options.jobs : std::max(1u, std::thread::hardware_concurrency());
 }
 
+// Results among the submissions would be taken for a submission in the next run.
+void require_outside(const fs::path& out, const std::vector<std::string>& submissions)
+{
+    const std::string whole = fs::weakly_canonical(out).string() + "/";
+    for (const std::string& path : submissions) {
+        std::error_code error;
+        const std::string folder = fs::canonical(path, error).string() + "/";
+        if (!error && whole != folder && whole.starts_with(folder))
+            throw InputError(fmt::format("--out: expected a folder outside of {}, found {}", path,
+                                         out.string()));
+    }
+}
+
 std::vector<std::string> names_of(const std::vector<Submission>& submissions)
 {
     std::vector<std::string> names;
@@ -120,7 +133,9 @@ void write_class_files(const fs::path& out, const std::vector<Row>& rows,
 
 std::string points_in_words(const Row& row)
 {
-    return row.has_points() ? fmt::format("{}, {:g} points", row.status, row.points) : row.status;
+    return row.has_points()
+               ? fmt::format("{}, {:g}/{:g} points", row.status, row.points, row.max_points)
+               : row.status;
 }
 
 // Says whose points are not what they were.
@@ -169,7 +184,8 @@ int grade(const GradeOptions& options)
     if (options.submissions.empty())
         throw InputError("expected submissions: folders, archives, or a folder of them");
     if (options.out.empty()) throw InputError("expected --out DIR, the folder for the results");
-    jobs_of(options);
+    jobs_of(options); // a wrong number is told before anything is done
+    require_outside(options.out, options.submissions);
     const FoundSubmissions found =
         find_submissions(options.submissions, selection.assignment.topic + ".cpp");
     for (const std::string& note : found.notes)

@@ -28,7 +28,7 @@ namespace rigor {
 
 namespace {
 
-constexpr std::array<std::string_view, 14> endings = {
+constexpr std::array<std::string_view, 14> archive_endings = {
     ".tar.gz", ".tar.bz2", ".tar.xz", ".tar.zst", ".tar.lz", ".tgz", ".tbz2",
     ".txz",    ".tar",     ".zip",    ".rar",     ".7z",     ".gz",  ".xz"};
 
@@ -215,7 +215,7 @@ std::string without_archive_ending(std::string_view name)
     std::string lower(name);
     std::transform(lower.begin(), lower.end(), lower.begin(),
                    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    for (const std::string_view ending : endings)
+    for (const std::string_view ending : archive_endings)
         if (lower.size() > ending.size() && lower.ends_with(ending))
             return std::string(name.substr(0, name.size() - ending.size()));
     return std::string(name);

@@ -33,10 +33,10 @@ std::string counts_of_statuses(const std::vector<Row>& rows)
          {"rejected", "rejected"},
          {"internal_error", "not graded for a fault of the framework"}}};
     std::string text;
-    for (const auto& [status, words] : kinds) {
+    for (const auto& kind : kinds) {
         const auto n = std::count_if(rows.begin(), rows.end(),
-                                     [&](const Row& row) { return row.status == status; });
-        if (n > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", n, words);
+                                     [&](const Row& row) { return row.status == kind.first; });
+        if (n > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", n, kind.second);
     }
     return text;
 }

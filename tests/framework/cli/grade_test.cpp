@@ -123,7 +123,7 @@ TEST_CASE("grade: a class gets a gradebook that does not depend on how it was ma
     const Run changed = grade(submissions.path(), out, "2");
     CAPTURE(changed.output);
     CHECK(contains(changed.output, "1 graded now, 4 as before"));
-    CHECK(contains(changed.output, "carol: graded, 1 points; before: graded, 0 points"));
+    CHECK(contains(changed.output, "carol: graded, 1/1 points; before: graded, 0/1 points"));
 }
 
 TEST_CASE("grade: bad input for the run is one line and nothing is written", "[cli][class]")
@@ -137,7 +137,8 @@ TEST_CASE("grade: bad input for the run is one line and nothing is written", "[c
         {{"grade", "A2.1", all, "--out", out}, "a part of one"},
         {{"grade", "a0", all + "/missing", "--out", out}, "found no file"},
         {{"grade", "a0", all, "--out", out, "--jobs", "1000"}, "at most 256"},
-        {{"grade", "a0", all, "--out", all}, "expected an empty folder"}};
+        {{"grade", "a0", all, "--out", all}, "expected an empty folder"},
+        {{"grade", "a0", all, "--out", all + "/out"}, "outside of"}};
     for (const auto& [arguments, message] : wrong) {
         const Run run = rigor(arguments);
         CAPTURE(run.output);
