@@ -78,11 +78,10 @@ private:
         if (const std::string_view kind = forbidden_kind(status.st_mode); !kind.empty())
             throw Refused(fmt::format("expected files and folders, found {}, {}", kind,
                                       in_quotes(name.string())));
-        if (is_by_product(name.string()))
-            contents_.add_other(name.string());
-        else if (S_ISDIR(status.st_mode))
+        const bool is_by_author = !is_by_product(name.string());
+        if (is_by_author && S_ISDIR(status.st_mode))
             read_below(name, depth + 1);
-        else if (is_source(name.string()))
+        else if (is_by_author && is_source(name.string()))
             contents_.add_source(name.string(), text_of(name));
         else
             contents_.add_other(name.string());

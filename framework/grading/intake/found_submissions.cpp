@@ -154,6 +154,7 @@ private:
     void note_others(const fs::path& folder, const std::vector<fs::path>& others)
     {
         std::vector<std::string> names;
+        names.reserve(others.size());
         for (const fs::path& other : others)
             names.push_back(in_quotes(other.filename().string()));
         std::sort(names.begin(), names.end());

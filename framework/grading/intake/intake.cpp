@@ -50,6 +50,7 @@ Intake take_files_for(const std::string& wanted, const Contents& contents)
     if (found.empty()) refuse_without(wanted, contents);
     if (found.size() > 1) {
         std::vector<std::string> quoted;
+        quoted.reserve(found.size());
         for (const std::string& name : found)
             quoted.push_back(in_quotes(name));
         throw Refused(fmt::format("expected one {}, found {}: {}", wanted, found.size(),

@@ -64,6 +64,7 @@ std::string tasks_table(const std::vector<const Row*>& rows)
 std::string distribution(const std::vector<const Row*>& rows)
 {
     std::vector<double> points;
+    points.reserve(rows.size());
     for (const Row* row : rows)
         points.push_back(row->points);
     std::sort(points.begin(), points.end());
