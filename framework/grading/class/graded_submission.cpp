@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "grading/class/graded_submission.hpp"
 
-#include "errors/quotes.hpp"
 #include "grading/intake/intake.hpp"
 #include "grading/intake/refused.hpp"
 #include "report/exports/gradescope.hpp"
@@ -28,14 +27,6 @@ void write_files(const Intake& intake, const fs::path& place)
         file << text << std::flush;
         if (!file) throw std::runtime_error((place / name).string() + ": cannot be written");
     }
-}
-
-std::string note_of(const Intake& intake)
-{
-    std::vector<std::string> quoted;
-    for (const std::string& name : intake.ignored)
-        quoted.push_back(in_quotes(name));
-    return "ignored: " + first_names(quoted);
 }
 
 ResultFiles files_about(const Result& result, const Implementation& implementation)
@@ -82,7 +73,8 @@ ResultFiles graded_submission(const Selection& selection, const Submission& subm
         implementation = build_implementation(place.string());
         implementation.name = submission.name;
         result = grade(selection, implementation, run);
-        if (!intake.ignored.empty()) result.notes.push_back(note_of(intake));
+        if (!intake.ignored.empty())
+            result.notes.push_back("ignored: " + first_names(intake.ignored));
     } catch (const Refused& refused) {
         result = rejected(selection, submission, run, refused.what());
     }

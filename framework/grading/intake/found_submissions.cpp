@@ -109,7 +109,7 @@ public:
             Submission submission = same_name.front();
             std::vector<std::string> names;
             for (const Submission& other : same_name)
-                names.push_back(in_quotes(other.path.filename().string()));
+                names.push_back(other.path.filename().string());
             if (same_name.size() > 1)
                 submission.refusal =
                     fmt::format("expected one submission of this name, found {}: {}",
@@ -156,7 +156,7 @@ private:
         std::vector<std::string> names;
         names.reserve(others.size());
         for (const fs::path& other : others)
-            names.push_back(in_quotes(other.filename().string()));
+            names.push_back(other.filename().string());
         std::sort(names.begin(), names.end());
         if (!names.empty())
             notes_.push_back(fmt::format("{}: passed over {}: expected folders and archives",

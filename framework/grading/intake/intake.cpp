@@ -26,9 +26,9 @@ std::vector<std::string> files_called(const std::string& wanted, const Contents&
 {
     std::vector<std::string> found;
     for (const auto& [name, text] : contents.sources())
-        if (!is_by_product(name)) found.push_back(in_quotes(name));
+        if (!is_by_product(name)) found.push_back(name);
     for (const std::string& name : contents.others())
-        if (!is_by_product(name)) found.push_back(in_quotes(name));
+        if (!is_by_product(name)) found.push_back(name);
     throw Refused(fmt::format("expected {}, found {}", wanted,
                               found.empty() ? "no file" : first_names(found)));
 }
@@ -40,7 +40,7 @@ std::string first_names(const std::vector<std::string>& names)
     constexpr std::size_t most = 4;
     std::string text;
     for (std::size_t i = 0; i < names.size() && i < most; ++i)
-        text += (i == 0 ? "" : ", ") + names[i];
+        text += (i == 0 ? "" : ", ") + in_quotes(names[i]);
     return names.size() > most ? fmt::format("{} and {} more", text, names.size() - most) : text;
 }
 
@@ -48,14 +48,9 @@ Intake take_files_for(const std::string& wanted, const Contents& contents)
 {
     const std::vector<std::string> found = files_called(wanted, contents);
     if (found.empty()) refuse_without(wanted, contents);
-    if (found.size() > 1) {
-        std::vector<std::string> quoted;
-        quoted.reserve(found.size());
-        for (const std::string& name : found)
-            quoted.push_back(in_quotes(name));
-        throw Refused(fmt::format("expected one {}, found {}: {}", wanted, found.size(),
-                                  first_names(quoted)));
-    }
+    if (found.size() > 1)
+        throw Refused(
+            fmt::format("expected one {}, found {}: {}", wanted, found.size(), first_names(found)));
     const std::string folder = found[0].substr(0, found[0].size() - wanted.size());
     Intake intake;
     for (const auto& [name, text] : contents.sources()) {

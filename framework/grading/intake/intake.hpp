@@ -25,7 +25,7 @@ Intake take_files_for(const std::string& wanted, const Contents& contents);
 /// Reads an archive or a folder, and takes the files for an assignment. @throws Refused
 Intake take_submission(const std::filesystem::path& path, const std::string& wanted);
 
-/// The first names of a list and how many there are beside them: "a, b, c and 4 more".
+/// The first names of a list, in quotes, and how many there are beside them: `"a", "b" and 4 more`.
 std::string first_names(const std::vector<std::string>& names);
 
 } // namespace rigor
