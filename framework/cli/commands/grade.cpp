@@ -103,7 +103,7 @@ public:
             start_ = now;
         }
         const double seconds = std::chrono::duration<double>(now - start_).count();
-        std::string text = fmt::format("{} {} of {}", doing, done, total);
+        std::string text = fmt::format("{} of {}", done, total);
         if (done > 0)
             text +=
                 ", " +
@@ -193,7 +193,7 @@ int grade(const GradeOptions& options)
     const ClassFolder folder(options.out, selection.assignment.name, names_of(found.submissions));
 
     ClassRun run = prepared_class_run(selection, options);
-    ClassProgress progress(selection.assignment.label());
+    ClassProgress progress("grading " + selection.assignment.label());
     std::vector<std::string> changes;
     run.on_progress = [&](std::size_t done, std::size_t total, const std::string& doing) {
         progress.update(done, total, doing);

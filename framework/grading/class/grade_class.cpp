@@ -201,7 +201,7 @@ private:
             if (!wrong.empty()) fault = fmt::format("control {}: {} {}", when, what, wrong);
         };
         run_isolated(run_.reference ? 2 : 1, run_.jobs, work, on_done,
-                     [&] { progress(0, 1, "controls " + when); });
+                     [&] { progress(0, 1, "controls"); });
         return fault;
     }
 

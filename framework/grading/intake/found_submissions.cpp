@@ -133,6 +133,9 @@ private:
             fs::is_directory(fs::symlink_status(path, error)) ? file : without_archive_ending(file),
             path, refusal};
         if (file.empty()) throw InputError("expected a folder with a name, found " + path.string());
+        const fs::file_type type = fs::symlink_status(path, error).type();
+        if (refusal.empty() && type != fs::file_type::directory && type != fs::file_type::regular)
+            submission.refusal = "expected a folder or an archive, found neither";
         if (!is_plain_utf8(file)) {
             submission.refusal =
                 "expected a name in UTF-8 without control characters, found " + in_quotes(file);

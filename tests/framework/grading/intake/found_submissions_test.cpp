@@ -5,6 +5,8 @@
 #include "support/catch.hpp"
 #include "support/temporary_folder.hpp"
 
+#include <sys/stat.h>
+
 namespace rigor::testing {
 
 namespace {
@@ -73,6 +75,15 @@ TEST_CASE("submissions: a name twice, a link, a name that cannot be shown are re
     folder.write("bo\x1b/collision.cpp", "");
     std::filesystem::create_symlink("/etc", folder.path() / "eve");
     REQUIRE(names_of(found_in({folder.path()})) == Names{"alice!", "bo\\x1b!", "eve!"});
+}
+
+TEST_CASE("submissions: a pipe is refused without being opened", "[intake]")
+{
+    const TemporaryFolder folder;
+    REQUIRE(mkfifo((folder.path() / "alice.zip").c_str(), 0600) == 0);
+    folder.write("bob/collision.cpp", "");
+    REQUIRE(names_of(found_in({folder.path() / "alice.zip", folder.path() / "bob"})) ==
+            Names{"alice!", "bob"});
 }
 
 TEST_CASE("submissions: none is an error", "[intake]")
