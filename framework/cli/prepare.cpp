@@ -5,6 +5,7 @@
 #include "errors/input_error.hpp"
 #include "errors/nearest.hpp"
 #include "errors/quotes.hpp"
+#include "grading/build/submission_build.hpp"
 #include "grading/places.hpp"
 #include "grading/process.hpp"
 
@@ -53,6 +54,12 @@ GradingRun prepared_grading_run()
 {
     Progress progress("building");
     return own_grading_run(on_step(progress));
+}
+
+void prepare_submissions()
+{
+    Progress progress("building");
+    prepare_submission_builds(on_step(progress));
 }
 
 int run_program(const std::vector<std::string>& arguments)

@@ -24,6 +24,9 @@ void prepare_targets(const std::vector<std::string>& targets);
 /// The graded tests and their oracle. Shows a progress bar while they are built.
 GradingRun prepared_grading_run();
 
+/// What all submissions share. Shows a progress bar while it is built.
+void prepare_submissions();
+
 /// Runs a program of the framework and prints each line of its stdout when it comes. Its stderr
 /// goes to the stderr of this process, so that stdout has nothing but JSON.
 /// @return its exit status

@@ -67,11 +67,19 @@ struct Result {
     std::vector<TaskResult> tasks;
     double build_seconds = 0, test_seconds = 0;
     std::string walls; // the walls around the submission: "A: namespaces, uid, seccomp, Landlock"
+    std::vector<std::string> notes; // what the reader should know besides, such as ignored files
+    std::string fingerprint; // a hash of all that the result depends on; empty if it is not kept
 
     double score() const;
     double max_score() const;
     bool all_points() const { return status == SubmissionStatus::graded && score() == max_score(); }
 };
+
+/// The result of a submission of which no test ran. Each task gets no points of those that it could
+/// have had. @param tags  all tasks  @param counted  those that could have been judged
+Result ungraded(const Assignment& assignment, const std::vector<std::string>& tags,
+                const std::vector<std::string>& counted, SubmissionStatus status,
+                const std::string& message);
 
 /// The result of a task from its test cases. It gets all of its points if it has test cases and all
 /// of them passed, otherwise none. What the task does not disclose is left out.

@@ -79,26 +79,30 @@ std::string fault_of(const Ended& ended, const Verdicts& verdicts,
 
 } // namespace
 
+Result ungraded(const Selection& selection, const GradingRun& run, SubmissionStatus status,
+                const std::string& message)
+{
+    Result result = ungraded(selection.assignment, selection.tags,
+                             runnable(selection, run.oracle.has_value()), status, message);
+    result.seed = run.seed;
+    return result;
+}
+
 Result grade(const Selection& selection, const Implementation& implementation,
              const GradingRun& run)
 {
+    const bool is_broken = implementation.is_broken(selection.assignment.topic);
     Result result;
+    if (is_broken)
+        result = ungraded(selection, run, SubmissionStatus::compile_error,
+                          implementation.broken.at(selection.assignment.topic));
     result.assignment = selection.assignment;
     result.submission = implementation.name;
     result.seed = run.seed;
     result.walls = walls_in_words();
     result.build_seconds = implementation.build_seconds;
+    if (is_broken) return result;
     const std::vector<std::string> tags = runnable(selection, run.oracle.has_value());
-    if (implementation.is_broken(selection.assignment.topic)) {
-        result.status = SubmissionStatus::compile_error;
-        result.message = implementation.broken.at(selection.assignment.topic);
-        for (const std::string& tag : selection.tags) { // no test ran, so no task gets points
-            const Task& task = *selection.assignment.task(tag);
-            const bool counts = std::find(tags.begin(), tags.end(), tag) != tags.end();
-            result.tasks.push_back({task, Status::skipped, 0, counts ? task.points : 0, {}});
-        }
-        return result;
-    }
     Verdicts verdicts;
     std::set<std::string> begun;
     std::string last_words;

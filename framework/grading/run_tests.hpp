@@ -31,6 +31,10 @@ struct GradingRun {
 Result grade(const Selection& selection, const Implementation& implementation,
              const GradingRun& run);
 
+/// The result of a submission that was not run, with no points of those that this run could give.
+Result ungraded(const Selection& selection, const GradingRun& run, SubmissionStatus status,
+                const std::string& message);
+
 /// The graded tests of this tree, with the reference as the oracle if there is one and if the walls
 /// keep submissions away from it. Both are built if they are out of date.
 GradingRun own_grading_run(const OnBuildStep& on_step = {});

@@ -58,18 +58,21 @@ Json result_json(const Result& result)
     Json tests = Json::array();
     for (const TaskResult& task : result.tasks)
         tests.push_back(task_json(task));
-    return {{"assignment", result.assignment.name},
-            {"submission", result.submission},
-            {"status", to_string(result.status)},
-            {"message", text_or_null(result.message)},
-            {"score", result.score()},
-            {"max_score", result.max_score()},
-            {"seed", result.seed},
-            {"tests", tests},
-            {"walls", text_or_null(result.walls)},
-            {"timing",
-             {{"build_seconds", result.build_seconds}, {"test_seconds", result.test_seconds}}},
-            {"versions", {{"rigor", RIGOR_VERSION}, {"compiler", RIGOR_COMPILER}}}};
+    Json json = {{"assignment", result.assignment.name},
+                 {"submission", result.submission},
+                 {"status", to_string(result.status)},
+                 {"message", text_or_null(result.message)},
+                 {"score", result.score()},
+                 {"max_score", result.max_score()},
+                 {"seed", result.seed},
+                 {"tests", tests},
+                 {"walls", text_or_null(result.walls)},
+                 {"timing",
+                  {{"build_seconds", result.build_seconds}, {"test_seconds", result.test_seconds}}},
+                 {"versions", {{"rigor", RIGOR_VERSION}, {"compiler", RIGOR_COMPILER}}}};
+    if (!result.notes.empty()) json["notes"] = result.notes;
+    if (!result.fingerprint.empty()) json["fingerprint"] = result.fingerprint;
+    return json;
 }
 
 } // namespace

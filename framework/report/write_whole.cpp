@@ -14,7 +14,9 @@ void write_whole(const std::filesystem::path& file, const std::string& content)
 {
     const std::string draft = file.string() + ".new";
     const auto fail = [&] {
-        throw InputError(file.string() + ": cannot be written: " + std::strerror(errno));
+        const int error = errno;
+        unlink(draft.c_str());
+        throw InputError(file.string() + ": cannot be written: " + std::strerror(error));
     };
     const int descriptor = open(draft.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
     if (descriptor < 0) fail();
@@ -25,8 +27,10 @@ void write_whole(const std::filesystem::path& file, const std::string& content)
         if (ok) sent += static_cast<std::size_t>(n);
     }
     // fsync before the rename: after a crash there is either the old file or the new one.
-    ok = fsync(descriptor) == 0 && ok;
+    ok = ok && fsync(descriptor) == 0;
+    const int error = errno;
     close(descriptor);
+    errno = error;
     if (!ok || rename(draft.c_str(), file.c_str()) != 0) fail();
 }
 

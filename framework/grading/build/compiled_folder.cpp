@@ -17,6 +17,7 @@
 #include <future>
 #include <mutex>
 #include <sstream>
+#include <stdexcept>
 #include <thread>
 
 namespace rigor {
@@ -62,15 +63,10 @@ std::uint64_t hash_of_contract(const Toolchain& tools)
     return hash;
 }
 
-// The private folder of a folder: the same in every run.
-fs::path place_of(const fs::path& folder)
+fs::path made(const fs::path& folder)
 {
-    const bool is_student = folder == places().source / "student";
-    const fs::path place =
-        places().build / "submissions" /
-        (is_student ? "student" : fmt::format("{:016x}", hash_of(folder.string())));
-    fs::create_directories(place);
-    return place;
+    fs::create_directories(folder);
+    return folder;
 }
 
 std::string why_it_ended(const ConfinedRun& run, const std::string& file)
@@ -82,6 +78,8 @@ std::string why_it_ended(const ConfinedRun& run, const std::string& file)
                            words_for_blocked_call(*run.blocked_call));
     if (run.output.find("File size limit exceeded") != std::string::npos)
         return fmt::format("{}: expected an object of at most {} MB\n", file, largest_output >> 20);
+    if (run.output.find("No space left on device") != std::string::npos)
+        throw std::runtime_error(file + " cannot be compiled: no space left on the disk");
     std::string errors = shown_errors(run.output);
     if (run.flooded) errors += "(there are more messages than anyone reads)\n";
     if (run.signal != 0)
@@ -120,8 +118,15 @@ std::string shown_errors(const std::string& output)
     return text;
 }
 
+fs::path CompiledFolder::place_of(const fs::path& folder)
+{
+    const bool is_student = folder == places().source / "student";
+    return places().build / "submissions" /
+           (is_student ? "student" : fmt::format("{:016x}", hash_of(folder.string())));
+}
+
 CompiledFolder::CompiledFolder(const fs::path& folder, const Toolchain& tools)
-    : tools_(tools), place_(place_of(folder)), lock_(place_),
+    : tools_(tools), place_(made(place_of(folder))), lock_(place_),
       files_(take_files(folder, place_ / "files")),
       surroundings_(hash_of(fmt::format("{} {:x}", fmt::join(tools.compile, " "), files_.hash),
                             hash_of_contract(tools)))

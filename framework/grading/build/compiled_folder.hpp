@@ -46,6 +46,9 @@ public:
     /// @throws InputError if it has no topic's file
     CompiledFolder(const std::filesystem::path& folder, const Toolchain& tools);
 
+    /// The private folder of a folder: the same in every run.
+    static std::filesystem::path place_of(const std::filesystem::path& folder);
+
     bool has(const std::string& topic) const;
 
     /// Compiles the files of those of these topics that the folder has, as far as they are out of

@@ -219,4 +219,20 @@ SubmissionBuild build_submission(const fs::path& folder, const OnBuildStep& on_s
     return build;
 }
 
+void prepare_submission_builds(const OnBuildStep& on_step)
+{
+    std::vector<std::string> steps, lent;
+    const Toolchain& tools = tools_after_framework(on_step, steps);
+    const fs::path student = places().source / "student";
+    for (const std::string& topic : topics())
+        if (fs::exists(student / (topic + ".cpp"))) lent.push_back(topic);
+    if (!lent.empty()) CompiledFolder(student, tools).compile(lent, on_step, steps);
+}
+
+void remove_submission_build(const fs::path& folder)
+{
+    std::error_code error;
+    fs::remove_all(CompiledFolder::place_of(folder), error);
+}
+
 } // namespace rigor

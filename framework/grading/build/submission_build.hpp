@@ -28,4 +28,11 @@ struct SubmissionBuild {
 ///     does not compile, std::system_error if the walls cannot be put up
 SubmissionBuild build_submission(const std::filesystem::path& folder, const OnBuildStep& on_step);
 
+/// Builds what all submissions share: the framework's part of a worker, and the objects of student/
+/// that fill gaps. Processes that are forked afterwards need not build it again.
+void prepare_submission_builds(const OnBuildStep& on_step);
+
+/// Removes what was built from a folder, which may be gone already. No build of it may run.
+void remove_submission_build(const std::filesystem::path& folder);
+
 } // namespace rigor

@@ -15,6 +15,7 @@
 #include <optional>
 #include <set>
 #include <sstream>
+#include <stdexcept>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -89,7 +90,9 @@ void write_if_changed(const fs::path& file, const std::string& text)
     content << old.rdbuf();
     if (old && content.str() == text) return;
     fs::create_directories(file.parent_path());
-    std::ofstream(file, std::ios::binary) << text;
+    std::ofstream copy(file, std::ios::binary);
+    copy << text << std::flush;
+    if (!copy) throw std::runtime_error(file.string() + ": cannot be written"); // a full disk
 }
 
 // Collects what is taken, and clears away what an earlier run left.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cli/commands/commands.hpp"
+#include "cli/commands.hpp"
 
 #include "cli/commands/bench.hpp"
 #include "cli/commands/book.hpp"
@@ -7,6 +7,7 @@
 #include "cli/commands/compare.hpp"
 #include "cli/commands/demo.hpp"
 #include "cli/commands/figures.hpp"
+#include "cli/commands/grade.hpp"
 #include "cli/commands/hint.hpp"
 #include "cli/commands/list.hpp"
 #include "cli/commands/render.hpp"
@@ -22,6 +23,7 @@ std::span<const CommandEntry> commands()
         {"test", "Check this tree in minutes, or all that CI checks", declare_test},
         {"list", "Show assignments, tasks, points and scenes", declare_list},
         {"check", "Grade your own files: the loop to live in", declare_check},
+        {"grade", "Grade a class: folders and archives", declare_grade},
         {"hint", "Give a hint for a task, and the next one each time", declare_hint},
         {"simulate", "Run a scene and store its trajectory", declare_simulate},
         {"render", "Draw a scene or a stored trajectory as frames", declare_render},

@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: MIT
+#include "cli/commands/grade.hpp"
+
+#include "cli/options.hpp"
+#include "cli/prepare.hpp"
+#include "cli/progress.hpp"
+#include "errors/input_error.hpp"
+#include "errors/quotes.hpp"
+#include "grading/class/class_folder.hpp"
+#include "grading/class/grade_class.hpp"
+#include "grading/intake/found_submissions.hpp"
+#include "grading/places.hpp"
+#include "grading/selection.hpp"
+#include "report/exports/gradebook.hpp"
+#include "report/exports/learning_systems.hpp"
+#include "report/write_whole.hpp"
+#include "sandbox/tier.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <fmt/format.h>
+#include <thread>
+
+namespace rigor {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct GradeOptions {
+    std::string assignment, out;
+    std::vector<std::string> submissions;
+    std::uint32_t jobs = 0, seed = 0;
+};
+
+// The names of the files that are written beside the submissions' folders.
+constexpr const char *gradebook_file = "gradebook.csv", *summary_file = "summary.txt",
+                     *canvas_file = "canvas.csv", *moodle_file = "moodle.csv";
+
+Selection whole_assignment(const std::string& word)
+{
+    const std::vector<Selection> found =
+        select_tasks(load_assignments(places().assignments()), {word});
+    if (found.size() != 1 || found[0].tags.size() != found[0].assignment.tasks.size())
+        throw InputError("expected an assignment, such as a4 or collision, found " +
+                         in_quotes(word) + ", which is a part of one");
+    return found[0];
+}
+
+unsigned jobs_of(const GradeOptions& options)
+{
+    constexpr unsigned most = 256;
+    if (options.jobs > most)
+        throw InputError(fmt::format("--jobs: expected at most {}, found {}", most, options.jobs));
+    return options.jobs > 0 ? options.jobs : std::max(1u, std::thread::hardware_concurrency());
+}
+
+// Results among the submissions would be taken for a submission in the next run.
+void require_outside(const fs::path& out, const std::vector<std::string>& submissions)
+{
+    const std::string whole = fs::weakly_canonical(out).string() + "/";
+    for (const std::string& path : submissions) {
+        std::error_code error;
+        const std::string folder = fs::canonical(path, error).string() + "/";
+        if (!error && whole != folder && whole.starts_with(folder))
+            throw InputError(fmt::format("--out: expected a folder outside of {}, found {}", path,
+                                         out.string()));
+    }
+}
+
+std::vector<std::string> names_of(const std::vector<Submission>& submissions)
+{
+    std::vector<std::string> names;
+    for (const Submission& submission : submissions) {
+        for (const char* own : {gradebook_file, summary_file, canvas_file, moodle_file, ".rigor"})
+            if (submission.name == own)
+                throw InputError(submission.path.string() + ": expected another name, since " +
+                                 own + " is the name of a file of the results");
+        names.push_back(submission.name);
+    }
+    return names;
+}
+
+// A duration as a person says it.
+std::string in_words(double seconds)
+{
+    if (seconds < 90) return fmt::format("{:.0f} s", seconds);
+    if (seconds < 5400) return fmt::format("{:.0f} min", seconds / 60);
+    return fmt::format("{:.1f} h", seconds / 3600);
+}
+
+// The progress of a run with the time that is left, as far as it can be told.
+class ClassProgress {
+public:
+    explicit ClassProgress(const std::string& title) : bar_(title) {}
+
+    void update(std::size_t done, std::size_t total, const std::string& doing)
+    {
+        const Clock::time_point now = Clock::now();
+        if (doing != doing_) {
+            doing_ = doing;
+            start_ = now;
+        }
+        const double seconds = std::chrono::duration<double>(now - start_).count();
+        std::string text = fmt::format("{} of {}", done, total);
+        if (done > 0)
+            text +=
+                ", " +
+                in_words(seconds / static_cast<double>(done) * static_cast<double>(total - done)) +
+                " left";
+        bar_.update(static_cast<double>(done) /
+                        static_cast<double>(std::max<std::size_t>(total, 1)),
+                    total > 1 ? text : doing);
+    }
+    void clear() { bar_.clear(); }
+
+private:
+    using Clock = std::chrono::steady_clock;
+    Progress bar_;
+    std::string doing_;
+    Clock::time_point start_;
+};
+
+void write_class_files(const fs::path& out, const std::vector<Row>& rows,
+                       const Assignment& assignment)
+{
+    write_whole(out / summary_file, class_summary(rows));
+    write_whole(out / canvas_file, canvas_csv(rows, assignment.title));
+    write_whole(out / moodle_file, moodle_csv(rows));
+    write_whole(out / gradebook_file, gradebook_csv(rows));
+}
+
+std::string points_in_words(const Row& row)
+{
+    return row.has_points()
+               ? fmt::format("{}, {:g}/{:g} points", row.status, row.points, row.max_points)
+               : row.status;
+}
+
+// Says whose points are not what they were.
+void note_change(const Row& row, const std::optional<Row>& before,
+                 std::vector<std::string>& changes)
+{
+    if (!before || points_in_words(*before) == points_in_words(row)) return;
+    changes.push_back(fmt::format("  {}: {}; before: {}\n", row.submission, points_in_words(row),
+                                  points_in_words(*before)));
+}
+
+int tell(const ClassOutcome& outcome, std::vector<std::string> changes, const std::string& out)
+{
+    fmt::print("{}", class_summary(outcome.rows));
+    std::sort(changes.begin(), changes.end());
+    if (!changes.empty()) fmt::print("\nnot as in the last run:\n{}", fmt::join(changes, ""));
+    fmt::print("\n{} graded now, {} as before; {}/{} has the points, and each submission a folder "
+               "with its report.txt\n",
+               outcome.graded, outcome.rows.size() - outcome.graded, out, gradebook_file);
+    const bool has_fault = std::any_of(outcome.rows.begin(), outcome.rows.end(),
+                                       [](const Row& row) { return !row.has_points(); });
+    return has_fault ? exit_fault : exit_done;
+}
+
+ClassRun prepared_class_run(const Selection& selection, const GradeOptions& options)
+{
+    ClassRun run;
+    run.selection = selection;
+    run.jobs = jobs_of(options);
+    run.run = prepared_grading_run();
+    run.run.seed = options.seed;
+    if (places().has_reference()) run.reference = prepared_implementation("reference");
+    prepare_submissions();
+    fmt::print(stderr, "walls around the submissions: {}\n", description(usual_tier()));
+    if (has_too_weak_walls())
+        fmt::print(stderr, "no walls are possible here: hidden tests are left out; with "
+                           "RIGOR_TIER=C they run all the same\n");
+    if (!run.reference)
+        fmt::print(stderr, "this tree has no reference/: no control must get every point\n");
+    return run;
+}
+
+int grade(const GradeOptions& options)
+{
+    const Selection selection = whole_assignment(options.assignment);
+    if (options.submissions.empty())
+        throw InputError("expected submissions: folders, archives, or a folder of them");
+    if (options.out.empty()) throw InputError("expected --out DIR, the folder for the results");
+    jobs_of(options); // a wrong number is told before anything is done
+    require_outside(options.out, options.submissions);
+    const FoundSubmissions found =
+        find_submissions(options.submissions, selection.assignment.topic + ".cpp");
+    for (const std::string& note : found.notes)
+        fmt::print(stderr, "{}\n", note);
+    const ClassFolder folder(options.out, selection.assignment.name, names_of(found.submissions));
+
+    ClassRun run = prepared_class_run(selection, options);
+    ClassProgress progress("grading " + selection.assignment.label());
+    std::vector<std::string> changes;
+    run.on_progress = [&](std::size_t done, std::size_t total, const std::string& doing) {
+        progress.update(done, total, doing);
+    };
+    run.on_row = [&](const Row& row, const std::optional<Row>& before) {
+        note_change(row, before, changes);
+    };
+    const ClassOutcome outcome = grade_class(run, found.submissions, folder);
+    progress.clear();
+    if (!outcome.control_fault.empty()) {
+        fmt::print(stderr, "{}: the results of this run are not kept\n", outcome.control_fault);
+        return exit_fault;
+    }
+    write_class_files(folder.path(), outcome.rows, selection.assignment);
+    return tell(outcome, changes, options.out);
+}
+
+} // namespace
+
+Action declare_grade(Options& options)
+{
+    const auto chosen = std::make_shared<GradeOptions>();
+    options.word("ASSIGNMENT", chosen->assignment, "a4-collision, a4 or collision");
+    options.words("SUBMISSION", chosen->submissions,
+                  "Folders or archives (.zip, .tar, .tar.gz, ...), or a folder of them. A folder "
+                  "is one submission if the assignment's file lies in it");
+    options.option("--out", "DIR", chosen->out,
+                   "Folder for the results: empty, new, or that of an earlier run, of which what "
+                   "has not changed is kept");
+    options.option("--jobs", "N", chosen->jobs,
+                   "Submissions that are graded at the same time (as many as processors)");
+    options.option("--seed", "N", chosen->seed, "First seed of the random cases (0)");
+    options.examples(
+        {"grade a4 submissions --out grades       a folder of folders and archives",
+         "grade a4 alice.zip bob/ --out grades    two submissions",
+         "grade a4 submissions --out grades       again: only what is new or has changed"});
+    return [chosen] { return grade(*chosen); };
+}
+
+} // namespace rigor

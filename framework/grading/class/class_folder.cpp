@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+#include "grading/class/class_folder.hpp"
+
+#include "errors/input_error.hpp"
+#include "errors/quotes.hpp"
+#include "report/write_whole.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <cstring>
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sys/file.h>
+#include <thread>
+#include <unistd.h>
+
+namespace rigor {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr const char* run_file = "run.json";
+constexpr const char* unconfirmed_file = "unconfirmed";
+
+void make_folder(const fs::path& folder)
+{
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (fs::is_directory(folder)) return;
+    const bool is_other = fs::exists(fs::symlink_status(folder));
+    throw InputError("--out: expected a folder, found " + folder.string() +
+                     (is_other ? ", which is none" : ", which cannot be made: " + error.message()));
+}
+
+} // namespace
+
+ClassFolder::ClassFolder(const fs::path& folder, const std::string& assignment,
+                         const std::vector<std::string>& submissions)
+{
+    make_folder(folder);
+    folder_ = fs::canonical(folder);
+    state_ = folder_ / ".rigor";
+    check_owner(assignment, submissions);
+    make_folder(state_);
+    lock();
+    write_whole(state_ / run_file, Json({{"assignment", assignment}, {"submissions", submissions}})
+                                           .dump(2, ' ', false, Json::error_handler_t::replace) +
+                                       "\n");
+}
+
+ClassFolder::~ClassFolder()
+{
+    if (descriptor_ >= 0) close(descriptor_);
+}
+
+void ClassFolder::lock()
+{
+    const fs::path file = state_ / "lock";
+    descriptor_ = open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
+    if (descriptor_ < 0)
+        throw InputError(file.string() + ": cannot be written: " + std::strerror(errno));
+    // The processes of a run that was killed hold the lock for a moment longer.
+    for (int tries = 0; flock(descriptor_, LOCK_EX | LOCK_NB) != 0; ++tries) {
+        if (tries == 30) {
+            close(descriptor_);
+            descriptor_ = -1;
+            throw InputError("--out: another rigor writes its results to " + folder_.string());
+        }
+        std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    }
+}
+
+void ClassFolder::check_owner(const std::string& assignment,
+                              const std::vector<std::string>& submissions) const
+{
+    std::ifstream in(state_ / run_file);
+    const Json run = in ? Json::parse(in, nullptr, false) : Json();
+    if (!run.is_object() || !run.contains("assignment") || !run.contains("submissions")) {
+        for (const auto& entry : fs::directory_iterator(folder_))
+            if (entry.path() != state_)
+                throw InputError(fmt::format(
+                    "--out: expected an empty folder or one with results of {}, found {} in {}",
+                    assignment, in_quotes(entry.path().filename().string()), folder_.string()));
+        return;
+    }
+    if (run["assignment"] != assignment)
+        throw InputError(fmt::format("--out: expected a folder with results of {}, found those of "
+                                     "{} in {}",
+                                     assignment, run["assignment"].dump(), folder_.string()));
+    for (const Json& name : run["submissions"])
+        if (std::find(submissions.begin(), submissions.end(), name) == submissions.end())
+            throw InputError(fmt::format("--out: {} has a result of {}, which this run does not "
+                                         "name: name all submissions, or another folder",
+                                         folder_.string(), name.dump()));
+}
+
+fs::path ClassFolder::result_of(const std::string& submission) const
+{
+    return folder_ / submission / "result.json";
+}
+
+bool ClassFolder::has_unconfirmed() const
+{
+    return fs::exists(state_ / unconfirmed_file);
+}
+
+void ClassFolder::begin_unconfirmed() const
+{
+    if (!has_unconfirmed()) write_whole(state_ / unconfirmed_file, "");
+}
+
+void ClassFolder::confirm() const
+{
+    fs::remove(state_ / unconfirmed_file);
+}
+
+void ClassFolder::drop_unconfirmed(const std::vector<std::string>& submissions) const
+{
+    if (!has_unconfirmed()) return;
+    const auto since = fs::last_write_time(state_ / unconfirmed_file);
+    for (const std::string& submission : submissions) {
+        std::error_code error;
+        const auto written = fs::last_write_time(result_of(submission), error);
+        if (!error && written >= since) fs::remove(result_of(submission), error);
+    }
+}
+
+} // namespace rigor

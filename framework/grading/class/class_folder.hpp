@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// The folder with the results of a class. Its subfolder `.rigor` says what the results are about.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace rigor {
+
+/// The results' folder, locked against other runs while this object lives.
+class ClassFolder {
+public:
+    /// Makes the folder if it is missing.
+    /// @param submissions  the names of all submissions of this run
+    /// @throws InputError if it holds anything but results of the same assignment, has results of
+    ///     submissions that this run does not name, is in use, or cannot be written
+    ClassFolder(const std::filesystem::path& folder, const std::string& assignment,
+                const std::vector<std::string>& submissions);
+    ~ClassFolder();
+    ClassFolder(const ClassFolder&) = delete;
+    ClassFolder& operator=(const ClassFolder&) = delete;
+
+    const std::filesystem::path& path() const { return folder_; }
+    /// The result.json of a submission.
+    std::filesystem::path result_of(const std::string& submission) const;
+
+    /// Whether there are results that no control has confirmed: their run was broken off.
+    bool has_unconfirmed() const;
+    /// Results from now on are not confirmed.
+    void begin_unconfirmed() const;
+    void confirm() const;
+    /// Removes the results that no control has confirmed.
+    void drop_unconfirmed(const std::vector<std::string>& submissions) const;
+
+private:
+    void lock();
+    void check_owner(const std::string& assignment,
+                     const std::vector<std::string>& submissions) const;
+
+    std::filesystem::path folder_, state_;
+    int descriptor_ = -1;
+};
+
+} // namespace rigor

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#include "grading/class/fingerprint.hpp"
+
+#include "grading/build/submission_files.hpp"
+#include "grading/intake/folder.hpp"
+#include "grading/intake/refused.hpp"
+#include "grading/places.hpp"
+#include "sandbox/tier.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <fstream>
+#include <vector>
+
+namespace rigor {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// The hash of a file's bytes, continued from `hash`. A file that cannot be read counts as absent.
+std::uint64_t hash_of_file(const fs::path& file, std::uint64_t hash)
+{
+    std::ifstream in(file, std::ios::binary);
+    if (!in) return hash_of("absent", hash);
+    std::string block(1 << 20, '\0');
+    while (in.read(block.data(), static_cast<std::streamsize>(block.size())) || in.gcount() > 0)
+        hash =
+            hash_of(std::string_view(block).substr(0, static_cast<std::size_t>(in.gcount())), hash);
+    return hash;
+}
+
+// The hash of all files with one of these endings in a folder and below, in the order of the names.
+std::uint64_t hash_of_folder(const fs::path& folder, const std::vector<std::string>& endings,
+                             std::uint64_t hash)
+{
+    std::vector<fs::path> files;
+    std::error_code error;
+    for (fs::recursive_directory_iterator entry(folder, error), end; !error && entry != end;
+         entry.increment(error))
+        if (std::find(endings.begin(), endings.end(), entry->path().extension().string()) !=
+            endings.end())
+            files.push_back(entry->path());
+    std::sort(files.begin(), files.end());
+    for (const fs::path& file : files)
+        hash = hash_of_file(file, hash_of(file.lexically_relative(folder).string(), hash));
+    return hash;
+}
+
+} // namespace
+
+std::uint64_t fingerprint_of(const Selection& selection, const GradingRun& run)
+{
+    std::uint64_t hash = hash_of(selection.assignment.name);
+    for (const std::string& tag : selection.tags)
+        hash = hash_of(tag + ";", hash);
+    hash = hash_of(fmt::format("seed {} walls {}", run.seed, description(usual_tier())), hash);
+    hash = hash_of_file("/proc/self/exe", hash);
+    hash = hash_of_file(run.test_program, hash);
+    hash = run.oracle ? hash_of_file(*run.oracle, hash) : hash_of("no oracle", hash);
+    hash = hash_of_file(places().build / "framework/worker_engine.o", hash);
+    hash = hash_of_file(places().program("confine"), hash);
+    hash = hash_of_folder(places().source / "framework/formulas", {".hpp"}, hash);
+    hash = hash_of_folder(places().source / "student", {".cpp", ".hpp", ".h"}, hash);
+    return hash_of_folder(places().assignments(), {".json", ".obj", ".msh", ".mesh"}, hash);
+}
+
+std::string fingerprint_of(const Submission& submission, std::uint64_t all_but_the_submission)
+{
+    std::uint64_t hash =
+        hash_of(submission.name + '\0' + submission.refusal, all_but_the_submission);
+    if (!submission.refusal.empty()) return fmt::format("{:016x}", hash);
+    if (!fs::is_directory(submission.path))
+        return fmt::format("{:016x}", hash_of_file(submission.path, hash_of("archive", hash)));
+    try {
+        const Contents contents = read_folder(submission.path);
+        for (const auto& [name, text] : contents.sources())
+            hash = hash_of(name + '\0' + text + '\0', hash);
+        for (const std::string& name : contents.others())
+            hash = hash_of(name + '\0', hash);
+    } catch (const Refused& refused) {
+        hash = hash_of(refused.what(), hash);
+    }
+    return fmt::format("{:016x}", hash);
+}
+
+} // namespace rigor

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include "grading/class/graded_submission.hpp"
+
+#include "grading/intake/intake.hpp"
+#include "grading/intake/refused.hpp"
+#include "report/exports/gradescope.hpp"
+#include "report/exports/junit.hpp"
+#include "report/result_json.hpp"
+#include "report/table.hpp"
+
+#include <fmt/format.h>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+namespace rigor {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+void write_files(const Intake& intake, const fs::path& place)
+{
+    for (const auto& [name, text] : intake.files) {
+        fs::create_directories((place / name).parent_path());
+        std::ofstream file(place / name, std::ios::binary);
+        file << text << std::flush;
+        if (!file) throw std::runtime_error((place / name).string() + ": cannot be written");
+    }
+}
+
+ResultFiles files_about(const Result& result, const Implementation& implementation)
+{
+    std::string report = result.submission + "\n" + points_table(result, implementation, false);
+    for (const std::string& note : result.notes)
+        report += "\n" + note + "\n";
+    return {{"result.json", to_json({result})},
+            {"report.txt", report},
+            {"junit.xml", junit_xml(result)},
+            {"gradescope.json", gradescope_json(result)}};
+}
+
+Result rejected(const Selection& selection, const Submission& submission, const GradingRun& run,
+                const std::string& reason)
+{
+    Result result = ungraded(selection, run, SubmissionStatus::rejected, reason);
+    result.submission = submission.name;
+    return result;
+}
+
+} // namespace
+
+std::string packed(const ResultFiles& files)
+{
+    return nlohmann::json(files).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+ResultFiles unpacked(const std::string& text)
+{
+    return nlohmann::json::parse(text).get<ResultFiles>();
+}
+
+ResultFiles graded_submission(const Selection& selection, const Submission& submission,
+                              const GradingRun& run, const fs::path& place,
+                              const std::string& fingerprint)
+{
+    Implementation implementation;
+    Result result;
+    try {
+        if (!submission.refusal.empty()) throw Refused(submission.refusal);
+        const Intake intake = take_submission(submission.path, selection.assignment.topic + ".cpp");
+        write_files(intake, place);
+        implementation = build_implementation(place.string());
+        implementation.name = submission.name;
+        result = grade(selection, implementation, run);
+        if (!intake.ignored.empty())
+            result.notes.push_back("ignored: " + first_names(intake.ignored));
+    } catch (const Refused& refused) {
+        result = rejected(selection, submission, run, refused.what());
+    }
+    if (result.status == SubmissionStatus::internal_error) throw std::runtime_error(result.message);
+    result.fingerprint = fingerprint;
+    return files_about(result, implementation);
+}
+
+ResultFiles faulty_submission(const Selection& selection, const Submission& submission,
+                              const GradingRun& run, const std::string& fault)
+{
+    Result result = ungraded(selection, run, SubmissionStatus::internal_error, fault);
+    result.submission = submission.name;
+    return files_about(result, {});
+}
+
+} // namespace rigor

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// Grades one submission, from its archive to the files that are written about it.
+#pragma once
+
+#include "grading/intake/found_submissions.hpp"
+#include "grading/run_tests.hpp"
+#include "grading/selection.hpp"
+
+#include <filesystem>
+#include <map>
+#include <string>
+
+namespace rigor {
+
+/// What is written about a submission: file names and texts. All names are in each; an empty text
+/// means that there is no such file.
+using ResultFiles = std::map<std::string, std::string>;
+
+/// The same as a text that can be sent to another process, and back.
+std::string packed(const ResultFiles& files);
+ResultFiles unpacked(const std::string& text);
+
+/// Takes the files of a submission, builds a worker from them and runs the tests.
+/// @param place  a folder for the files, new
+/// @throws std::runtime_error with the reason if it could not be graded for a fault of ours
+ResultFiles graded_submission(const Selection& selection, const Submission& submission,
+                              const GradingRun& run, const std::filesystem::path& place,
+                              const std::string& fingerprint);
+
+/// The files about a submission that could not be graded for a fault of ours. They have no
+/// fingerprint, so the next run tries again.
+ResultFiles faulty_submission(const Selection& selection, const Submission& submission,
+                              const GradingRun& run, const std::string& fault);
+
+} // namespace rigor

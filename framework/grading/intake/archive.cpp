@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: MIT
+// Reads archives by libarchive. Every byte of every file is read and counted, so that a damaged
+// file is found, and an archive that grows without end is left as soon as it passes a limit.
+// Compressions are limited to those that libarchive has built in, one for each archive: others
+// would start programs, or could be nested.
+#include "grading/intake/archive.hpp"
+
+#include "errors/printable.hpp"
+#include "errors/quotes.hpp"
+#include "grading/intake/refused.hpp"
+
+#include <archive.h>
+#include <archive_entry.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <clocale>
+#include <cstring>
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <memory>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace rigor {
+
+namespace {
+
+constexpr std::array<std::string_view, 14> archive_endings = {
+    ".tar.gz", ".tar.bz2", ".tar.xz", ".tar.zst", ".tar.lz", ".tgz", ".tbz2",
+    ".txz",    ".tar",     ".zip",    ".rar",     ".7z",     ".gz",  ".xz"};
+
+// libarchive converts names by the locale of the thread, which is UTF-8 while this object lives.
+class Utf8Locale {
+public:
+    Utf8Locale()
+        : utf8_(newlocale(LC_CTYPE_MASK, "C.UTF-8", static_cast<locale_t>(nullptr))),
+          before_(uselocale(utf8_))
+    {
+    }
+    ~Utf8Locale()
+    {
+        uselocale(before_);
+        if (utf8_) freelocale(utf8_);
+    }
+    Utf8Locale(const Utf8Locale&) = delete;
+    Utf8Locale& operator=(const Utf8Locale&) = delete;
+
+private:
+    locale_t utf8_, before_;
+};
+
+class OpenFile {
+public:
+    explicit OpenFile(const std::filesystem::path& file)
+        : descriptor_(open(file.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC))
+    {
+        if (descriptor_ < 0) throw Refused(std::string("cannot be read: ") + std::strerror(errno));
+        struct stat status = {};
+        const bool is_file = fstat(descriptor_, &status) == 0 && S_ISREG(status.st_mode);
+        size_ = static_cast<std::size_t>(status.st_size);
+        if (!is_file) close(descriptor_);
+        if (!is_file) throw Refused("expected a folder or an archive, found neither");
+    }
+    ~OpenFile() { close(descriptor_); }
+    OpenFile(const OpenFile&) = delete;
+    OpenFile& operator=(const OpenFile&) = delete;
+
+    int descriptor() const { return descriptor_; }
+    std::size_t size() const { return size_; }
+
+private:
+    int descriptor_;
+    std::size_t size_ = 0;
+};
+
+// What an entry of an archive is if it is neither a file nor a folder; otherwise empty.
+std::string_view forbidden_kind(archive_entry* entry)
+{
+    if (archive_entry_hardlink(entry)) return "a hard link";
+    switch (archive_entry_filetype(entry)) {
+    case AE_IFLNK:
+        return "a link";
+    case AE_IFIFO:
+        return "a pipe";
+    case AE_IFSOCK:
+        return "a socket";
+    case AE_IFCHR:
+    case AE_IFBLK:
+        return "a device";
+    default:
+        return "";
+    }
+}
+
+class ArchiveReader {
+public:
+    ArchiveReader(const std::filesystem::path& file, const Limits& limits)
+        : file_(file), limits_(limits), archive_(archive_read_new(), archive_read_free),
+          contents_(limits)
+    {
+        if (file_.size() > limits_.archive_bytes)
+            throw Refused(fmt::format("expected an archive of at most {} MB, found {} MB",
+                                      limits_.archive_bytes >> 20, file_.size() >> 20));
+        archive* a = archive_.get();
+        archive_read_support_filter_gzip(a);
+        archive_read_support_filter_bzip2(a);
+        archive_read_support_filter_xz(a);
+        archive_read_support_filter_zstd(a);
+        archive_read_support_format_tar(a);
+        archive_read_support_format_zip(a);
+        if (archive_read_open_fd(a, file_.descriptor(), 65536) != ARCHIVE_OK) break_off();
+        if (archive_filter_count(a) > 2) // the compression, and the bytes of the file
+            throw Refused("expected an archive that is compressed once, found it compressed again");
+    }
+
+    Contents read()
+    {
+        bool any = false;
+        for (archive_entry* entry = nullptr; has_next(entry); any = true)
+            take(entry);
+        if (!any) throw Refused("expected an archive with files, found it empty");
+        return std::move(contents_);
+    }
+
+private:
+    bool has_next(archive_entry*& entry)
+    {
+        const int state = archive_read_next_header(archive_.get(), &entry);
+        if (state != ARCHIVE_OK && state != ARCHIVE_WARN && state != ARCHIVE_EOF) break_off();
+        return state != ARCHIVE_EOF;
+    }
+
+    void take(archive_entry* entry)
+    {
+        const char* raw = archive_entry_pathname(entry);
+        if (!raw) throw Refused("expected names in UTF-8, found one that is not");
+        const std::string name = contents_.add_name(raw);
+        if (const std::string_view kind = forbidden_kind(entry); !kind.empty())
+            throw Refused(
+                fmt::format("expected files and folders, found {}, {}", kind, in_quotes(raw)));
+        if (archive_entry_is_encrypted(entry))
+            throw Refused("expected an archive without a password, found " + in_quotes(raw) +
+                          " encrypted");
+        if (archive_entry_filetype(entry) == AE_IFDIR) return;
+        std::string text = content_of(name);
+        if (is_source(name))
+            contents_.add_source(name, std::move(text));
+        else
+            contents_.add_other(name);
+    }
+
+    // The text of the entry that was read last if it is a source; other files are only counted.
+    std::string content_of(const std::string& name)
+    {
+        std::string text;
+        const bool is_kept = is_source(name);
+        for (;;) {
+            const void* block = nullptr;
+            std::size_t size = 0;
+            la_int64_t offset = 0;
+            const int state = archive_read_data_block(archive_.get(), &block, &size, &offset);
+            if (state == ARCHIVE_EOF) return text;
+            if (state != ARCHIVE_OK) break_off();
+            count(size);
+            if (!is_kept) continue;
+            if (offset != static_cast<la_int64_t>(text.size()))
+                throw Refused("expected plain files, found " + in_quotes(name) + " with gaps");
+            text.append(static_cast<const char*>(block), size);
+        }
+    }
+
+    void count(std::size_t size)
+    {
+        unpacked_ += size;
+        if (unpacked_ > limits_.unpacked_bytes)
+            throw Refused(fmt::format("expected an archive that unpacks to at most {} MB, "
+                                      "found more",
+                                      limits_.unpacked_bytes >> 20));
+        if (unpacked_ > limits_.bytes_at_any_ratio &&
+            unpacked_ / limits_.unpacked_ratio > file_.size())
+            throw Refused(fmt::format("expected an archive that unpacks to at most {} times its "
+                                      "size, found more",
+                                      limits_.unpacked_ratio));
+    }
+
+    [[noreturn]] void break_off() const
+    {
+        const char* reason = archive_error_string(archive_.get());
+        std::string words = printable(reason ? reason : "no reason given");
+        std::replace(words.begin(), words.end(), '\n', ' ');
+        throw Refused("expected a whole .zip or .tar archive, found one that cannot be read: " +
+                      words);
+    }
+
+    Utf8Locale locale_;
+    OpenFile file_;
+    Limits limits_;
+    std::unique_ptr<archive, int (*)(archive*)> archive_;
+    Contents contents_;
+    std::size_t unpacked_ = 0;
+};
+
+} // namespace
+
+bool is_archive_name(std::string_view name)
+{
+    return without_archive_ending(name).size() < name.size();
+}
+
+std::string without_archive_ending(std::string_view name)
+{
+    std::string lower(name);
+    std::transform(lower.begin(), lower.end(), lower.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    for (const std::string_view ending : archive_endings)
+        if (lower.size() > ending.size() && lower.ends_with(ending))
+            return std::string(name.substr(0, name.size() - ending.size()));
+    return std::string(name);
+}
+
+Contents read_archive(const std::filesystem::path& file, const Limits& limits)
+{
+    return ArchiveReader(file, limits).read();
+}
+
+} // namespace rigor

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// Archives as students hand them in: .zip, and .tar, compressed or not.
+#pragma once
+
+#include "grading/intake/contents.hpp"
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace rigor {
+
+/// Whether a file's name ends like that of an archive, also of one that cannot be read, such as
+/// .rar.
+bool is_archive_name(std::string_view name);
+
+/// The name without the ending of an archive: "alice" of "alice.tar.gz".
+std::string without_archive_ending(std::string_view name);
+
+/// Reads a whole archive. Nothing is written to the disk.
+/// @throws Refused if it is broken or encrypted, holds anything but files and folders, has a name
+///     that leads out of it, a name twice, or more than the limits allow
+Contents read_archive(const std::filesystem::path& file, const Limits& limits = {});
+
+} // namespace rigor

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+// The files of a submission as names and texts, before it is decided which of them are needed.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <set>
+#include <string>
+#include <string_view>
+
+namespace rigor {
+
+/// The most that a submission may hold. A solution has some files of some 20 kB each; build folders
+/// and pictures beside it should not matter.
+struct Limits {
+    std::size_t entries = 10'000;                          // files and folders
+    std::size_t archive_bytes = std::size_t{64} << 20;     // size of an archive
+    std::size_t unpacked_bytes = std::size_t{64} << 20;    // what an archive unpacks to
+    std::size_t unpacked_ratio = 200;                      // unpacked bytes for each byte of it
+    std::size_t bytes_at_any_ratio = std::size_t{1} << 20; // below this the ratio does not matter
+    std::size_t source_bytes = std::size_t{16} << 20;      // all sources together
+};
+
+/// Files by their names, such as "alice/collision.cpp". Only sources have a text.
+class Contents {
+public:
+    explicit Contents(const Limits& limits) : limits_(limits) {}
+
+    /// Counts a folder or a file. @param raw  its name, as the submission has it
+    /// @return the name without "./"; empty for the submission's own folder
+    /// @throws Refused if the name leads out of the submission or cannot be shown, or if there are
+    ///     too many
+    std::string add_name(std::string_view raw);
+    /// @throws Refused if there is another file of this name
+    void add_source(const std::string& name, std::string text);
+    void add_other(const std::string& name);
+
+    const std::map<std::string, std::string>& sources() const { return sources_; }
+    /// Names of all other files.
+    const std::set<std::string>& others() const { return others_; }
+
+private:
+    void require_new(const std::string& name) const;
+
+    Limits limits_;
+    std::size_t entries_ = 0, source_bytes_ = 0;
+    std::map<std::string, std::string> sources_;
+    std::set<std::string> others_;
+};
+
+/// Whether a file is a C++ source or header.
+bool is_source(std::string_view name);
+
+/// Whether a program made this file or folder and not the student: its name or that of a folder
+/// above it begins with a dot, or is `__MACOSX`.
+bool is_by_product(std::string_view name);
+
+} // namespace rigor

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+// Walks through a folder in the order of the names, so that the first fault that is found is the
+// same everywhere. Each source is opened without following a link and without waiting for a
+// writer. What a program made, such as `.git`, is passed over.
+#include "grading/intake/folder.hpp"
+
+#include "errors/quotes.hpp"
+#include "grading/intake/refused.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#include <vector>
+
+namespace rigor {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr int deepest = 32; // folders inside each other
+
+std::string_view forbidden_kind(mode_t mode)
+{
+    return S_ISREG(mode) || S_ISDIR(mode) ? ""
+           : S_ISLNK(mode)                ? "a link"
+           : S_ISFIFO(mode)               ? "a pipe"
+           : S_ISSOCK(mode)               ? "a socket"
+                                          : "a device";
+}
+
+class FolderReader {
+public:
+    FolderReader(fs::path folder, const Limits& limits)
+        : folder_(std::move(folder)), limits_(limits), contents_(limits)
+    {
+    }
+
+    Contents read()
+    {
+        read_below("", 0);
+        return std::move(contents_);
+    }
+
+private:
+    [[noreturn]] static void fail(const fs::path& name, int error)
+    {
+        throw Refused(in_quotes(name.string()) + " cannot be read: " + std::strerror(error));
+    }
+
+    void read_below(const fs::path& below, int depth)
+    {
+        if (depth > deepest)
+            throw Refused(
+                fmt::format("expected at most {} folders inside each other, found more", deepest));
+        std::error_code error;
+        std::vector<fs::path> names;
+        for (fs::directory_iterator entry(folder_ / below, error), end; !error && entry != end;
+             entry.increment(error)) {
+            names.push_back(below / entry->path().filename());
+            if (names.size() > limits_.entries) break; // the names are counted below
+        }
+        if (error) fail(below.empty() ? "." : below, error.value());
+        std::sort(names.begin(), names.end());
+        for (const fs::path& name : names)
+            take(name, depth);
+    }
+
+    void take(const fs::path& name, int depth)
+    {
+        contents_.add_name(name.string());
+        struct stat status = {};
+        if (lstat((folder_ / name).c_str(), &status) != 0) fail(name, errno);
+        if (const std::string_view kind = forbidden_kind(status.st_mode); !kind.empty())
+            throw Refused(fmt::format("expected files and folders, found {}, {}", kind,
+                                      in_quotes(name.string())));
+        const bool is_by_author = !is_by_product(name.string());
+        if (is_by_author && S_ISDIR(status.st_mode))
+            read_below(name, depth + 1);
+        else if (is_by_author && is_source(name.string()))
+            contents_.add_source(name.string(), text_of(name));
+        else
+            contents_.add_other(name.string());
+    }
+
+    std::string text_of(const fs::path& name) const
+    {
+        const int file = open((folder_ / name).c_str(),
+                              O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
+        if (file < 0) fail(name, errno);
+        std::string text;
+        std::string block(65536, '\0');
+        ssize_t n = 1;
+        while (n > 0 && text.size() <= limits_.source_bytes) {
+            n = ::read(file, block.data(), block.size());
+            if (n > 0) text.append(block, 0, static_cast<std::size_t>(n));
+        }
+        const int error = errno;
+        close(file);
+        if (n < 0) fail(name, error);
+        return text;
+    }
+
+    fs::path folder_;
+    Limits limits_;
+    Contents contents_;
+};
+
+} // namespace
+
+Contents read_folder(const fs::path& folder, const Limits& limits)
+{
+    return FolderReader(folder, limits).read();
+}
+
+} // namespace rigor

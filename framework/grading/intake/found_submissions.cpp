@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: MIT
+#include "grading/intake/found_submissions.hpp"
+
+#include "errors/input_error.hpp"
+#include "errors/quotes.hpp"
+#include "errors/utf8.hpp"
+#include "grading/intake/archive.hpp"
+#include "grading/intake/contents.hpp"
+#include "grading/intake/intake.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <map>
+#include <set>
+
+namespace rigor {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+bool holds(const fs::path& folder, const std::string& wanted)
+{
+    std::error_code error;
+    return fs::exists(fs::symlink_status(folder / wanted, error));
+}
+
+// What lies in a folder, without what programs made.
+struct Listing {
+    std::vector<fs::path> folders, archives, links, others;
+
+    bool is_empty() const
+    {
+        return folders.empty() && archives.empty() && links.empty() && others.empty();
+    }
+};
+
+Listing listing_of(const fs::path& folder)
+{
+    Listing listing;
+    std::error_code error;
+    for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
+         entry.increment(error)) {
+        const std::string name = entry->path().filename().string();
+        std::error_code unknown;
+        const fs::file_status status = entry->symlink_status(unknown);
+        if (is_by_product(name)) continue;
+        if (fs::is_symlink(status))
+            listing.links.push_back(entry->path());
+        else if (fs::is_directory(status))
+            listing.folders.push_back(entry->path());
+        else if (fs::is_regular_file(status) && is_archive_name(name))
+            listing.archives.push_back(entry->path());
+        else
+            listing.others.push_back(entry->path());
+    }
+    if (error) throw InputError(folder.string() + ": cannot be read: " + error.message());
+    return listing;
+}
+
+bool has_wanted_near(const fs::path& folder, const std::string& wanted)
+{
+    if (holds(folder, wanted)) return true;
+    std::error_code error;
+    for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
+         entry.increment(error))
+        if (entry->is_directory(error) && holds(entry->path(), wanted)) return true;
+    return false;
+}
+
+bool holds_many(const fs::path& folder, const Listing& listing, const std::string& wanted,
+                bool is_only_path)
+{
+    if (holds(folder, wanted)) return false;
+    if (!listing.archives.empty()) return true;
+    if (is_only_path) return !listing.folders.empty();
+    return std::count_if(listing.folders.begin(), listing.folders.end(),
+                         [&](const fs::path& f) { return has_wanted_near(f, wanted); }) > 1;
+}
+
+class Search {
+public:
+    explicit Search(std::string wanted) : wanted_(std::move(wanted)) {}
+
+    void add_path(const std::string& text, bool is_only_path)
+    {
+        std::error_code error;
+        const fs::path path = fs::canonical(text, error);
+        if (error)
+            throw InputError("expected a folder or an archive, found no file " + in_quotes(text));
+        if (!fs::is_directory(path)) return add(path);
+        const Listing listing = listing_of(path);
+        if (is_only_path && listing.is_empty()) return; // which is told as no submission
+        if (!holds_many(path, listing, wanted_, is_only_path)) return add(path);
+        for (const fs::path& folder : listing.folders)
+            add(folder);
+        for (const fs::path& archive : listing.archives)
+            add(archive);
+        for (const fs::path& link : listing.links)
+            add(link, "expected a folder or an archive, found a link");
+        note_others(path, listing.others);
+    }
+
+    FoundSubmissions result() const
+    {
+        FoundSubmissions found;
+        found.notes = notes_;
+        for (const auto& [name, same_name] : found_) {
+            Submission submission = same_name.front();
+            std::vector<std::string> names;
+            for (const Submission& other : same_name)
+                names.push_back(other.path.filename().string());
+            if (same_name.size() > 1)
+                submission.refusal =
+                    fmt::format("expected one submission of this name, found {}: {}",
+                                same_name.size(), first_names(names));
+            found.submissions.push_back(submission);
+        }
+        if (found.submissions.empty())
+            throw InputError("expected submissions, found none: each is a folder or an archive "
+                             "with " +
+                             wanted_);
+        return found;
+    }
+
+private:
+    void add(const fs::path& path, const std::string& refusal = {})
+    {
+        if (!paths_.insert(path).second) return; // the same path again
+        const std::string file = path.filename().string();
+        std::error_code error;
+        Submission submission = {
+            fs::is_directory(fs::symlink_status(path, error)) ? file : without_archive_ending(file),
+            path, refusal};
+        if (file.empty()) throw InputError("expected a folder with a name, found " + path.string());
+        const fs::file_type type = fs::symlink_status(path, error).type();
+        if (refusal.empty() && type != fs::file_type::directory && type != fs::file_type::regular)
+            submission.refusal = "expected a folder or an archive, found neither";
+        if (!is_plain_utf8(file)) {
+            submission.refusal =
+                "expected a name in UTF-8 without control characters, found " + in_quotes(file);
+            submission.name = escaped(submission.name);
+        }
+        found_[submission.name].push_back(submission);
+    }
+
+    // A name that can be shown, for one that cannot.
+    static std::string escaped(const std::string& name)
+    {
+        std::string text;
+        for (const unsigned char c : name)
+            text += c >= ' ' && c <= '~' ? std::string(1, static_cast<char>(c))
+                                         : fmt::format("\\x{:02x}", c);
+        return text;
+    }
+
+    void note_others(const fs::path& folder, const std::vector<fs::path>& others)
+    {
+        std::vector<std::string> names;
+        names.reserve(others.size());
+        for (const fs::path& other : others)
+            names.push_back(other.filename().string());
+        std::sort(names.begin(), names.end());
+        if (!names.empty())
+            notes_.push_back(fmt::format("{}: passed over {}: expected folders and archives",
+                                         in_quotes(folder.filename().string()),
+                                         first_names(names)));
+    }
+
+    std::string wanted_;
+    std::set<fs::path> paths_;
+    std::map<std::string, std::vector<Submission>> found_;
+    std::vector<std::string> notes_;
+};
+
+} // namespace
+
+FoundSubmissions find_submissions(const std::vector<std::string>& paths, const std::string& wanted)
+{
+    Search search(wanted);
+    for (const std::string& path : paths)
+        search.add_path(path, paths.size() == 1);
+    return search.result();
+}
+
+} // namespace rigor

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// Finds the submissions that paths name.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace rigor {
+
+/// A folder or an archive that somebody handed in.
+struct Submission {
+    std::string name; // the folder's, or the archive's without its ending
+    std::filesystem::path path;
+    std::string refusal; // why it cannot be graded; empty if nothing speaks against it yet
+};
+
+struct FoundSubmissions {
+    std::vector<Submission> submissions; // sorted by name, each name once
+    std::vector<std::string> notes;      // what was passed over, a line each
+};
+
+/// Finds all submissions. A path is a submission, or a folder of many. A folder holds many if the
+/// wanted file does not lie in it and it has archives in it, or several folders with that file; if
+/// it is the only path, any folder in it is a submission.
+///
+/// A name that several submissions have, or that cannot be shown, is refused in `refusal`.
+/// @param wanted  name of the file that the assignment asks for
+/// @throws InputError if a path does not exist, or if there is no submission
+FoundSubmissions find_submissions(const std::vector<std::string>& paths, const std::string& wanted);
+
+} // namespace rigor

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rigor {
+
+/// A line of a CSV file (RFC 4180): cells with commas, quotes or line breaks are in quotes, and the
+/// line ends with CR LF. A text that a spreadsheet would take for a formula gets an apostrophe in
+/// front.
+std::string csv_line(const std::vector<std::string>& cells);
+
+/// Points as a cell: the shortest decimal number that reads back the same.
+std::string csv_number(double points);
+
+} // namespace rigor

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+#include "report/exports/gradebook.hpp"
+
+#include "report/exports/csv.hpp"
+
+#include <algorithm>
+#include <array>
+#include <fmt/format.h>
+
+namespace rigor {
+
+namespace {
+
+std::string cell_of(const Row& row, double points)
+{
+    return row.has_points() ? csv_number(points) : "";
+}
+
+// The rows that were judged, whether they got points or not.
+std::vector<const Row*> judged(const std::vector<Row>& rows)
+{
+    std::vector<const Row*> result;
+    for (const Row& row : rows)
+        if (row.status == "graded" || row.status == "compile_error") result.push_back(&row);
+    return result;
+}
+
+std::string counts_of_statuses(const std::vector<Row>& rows)
+{
+    constexpr std::array<std::pair<const char*, const char*>, 4> kinds = {
+        {{"graded", "graded"},
+         {"compile_error", "with compile errors"},
+         {"rejected", "rejected"},
+         {"internal_error", "not graded for a fault of the framework"}}};
+    std::string text;
+    for (const auto& kind : kinds) {
+        const auto n = std::count_if(rows.begin(), rows.end(),
+                                     [&](const Row& row) { return row.status == kind.first; });
+        if (n > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", n, kind.second);
+    }
+    return text;
+}
+
+std::string tasks_table(const std::vector<const Row*>& rows)
+{
+    std::string text = fmt::format("{:<8}{:<32}{:>8}{:>8}{:>8}{:>8}\n", "task", "", "passed",
+                                   "failed", "stub", "not run");
+    for (std::size_t t = 0; t < rows.front()->tasks.size(); ++t) {
+        int passed = 0, failed = 0, stub = 0, not_run = 0;
+        for (const Row* row : rows) {
+            const std::string& status = row->tasks.at(t).status;
+            (status == "passed"            ? passed
+             : status == "not_implemented" ? stub
+             : status == "skipped"         ? not_run
+                                           : failed)++;
+        }
+        const TaskPoints& task = rows.front()->tasks[t];
+        text += fmt::format("{:<8}{:<32}{:>8}{:>8}{:>8}{:>8}\n", task.tag, task.name, passed,
+                            failed, stub, not_run);
+    }
+    return text;
+}
+
+std::string distribution(const std::vector<const Row*>& rows)
+{
+    std::vector<double> points;
+    points.reserve(rows.size());
+    for (const Row* row : rows)
+        points.push_back(row->points);
+    std::sort(points.begin(), points.end());
+    double sum = 0;
+    for (const double p : points)
+        sum += p;
+    const std::size_t n = points.size();
+    const double median = (points[(n - 1) / 2] + points[n / 2]) / 2;
+    const double most = rows.front()->max_points;
+    std::string text =
+        fmt::format("points, out of {:g}: lowest {:g}, median {:g}, mean {:.4g}, highest {:g}\n",
+                    most, points.front(), median, sum / static_cast<double>(n), points.back());
+    std::array<int, 10> tenths = {};
+    for (const double p : points)
+        ++tenths[most > 0 ? std::min(9, static_cast<int>(10 * p / most)) : 0];
+    for (int i = 0; i < 10; ++i) {
+        // the bar has at most forty signs
+        const int bar = static_cast<int>((40 * tenths[i] + static_cast<int>(n) - 1) / n);
+        text += fmt::format("  {:>3} to {:>3} % {:>5}{}{}\n", 10 * i, 10 * (i + 1), tenths[i],
+                            bar > 0 ? "  " : "", std::string(bar, '#'));
+    }
+    return text;
+}
+
+std::string not_judged(const std::vector<Row>& rows)
+{
+    std::string text;
+    for (const Row& row : rows)
+        if (row.status == "rejected" || row.status == "internal_error")
+            text += fmt::format("  {}: {}: {}\n", row.submission, row.status,
+                                row.message.substr(0, row.message.find('\n')));
+    return text.empty() ? "" : "\nwithout a grade by tests:\n" + text;
+}
+
+} // namespace
+
+std::string gradebook_csv(const std::vector<Row>& rows)
+{
+    std::vector<std::string> cells = {"submission", "status", "points", "max"};
+    if (!rows.empty())
+        for (const TaskPoints& task : rows.front().tasks)
+            cells.push_back(task.tag);
+    std::string text = csv_line(cells);
+    for (const Row& row : rows) {
+        cells = {row.submission, row.status, cell_of(row, row.points), csv_number(row.max_points)};
+        for (const TaskPoints& task : row.tasks)
+            cells.push_back(cell_of(row, task.points));
+        text += csv_line(cells);
+    }
+    return text;
+}
+
+std::string class_summary(const std::vector<Row>& rows)
+{
+    if (rows.empty()) return "no submissions\n";
+    std::string text =
+        fmt::format("{}: {} {}: {}\n", rows.front().assignment, rows.size(),
+                    rows.size() == 1 ? "submission" : "submissions", counts_of_statuses(rows));
+    const std::vector<const Row*> all = judged(rows);
+    if (!all.empty()) text += "\n" + tasks_table(all) + "\n" + distribution(all);
+    return text + not_judged(rows);
+}
+
+} // namespace rigor

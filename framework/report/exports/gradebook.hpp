@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// What an instructor reads about a class. Neither text depends on times or on the order of grading.
+#pragma once
+
+#include "report/exports/row.hpp"
+
+#include <string>
+#include <vector>
+
+namespace rigor {
+
+/// gradebook.csv: submission, status, points, max, and the points of each task. A submission that
+/// could not be graded for a fault of the framework has no points.
+/// @param rows  sorted by name, all of one assignment
+std::string gradebook_csv(const std::vector<Row>& rows);
+
+/// summary.txt: how many passed each task, how the points are distributed, and who could not be
+/// graded and why.
+std::string class_summary(const std::vector<Row>& rows);
+
+} // namespace rigor

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#include "report/exports/gradescope.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace rigor {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string output_of(const TaskResult& task)
+{
+    const TestCase* failure = task.first_failure();
+    if (task.status == Status::passed) return "passed";
+    if (!failure) return "did not run";
+    std::string text = fmt::format("{}: {}", to_string(task.status),
+                                   failure->name.empty() ? task.task.name() : failure->name);
+    if (!failure->message.empty()) text += "\n" + failure->message;
+    if (!failure->expected.empty())
+        text += "\nexpected: " + failure->expected + "\nactual:   " + failure->actual;
+    const std::string& hint = failure->hint.empty() ? task.task.hint : failure->hint;
+    return hint.empty() ? text : text + "\nhint: " + hint;
+}
+
+Json test_of(const TaskResult& task)
+{
+    return {{"score", task.score},
+            {"max_score", task.max_score},
+            {"status", task.status == Status::passed ? "passed" : "failed"},
+            {"name", task.task.name()},
+            {"number", task.task.tag},
+            {"output", output_of(task)},
+            {"visibility", task.task.is_hidden ? "after_published" : "visible"}};
+}
+
+std::string output_of(const Result& result)
+{
+    std::string text = fmt::format("{}: {}", result.assignment.title, to_string(result.status));
+    if (!result.message.empty()) text += "\n" + result.message;
+    for (const std::string& note : result.notes)
+        text += "\n" + note;
+    return text;
+}
+
+} // namespace
+
+std::string gradescope_json(const Result& result)
+{
+    if (result.status == SubmissionStatus::internal_error) return "";
+    Json tests = Json::array();
+    for (const TaskResult& task : result.tasks)
+        if (task.max_score > 0) tests.push_back(test_of(task));
+    const Json json = {{"score", result.score()},
+                       {"execution_time", result.build_seconds + result.test_seconds},
+                       {"output", output_of(result)},
+                       {"output_format", "text"},
+                       {"test_output_format", "text"},
+                       {"visibility", "visible"},
+                       {"stdout_visibility", "hidden"},
+                       {"tests", tests}};
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+} // namespace rigor

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+// `rigor grade`, run as an instructor runs it: a small class of assignment A0.
+#include "../grading/intake/written_archive.hpp"
+#include "command.hpp"
+#include "support/catch.hpp"
+#include "support/temporary_folder.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <csignal>
+#include <fstream>
+#include <sys/wait.h>
+#include <thread>
+#include <unistd.h>
+
+namespace rigor::testing {
+
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+std::string content_of(const fs::path& file)
+{
+    std::ifstream in(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+std::string source(const std::string& name)
+{
+    return content_of(fs::path(RIGOR_SOURCE_DIR) / name);
+}
+
+// Five submissions, of which two are good, one has nothing, and two cannot be graded.
+void write_class(const TemporaryFolder& folder)
+{
+    const std::string solved = source("tests/alternatives/pipeline.cpp");
+    write_archive(folder.path() / "alice.zip", ArchiveFormat::zip,
+                  {{"a0/pipeline.cpp", solved}, {"a0/report.pdf", "-"}});
+    folder.write("=bob/pipeline.cpp", solved + "\n");
+    folder.write("carol/pipeline.cpp", "// nothing yet\n");
+    folder.write("dave/a/pipeline.cpp", solved);
+    folder.write("dave/b/pipeline.cpp", solved);
+    folder.write("eve.tar.gz", "this is no archive");
+}
+
+const std::string gradebook = "submission,status,points,max,A0.1\r\n"
+                              "'=bob,graded,1,1,1\r\n"
+                              "alice,graded,1,1,1\r\n"
+                              "carol,graded,0,1,0\r\n"
+                              "dave,rejected,0,1,0\r\n"
+                              "eve,rejected,0,1,0\r\n";
+
+Run grade(const fs::path& submissions, const fs::path& out, const std::string& jobs)
+{
+    return rigor({"grade", "a0", submissions.string(), "--out", out.string(), "--jobs", jobs});
+}
+
+bool contains(const std::string& text, const std::string& part)
+{
+    return text.find(part) != std::string::npos;
+}
+
+// Starts a run and kills it when the first result is there.
+void start_and_kill(const fs::path& submissions, const fs::path& out)
+{
+    const std::string program = std::string(RIGOR_BINARY_DIR) + "/bin/rigor";
+    const pid_t process = fork();
+    if (process == 0) {
+        if (!std::freopen("/dev/null", "w", stdout) || !std::freopen("/dev/null", "w", stderr))
+            _exit(1);
+        execl(program.c_str(), "rigor", "grade", "a0", submissions.c_str(), "--out", out.c_str(),
+              "--jobs", "1", nullptr);
+        _exit(1);
+    }
+    const auto has_result = [&] {
+        std::error_code error;
+        for (const auto& entry : fs::directory_iterator(out, error))
+            if (fs::exists(entry.path() / "result.json")) return true;
+        return false;
+    };
+    for (int i = 0; i < 6000 && !has_result(); ++i)
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    kill(process, SIGKILL);
+    int state = 0;
+    waitpid(process, &state, 0);
+    REQUIRE(has_result());
+    REQUIRE(WIFSIGNALED(state));
+}
+
+} // namespace
+
+TEST_CASE("grade: a class gets a gradebook that does not depend on how it was made", "[cli][class]")
+{
+    const TemporaryFolder submissions, results;
+    write_class(submissions);
+    const fs::path out = results.path() / "out", killed = results.path() / "killed";
+    const Run first = grade(submissions.path(), out, "2");
+    CAPTURE(first.output);
+    REQUIRE(first.status == 0);
+    REQUIRE(content_of(out / "gradebook.csv") == gradebook);
+    CHECK(contains(first.output, "dave: rejected: expected one pipeline.cpp, found 2"));
+    CHECK(contains(first.output, "eve: rejected: expected a whole .zip or .tar archive"));
+    CHECK(contains(content_of(out / "alice/report.txt"), "ignored: \"a0/report.pdf\""));
+    const json result = json::parse(content_of(out / "alice/result.json"));
+    CHECK(result["status"] == "graded");
+    CHECK(result["submission"] == "alice");
+    CHECK(json::parse(content_of(out / "alice/gradescope.json"))["score"] == 1);
+    CHECK(contains(content_of(out / "alice/junit.xml"), "failures=\"0\""));
+
+    start_and_kill(submissions.path(), killed);
+    CHECK(!fs::exists(killed / "gradebook.csv"));
+    const Run resumed = grade(submissions.path(), killed, "1");
+    CAPTURE(resumed.output);
+    REQUIRE(resumed.status == 0);
+    CHECK(!contains(resumed.output, "5 graded now"));
+    REQUIRE(content_of(killed / "gradebook.csv") == gradebook);
+    CHECK(content_of(killed / "summary.txt") == content_of(out / "summary.txt"));
+
+    const Run again = grade(submissions.path(), out, "2");
+    CHECK(contains(again.output, "0 graded now, 5 as before"));
+    submissions.write("carol/pipeline.cpp", source("tests/alternatives/pipeline.cpp"));
+    const Run changed = grade(submissions.path(), out, "2");
+    CAPTURE(changed.output);
+    CHECK(contains(changed.output, "1 graded now, 4 as before"));
+    CHECK(contains(changed.output, "carol: graded, 1/1 points; before: graded, 0/1 points"));
+}
+
+TEST_CASE("grade: bad input for the run is one line and nothing is written", "[cli][class]")
+{
+    const TemporaryFolder submissions, results;
+    write_class(submissions);
+    const std::string all = submissions.path().string(), out = (results.path() / "out").string();
+    const std::vector<std::pair<std::vector<std::string>, std::string>> wrong = {
+        {{"grade", "a0", all}, "expected --out DIR"},
+        {{"grade", "a0", "--out", out}, "expected submissions"},
+        {{"grade", "A2.1", all, "--out", out}, "a part of one"},
+        {{"grade", "a0", all + "/missing", "--out", out}, "found no file"},
+        {{"grade", "a0", all, "--out", out, "--jobs", "1000"}, "at most 256"},
+        {{"grade", "a0", all, "--out", all}, "expected an empty folder"},
+        {{"grade", "a0", all, "--out", all + "/out"}, "outside of"}};
+    for (const auto& [arguments, message] : wrong) {
+        const Run run = rigor(arguments);
+        CAPTURE(run.output);
+        CHECK(run.status == 2);
+        CHECK(contains(run.output, message));
+        CHECK(!fs::exists(out));
+    }
+}
+
+} // namespace rigor::testing

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#include "grading/class/isolated.hpp"
+
+#include "support/catch.hpp"
+
+#include <csignal>
+#include <cstdio>
+#include <fmt/format.h>
+#include <map>
+#include <stdexcept>
+
+namespace rigor::testing {
+
+namespace {
+
+// What each piece of work returned, or its fault.
+std::map<std::size_t, std::string> outcomes(std::size_t count, unsigned jobs,
+                                            const std::function<std::string(std::size_t)>& work)
+{
+    std::map<std::size_t, std::string> result;
+    run_isolated(count, jobs, work, [&](const WorkDone& done) {
+        result[done.index] = done.text ? *done.text : "fault: " + done.fault;
+    });
+    return result;
+}
+
+} // namespace
+
+TEST_CASE("isolated: every piece of work comes back whatever the number of jobs", "[class]")
+{
+    for (const unsigned jobs : {1u, 3u}) {
+        const auto all = outcomes(10, jobs, [](std::size_t i) { return fmt::format("{}", i * i); });
+        REQUIRE(all.size() == 10);
+        for (const auto& [i, text] : all)
+            REQUIRE(text == fmt::format("{}", i * i));
+    }
+}
+
+TEST_CASE("isolated: a crash costs only what crashed", "[class]")
+{
+    const auto all = outcomes(4, 2, [](std::size_t i) -> std::string {
+        if (i == 1) {
+            std::fputs("about to fall\n", stderr);
+            std::signal(SIGSEGV, SIG_DFL); // the test program has a handler of its own
+            std::raise(SIGSEGV);
+        }
+        if (i == 2) throw std::runtime_error("cannot do this\x1b[31m");
+        return "done";
+    });
+    REQUIRE(all == std::map<std::size_t, std::string>{
+                       {0, "done"},
+                       {1, "fault: it was ended by signal 11; its last words: about to fall"},
+                       {2, "fault: cannot do this?[31m"},
+                       {3, "done"}});
+}
+
+TEST_CASE("isolated: what fails once is tried again", "[class]")
+{
+    // The processes share a file, which counts the tries.
+    std::FILE* tries = std::tmpfile();
+    const auto all = outcomes(1, 1, [&](std::size_t) -> std::string {
+        std::fseek(tries, 0, SEEK_END);
+        const long before = std::ftell(tries);
+        std::fputc('x', tries);
+        std::fflush(tries);
+        if (before == 0) throw std::runtime_error("first try");
+        return fmt::format("try {}", before + 1);
+    });
+    std::fclose(tries);
+    REQUIRE(all.at(0) == "try 2");
+}
+
+TEST_CASE("isolated: a long result comes whole", "[class]")
+{
+    const std::string text(3 << 20, 'x');
+    REQUIRE(outcomes(1, 1, [&](std::size_t) { return text; }).at(0) == text);
+}
+
+} // namespace rigor::testing

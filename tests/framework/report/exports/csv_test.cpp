@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#include "report/exports/csv.hpp"
+
+#include "support/catch.hpp"
+
+namespace rigor::testing {
+
+TEST_CASE("csv: cells are quoted as RFC 4180 says", "[report]")
+{
+    CHECK(csv_line({"a", "b c", ""}) == "a,b c,\r\n");
+    CHECK(csv_line({"a,b", "say \"x\"", "two\nlines"}) ==
+          "\"a,b\",\"say \"\"x\"\"\",\"two\nlines\"\r\n");
+}
+
+TEST_CASE("csv: no cell is a formula", "[report]")
+{
+    for (const char* cell : {"=1+1", "+1", "-1", "@SUM(A1)", "\t=1", "  =1", "-cmd"})
+        CHECK(csv_line({cell}) == "'" + std::string(cell) + "\r\n");
+    CHECK(csv_line({"=HYPERLINK(\"x\",\"y\")"}) == "\"'=HYPERLINK(\"\"x\"\",\"\"y\"\")\"\r\n");
+    CHECK(csv_line({"a=b", "1-2"}) == "a=b,1-2\r\n");
+}
+
+TEST_CASE("csv: points read back as the same number", "[report]")
+{
+    CHECK(csv_number(12) == "12");
+    CHECK(csv_number(0.1) == "0.1");
+    CHECK(csv_number(-0.0) == "0");
+    CHECK(std::stod(csv_number(1.0 / 3)) == 1.0 / 3);
+}
+
+} // namespace rigor::testing

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#include "report/exports/gradebook.hpp"
+
+#include "rows.hpp"
+#include "support/catch.hpp"
+
+namespace rigor::testing {
+
+namespace {
+
+bool contains(const std::string& text, const std::string& part)
+{
+    return text.find(part) != std::string::npos;
+}
+
+} // namespace
+
+TEST_CASE("gradebook: a line for each submission and a column for each task", "[report]")
+{
+    REQUIRE(gradebook_csv(some_class()) ==
+            "submission,status,points,max,A2.1,A2.2\r\n"
+            "\"Doe, Jane_17_assignsubmission_file\",graded,5,5,2,3\r\n"
+            "doejohn_LATE_4711_99_a2.zip,graded,2,5,2,0\r\n"
+            "eve,internal_error,,5,,\r\n" // no points, not even zero
+            "mallory,rejected,0,5,0,0\r\n"
+            "zed,compile_error,0,5,0,0\r\n");
+}
+
+TEST_CASE("gradebook: the summary counts tasks and points and names who has no grade", "[report]")
+{
+    const std::string text = class_summary(some_class());
+    CAPTURE(text);
+    CHECK(contains(text, "a2-inertia: 5 submissions: 2 graded, 1 with compile errors, 1 rejected, "
+                         "1 not graded for a fault of the framework"));
+    CHECK(contains(text, "A2.1    mass                                   2       1       0"));
+    CHECK(contains(text, "A2.2    turn                                   1       0       2"));
+    CHECK(contains(text, "out of 5: lowest 0, median 2, mean 2.333, highest 5"));
+    CHECK(contains(text, "  mallory: rejected: expected inertia.cpp, found no file\n"));
+    CHECK(contains(text, "  eve: internal_error: the test program died\n"));
+    CHECK(!contains(text, " \n"));
+}
+
+TEST_CASE("gradebook: a class that could not be graded has a summary too", "[report]")
+{
+    CHECK(contains(class_summary({row_of("a", "rejected", 0, 0)}), "1 submission: 1 rejected"));
+    CHECK(class_summary({}) == "no submissions\n");
+}
+
+} // namespace rigor::testing

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+// The rules of results.json are those of https://gradescope-autograders.readthedocs.io, "Autograder
+// Specifications", section "Output format".
+#include "report/exports/gradescope.hpp"
+
+#include "../results.hpp"
+#include "support/catch.hpp"
+
+#include <nlohmann/json.hpp>
+#include <set>
+
+namespace rigor::testing {
+
+namespace {
+
+using nlohmann::json;
+using Names = std::set<std::string>;
+
+const Names visibilities = {"hidden", "after_due_date", "after_published", "visible"},
+            formats = {"text", "html", "simple_format", "md", "ansi"};
+
+bool has_only(const json& object, const Names& known)
+{
+    for (const auto& [name, value] : object.items())
+        if (known.count(name) == 0) return false;
+    return true;
+}
+
+void require_valid(const json& results)
+{
+    REQUIRE(has_only(results, {"score", "execution_time", "output", "output_format",
+                               "test_output_format", "test_name_format", "visibility",
+                               "stdout_visibility", "extra_data", "tests", "leaderboard"}));
+    REQUIRE(results.at("score").is_number());
+    REQUIRE(results.at("execution_time").is_number());
+    REQUIRE(results.at("output").is_string());
+    REQUIRE(formats.count(results.at("output_format")) == 1);
+    REQUIRE(visibilities.count(results.at("visibility")) == 1);
+    REQUIRE(visibilities.count(results.at("stdout_visibility")) == 1);
+    double sum = 0;
+    for (const json& test : results.at("tests")) {
+        REQUIRE(has_only(test, {"score", "max_score", "status", "name", "name_format", "number",
+                                "output", "output_format", "tags", "visibility", "extra_data"}));
+        REQUIRE(Names{"passed", "failed"}.count(test.at("status")) == 1);
+        REQUIRE(visibilities.count(test.at("visibility")) == 1);
+        REQUIRE(test.at("number").is_string());
+        REQUIRE(test.at("score").get<double>() <= test.at("max_score").get<double>());
+        sum += test.at("score").get<double>();
+    }
+    REQUIRE(sum == results.at("score"));
+}
+
+} // namespace
+
+TEST_CASE("gradescope: a result keeps the published rules", "[report]")
+{
+    const json results = json::parse(gradescope_json(some_result()));
+    require_valid(results);
+    REQUIRE(results["tests"].size() == 4);
+    REQUIRE(results["tests"][0]["status"] == "passed");
+    REQUIRE(results["tests"][1]["number"] == "A2.2");
+    REQUIRE(results["tests"][1]["output"].get<std::string>().find("expected: (1, 2, 3)") !=
+            std::string::npos);
+}
+
+TEST_CASE("gradescope: a hidden task is not shown before grades are published", "[report]")
+{
+    Result result = some_result();
+    result.tasks[1].task.is_hidden = true;
+    const json results = json::parse(gradescope_json(result));
+    REQUIRE(results["tests"][1]["visibility"] == "after_published");
+    REQUIRE(results["tests"][0]["visibility"] == "visible");
+}
+
+TEST_CASE("gradescope: a rejected submission has no points and a fault of ours no result",
+          "[report]")
+{
+    const Assignment assignment = [] {
+        Assignment some = some_result().assignment;
+        some.tasks = {task_of("A2.1", "mass", 2)};
+        return some;
+    }();
+    Result result = ungraded(assignment, {"A2.1"}, {"A2.1"}, SubmissionStatus::rejected,
+                             "expected inertia.cpp, found \"x\xff\"");
+    const json results = json::parse(gradescope_json(result));
+    require_valid(results);
+    REQUIRE(results["score"] == 0);
+    REQUIRE(results["tests"][0]["max_score"] == 2);
+    result.status = SubmissionStatus::internal_error;
+    REQUIRE(gradescope_json(result).empty());
+}
+
+} // namespace rigor::testing
