@@ -116,6 +116,17 @@ TEST_CASE("contact candidates: a fast body does not pass through a thin wall uns
     CHECK_THAT(found.contacts[0].gap, IsClose(10 - 0.005 - 0.1, Rounding(4)));
 }
 
+TEST_CASE("contact candidates: a body that only rotates reaches as far as its tip moves", "[rigid]")
+{
+    // A rod along x that turns down by 0.2 rad, and a peg 0.15 m below its end.
+    RigidBody rod = body_of(Capsule{0.1, 2}, {0, 0, 0}, {}, turn({0, 0, 1}, -std::numbers::pi / 2));
+    spin(rod, {0, 0, -2});
+    World world = world_of({fixed(Sphere{0.1}, {}, {1, -0.35, 0}), rod}, {0, 0, 0});
+    const ContactCandidates found = candidates_of(world);
+    REQUIRE(found.contacts.size() == 1);
+    CHECK_THAT(found.contacts[0].gap, IsClose(0.15, Rounding(8, 1)));
+}
+
 TEST_CASE("contact candidates: a hit passes on the share of the speed that it leaves", "[rigid]")
 {
     // Equal balls get (1 + ε)/2 of the speed from each other, and so the margins fall by it.
@@ -153,9 +164,10 @@ TEST_CASE("contact candidates: half a radius is always margin enough", "[rigid]"
         CHECK(margin == 0.25);
 }
 
-TEST_CASE("contact candidates: a hit is not passed on across a gap or through a wall", "[rigid]")
+TEST_CASE("contact candidates: a hit is not passed on across a gap or by what stands still",
+          "[rigid]")
 {
-    World row = row_of_balls({1e-3, 5, 1e-3}, 1);
+    World row = row_of_balls({1e-3, 0.3, 1e-3}, 1);
     const ContactCandidates found = candidates_of(row);
     CHECK_THAT(found.margins[1], IsClose(0.2, Rounding(16)));
     CHECK(found.margins[2] == 0);
@@ -165,6 +177,13 @@ TEST_CASE("contact candidates: a hit is not passed on across a gap or through a 
     walled.bodies[1].is_static = true;
     set_mass_from_parts(walled.bodies[1]);
     CHECK(candidates_of(walled).margins[2] == 0);
+
+    World sleeping = row_of_balls({1e-3, 1e-3, 1e-3}, 1);
+    sleeping.bodies[2].rest.group = 0; // if it is hit, it wakes up and the step is repeated
+    const ContactCandidates awake = candidates_of(sleeping);
+    CHECK_THAT(awake.margins[1], IsClose(0.2, Rounding(16)));
+    CHECK(awake.margins[2] == 0);
+    CHECK(awake.margins[3] == 0);
 }
 
 TEST_CASE("contact candidates: a sleeping body wakes if another may touch it", "[rigid]")
