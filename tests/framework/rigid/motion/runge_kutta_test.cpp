@@ -121,3 +121,22 @@ TEST_CASE("runge kutta: the nearest rotation is a rotation and a rotation its ow
         CHECK_THAT(MatrixScheme::nearest_rotation(-R), IsRotation());
     }
 }
+
+TEST_CASE("runge kutta: the formulas get a rotation at stages that have left the rotations",
+          "[rigid]")
+{
+    for (Random random : seeds(20)) {
+        RigidBody body = free_box();
+        body.state.orientation = random.quaternion();
+        spin(body, random.vector());
+        const MatrixState on = MatrixScheme::from(body.state);
+        MatrixState off = on;
+        off.rotation = on.rotation * (Matrix3d::Identity() + 0.05 * random.positive_definite());
+        const Wrench wrench{random.vector(), random.vector()};
+        const MatrixStateRate rate = MatrixScheme::rate(body, off, wrench),
+                              expected = MatrixScheme::rate(body, on, wrench);
+        CHECK_THAT(rate.rotation_rate, IsClose(expected.rotation_rate, Rounding(100, 10)));
+        CHECK_THAT(rate.position_rate, IsClose(expected.position_rate, Rounding(4)));
+        CHECK_THAT(rate.velocity_rate, IsClose(expected.velocity_rate, Rounding(4)));
+    }
+}
