@@ -90,15 +90,3 @@ TEST_CASE("non finite: the message is one line with body and quantity and time",
     CHECK(std::string(NonFiniteState("crate", "inertia", 0.25).what()) ==
           "body 'crate': inertia is not finite at t = 0.250000 s");
 }
-
-TEST_CASE("non finite: a step that meets a state that is none says so", "[rigid]")
-{
-    World world = world_of({fixed(Plane{}, {}), body_of(Sphere{0.5}, {0, 3, 0})});
-    world.time = 2;
-    world.bodies[1].name = "ball";
-    world.bodies[1].state.angular_momentum.z() = not_a_number;
-    const RigidState ground = world.bodies[0].state;
-    CHECK_THROWS_AS(step(world, 0.5), NonFiniteState);
-    CHECK(world.bodies[0].state.position == ground.position);
-    CHECK(world.time == 2);
-}
