@@ -149,6 +149,28 @@ TEST_CASE("box contact: boxes that will overlap have a contact before they do", 
     CHECK(met > 100);
 }
 
+TEST_CASE("box contact: boxes that pass each other by their edges have no contact", "[rigid]")
+{
+    // Two of 20000 random cases in which the boxes are not opposite each other, and after the move
+    // only a pair of edges keeps them apart.
+    for (const unsigned seed : {10193u, 19291u}) {
+        CAPTURE(seed);
+        Random random(seed);
+        const Box a{{1, 1.5, 2}}, b{{0.8, 1.2, 1}};
+        const Pose pose_a{random.rotation(), 1.5 * random.vector()},
+            pose_b{random.rotation(), 1.5 * random.vector()};
+        const Vector3d move = random.vector();
+        const Pose moved{pose_a.R, pose_a.X + move};
+        REQUIRE(separation(a, moved, b, pose_b) > 0.01);
+        for (const Pose& pose : {moved, pose_b})
+            for (int i = 0; i < 3; ++i)
+                REQUIRE(separation_along(corners(a, moved), corners(b, pose_b), pose.R.col(i)) < 0);
+        std::vector<Contact> contacts;
+        find_box_contacts(a, pose_a, b, pose_b, move, 10, contacts);
+        CHECK(contacts.empty());
+    }
+}
+
 TEST_CASE("box contact: a box that meets another edge to edge slides along its side", "[rigid]")
 {
     // Gaps of 5 and 2 cm close in the same step. The box is so slow to turn that it does not.
