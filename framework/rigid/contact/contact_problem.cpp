@@ -74,14 +74,15 @@ void ContactProblem::set_impulse_matrix(ContactConstraint& c) const
 
 void ContactProblem::apply(const ContactConstraint& c, const Vector3d& x, const Vector3d& j)
 {
-    Body &body1 = bodies[c.body1], &body2 = bodies[c.body2];
-    if (optimised) {
-        optimised::apply_impulse(body1, x, j);
-        optimised::apply_impulse(body2, x, -j);
-        return;
-    }
-    if (!body1.is_static()) body1 = apply_impulse(body1, x, j);
-    if (!body2.is_static()) body2 = apply_impulse(body2, x, -j);
+    const auto push = [&](Body& body, const Vector3d& impulse) {
+        if (body.is_static()) return;
+        if (optimised)
+            optimised::apply_impulse(body, x, impulse);
+        else
+            body = apply_impulse(body, x, impulse);
+    };
+    push(bodies[c.body1], j);
+    push(bodies[c.body2], -j);
 }
 
 } // namespace rigor

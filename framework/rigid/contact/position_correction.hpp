@@ -9,6 +9,8 @@ namespace rigor {
 struct Displacement {
     Vector3d shift = Vector3d::Zero(); // motion of the center of mass [m]
     Vector3d turn = Vector3d::Zero();  // rotation axis times angle [rad]
+
+    bool is_zero() const { return shift.isZero(0) && turn.isZero(0); }
 };
 
 /// Displacements that reduce the penetration of bodies without changing their velocities. In each

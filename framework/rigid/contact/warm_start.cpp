@@ -123,6 +123,7 @@ std::vector<WarmContact> warm_contacts(const std::vector<Pose>& poses,
                                        double time_step)
 {
     std::vector<WarmContact> warm;
+    if (!(time_step > 0)) return warm; // the force j/h of such a step would be infinite
     warm.reserve(contacts.size());
     for (const ContactConstraint& c : contacts) {
         if (c.contact_impulse.isZero(0)) continue;

@@ -20,7 +20,8 @@ std::uint64_t start_warm(std::span<const WarmContact> before, const std::vector<
                          double time_step, std::span<const ContactPair> pairs,
                          std::span<ContactConstraint> contacts);
 
-/// The impulses of this step's contacts, from which the next step can start.
+/// The impulses of this step's contacts, from which the next step can start; none after a step that
+/// took no time.
 ///
 /// @param contacts  grouped by pairs of bodies, in ascending order
 std::vector<WarmContact> warm_contacts(const std::vector<Pose>& poses,

@@ -12,8 +12,10 @@ namespace rigor {
 struct ContactCandidates {
     std::vector<Contact> contacts; // empty if no bodies are near enough to meet in this step
     std::vector<Pose> poses;       // one for each body, at the start of the step
-    std::vector<double> margins;   // one for each body; contacts farther apart cannot matter [m]
-    std::vector<double> radii;     // one for each body, about its center of mass; 0 if static [m]
+    // One for each body, or none if no bodies are near each other; contacts farther apart cannot
+    // matter [m].
+    std::vector<double> margins;
+    std::vector<double> radii;  // one for each body, about its center of mass; 0 if static [m]
     std::vector<int> disturbed; // sleeping bodies that have to wake, since another may touch them
 };
 

@@ -229,7 +229,7 @@ std::vector<ContactRecord> bounce_at_impacts(const World& world, ContactProblem&
         if (!pair) continue;
         const ContactConstraint& c = problem.contacts[pair->first];
         const auto moves_otherwise = [&](int i) {
-            return pulled[i] || (!displacements.empty() && !displacements[i].shift.isZero(0));
+            return pulled[i] || (!displacements.empty() && !displacements[i].is_zero());
         };
         if (moves_otherwise(c.body1) || moves_otherwise(c.body2)) continue;
         const auto found = bounce_at_impact(world, problem, *pair, states);

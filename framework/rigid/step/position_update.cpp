@@ -75,7 +75,7 @@ void update_positions(World& world, const ContactProblem& problem, const std::ve
     Counters& counters = world.counters;
     const std::vector<Impulses> impulses = impulses_of(problem);
     const auto move = [&](int i, bool by_mean_velocity, Counters& counted) {
-        const bool is_displaced = !displacements.empty() && !displacements[i].shift.isZero(0);
+        const bool is_displaced = !displacements.empty() && !displacements[i].is_zero();
         const auto [has_bounced, has_contact_impulse] = impulses[i];
         if (!has_bounced && !has_contact_impulse) { // the state after free flight is right
             if (is_displaced) displace(states[i], displacements[i]);

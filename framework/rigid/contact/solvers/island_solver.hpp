@@ -14,6 +14,8 @@ namespace rigor {
 /// (newton_contact.hpp) continues, and further sweeps check its result. A small island converges to
 /// rounding. A large one ends as soon as the remaining changes are invisible, or after a limited
 /// amount of work.
+///
+/// @param active  indices of the contacts in the problem, at least one
 void solve_island(ContactProblem& problem, const Island& island, std::span<const int> active);
 
 } // namespace rigor

@@ -15,13 +15,13 @@ public:
     SimultaneousSweeps(ContactProblem& problem, std::span<const int> active)
         : problem_(problem), active_(active), local_(local_island(problem, active))
     {
-        result_.bodies = local_.bodies;
     }
 
     Progress sweep(std::vector<Vector3d>& steps) override
     {
         result_ = resolve_simultaneously(local_.bodies, local_.contacts, 1);
         check_size(local_, result_, "resolve_simultaneously");
+        is_current_ = true;
         Progress progress;
         for (std::size_t k = 0; k < active_.size(); ++k) {
             const double K = problem_.contacts[active_[k]].normal_K;
@@ -48,10 +48,12 @@ public:
     {
         for (std::size_t k = 0; k < active_.size(); ++k)
             local_.contacts[k].impulse += changes[k];
+        is_current_ = false;
     }
 
     void finish() override
     {
+        if (!is_current_) result_ = resolve_simultaneously(local_.bodies, local_.contacts, 0);
         take_result(problem_, local_, active_, result_, "resolve_simultaneously");
     }
 
@@ -59,7 +61,8 @@ private:
     ContactProblem& problem_;
     std::span<const int> active_;
     LocalIsland local_;
-    ContactResult result_; // result of the last sweep
+    ContactResult result_;    // result of the last sweep
+    bool is_current_ = false; // whether the impulses are still those of that sweep
 };
 
 } // namespace

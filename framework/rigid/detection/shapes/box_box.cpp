@@ -265,6 +265,16 @@ void find_edge_contacts(const PlacedBox& a, const PlacedBox& b, const Axis& axis
     contacts.push_back({(on_a + on_b) / 2, -axis.direction, axis.separation});
 }
 
+// Whether the boxes overlap after the move of the first one: no axis separates them then.
+bool overlap_after(const PlacedBox& a, const PlacedBox& b, const Vector3d& move)
+{
+    const PlacedBox moved{a.R, a.center + move, a.half};
+    const RelativePose relation(moved, b);
+    return best_face(moved, b, relation).separation < 0 &&
+           best_other_face(moved, b, relation).separation < 0 &&
+           best_edges(moved, b, relation, 0).separation <= 0;
+}
+
 double face_area(const PlacedBox& box, int axis)
 {
     return box.half[(axis + 1) % 3] * box.half[(axis + 2) % 3];
@@ -310,7 +320,13 @@ void find_box_contacts(const Box& box1, const Pose& pose1, const Box& box2, cons
         return;
     }
     const Vector3d normal = is_first ? Vector3d(-face.direction) : face.direction;
-    find_face_contacts(is_first ? a : b, is_first ? b : a, face, normal, comes, reach, contacts);
+    const PlacedBox &reference = is_first ? a : b, &other = is_first ? b : a;
+    const std::size_t before = contacts.size();
+    find_face_contacts(reference, other, face, normal, comes, reach, contacts);
+    // Boxes that meet diagonally are not opposite each other yet.
+    if (contacts.size() > before || then >= -slop || !overlap_after(a, b, move)) return;
+    comes = is_first ? Vector3d(-move) : move;
+    find_face_contacts(reference, other, face, normal, comes, reach, contacts);
 }
 
 } // namespace rigor

@@ -36,3 +36,19 @@ TEST_CASE("warm start: a contact that carries nothing leaves its neighbour's imp
         CHECK(contacts[!is_first].initial_impulse == Vector3d::Zero());
     }
 }
+
+TEST_CASE("warm start: a step that took no time leaves no impulses behind", "[rigid]")
+{
+    ContactConstraint c;
+    c.body1 = 1;
+    c.body2 = 0;
+    c.point = {0, 1, 0};
+    c.contact_impulse = {0, 3, 0};
+    const std::vector<ContactConstraint> contacts = {c};
+    const std::vector<Pose> poses = {{}, {Matrix3d::Identity(), {0, 0.5, 0}}};
+    const std::vector<WarmContact> warm = warm_contacts(poses, contacts, 0.5);
+    REQUIRE(warm.size() == 1);
+    CHECK(warm[0].point == Vector3d(0, 0.5, 0));
+    CHECK(warm[0].impulse == Vector3d(0, 6, 0));
+    CHECK(warm_contacts(poses, contacts, 0).empty());
+}

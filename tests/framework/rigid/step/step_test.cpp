@@ -204,3 +204,37 @@ TEST_CASE("step: an empty world takes its steps", "[rigid]")
     CHECK(world.time == 0.5);
     CHECK(world.counters.steps == 1);
 }
+
+TEST_CASE("step: a step that takes no time moves nothing and the next one goes on", "[rigid]")
+{
+    for (const ContactMethod method :
+         {ContactMethod::built_in, ContactMethod::one_at_a_time, ContactMethod::shock_propagation,
+          ContactMethod::simultaneous})
+        for (const double restitution : {0.0, 0.5, 1.0}) {
+            CAPTURE(static_cast<int>(method), restitution);
+            const Material material{restitution, 0.5};
+            World world =
+                world_of({fixed(Plane{}, material), body_of(Box{{1, 1, 1}}, {0, 0.5, 0}, material),
+                          body_of(Box{{1, 1, 1}}, {0, 1.5, 0}, material),
+                          body_of(Sphere{0.5}, {3, 0.5, 0}, material),
+                          body_of(Sphere{0.5}, {5, 0.45, 0}, material)});
+            world.settings.contact_method = method;
+            for (int i : {3, 4}) // they arrive, one of them in the ground already
+                world.bodies[i].state.velocity = {1, -2, 0};
+            const World before = world;
+            step(world, 0);
+            step(world, 0);
+            CHECK(world.time == 0);
+            for (std::size_t i = 0; i < before.bodies.size(); ++i) {
+                CHECK(world.bodies[i].state.position == before.bodies[i].state.position);
+                CHECK_THAT(world.bodies[i].state.orientation,
+                           IsExactly(before.bodies[i].state.orientation));
+            }
+            run(world, 20, 0.01);
+            for (int i : {1, 2}) // the stack stands
+                CHECK_THAT(world.bodies[i].state.position,
+                           IsClose(before.bodies[i].state.position, Order(1e-3)));
+            for (int i : {3, 4})
+                CHECK(world.bodies[i].state.position.y() > 0.4);
+        }
+}

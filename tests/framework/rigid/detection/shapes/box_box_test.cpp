@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Contacts of two boxes: all fifteen axes, and the look ahead at a joint.
+#include "rigid/detection/shapes/box_box.hpp"
+
 #include "framework/rigid/contact_shapes.hpp"
 
 using namespace rigor;
@@ -119,6 +121,68 @@ TEST_CASE("box contact: aligned cubes have the four corners of their common face
         middle += t.point / 4;
     }
     CHECK_THAT(middle, IsClose(Vector3d(0.125, 0.5, 0), Rounding(16)));
+}
+
+TEST_CASE("box contact: boxes that will overlap have a contact before they do", "[rigid]")
+{
+    int met = 0;
+    for (unsigned seed = 0; seed < 2000; ++seed) {
+        CAPTURE(seed);
+        Random random(seed);
+        const Box a{{1, 1.5, 2}}, b{{0.8, 1.2, 1}};
+        const Pose pose_a{seed % 2 ? random.rotation() : Matrix3d::Identity(),
+                          1.5 * random.vector()},
+            pose_b{seed % 2 ? random.rotation() : Matrix3d::Identity(), 1.5 * random.vector()};
+        const Vector3d move = random.vector();
+        const Pose moved{pose_a.R, pose_a.X + move};
+        if (separation(a, pose_a, b, pose_b) < 0 || separation(a, moved, b, pose_b) > -0.01)
+            continue;
+        ++met;
+        std::vector<Contact> contacts;
+        find_box_contacts(a, pose_a, b, pose_b, move, 10, contacts);
+        REQUIRE(!contacts.empty());
+        // They are apart along the normal, and the contact is where they overlap after the move.
+        for (const Contact& c : contacts)
+            CHECK(c.gap > -0.01);
+        CHECK(deepest(contacts) + contacts[0].normal.dot(move) < 0);
+    }
+    CHECK(met > 100);
+}
+
+TEST_CASE("box contact: boxes that pass each other by their edges have no contact", "[rigid]")
+{
+    // Two of 20000 random cases in which the boxes are not opposite each other, and after the move
+    // only a pair of edges keeps them apart.
+    for (const unsigned seed : {10193u, 19291u}) {
+        CAPTURE(seed);
+        Random random(seed);
+        const Box a{{1, 1.5, 2}}, b{{0.8, 1.2, 1}};
+        const Pose pose_a{random.rotation(), 1.5 * random.vector()},
+            pose_b{random.rotation(), 1.5 * random.vector()};
+        const Vector3d move = random.vector();
+        const Pose moved{pose_a.R, pose_a.X + move};
+        REQUIRE(separation(a, moved, b, pose_b) > 0.01);
+        for (const Pose& pose : {moved, pose_b})
+            for (int i = 0; i < 3; ++i)
+                REQUIRE(separation_along(corners(a, moved), corners(b, pose_b), pose.R.col(i)) < 0);
+        std::vector<Contact> contacts;
+        find_box_contacts(a, pose_a, b, pose_b, move, 10, contacts);
+        CHECK(contacts.empty());
+    }
+}
+
+TEST_CASE("box contact: a box that meets another edge to edge slides along its side", "[rigid]")
+{
+    // Gaps of 5 and 2 cm close in the same step. The box is so slow to turn that it does not.
+    RigidBody box = body_of(Box{{1, 1, 1}}, {1.05, 1.02, 0}, smooth);
+    set_mass(box, 1, 1e15 * Matrix3d::Identity());
+    box.state.velocity = {-2, -2, 0};
+    World world = world_of({fixed(Box{{1, 1, 1}}, smooth), box}, {0, 0, 0});
+    for (int n = 1; n <= 5; ++n) {
+        step(world, 0.1);
+        CHECK_THAT(world.bodies[1].state.position,
+                   IsClose(Vector3d(1, 1.02 - 0.2 * n, 0), Rounding(64, 1)));
+    }
 }
 
 TEST_CASE("box contact: a box that slides over a joint does not run into it however slowly",

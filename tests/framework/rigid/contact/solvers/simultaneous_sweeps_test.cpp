@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#include "rigid/contact/solvers/simultaneous_sweeps.hpp"
+
+#include "framework/rigid/contact/solvers/sweep_laws.hpp"
+
+using namespace rigor;
+using namespace rigor::testing;
+
+namespace {
+
+constexpr auto by_formula = [](ContactProblem& problem, std::span<const int> active) {
+    return simultaneous_sweeps(problem, active);
+};
+constexpr auto heap_by_formula = [](Heap& heap) { return simultaneous_sweeps(heap, heap.active); };
+
+} // namespace
+
+TEST_CASE("simultaneous sweeps: n of them are n sweeps of resolve_simultaneously", "[rigid]")
+{
+    check_sweeps_are_those_of_the_formula(heap_by_formula);
+}
+
+TEST_CASE("simultaneous sweeps: one of them has the bits of the formula", "[rigid]")
+{
+    for (Random random : seeds(20)) {
+        Heap heap(random);
+        const ContactResult expected = resolve_simultaneously(heap.bodies, heap.for_formula(), 1);
+        const std::unique_ptr<Sweeps> sweeps = simultaneous_sweeps(heap, heap.active);
+        std::vector<Vector3d> steps(heap.active.size());
+        sweeps->sweep(steps);
+        sweeps->finish();
+        heap.check_result(expected, Exactly());
+    }
+}
+
+TEST_CASE("simultaneous sweeps: impulses that are added act on the bodies", "[rigid]")
+{
+    check_added_impulses_act_on_the_bodies(heap_by_formula);
+}
+
+TEST_CASE("simultaneous sweeps: one sweep stops a lone body", "[rigid]")
+{
+    check_progress_of_a_lone_contact(by_formula);
+}
+
+TEST_CASE("simultaneous sweeps: without approach or contacts nothing changes", "[rigid]")
+{
+    check_sweeps_without_work(by_formula);
+}
