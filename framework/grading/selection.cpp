@@ -84,6 +84,7 @@ std::vector<Selection> select_tasks(const std::vector<Assignment>& assignments,
                                     const std::vector<std::string>& words)
 {
     std::vector<std::vector<bool>> marked;
+    marked.reserve(assignments.size());
     for (const Assignment& assignment : assignments)
         marked.emplace_back(assignment.tasks.size(), words.empty());
     for (const std::string& word : words)
