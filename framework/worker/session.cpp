@@ -17,6 +17,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t pipe_size = 65536;
+constexpr const char* out_of_turn = "answered out of turn";
 
 } // namespace
 
@@ -109,7 +110,7 @@ Bytes Session::next_part(Allowance& allowance)
         const Allowance::Seconds passed = Clock::now() - start;
         allowance.waited += now == sequence_ ? passed : usable(passed, starved);
         if (now == sequence_) return take_stream();
-        if (now != sequence_ - 1) throw Broken{WorkerFailure::malformed, "answered out of turn"};
+        if (now != sequence_ - 1) throw Broken{WorkerFailure::malformed, out_of_turn};
         collect_output();
         if (const auto ending = process_.ending()) {
             if (reply.load(std::memory_order_acquire) == sequence_) continue; // it answered before
@@ -159,8 +160,8 @@ Bytes Session::take_stream()
 {
     const std::uint32_t streamed = process_.channel().streamed.load(std::memory_order_acquire);
     if (streamed == taken_) return {};
-    if (streamed - taken_ > Channel::ring)
-        throw Broken{WorkerFailure::malformed, "streamed more than there is room for"};
+    // Whichever word of the channel a worker overwrites first, the verdict is the same.
+    if (streamed - taken_ > Channel::ring) throw Broken{WorkerFailure::malformed, out_of_turn};
     Bytes bytes = rest_of_stream();
     if (bytes.empty())
         throw Broken{WorkerFailure::flooded,

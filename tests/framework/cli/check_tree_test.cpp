@@ -9,8 +9,9 @@ namespace rigor::testing {
 namespace {
 
 /// What the reference is checked for: everything, which is the empty list. Sanitizers make the
-/// scenes of many bodies and elements 20 to 50 times as slow, minutes each, and run them in the
-/// tests of rigid, deformable and classics. Here they check all formulas and the scenes of A1 to A3.
+/// scenes of many bodies and elements 20 to 50 times as slow, minutes each, so that a sanitized
+/// build checks all formulas and the scenes of A1 to A3. Its tests of rigid, deformable and
+/// classics run the same engine.
 std::vector<std::string> graded_tags()
 {
     std::vector<std::string> tags;
