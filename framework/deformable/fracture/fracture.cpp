@@ -5,6 +5,7 @@
 // elements, then stresses are smoothed and candidates sorted, then the chosen ones crack.
 #include "deformable/fracture/fracture.hpp"
 
+#include "deformable/fracture/checked_answers.hpp"
 #include "deformable/fracture/crack_edges.hpp"
 #include "deformable/fracture/remesh.hpp"
 #include "formulas/fracture.hpp"
@@ -61,7 +62,8 @@ std::vector<Candidate> candidates(const Deformable& solid, const ElementWorkspac
         stresses.push_back(isotropic_stress(work.strains[e].elastic, lambda, G));
         volumes.push_back(work.elements.volume(e));
     }
-    const std::vector<Matrix3d> smooth = smooth_stress(stresses, work.stress_neighbours, volumes);
+    const std::vector<Matrix3d> smooth =
+        checked_stresses(smooth_stress(stresses, work.stress_neighbours, volumes), stresses.size());
     std::vector<Candidate> found;
     for (int e = 0; e < work.elements.size(); ++e) {
         if (world.settings.skips.stress_bound && bound_of(smooth[e]) <= m.strength) {
@@ -114,18 +116,20 @@ int crack_faces(Deformable& solid, const ElementWorkspace& work,
     for (const Candidate& c : found) {
         if (cracks == most_cracks) break;
         const auto& t = solid.rest.tetrahedra[c.element];
-        const int f = closest_face(corners(solid.rest, c.element), c.normal);
+        const int f = checked_face(closest_face(corners(solid.rest, c.element), c.normal));
         const int other = work.face_neighbours[c.element][f];
         if (other < 0 || solid.crack_faces[c.element][f] || taken.any(t)) continue;
         taken.add(t);
         const auto& back = work.face_neighbours[other];
         const auto g = std::find(back.begin(), back.end(), c.element) - back.begin();
+        if (g == 4) continue; // a wrong split gave one face to three elements
         solid.crack_faces[c.element][f] = solid.crack_faces[other][g] = true;
         ++cracks;
     }
     if (cracks == 0) return 0;
     // Cracks of earlier steps are split again, because they may still be closed.
-    remesh(solid, split_along_faces(solid.rest, marked_faces(solid.crack_faces)));
+    remesh(solid, checked_split_along_faces(
+                      split_along_faces(solid.rest, marked_faces(solid.crack_faces)), solid.rest));
     return cracks;
 }
 
@@ -196,8 +200,9 @@ int crack_elements(Deformable& solid, const std::vector<Candidate>& found)
         const auto& vertices = solid.rest.vertices;
         const auto at = std::find(vertices.begin(), vertices.end(), tip.place);
         if (at == vertices.end()) continue;
-        const SplitMesh split =
-            split_element(solid.rest, static_cast<int>(at - vertices.begin()), tip.normal);
+        const SplitMesh split = checked_split(
+            split_element(solid.rest, static_cast<int>(at - vertices.begin()), tip.normal),
+            solid.rest, "split_element");
         const bool is_changed = split.mesh.vertices.size() != vertices.size();
         if (!is_changed || !is_fine_enough(solid, split)) continue;
         remesh(solid, split);
@@ -235,7 +240,9 @@ int crack_with_virtual_nodes(Deformable& solid, const std::vector<Candidate>& fo
         solid.cracks.push_back(edges.continued(parent, real, c.normal));
         ++cracks;
     }
-    if (cracks > 0) remesh(solid, virtual_nodes(solid.uncracked, solid.cracks));
+    if (cracks > 0)
+        remesh(solid,
+               checked_embedding(virtual_nodes(solid.uncracked, solid.cracks), solid.uncracked));
     return cracks;
 }
 

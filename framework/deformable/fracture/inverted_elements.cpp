@@ -6,6 +6,7 @@
 
 #include "deformable/elasticity/element.hpp"
 #include "deformable/elasticity/polar_decomposition.hpp"
+#include "deformable/fracture/checked_answers.hpp"
 #include "deformable/fracture/remesh.hpp"
 #include "deformable/solid/lumped_mass.hpp"
 #include "formulas/fracture.hpp"
@@ -90,11 +91,10 @@ void separate_copies(Deformable& solid, const std::vector<char>& is_separated)
     for (std::size_t e = 0; e < is_separated.size(); ++e)
         if (is_separated[e]) is_parent_separated[parents.empty() ? e : parents[e]] = 1;
     mark_faces(solid.crack_faces, face_neighbours(solid.uncracked), is_parent_separated);
-    SplitMesh split = split_along_faces(solid.uncracked, marked_faces(solid.crack_faces));
-    if (split.mesh.tetrahedra.size() != solid.uncracked.tetrahedra.size())
-        return; // a wrong `split_along_faces` changed the elements
+    SplitMesh split = checked_split_along_faces(
+        split_along_faces(solid.uncracked, marked_faces(solid.crack_faces)), solid.uncracked);
     solid.uncracked = std::move(split.mesh);
-    remesh(solid, virtual_nodes(solid.uncracked, solid.cracks));
+    remesh(solid, checked_embedding(virtual_nodes(solid.uncracked, solid.cracks), solid.uncracked));
 }
 
 void separate_elements(Deformable& solid, const ElementWorkspace& work,
@@ -103,7 +103,8 @@ void separate_elements(Deformable& solid, const ElementWorkspace& work,
     if (solid.fracture_method == FractureMethod::virtual_nodes)
         return separate_copies(solid, is_separated);
     mark_faces(solid.crack_faces, work.face_neighbours, is_separated);
-    remesh(solid, split_along_faces(solid.rest, marked_faces(solid.crack_faces)));
+    remesh(solid, checked_split_along_faces(
+                      split_along_faces(solid.rest, marked_faces(solid.crack_faces)), solid.rest));
 }
 
 } // namespace

@@ -8,7 +8,7 @@
 #include "geometry/tetrahedra/tetrahedra.hpp"
 
 #include <algorithm>
-#include <cassert>
+#include <stdexcept>
 #include <utility>
 
 namespace rigor {
@@ -204,7 +204,8 @@ void remesh(Deformable& solid, EmbeddedMesh embedded)
         int old = -1;
         for (const int copy : copies[embedded.parents[t]])
             if (solid.embedded.real.empty() || solid.embedded.real[copy][corner]) old = copy;
-        assert(old >= 0 && "a part of the matter was in some copy before");
+        if (old < 0) // a part of the matter was in some copy before
+            throw std::out_of_range("virtual_nodes returned matter that was in no element");
         parents.push_back(old);
         for (int i = 0; i < 4; ++i) {
             const int v = embedded.mesh.tetrahedra[t][i], from = solid.rest.tetrahedra[old][i];
