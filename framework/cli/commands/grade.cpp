@@ -72,13 +72,9 @@ void require_outside(const fs::path& out, const std::vector<std::string>& submis
 std::vector<std::string> names_of(const std::vector<Submission>& submissions)
 {
     std::vector<std::string> names;
-    for (const Submission& submission : submissions) {
-        for (const char* own : {gradebook_file, summary_file, canvas_file, moodle_file, ".rigor"})
-            if (submission.name == own)
-                throw InputError(submission.path.string() + ": expected another name, since " +
-                                 own + " is the name of a file of the results");
+    names.reserve(submissions.size());
+    for (const Submission& submission : submissions)
         names.push_back(submission.name);
-    }
     return names;
 }
 
@@ -187,7 +183,8 @@ int grade(const GradeOptions& options)
     jobs_of(options); // a wrong number is told before anything is done
     require_outside(options.out, options.submissions);
     const FoundSubmissions found =
-        find_submissions(options.submissions, selection.assignment.topic + ".cpp");
+        find_submissions(options.submissions, selection.assignment.topic + ".cpp",
+                         {gradebook_file, summary_file, canvas_file, moodle_file, ".rigor"});
     for (const std::string& note : found.notes)
         fmt::print(stderr, "{}\n", note);
     const ClassFolder folder(options.out, selection.assignment.name, names_of(found.submissions));

@@ -112,7 +112,7 @@ public:
         archive_read_support_format_zip(a);
         if (archive_read_open_fd(a, file_.descriptor(), 65536) != ARCHIVE_OK) break_off();
         if (archive_filter_count(a) > 2) // the compression, and the bytes of the file
-            throw Refused("expected an archive that is compressed once, found it compressed again");
+            refuse_compressed_again();
     }
 
     Contents read()
@@ -129,6 +129,10 @@ private:
     {
         const int state = archive_read_next_header(archive_.get(), &entry);
         if (state != ARCHIVE_OK && state != ARCHIVE_WARN && state != ARCHIVE_EOF) break_off();
+        // What a .zip says of its sizes can be checked against the file only if it is the file.
+        const bool is_zip =
+            (archive_format(archive_.get()) & ARCHIVE_FORMAT_BASE_MASK) == ARCHIVE_FORMAT_ZIP;
+        if (is_zip && archive_filter_count(archive_.get()) > 1) refuse_compressed_again();
         return state != ARCHIVE_EOF;
     }
 
@@ -183,6 +187,11 @@ private:
             throw Refused(fmt::format("expected an archive that unpacks to at most {} times its "
                                       "size, found more",
                                       limits_.unpacked_ratio));
+    }
+
+    [[noreturn]] static void refuse_compressed_again()
+    {
+        throw Refused("expected an archive that is compressed once, found it compressed again");
     }
 
     [[noreturn]] void break_off() const

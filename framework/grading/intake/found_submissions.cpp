@@ -80,7 +80,10 @@ bool holds_many(const fs::path& folder, const Listing& listing, const std::strin
 
 class Search {
 public:
-    explicit Search(std::string wanted) : wanted_(std::move(wanted)) {}
+    Search(std::string wanted, std::set<std::string> reserved)
+        : wanted_(std::move(wanted)), reserved_(std::move(reserved))
+    {
+    }
 
     void add_path(const std::string& text, bool is_only_path)
     {
@@ -141,6 +144,11 @@ private:
                 "expected a name in UTF-8 without control characters, found " + in_quotes(file);
             submission.name = escaped(submission.name);
         }
+        if (reserved_.count(submission.name)) {
+            submission.refusal = "expected another name, since the results have a file " +
+                                 in_quotes(submission.name);
+            submission.name += "_";
+        }
         found_[submission.name].push_back(submission);
     }
 
@@ -168,6 +176,7 @@ private:
     }
 
     std::string wanted_;
+    std::set<std::string> reserved_;
     std::set<fs::path> paths_;
     std::map<std::string, std::vector<Submission>> found_;
     std::vector<std::string> notes_;
@@ -175,9 +184,10 @@ private:
 
 } // namespace
 
-FoundSubmissions find_submissions(const std::vector<std::string>& paths, const std::string& wanted)
+FoundSubmissions find_submissions(const std::vector<std::string>& paths, const std::string& wanted,
+                                  const std::set<std::string>& reserved)
 {
-    Search search(wanted);
+    Search search(wanted, reserved);
     for (const std::string& path : paths)
         search.add_path(path, paths.size() == 1);
     return search.result();

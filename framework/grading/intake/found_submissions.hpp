@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -24,9 +25,12 @@ struct FoundSubmissions {
 /// wanted file does not lie in it and it has archives in it, or several folders with that file; if
 /// it is the only path, any folder in it is a submission.
 ///
-/// A name that several submissions have, or that cannot be shown, is refused in `refusal`.
+/// A name that several submissions have, that cannot be shown, or that is reserved, is refused in
+/// `refusal`; the last two are changed.
 /// @param wanted  name of the file that the assignment asks for
+/// @param reserved  names that the results need for their own files
 /// @throws InputError if a path does not exist, or if there is no submission
-FoundSubmissions find_submissions(const std::vector<std::string>& paths, const std::string& wanted);
+FoundSubmissions find_submissions(const std::vector<std::string>& paths, const std::string& wanted,
+                                  const std::set<std::string>& reserved);
 
 } // namespace rigor

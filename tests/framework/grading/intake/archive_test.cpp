@@ -195,4 +195,13 @@ TEST_CASE("archive: the ending is not part of the submission's name", "[intake]"
     CHECK(!is_archive_name("notes.txt"));
 }
 
+TEST_CASE("intake: a zip archive that is compressed again is refused", "[intake]")
+{
+    // Otherwise a folder in it could claim to have any number of bytes, all of which are unpacked.
+    REQUIRE(
+        contains(refusal_of(Format::zip_gz, {{"collision.cpp", "int x;\n"}}), "compressed again"));
+    REQUIRE(refusal_of(Format::zip, {{"collision.cpp", "int x;\n"}}).empty());
+    REQUIRE(refusal_of(Format::tar_gz, {{"collision.cpp", "int x;\n"}}).empty());
+}
+
 } // namespace rigor::testing

@@ -16,7 +16,7 @@ FoundSubmissions found_in(const std::vector<std::filesystem::path>& paths)
     std::vector<std::string> texts;
     for (const auto& path : paths)
         texts.push_back(path.string());
-    return find_submissions(texts, "collision.cpp");
+    return find_submissions(texts, "collision.cpp", {"gradebook.csv"});
 }
 
 std::vector<std::string> names_of(const FoundSubmissions& found)
@@ -75,6 +75,14 @@ TEST_CASE("submissions: a name twice, a link, a name that cannot be shown are re
     folder.write("bo\x1b/collision.cpp", "");
     std::filesystem::create_symlink("/etc", folder.path() / "eve");
     REQUIRE(names_of(found_in({folder.path()})) == Names{"alice!", "bo\\x1b!", "eve!"});
+}
+
+TEST_CASE("submissions: a name of the results' own files costs its submission only", "[intake]")
+{
+    const TemporaryFolder folder;
+    folder.write("alice/collision.cpp", "");
+    folder.write("gradebook.csv/collision.cpp", "");
+    REQUIRE(names_of(found_in({folder.path()})) == Names{"alice", "gradebook.csv_!"});
 }
 
 TEST_CASE("submissions: a pipe is refused without being opened", "[intake]")

@@ -19,7 +19,7 @@ struct ArchiveEntry {
     std::string hard_link = {}; // target of a hard link
 };
 
-enum class ArchiveFormat { zip, tar, tar_gz, tar_xz, tar_zst };
+enum class ArchiveFormat { zip, zip_gz, tar, tar_gz, tar_xz, tar_zst };
 
 inline void add_entry(archive* out, const ArchiveEntry& entry)
 {
@@ -40,11 +40,12 @@ inline std::filesystem::path write_archive(const std::filesystem::path& file, Ar
                                            const std::vector<ArchiveEntry>& entries)
 {
     archive* out = archive_write_new();
-    if (format == ArchiveFormat::zip)
+    if (format == ArchiveFormat::zip || format == ArchiveFormat::zip_gz)
         archive_write_set_format_zip(out);
     else
         archive_write_set_format_gnutar(out);
-    if (format == ArchiveFormat::tar_gz) archive_write_add_filter_gzip(out);
+    if (format == ArchiveFormat::tar_gz || format == ArchiveFormat::zip_gz)
+        archive_write_add_filter_gzip(out);
     if (format == ArchiveFormat::tar_xz) archive_write_add_filter_xz(out);
     if (format == ArchiveFormat::tar_zst) archive_write_add_filter_zstd(out);
     if (archive_write_open_filename(out, file.c_str()) != ARCHIVE_OK)
