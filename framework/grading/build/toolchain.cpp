@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "grading/build/toolchain.hpp"
 
+#include "grading/build/await_no_writer.hpp"
 #include "grading/build/ninja.hpp"
 #include "grading/places.hpp"
 
@@ -156,6 +157,7 @@ void take_over(const fs::path& made, const fs::path& place)
 {
     fs::remove(place);
     fs::copy_file(made, place);
+    await_no_writer(place);
     fs::remove(made);
 }
 
