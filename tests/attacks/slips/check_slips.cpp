@@ -87,11 +87,12 @@ std::string fault_of(const Case& slipped, const std::string& formula, const Resu
 {
     const TaskResult& task = result.tasks.at(0);
     if (result.status == SubmissionStatus::internal_error) return "a fault: " + result.message;
-    if (!may_lose(slipped, formula))
-        return task.status == Status::passed
-                   ? ""
-                   : fmt::format("{} lost its points: {}", formula,
-                                 task.tests.empty() ? result.message : task.tests[0].message);
+    if (!may_lose(slipped, formula)) {
+        if (task.status == Status::passed) return "";
+        const TestCase* failure = task.first_failure();
+        return fmt::format("{} lost its points, {}: {}", formula, to_string(task.status),
+                           failure ? failure->name + ": " + failure->message : result.message);
+    }
     if (task.status == Status::passed) return formula + " kept its points";
     const bool is_told =
         result.status == SubmissionStatus::compile_error
