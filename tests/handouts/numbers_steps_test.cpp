@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The small numbers beside the derivations of the handouts.
+// The small numbers beside the derivations of the handouts, and those of their checkpoints.
+#include "formulas/contact.hpp"
+#include "formulas/fracture.hpp"
 #include "formulas/kinematics.hpp"
 #include "formulas/plasticity.hpp"
 #include "formulas/rotation.hpp"
@@ -61,4 +63,75 @@ TEST_CASE("A6: steps of the derivation", "[numbers]")
     const double back = out - plastic(0, 0);
     check_shown("A6", "250 MPa times these two, 562500 and 291666.6667 J/m³",
                 {sigma_Y / 1e6, sigma_Y * out, sigma_Y * back});
+}
+
+TEST_CASE("A1: checkpoints", "[numbers]")
+{
+    const Vector3d X = Vector3d::Zero(), V = Vector3d::Zero(), w(1, 2, 3), x(1, 0, 0);
+    const Matrix3d block = generalized_mass({Particle{2, x}}, X).bottomRightCorner<3, 3>();
+    CHECK(block.isDiagonal());
+    check_shown("A1", "is diagonal, with 0, 2 and 2.", listed(block.diagonal()));
+    const Vector3d v = point_velocity(V, w, X, x);
+    const Matrix3d of_rotation = velocity_mode_rates(V, v).rightCols<3>();
+    check_shown("A1", "it gives $(-13, 2, 3)$.", listed(of_rotation * w));
+}
+
+TEST_CASE("A3: a checkpoint of a step of Buss", "[numbers]")
+{
+    const Vector3d J(13, 10, 5), w(1, 2, 3);
+    BodyInertia box;
+    box.inverse_mass = 1.0 / 12;
+    box.inverse_inertia = J.cwiseInverse().asDiagonal();
+    RigidState state;
+    state.angular_momentum = J.cwiseProduct(w);
+    const Vector3d w_dot = -box.inverse_inertia * w.cross(state.angular_momentum);
+    const Vector3d turned = w_dot.cross(w);
+    const double h = 0.1;
+    const Vector3d W = w + h / 2 * w_dot + h * h / 12 * turned;
+    check_shown("A3", "| −9.6 | −5.723077 | 7.015385 |", listed(turned));
+    check_shown("A3", "| 1.107385 | 1.875231 | 3.065846 |", listed(W));
+    const Quaternion q = step_buss(state, box, {}, h).orientation;
+    const Quaternion by_hand = advance_exact(state.orientation, W, h);
+    CHECK(std::abs(q.s - by_hand.s) + (q.v - by_hand.v).norm() < 1e-15);
+}
+
+TEST_CASE("A5: a checkpoint of two sweeps", "[numbers]")
+{
+    // 1 kg and 2 m along x
+    Body rod;
+    rod.inverse_mass = 1;
+    rod.inverse_inertia = Vector3d(3, 0, 3).asDiagonal();
+    rod.velocity = Vector3d(0, -1, 0);
+    std::vector<BodyContact> ends(2);
+    ends[0].point = Vector3d(-1, 0, 0);
+    ends[1].point = Vector3d(1, 0, 0);
+    for (BodyContact& end : ends)
+        end.body2 = 1;
+    const auto impulses = [&](int sweeps) {
+        return resolve_simultaneously({rod, Body()}, ends, sweeps).impulses;
+    };
+    check_shown("A5", "| 1 | 0.25 | 0.375 |", {1, impulses(1)[0].y(), impulses(1)[1].y()});
+    check_shown("A5", "| 2 | 0.4375 | 0.46875 |", {2, impulses(2)[0].y(), impulses(2)[1].y()});
+    check_shown("A5", "They approach 0.5 N s each", {impulses(100)[0].y()});
+}
+
+TEST_CASE("A6: a checkpoint of one stretch", "[numbers]")
+{
+    const double E = 200e9, nu = 0.3, sigma_Y = 250e6;
+    const double lambda = E * nu / ((1 + nu) * (1 - 2 * nu)), G = E / (2 * (1 + nu));
+    const Matrix3d strain = Vector3d(0.005, 0, 0).asDiagonal();
+    const Matrix3d plastic =
+        plastic_flow(Matrix3d::Zero(), isotropic_stress(strain, lambda, G), sigma_Y, G);
+    check_shown("A6", "0.00225 along x and −0.001125 along y and z",
+                {plastic(0, 0), plastic(1, 1)});
+}
+
+TEST_CASE("A7: a checkpoint of two tetrahedra", "[numbers]")
+{
+    TetrahedralMesh mesh;
+    mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}};
+    mesh.tetrahedra = {{0, 1, 2, 3}, {4, 1, 3, 2}};
+    CHECK(mesh.vertices.size() == 5);
+    const std::vector<MeshFace> cut = {MeshFace{0, 0}};
+    CHECK(split_along_faces(mesh, cut).mesh.vertices.size() == 8);
 }
