@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+// The small numbers beside the derivations of the handouts, and those of their checkpoints.
+#include "formulas/contact.hpp"
+#include "formulas/fracture.hpp"
+#include "formulas/kinematics.hpp"
+#include "formulas/plasticity.hpp"
+#include "formulas/rotation.hpp"
+#include "handouts/numbers.hpp"
+#include "support/catch.hpp"
+
+#include <cmath>
+
+using namespace rigor;
+using namespace rigor::handouts;
+
+TEST_CASE("A1: steps of the derivation", "[numbers]")
+{
+    const Vector3d X = Vector3d::Zero(), V = Vector3d::Zero(), w(0, 0, 2), x(0, 3, 0);
+    check_shown("A1", "gets $(-6, 0, 0)$ besides $V$", listed(point_velocity(V, w, X, x)));
+}
+
+TEST_CASE("A3: steps of the derivation", "[numbers]")
+{
+    // a third of a turn about (1, 1, 1)
+    Quaternion third;
+    third.s = 0.5;
+    third.v = Vector3d::Constant(0.5);
+    check_shown("A3", "it is $(0, 1, 0)$: the x axis", listed(to_matrix(third).col(0)));
+
+    // Euler's equations of the box, near a spin of 2 rad/s about its middle axis
+    const Vector3d J(13, 10, 5);
+    const auto rate = [&](const Vector3d& w) {
+        return Vector3d(-w.cross(Vector3d(J.cwiseProduct(w))));
+    };
+    const double of_x = rate({0, 2, 1}).x(), of_z = rate({1, 2, 0}).z();
+    check_shown("A3",
+                R"($13\, \dot\omega_x = 10\, \omega_z$ and $5\, \dot\omega_z = 6\, \omega_x$)",
+                {J.x(), of_x, J.z(), of_z});
+    const double square = of_x / J.x() * of_z / J.z();
+    check_shown("A3", R"($\lambda = \sqrt{12/13} = 0.9608$ per second)",
+                {square, std::sqrt(square)});
+}
+
+TEST_CASE("A6: steps of the derivation", "[numbers]")
+{
+    const Matrix3d stress = Vector3d(3, 2, 1).asDiagonal();
+    check_shown("A6", "and half of their sum is 3.", {std::pow(von_mises_principal(3, 2, 1), 2)});
+    check_shown("A6", "which is 3 too.", {std::pow(von_mises_frobenius(stress), 2)});
+
+    const double E = 200e9, nu = 0.3, sigma_Y = 250e6;
+    const double lambda = E * nu / ((1 + nu) * (1 - 2 * nu)), G = E / (2 * (1 + nu));
+    Matrix3d plastic = Matrix3d::Zero(), total = Matrix3d::Zero();
+    const auto stretched = [&](double e) {
+        total(0, 0) = e;
+        plastic = plastic_flow(plastic, isotropic_stress(total - plastic, lambda, G), sigma_Y, G);
+    };
+    stretched(0.005);
+    const double mean = isotropic_stress(total - plastic, lambda, G).trace() / 3;
+    check_shown("A6", "times $e$: 833.333333 MPa at 0.005.", {mean / 1e6, total(0, 0)});
+    const double out = plastic(0, 0);
+    check_shown("A6", "= 0.00225$. On the way back", {out});
+    stretched(0);
+    const double back = out - plastic(0, 0);
+    check_shown("A6", "250 MPa times these two, 562500 and 291666.6667 J/m³",
+                {sigma_Y / 1e6, sigma_Y * out, sigma_Y * back});
+}
+
+TEST_CASE("A1: checkpoints", "[numbers]")
+{
+    const Vector3d X = Vector3d::Zero(), V = Vector3d::Zero(), w(1, 2, 3), x(1, 0, 0);
+    const Matrix3d block = generalized_mass({Particle{2, x}}, X).bottomRightCorner<3, 3>();
+    CHECK(block.isDiagonal());
+    check_shown("A1", "is diagonal, with 0, 2 and 2.", listed(block.diagonal()));
+    const Vector3d v = point_velocity(V, w, X, x);
+    const Matrix3d of_rotation = velocity_mode_rates(V, v).rightCols<3>();
+    check_shown("A1", "it gives $(-13, 2, 3)$.", listed(of_rotation * w));
+}
+
+TEST_CASE("A3: a checkpoint of a step of Buss", "[numbers]")
+{
+    const Vector3d J(13, 10, 5), w(1, 2, 3);
+    BodyInertia box;
+    box.inverse_mass = 1.0 / 12;
+    box.inverse_inertia = J.cwiseInverse().asDiagonal();
+    RigidState state;
+    state.angular_momentum = J.cwiseProduct(w);
+    const Vector3d w_dot = -box.inverse_inertia * w.cross(state.angular_momentum);
+    const Vector3d turned = w_dot.cross(w);
+    const double h = 0.1;
+    const Vector3d W = w + h / 2 * w_dot + h * h / 12 * turned;
+    check_shown("A3", "| −9.6 | −5.723077 | 7.015385 |", listed(turned));
+    check_shown("A3", "| 1.107385 | 1.875231 | 3.065846 |", listed(W));
+    const Quaternion q = step_buss(state, box, {}, h).orientation;
+    const Quaternion by_hand = advance_exact(state.orientation, W, h);
+    CHECK(std::abs(q.s - by_hand.s) + (q.v - by_hand.v).norm() < 1e-15);
+}
+
+TEST_CASE("A5: a checkpoint of two sweeps", "[numbers]")
+{
+    // 1 kg and 2 m along x
+    Body rod;
+    rod.inverse_mass = 1;
+    rod.inverse_inertia = Vector3d(3, 0, 3).asDiagonal();
+    rod.velocity = Vector3d(0, -1, 0);
+    std::vector<BodyContact> ends(2);
+    ends[0].point = Vector3d(-1, 0, 0);
+    ends[1].point = Vector3d(1, 0, 0);
+    for (BodyContact& end : ends)
+        end.body2 = 1;
+    const auto impulses = [&](int sweeps) {
+        return resolve_simultaneously({rod, Body()}, ends, sweeps).impulses;
+    };
+    check_shown("A5", "| 1 | 0.25 | 0.375 |", {1, impulses(1)[0].y(), impulses(1)[1].y()});
+    check_shown("A5", "| 2 | 0.4375 | 0.46875 |", {2, impulses(2)[0].y(), impulses(2)[1].y()});
+    check_shown("A5", "They approach 0.5 N s each", {impulses(100)[0].y()});
+}
+
+TEST_CASE("A6: a checkpoint of one stretch", "[numbers]")
+{
+    const double E = 200e9, nu = 0.3, sigma_Y = 250e6;
+    const double lambda = E * nu / ((1 + nu) * (1 - 2 * nu)), G = E / (2 * (1 + nu));
+    const Matrix3d strain = Vector3d(0.005, 0, 0).asDiagonal();
+    const Matrix3d plastic =
+        plastic_flow(Matrix3d::Zero(), isotropic_stress(strain, lambda, G), sigma_Y, G);
+    check_shown("A6", "0.00225 along x and −0.001125 along y and z",
+                {plastic(0, 0), plastic(1, 1)});
+}
+
+TEST_CASE("A7: a checkpoint of two tetrahedra", "[numbers]")
+{
+    TetrahedralMesh mesh;
+    mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}};
+    mesh.tetrahedra = {{0, 1, 2, 3}, {4, 1, 3, 2}};
+    CHECK(mesh.vertices.size() == 5);
+    const std::vector<MeshFace> cut = {MeshFace{0, 0}};
+    CHECK(split_along_faces(mesh, cut).mesh.vertices.size() == 8);
+}
