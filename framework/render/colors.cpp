@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The colors of bodies, of overlays and of color scales. The scale follows a path through the Oklab
 // space of Ottosson (2020), in which distances are differences as the eye sees them. The path is
-// cut into steps of equal length, so that equal differences of a value look alike.
+// cut into steps of equal length, so that equal differences of a value look equal.
 #include "render/colors.hpp"
 
 #include <algorithm>

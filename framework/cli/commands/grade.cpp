@@ -138,7 +138,7 @@ std::string points_in_words(const Row& row)
                : row.status;
 }
 
-// Says whose points are not what they were.
+// Adds a submission to the list of changes if its points have changed.
 void note_change(const Row& row, const std::optional<Row>& before,
                  std::vector<std::string>& changes)
 {

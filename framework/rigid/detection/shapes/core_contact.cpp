@@ -203,7 +203,7 @@ void find_ball_mesh_contacts(const Core& core, const SolidMesh& mesh, const Dist
     std::vector<Vector3d> known;
     for (const TriangleTree::Found& found : mesh.triangles().local_minima(c, core.radius + reach)) {
         const Vector3d d = (found.point - c).normalized();
-        constexpr double alike = 0.9; // cosine of 25 degrees
+        constexpr double alike = 0.9; // cosine of 25°; a nearer direction is the same contact
         const bool is_new = std::all_of(known.begin(), known.end(),
                                         [&](const Vector3d& k) { return k.dot(d) < alike; });
         if (!is_new || known.size() >= most_contacts) continue;

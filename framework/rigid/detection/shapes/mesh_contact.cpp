@@ -21,7 +21,8 @@ namespace {
 // The smallest cosine between a contact normal and the gradient of the other shape's distance.
 // Below it, the point belongs to the far side of a thin wall.
 constexpr double opposite = 0.3;
-// Distance, in radii of a node, from which on one point stands for all of its points.
+// At a larger distance, in radii of a node, one point represents all points of the node. A smaller
+// value tests fewer points, but the represented points may be nearer by more.
 constexpr double far = 6;
 // In spacings of the surface points: the radius of a node in which the nearest point stands for
 // all, and the difference of distances below which two points count as equally near.
