@@ -26,7 +26,7 @@ struct Walls {
     bool landlock = false; // whether access to files can be denied
 };
 
-/// The walls that can be put up here, found out once by putting up each. @throws std::system_error
+/// The walls that can be put up here, determined once by trying each. @throws std::system_error
 const Walls& possible_walls();
 
 /// The strongest tier that these walls make.

@@ -38,7 +38,7 @@ SceneAnswers::~SceneAnswers()
         Allowance allowance{Seconds(1)};
         if (at_ == part_.size() && worker_.session_->next_part(allowance).empty()) return;
     } catch (...) {
-        // The scene has ended, so a failure of the worker no longer matters.
+        // The engine needs no more answers, so this failure does not matter.
     }
     worker_.renew();
 }

@@ -12,11 +12,11 @@ namespace rigor {
 
 class SceneAnswers {
 public:
-    /// Lets the worker begin. It must outlive this object, and be asked nothing else meanwhile.
+    /// Starts the run in the worker, which must outlive this object and gets no other request.
     /// @param scene_name  for messages
     /// @param kind        run_scene or advance
     /// @param payload     as `kind` expects it
-    /// @param every_step  whether every step is recorded: what a solid records takes formulas
+    /// @param every_step  whether every step is recorded: a record of a solid calls formulas
     SceneAnswers(Worker& worker, const std::string& scene_name, Request kind, Bytes payload,
                  bool every_step);
     /// Ends the worker's process, unless it is done with the scene too.

@@ -86,7 +86,7 @@ Reply Session::ask(const Question& question, Allowance& allowance)
 }
 
 /// The part of the time that the worker could use: all but its waiting for a processor, and at
-/// least a tenth. Otherwise it could wait for ever behind threads of its own.
+/// least a tenth. Otherwise it could wait forever behind threads of its own.
 Allowance::Seconds Session::usable(Allowance::Seconds passed,
                                    std::optional<Allowance::Seconds>& starved) const
 {

@@ -27,8 +27,8 @@ constexpr double same = 1e-6;
 // point in its middle: this lies almost on the sides, and rounding makes its distances inaccurate.
 constexpr double sliver = 0.05;
 
-// Whether a flat body with the normal -n can touch the surface at one of these vertices, whose
-// points stand for the edges and faces around them then.
+// Whether a flat body with the normal -n can touch the surface at one of these vertices. Then their
+// points represent the edges and faces around them.
 bool is_touched_at(const MeshSurface& surface, std::initializer_list<int> vertices,
                    const Vector3d& n)
 {

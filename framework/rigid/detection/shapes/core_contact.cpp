@@ -67,7 +67,7 @@ struct CoreOf {
 // A local minimum of f between a and b by golden section search (Kiefer 1953).
 template <class Function> double minimum(const Function& f, double a, double b)
 {
-    constexpr double golden = 0.6180339887498949;
+    constexpr double golden = 0.6180339887498949; // (√5 - 1) / 2
     double s = b - golden * (b - a), t = a + golden * (b - a);
     double f_s = f(s), f_t = f(t);
     for (int i = 0; i < golden_steps; ++i) {
