@@ -16,7 +16,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::size_t pipe_size = 65536;
+constexpr std::size_t pipe_size = 65536; // the default capacity of a pipe in Linux [bytes]
 constexpr const char* out_of_turn = "answered out of turn";
 
 } // namespace
