@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The reference is ours and a target of the main build. Every other implementation, student/ too,
+// The reference is trusted and a target of the main build. Every other implementation, student/ too,
 // is built as a submission is.
 #include "grading/build/implementation.hpp"
 

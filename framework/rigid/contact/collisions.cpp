@@ -38,8 +38,8 @@ struct Candidates {
     bool any_approaches = false;
 };
 
-// Whether a contact approaches by nothing but a rotation that does not close it: the front of a
-// wheel that rolls. What gravity adds is left to the contact stage.
+// Whether a contact approaches only by a rotation that does not close it, as at the front of a
+// rolling wheel. What gravity adds is left to the contact stage.
 bool only_turns(const ContactConstraint& c, double v_n)
 {
     const double others = v_n - c.turning_speed;
