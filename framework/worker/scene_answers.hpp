@@ -2,8 +2,9 @@
 // A scene with an implementation's formulas, whose motion the implementation cannot make up: the
 // engine runs in the client. The worker runs the same scene ahead of it, and streams only the
 // answer of each formula in the order of the calls; the client's engine takes these instead of
-// asking for each, which would take far longer. Both engines are the same code and get the same answers, so
-// they call the same formulas. A worker that streams something else has only given wrong answers.
+// asking for each, which would take far longer. Both engines are the same code and get the same
+// answers, so they call the same formulas. A worker that streams something else has only given
+// wrong answers.
 #pragma once
 
 #include "worker/client.hpp"
