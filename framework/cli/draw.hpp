@@ -23,8 +23,8 @@ struct DrawOptions {
 
 void declare_drawing(Options& options, DrawOptions& draw);
 
-/// Checks the options before anything is built or run. @throws InputError for a size or a way to
-/// draw that is not supported
+/// Checks the options before anything is built or run. @throws InputError if the size or
+/// the kind of drawing is not supported
 void check_drawing(const DrawOptions& options);
 
 /// Writes the frames of one scene to a folder and shows a progress bar.

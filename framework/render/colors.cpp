@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The colors of bodies, of overlays and of color scales. The scale follows a path through the Oklab
 // space of Ottosson (2020), in which distances are differences as the eye sees them. The path is
-// cut into steps of equal length, so that equal differences of a value look alike.
+// cut into steps of equal length, so that equal differences of a value look equal.
 #include "render/colors.hpp"
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr int steps = 256;
+constexpr int steps = 256; // with fewer, one would see bands
 
 // Linear sRGB of an Oklab color: lightness and two axes of color. Distances in this space are
 // differences as the eye sees them. Ottosson (2020), "A perceptual color space for image
@@ -43,7 +43,7 @@ Vector3d on_path(double t)
 // Colors at equal distances along the path.
 std::array<Vector4f, steps + 1> even_colors()
 {
-    constexpr int fine = 4096;
+    constexpr int fine = 4096; // pieces for the length of the path; many for each step of the scale
     std::array<double, fine + 1> length{};
     for (int i = 1; i <= fine; ++i)
         length[i] = length[i - 1] + (on_path(static_cast<double>(i) / fine) -

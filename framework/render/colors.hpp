@@ -11,8 +11,8 @@ namespace rigor::colors {
 /// The color of the n-th moving body.
 Vector4f palette(std::size_t n);
 
-/// The color of a quantity from 0 to 1: from dark blue over red to pale yellow, in steps that look
-/// alike. Since its lightness always grows, it can be read without telling hues apart.
+/// The color of a quantity from 0 to 1: from dark blue through red to pale yellow, in steps that
+/// look equal. Since its lightness always grows, it can be read without color vision.
 Vector4f scale(double value);
 
 extern const Vector4f crack;      // surfaces that a crack opened

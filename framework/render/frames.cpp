@@ -233,7 +233,7 @@ void FrameSequence::Pipeline::push(Picture picture)
     if (pushed_ == most_frames)
         throw InputError(
             fmt::format("{}: more than {} frames", options_.directory.string(), most_frames));
-    // After an error nothing is left half written: every stage ends before it is told.
+    // After an error nothing is left half written: every stage ends before it is reported.
     if (!pictures_.push(std::move(picture))) finish();
     ++pushed_;
 }

@@ -36,7 +36,7 @@ struct SurfaceVertex {
 /// Triangles with three vertices each, relative to the middle of their bounds.
 struct Surface {
     std::vector<SurfaceVertex> triangles;
-    /// Contrast between octants in two tones, which show a spin where there are no edges.
+    /// Contrast between the two tones of the octants, which show the rotation of a round body.
     float contrast = 0;
     Vector3f center = Vector3f::Zero(); // the middle in the frame of the shape [m]
     float radius = 0;                   // around the middle [m]

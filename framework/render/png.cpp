@@ -29,7 +29,7 @@ struct FreeCompressor {
 /// Compresses as stb needs it: the result is memory from malloc, its length goes to `size`.
 unsigned char* compress(const unsigned char* data, int length, int* size, int /*quality*/)
 {
-    constexpr int level = 1;
+    constexpr int level = 1; // the fastest; a higher one makes files smaller but takes more time
     const std::unique_ptr<libdeflate_compressor, FreeCompressor> compressor(
         libdeflate_alloc_compressor(level));
     if (!compressor) return nullptr;

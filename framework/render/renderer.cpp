@@ -33,7 +33,7 @@ std::vector<std::filesystem::path> module_paths(Gl gl)
             std::filesystem::path(RIGOR_MODULE_DIR) / file};
 }
 
-/// Loads a module for good, since a graphics library cannot be unloaded and loaded again.
+/// Loads a module permanently, since a graphics library cannot be unloaded and loaded again.
 CreateRenderer load_module(Gl gl)
 {
     std::string reason = "it was not built";

@@ -15,7 +15,7 @@
 namespace rigor {
 namespace {
 
-constexpr int sides = 64; // sides of the polygon that stands for a circle
+constexpr int sides = 64; // sides of the polygon that approximates a circle
 
 struct MeshOf {
     TriangleMesh operator()(const Capsule& c) const

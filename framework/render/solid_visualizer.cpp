@@ -107,7 +107,7 @@ void SolidVisualizer::draw(Picture& picture, const Frame& frame) const
 void SolidVisualizer::add_color_scale(Picture& picture, const std::array<double, 2>& range) const
 {
     ColorScale& scale = picture.color_scale.emplace();
-    constexpr int steps = 128;
+    constexpr int steps = 128; // colors of the bar; with fewer, one would see bands
     for (int i = 0; i < steps; ++i)
         scale.colors.push_back(colors::scale((i + 0.5) / steps));
     const auto [low, high] = range;

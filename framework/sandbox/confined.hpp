@@ -78,7 +78,7 @@ public:
     pid_t program() const { return program_; }
 
     /// The first call of the program that was not allowed. The program, or one that it started,
-    /// waits for ever then. Without a listener the program was killed by SIGSYS instead.
+    /// waits forever then. Without a listener the program was killed by SIGSYS instead.
     std::optional<int> blocked_call();
 
     /// Becomes readable when a call was blocked; -1 without a listener.

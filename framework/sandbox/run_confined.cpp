@@ -62,7 +62,7 @@ private:
         const double left = std::max(0.0, limits_.time.count() - seconds());
         poll(waiting, 3, static_cast<int>(1000 * std::min(left, 3600.0)) + 1);
         has_ended_ = waiting[0].revents != 0;
-        // A listener whose processes have all ended would be ready for ever.
+        // A listener whose processes have all ended would be ready forever.
         if (waiting[2].revents & POLLHUP) listener_is_open_ = false;
     }
 

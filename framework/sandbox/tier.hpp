@@ -23,10 +23,10 @@ struct Walls {
     bool another_user = false;
     bool filter = false;   // whether system calls can be filtered (seccomp)
     bool listener = false; // whether the grader learns which call was blocked
-    bool landlock = false; // whether files can be taken away
+    bool landlock = false; // whether access to files can be denied
 };
 
-/// The walls that can be put up here, found out once by putting up each. @throws std::system_error
+/// The walls that can be put up here, determined once by trying each. @throws std::system_error
 const Walls& possible_walls();
 
 /// The strongest tier that these walls make.

@@ -127,7 +127,7 @@ Bytes Worker::ask(const Question& question, Allowance& allowance)
     return std::move(reply.payload);
 }
 
-/// Throws what a reply without a result says.
+/// Throws the error that a reply without a result reports.
 void Worker::refuse(const Reply& reply)
 {
     switch (reply.status) {

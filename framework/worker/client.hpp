@@ -29,7 +29,7 @@ public:
 
     /// The encoded result of a formula on encoded arguments.
     /// @param largest  largest size of an encoded result [bytes]
-    /// A formula that did not return twice is not asked again.
+    /// A formula that has twice not returned in time is not called again.
     /// @throws NotImplemented, FormulaMissing, WorkerFailure
     Bytes call(FormulaIndex formula, std::span<const std::byte> arguments, std::size_t largest);
 

@@ -10,7 +10,8 @@
 
 namespace rigor {
 
-/// There was no answer. what() is a sentence, `A4.10 apply_impulse crashed: segmentation fault`.
+/// The worker gave no answer. what() is a sentence:
+/// `A4.10 apply_impulse crashed: segmentation fault`.
 struct WorkerFailure : std::runtime_error {
     enum Cause {
         crashed,   // a signal ended or stopped the process

@@ -23,7 +23,7 @@ inline constexpr double patience = is_sanitized ? 20 : 1;
 
 /// Whose formulas a worker runs. It decides which walls there are around it.
 enum class Trust {
-    ours,     // the reference, or scenes for its author's own eyes: limits on resources only
+    ours,     // the reference, or scenes of the author's own code: limits on resources only
     students, // formulas that are graded: the walls of the usual tier; needs a static worker
 };
 

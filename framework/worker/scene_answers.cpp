@@ -38,7 +38,7 @@ SceneAnswers::~SceneAnswers()
         Allowance allowance{Seconds(1)};
         if (at_ == part_.size() && worker_.session_->next_part(allowance).empty()) return;
     } catch (...) {
-        // Whatever it is, the engine did not need it.
+        // The engine needs no more answers, so this failure does not matter.
     }
     worker_.renew();
 }

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// A scene with an implementation's formulas, whose motion is not the implementation's word. The
-// engine runs on our side. The worker runs the same scene ahead of it, and streams nothing but the
-// answer of each formula in the order of the calls; our engine takes these instead of asking for
-// each, which would take far longer. Both engines are the same code and get the same answers, so
-// they call the same formulas. A worker that streams something else has only given wrong answers.
+// A scene with an implementation's formulas, whose motion the implementation cannot make up: the
+// engine runs in the client. The worker runs the same scene ahead of it, and streams only the
+// answer of each formula in the order of the calls; the client's engine takes these instead of
+// asking for each, which would take far longer. Both engines are the same code and get the same
+// answers, so they call the same formulas. A worker that streams something else has only given
+// wrong answers.
 #pragma once
 
 #include "worker/client.hpp"
@@ -12,11 +13,11 @@ namespace rigor {
 
 class SceneAnswers {
 public:
-    /// Lets the worker begin. It must outlive this object, and be asked nothing else meanwhile.
+    /// Starts the run in the worker, which must outlive this object and gets no other request.
     /// @param scene_name  for messages
     /// @param kind        run_scene or advance
     /// @param payload     as `kind` expects it
-    /// @param every_step  whether every step is recorded: what a solid records takes formulas
+    /// @param every_step  whether every step is recorded: a record of a solid calls formulas
     SceneAnswers(Worker& worker, const std::string& scene_name, Request kind, Bytes payload,
                  bool every_step);
     /// Ends the worker's process, unless it is done with the scene too.

@@ -16,7 +16,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::size_t pipe_size = 65536;
+constexpr std::size_t pipe_size = 65536; // the default capacity of a pipe in Linux [bytes]
 constexpr const char* out_of_turn = "answered out of turn";
 
 } // namespace
@@ -86,7 +86,7 @@ Reply Session::ask(const Question& question, Allowance& allowance)
 }
 
 /// The part of the time that the worker could use: all but its waiting for a processor, and at
-/// least a tenth. Otherwise it could wait for ever behind threads of its own.
+/// least a tenth. Otherwise it could wait forever behind threads of its own.
 Allowance::Seconds Session::usable(Allowance::Seconds passed,
                                    std::optional<Allowance::Seconds>& starved) const
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A round body that rolls without slipping on a level ground keeps its speed for ever: the contact
+// A round body that rolls without slipping on a level ground keeps its speed forever: the contact
 // point is at rest, and no force does work there.
 #include "framework/rigid/worlds.hpp"
 

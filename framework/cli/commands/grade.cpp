@@ -134,7 +134,7 @@ std::string points_in_words(const Row& row)
                : row.status;
 }
 
-// Says whose points are not what they were.
+// Adds a submission to the list of changes if its points have changed.
 void note_change(const Row& row, const std::optional<Row>& before,
                  std::vector<std::string>& changes)
 {
@@ -180,7 +180,7 @@ int grade(const GradeOptions& options)
     if (options.submissions.empty())
         throw InputError("expected submissions: folders, archives, or a folder of them");
     if (options.out.empty()) throw InputError("expected --out DIR, the folder for the results");
-    jobs_of(options); // a wrong number is told before anything is done
+    jobs_of(options); // a wrong number is reported before anything is done
     require_outside(options.out, options.submissions);
     const FoundSubmissions found =
         find_submissions(options.submissions, selection.assignment.topic + ".cpp",

@@ -15,7 +15,7 @@ struct RigidColliders {
 
     /// Moves the surfaces by a substep [s].
     void advance(double time_step);
-    /// Writes the velocities after the impulses to the world, and wakes the bodies that got any.
+    /// Writes the velocities after the impulses to the world, and wakes the bodies that got one.
     void apply_to(World& to, double time_step) const;
     /// Whether a body is in contact with other rigid bodies, or asleep.
     bool has_supports(int body) const;

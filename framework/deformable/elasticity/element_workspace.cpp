@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Prepares the elements of a solid and finds their neighbours through faces. Stresses are smoothed
+// only over neighbours through faces without a crack.
 #include "deformable/elasticity/element_workspace.hpp"
 
 #include "geometry/tetrahedra/tetrahedra.hpp"

@@ -126,7 +126,7 @@ struct PolarPair {
             a[0][2] - (w[1] * S.zz - w[2] * S.yz), a[1][2] - (w[2] * S.xz - w[0] * S.zz)};
 }
 
-// axial(σ S - S σ)
+// The axial vector of the skew-symmetric matrix σ S - S σ.
 [[gnu::always_inline]] inline void commutator(const Symmetric& p, const Symmetric& S, Two (&c)[3])
 {
     const Two zy = p.xz * S.xy + p.yz * S.yy + p.zz * S.yz,

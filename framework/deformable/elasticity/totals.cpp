@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Computes mass, momenta and kinetic energy of a solid as sums over its nodes, then volume and
+// elastic energy as sums over its elements.
 #include "deformable/elasticity/totals.hpp"
 
 #include "deformable/elasticity/element.hpp"

@@ -16,7 +16,7 @@ bool relax_element(Deformable& solid, int element);
 /// Separates elements that have been inverted for too long along all their faces, and relaxes them.
 ///
 /// The elastic force on an inverted element is bounded, so neighbours at the limit of their plastic
-/// strain can hold it inverted for ever. The time does not count for elements with a node that a
+/// strain can hold it inverted forever. The time does not count for elements with a node that a
 /// handle holds.
 /// @return whether there were any; earlier strains are then out of date
 bool separate_inverted_elements(Deformable& solid, const ElementWorkspace& work,

@@ -19,7 +19,7 @@ namespace {
 // above the penetration that rounding and the tolerance of the linear solve leave for a tied node.
 constexpr double penetration_tolerance = 1e-6;
 // A sliding contact needs no further round if the relative error of its friction force is below
-// this.
+// this. A smaller value takes more solves of the linear system.
 constexpr double friction_tolerance = 1e-3;
 // The largest damping of a sliding contact, divided by the trace of its node's block of the matrix.
 // At this damping the node hardly slides, and a larger value would make the system ill-conditioned,

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Keeps the data that a step derives from a solid. If the mesh or the material has changed, all of
+// it is made again; otherwise only the plastic strains are copied.
 #include "deformable/motion/workspace.hpp"
 
 #include "geometry/tetrahedra/tetrahedra.hpp"

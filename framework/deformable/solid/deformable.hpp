@@ -54,7 +54,7 @@ struct HandleMoment {
 /// Nodes whose motion is prescribed, in some or all of x, y and z.
 struct Handle {
     std::vector<int> nodes;
-    std::vector<Vector3d> first_places; // initial places [m]; if empty, set at the first step
+    std::vector<Vector3d> first_places; // initial positions [m]; if empty, set at the first step
     std::array<bool, 3> axes = {true, true, true}; // the coordinates that it prescribes
     Vector3d pivot = Vector3d::Zero();             // world space [m]
     std::vector<HandleMoment> path;                // times ascending; if empty, held in place

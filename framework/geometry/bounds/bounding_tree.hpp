@@ -16,7 +16,8 @@ namespace rigor {
 /// steps, and the tree depends on the boxes alone.
 class BoundingTree {
 public:
-    static constexpr int leaf_size = 4; // items in a leaf, at most
+    /// The largest number of items in a leaf: `OverlapTree` compares four boxes at once.
+    static constexpr int leaf_size = 4;
 
     /// A node comes before all nodes below it: the children of node i are i + 1 and `right`.
     struct Node {

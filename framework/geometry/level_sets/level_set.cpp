@@ -132,9 +132,12 @@ LevelSet make_level_set(const TriangleMesh& mesh, int cells)
 
 int suggested_cells(const TriangleMesh& mesh)
 {
-    constexpr double least = 32, most = 64; // cells along the longest side
-    constexpr double across = 3;            // cells across a wall
-    constexpr double quantile = 0.1;        // share of the surface that may have thinner walls
+    // Cells along the longest side: fewer lose detail, more take time and memory.
+    constexpr double least = 32, most = 64;
+    // Cells across a wall. With fewer, interpolation would mix the distances of its two sides.
+    constexpr double across = 3;
+    // Share of the surface that may have thinner walls, so that a thin rim does not decide.
+    constexpr double quantile = 0.1;
     const TriangleTree tree(mesh);
     std::vector<std::pair<double, double>> walls; // thickness, area
     double area = 0;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Splits the text of a mesh into tokens, one at a time, and counts the lines. Numbers are checked
+// when they are read.
 #include "geometry/mesh_files/tokenizer.hpp"
 
 #include "geometry/mesh_files/mesh_text.hpp"

@@ -23,12 +23,12 @@ constexpr double sharp = 0.17;
 // their cosine is. It is far above the rounding of normals and far below any angle that matters.
 constexpr double same = 1e-6;
 
-// Height of a sliver as a fraction of its longest side. Its middle is as good as on its sides, and
-// the nearest point on it is subject to much rounding.
+// A triangle is a sliver if its height is below this fraction of its longest side. It needs no
+// point in its middle: this lies almost on the sides, and rounding makes its distances inaccurate.
 constexpr double sliver = 0.05;
 
-// Whether a flat body with the normal -n can touch the surface at one of these vertices, whose
-// points stand for the edges and faces around them then.
+// Whether a flat body with the normal -n can touch the surface at one of these vertices. Then their
+// points represent the edges and faces around them.
 bool is_touched_at(const MeshSurface& surface, std::initializer_list<int> vertices,
                    const Vector3d& n)
 {

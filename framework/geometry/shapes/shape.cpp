@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Computes the volume of each shape in closed form. The volume of a mesh is stored with the mesh.
 #include "geometry/shapes/shape.hpp"
 
 #include "geometry/shapes/solid_mesh.hpp"

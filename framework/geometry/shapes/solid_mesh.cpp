@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Computes the data that contacts need of a mesh. Bounds, volume, radius and convexity are computed
+// at once; the hull, the surface points, the tree and the level set when they are first needed.
 #include "geometry/shapes/solid_mesh.hpp"
 
 #include "geometry/level_sets/level_set.hpp"

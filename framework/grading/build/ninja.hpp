@@ -21,7 +21,7 @@ struct NinjaRun {
     double seconds = 0;
 };
 
-/// Longest time to compile a single file [s]. Student code can keep a compiler busy for ever.
+/// Longest time to compile a single file [s]. Student code can keep a compiler busy forever.
 inline constexpr double compile_limit = 120;
 
 /// Runs ninja in the build folder.

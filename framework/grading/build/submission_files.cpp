@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// The longest file of the reference has some 20 kB.
+// The longest file of the reference has about 20 kB.
 constexpr std::size_t longest_file = std::size_t{1} << 20; // [bytes]
 constexpr std::size_t most_files = 200;
 constexpr int deepest = 4; // folders below the submission's own

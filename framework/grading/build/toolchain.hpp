@@ -38,8 +38,8 @@ struct ToolRun {
 /// @throws std::system_error if it cannot be started behind these walls
 ConfinedRun run_tool(const ToolRun& tool);
 
-/// Why a worker does not get as far as its main function; empty if it does. Objects that a file
-/// defines globally are made before.
+/// Why a worker does not reach its main function; empty if it does. Global objects are constructed
+/// before, and a student's constructor may fail.
 std::string why_it_does_not_start(const std::filesystem::path& worker);
 
 /// Moves a file that a tool made to a place of ours. It is a copy, which is ours alone.

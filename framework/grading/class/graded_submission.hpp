@@ -22,13 +22,13 @@ ResultFiles unpacked(const std::string& text);
 
 /// Takes the files of a submission, builds a worker from them and runs the tests.
 /// @param place  a folder for the files, new
-/// @throws std::runtime_error with the reason if it could not be graded for a fault of ours
+/// @throws std::runtime_error with the reason if a fault of the framework prevents grading
 ResultFiles graded_submission(const Selection& selection, const Submission& submission,
                               const GradingRun& run, const std::filesystem::path& place,
                               const std::string& fingerprint);
 
-/// The files about a submission that could not be graded for a fault of ours. They have no
-/// fingerprint, so the next run tries again.
+/// The files about a submission that could not be graded because of a fault of the framework. They
+/// have no fingerprint, so the next run tries again.
 ResultFiles faulty_submission(const Selection& selection, const Submission& submission,
                               const GradingRun& run, const std::string& fault);
 

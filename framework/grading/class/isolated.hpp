@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Work in processes of its own: a crash of ours costs only what crashed. A process costs a
+// Work in processes of its own: a crash of the framework costs only what crashed. A process costs a
 // millisecond, and threads would share the crash.
 #pragma once
 

@@ -10,7 +10,7 @@
 
 namespace rigor {
 
-/// The most that a submission may hold. A solution has some files of some 20 kB each; build folders
+/// The most that a submission may hold. A solution has a few files of about 20 kB; build folders
 /// and pictures beside it should not matter.
 struct Limits {
     std::size_t entries = 10'000;                          // files and folders

@@ -93,7 +93,7 @@ public:
             throw InputError("expected a folder or an archive, found no file " + in_quotes(text));
         if (!fs::is_directory(path)) return add(path);
         const Listing listing = listing_of(path);
-        if (is_only_path && listing.is_empty()) return; // which is told as no submission
+        if (is_only_path && listing.is_empty()) return; // reported as no submission
         if (!holds_many(path, listing, wanted_, is_only_path)) return add(path);
         for (const fs::path& folder : listing.folders)
             add(folder);

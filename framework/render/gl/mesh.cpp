@@ -79,7 +79,7 @@ std::vector<SurfaceVertex> ball_mesh(int levels)
 
 std::vector<SurfaceVertex> rod_mesh(bool pointed)
 {
-    constexpr int sides = 16;
+    constexpr int sides = 16; // more would make rods rounder, but take time; rods are thin
     const Vector3f top = Vector3f::UnitZ();
     std::vector<SurfaceVertex> mesh;
     const auto rim = [](int side) {

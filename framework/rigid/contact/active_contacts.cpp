@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Selects the contacts of an island that an impulse can change, and sets their target speeds.
+// Several threads visit ranges of pairs, and their lists are joined in the order of the pairs.
 #include "rigid/contact/active_contacts.hpp"
 
 #include "rigid/contact/position_correction.hpp"

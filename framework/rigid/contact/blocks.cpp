@@ -17,8 +17,12 @@ namespace {
 // A large island is divided into 4 or 8 slabs with the same number of bodies, one of which is split
 // into halves that lie at the two ends. So two or four threads share the slabs evenly, and also the
 // borders between neighbouring slabs, first every second border and then the others.
-constexpr std::size_t bodies_of_a_slab = 48; // least number of bodies in a slab
-constexpr int most_fours = 2;                // at most this many times four slabs
+// Least number of bodies in a slab. Smaller slabs would let threads share smaller islands, but more
+// of the pairs would lie between two slabs.
+constexpr std::size_t bodies_of_a_slab = 48;
+// At most this many times four slabs: eight slabs are enough for four threads, and more slabs have
+// more pairs between them.
+constexpr int most_fours = 2;
 
 // The slab of each body of an island. The slabs lie side by side along the longest horizontal
 // extent of the island. All have the same number of bodies, except the first and the last, which

@@ -14,13 +14,19 @@ namespace rigor {
 
 namespace {
 
-// Sweeps over the pairs of an island. Contacts that still approach are left to the contact stage.
+// The largest number of sweeps over the pairs of an island, and of bounces of one pair in a sweep.
+// More of them would let an impact pass through more bodies with restitution, but take more time.
+// Contacts that still approach are left to the contact stage.
 constexpr int most_sweeps = 10;
-constexpr int most_rounds = 4;       // bounces of one pair in a sweep
-constexpr double equally_deep = 0.9; // as a fraction of the deepest point's depth
-constexpr double same_normal = 1e-9; // largest 1 - n·n' of two points on one face
-// An approach speed below this share of the speed by rotation does not count as an approach of the
-// body: the rotation of a step predicts the speed only to first order.
+constexpr int most_rounds = 4;
+// Points whose depths have at least this ratio are averaged. With a larger value, a box that is
+// hardly tilted would bounce on one corner; with a smaller one, a tilted box would bounce as if it
+// were level.
+constexpr double equally_deep = 0.9;
+constexpr double same_normal = 1e-9; // largest 1 - n·n' of two points on one face, for rounding
+// A rolling wheel's point approaches by its rotation without closing the gap (`turning_speed`). The
+// rest of its approach speed is ignored below this share of that part, because the rotation of a
+// step predicts the speed only to first order.
 constexpr double negligible_share = 0.1;
 // The same where rounding alone makes a speed differ from zero.
 constexpr double rounding_share = negligible_share * 1e-9;
@@ -32,8 +38,8 @@ struct Candidates {
     bool any_approaches = false;
 };
 
-// Whether a contact approaches by nothing but a rotation that does not close it: the front of a
-// wheel that rolls. What gravity adds is left to the contact stage.
+// Whether a contact approaches only by a rotation that does not close it, as at the front of a
+// rolling wheel. What gravity adds is left to the contact stage.
 bool only_turns(const ContactConstraint& c, double v_n)
 {
     const double others = v_n - c.turning_speed;

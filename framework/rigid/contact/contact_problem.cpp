@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Computes quantities that several stages of contact need. Those of islands come first, then the
+// impulse matrices of contacts, and last the change of two bodies by an impulse.
 #include "rigid/contact/contact_problem.hpp"
 
 #include "rigid/bodies/height_order.hpp"

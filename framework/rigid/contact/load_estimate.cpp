@@ -11,8 +11,10 @@ namespace rigor {
 
 namespace {
 
-constexpr double least_slope = 0.3; // least |n·up| of a contact that carries weight
-constexpr double touching = 1e-6;   // largest gap of touching bodies, in radii; allows for rounding
+// Least |n·up| of a contact that carries weight: its tangent plane is less than 73° from level.
+// Otherwise walls would get large impulses. The value changes only the start of the sweeps.
+constexpr double least_slope = 0.3;
+constexpr double touching = 1e-6; // largest gap of touching bodies, in radii; allows for rounding
 
 // A body, the body that it rests on, and the contact between them.
 struct Support {

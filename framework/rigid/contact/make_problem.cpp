@@ -88,9 +88,9 @@ Vector3d rolling_turn(const World& world, const ContactProblem& problem, int i)
     return problem.time_step * problem.bodies[i].angular_velocity;
 }
 
-// The part of v·n by which the rotations of rolling bodies seem to close the gap, but do not
-// (`turning_speed` and `passes_by`). On a line the point may meet the other body; on its circle it
-// stays clear, up to a small part of the distance between line and circle.
+// Finds the part of v·n with which the rotation of rolling bodies moves a point towards the other
+// body without closing the gap (`turning_speed`, `passes_by`). A point that moves on along a
+// straight line may reach the other body, although on its real path, a circle, it does not.
 void set_turning(const World& world, const ContactProblem& problem, ContactConstraint& c)
 {
     // Share of the bend by which the circle may come nearer than the computed clearance: the bend

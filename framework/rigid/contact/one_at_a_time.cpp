@@ -21,7 +21,10 @@ constexpr int iterations = 10; // for each of the two formulas, as in the paper
 // With ten iterations alone, a seesaw's plank passed on only half of a heavy body's weight.
 constexpr double enough_share = 0.02;
 constexpr int growth = 4, most_visits = 4000;
-constexpr double least_slope = 0.3; // least n·up of a contact that carries weight
+// Least n·up of a contact that carries weight: its tangent plane is less than 73° from level. A
+// smaller value would count walls as supports, a larger one would leave steep supports out of the
+// contact graph.
+constexpr double least_slope = 0.3;
 
 // For each body, the bodies on which it rests: those whose contacts push it upwards.
 std::vector<std::vector<int>> supports(const ContactProblem& problem, const LocalIsland& local)

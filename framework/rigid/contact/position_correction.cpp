@@ -16,13 +16,17 @@ namespace rigor {
 
 namespace {
 
-constexpr double corrected_fraction = 0.2; // share of the excess overlap per step
-constexpr double correction_rate = 1;      // limit, in radii of the smaller body per second [1/s]
+// The share of the excess overlap that a step removes, and a limit of the speed of this correction,
+// in radii of the smaller body per second [1/s]. Larger values remove penetration sooner, but
+// heaps jitter and bodies that overlap deeply jump apart.
+constexpr double corrected_fraction = 0.2;
+constexpr double correction_rate = 1;
 // Overlap that is left, as a fraction of the radius. In a stack it has the size of rounding errors;
 // in a heap it is the slop that lets the heap come to rest.
 constexpr double rounding_slop = 1e-6, heap_slop = 1e-4;
 constexpr double weightless_slop = 1e-3; // without gravity, where a correction adds energy
-// The number of sweeps visits about most_visits rows in all, within these bounds.
+// There are as many sweeps, within these bounds, as visit about `most_visits` rows in all. More of
+// them take more time; fewer leave more of the overlap of a large island to the next steps.
 constexpr int most_visits = 2000, fewest_sweeps = 4, most_sweeps = 20;
 
 using namespace optimised;

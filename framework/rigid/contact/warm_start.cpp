@@ -14,7 +14,9 @@ namespace rigor {
 
 namespace {
 
-constexpr double near_fraction = 0.1; // largest distance of a match, in radii
+// Largest distance of a match, in radii of the smaller body. A larger value would match different
+// contacts, a smaller one would lose the impulses of contacts that move over a surface.
+constexpr double near_fraction = 0.1;
 
 template <class C> std::pair<int, int> bodies_of(const C& contact)
 {

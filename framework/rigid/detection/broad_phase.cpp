@@ -28,7 +28,7 @@ bool reaches(const RigidBody& unbounded, const Pose& pose, const Bounds& bounds)
     });
 }
 
-// Up to so many bodies or pairs, comparing all is faster than a tree or a counting sort.
+// Up to this many bodies or pairs, comparing all is faster than a tree or a counting sort.
 constexpr std::size_t few = 12;
 
 BodyPair pair_of(int i, int j)

@@ -139,7 +139,9 @@ std::vector<double> margins_of(const ContactSearch& search, const std::vector<Bo
     bodies.reserve(all.size());
     for (const RigidBody& body : all)
         bodies.push_back(impulse_body(body));
-    constexpr int most_rounds = 8;           // bodies that an impulse passes through in a step
+    // The number of bodies that an impulse passes through in a step. More rounds would widen the
+    // margins of longer chains, and take more time.
+    constexpr int most_rounds = 8;
     constexpr std::size_t grain_size = 1024; // pairs
     ImpulsePropagation propagation{bodies, search.travels, std::vector<char>(bodies.size(), true)};
     bool any = true;

@@ -136,7 +136,7 @@ void fly_by_runge_kutta(const World& world, AppliedWrenches& wrenches,
 }
 
 // The splitting method of Blanes and Moan (2002), in which impulses (kicks) and free flights
-// alternate; see the header.
+// alternate; see the header. The coefficients are fractions of the step.
 void fly_by_splitting(const World& world, AppliedWrenches& wrenches, std::span<const int> together,
                       std::vector<RigidState>& states, double h, double middle)
 {

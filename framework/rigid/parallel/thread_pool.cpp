@@ -50,7 +50,7 @@ constexpr int most_tasks = 0xffff; // what from_first and from_last can count
 class ThreadPool::Workers {
 public:
     ~Workers();
-    /// Does all tasks of a work, with so many workers beside the calling thread.
+    /// Does all tasks, with this number of workers in addition to the calling thread.
     void run(int workers, int tasks, const void* what, Call call);
 
 private:

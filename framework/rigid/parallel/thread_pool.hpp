@@ -34,7 +34,9 @@ public:
                        [](const void* what, int k) { (*static_cast<const Work*>(what))(k); });
     }
 
-    /// Calls work(first, last) for ranges that cover [0, count), each of at least `grain_size`.
+    /// Calls work(first, last) for ranges that cover [0, count), each of at least `grain_size`. A
+    /// larger grain size costs less time to hand out the ranges, a smaller one lets threads share
+    /// less work: the cheaper an item is, the larger its callers choose it.
     template <class Work>
     void for_each_range(std::size_t count, std::size_t grain_size, const Work& work)
     {
@@ -92,7 +94,7 @@ public:
     struct Range {
         std::size_t first = 0, last = 0;
     };
-    /// Range k of so many equal ones that cover [0, count).
+    /// Range k of `ranges` equal ranges that cover [0, count).
     static Range range(std::size_t count, int ranges, int k);
 
 private:

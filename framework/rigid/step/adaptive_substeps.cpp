@@ -22,7 +22,8 @@ namespace {
 // Largest island that may be refined; larger ones cost too much.
 constexpr std::size_t most_bodies = 32;
 // Allowed new overlap, as a fraction of the thinner body's thickness: where bodies rotate into each
-// other, and where the solver left some approach speed.
+// other, and where the solver left some approach speed. Smaller values repeat more steps, larger
+// ones leave more penetration.
 constexpr double overlap_by_turn = 0.005, overlap_by_speed = 0.05;
 
 // The smallest extent of a body's thinnest part [m].

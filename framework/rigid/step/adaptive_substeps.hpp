@@ -18,7 +18,8 @@ struct Refinement {
 /// Does a step of a world and returns its contacts.
 using Step = std::function<std::vector<ContactRecord>(World& world, double time_step)>;
 
-inline constexpr int most_halvings = 10; // how often a step may be halved again and again
+/// How often a step may be halved. The limit guards the time: the shortest substep is a 1024th.
+inline constexpr int most_halvings = 10;
 
 /// Repeats the step of an island in two halves if it left two bodies overlapping.
 ///

@@ -48,7 +48,8 @@ bool is_of_higher_order(Integrator integrator)
 bool holds_along_fixed_normals(const ContactProblem& problem, const Island& island,
                                const std::vector<Body>& before)
 {
-    // A normal velocity above this fraction of the speed means that the contact opens or closes.
+    // A normal velocity above this fraction of the speed means that the contact opens or closes; a
+    // smaller one is rounding.
     constexpr double opens = 1e-9;
     for (const ContactPair& pair : island.pairs)
         for (int i = pair.first; i < pair.last; ++i) {

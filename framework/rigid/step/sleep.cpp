@@ -12,11 +12,14 @@ namespace rigor {
 
 namespace {
 
-constexpr double needed_rest = 0.5; // least time at rest before a body sleeps [s]
-// Most of it that the step which led to a new place may count for. With a longer step, a body that
+// Least time at rest before a body sleeps [s]. With a shorter time, a body would sleep at a turning
+// point of its motion; a longer one costs steps of bodies at rest.
+constexpr double needed_rest = 0.5;
+// The largest time that the step to a new place counts as rest [s]. With a longer step, a body that
 // moves would sleep at once.
 constexpr double first_rest = needed_rest / 2;
-// Largest move, in radii, and largest rotation [rad] of a body at rest.
+// Largest move, in radii, and largest rotation [rad] of a body at rest. With a larger value, bodies
+// that creep would sleep; with a smaller one, the errors of the solver would keep heaps awake.
 constexpr double rest_fraction = 1e-4;
 
 bool is_near(const RigidState& a, const RigidState& b, double radius)

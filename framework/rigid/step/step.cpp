@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// Advances a world by one time step in the order of Guendelman, Bridson and Fedkiw (2003):
+// collisions, velocities, contact, positions. Free flight and the search for contacts come first.
+// Last, lone bounces are computed at their exact times, islands with too much overlap are repeated
+// in two halves, and islands at rest fall asleep.
 #include "rigid/step/step.hpp"
 
 #include "rigid/bodies/non_finite.hpp"

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Collects the contacts of a step, including those of islands that took substeps, and counts them.
+// Then it gives the world its new states and the impulses for the next warm start.
 #include "rigid/step/step_result.hpp"
 
 #include "rigid/bodies/non_finite.hpp"

@@ -77,7 +77,7 @@ constexpr Rule worker_table[] = {
     {SYS_exit, allowed},
     {SYS_exit_group, allowed},
 
-    // Its own numbers.
+    // The numbers of its own process and user.
     {SYS_getpid, allowed},
     {SYS_gettid, allowed},
     {SYS_getuid, allowed},

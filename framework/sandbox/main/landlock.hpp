@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Landlock: a process gives up all access to files except below some paths, for ever. It needs no
+// Landlock: a process gives up all access to files except below some paths, forever. It needs no
 // privilege.
 #pragma once
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Each wall is put up in a child process, since it stays for ever. A wall of which only the name is
+// Each wall is put up in a child process, since it stays forever. A wall of which only the name is
 // there (a container may forbid a call that its kernel has) is found out in this way.
 #include "sandbox/main/probe.hpp"
 

@@ -6,7 +6,7 @@
 
 namespace rigor::confine {
 
-/// Puts the rules in force for this process and all that it starts, for ever. Calls without a rule
+/// Puts the rules in force for this process and all that it starts, forever. Calls without a rule
 /// get the verdict `others`. A refused call waits for the grader if `notify`; otherwise it kills
 /// the process.
 /// @return the listener through which the grader learns of refused calls; -1 without `notify`

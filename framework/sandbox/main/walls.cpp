@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Whatever needs privileges comes first: a root folder of its own, another user. Then privileges
-// are dropped for ever, limits are set, Landlock takes away the files, and last the filter takes
-// away the calls that all of this needed. So the filter is in force before the program's first
+// are dropped forever, limits are set, Landlock denies access to files, and last the filter blocks
+// the calls that all of this needed. So the filter is in force before the program's first
 // instruction.
 #include "sandbox/main/walls.hpp"
 

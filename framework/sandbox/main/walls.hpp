@@ -13,7 +13,7 @@ namespace rigor::confine {
 /// Takes another user and group, without any privilege.
 void change_user(unsigned user);
 
-/// Gives up all capabilities, for ever.
+/// Gives up all capabilities, forever.
 void drop_capabilities();
 
 } // namespace rigor::confine

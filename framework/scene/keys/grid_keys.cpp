@@ -14,7 +14,7 @@ namespace rigor {
 
 namespace {
 
-// Random numbers that are the same bits on every platform (Steele, Lea and Flood 2014, "Fast
+// Random numbers with the same bits on every platform (Steele, Lea and Flood 2014, "Fast
 // splittable pseudorandom number generators").
 class Jitter {
 public:

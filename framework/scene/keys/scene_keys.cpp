@@ -24,6 +24,7 @@ namespace rigor {
 
 namespace {
 
+// Longer files and runs are refused: the limits guard memory and time.
 constexpr std::uintmax_t most_bytes = 16'000'000;
 constexpr double most_steps = 10'000'000;
 

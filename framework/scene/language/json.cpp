@@ -16,6 +16,7 @@ namespace {
 
 // An object may name as many meshes as this, and each new key is compared with all before.
 constexpr std::size_t most_keys = 1000;
+// Larger texts and deeper nesting are refused: the limits guard time and memory.
 constexpr std::size_t most_values = 1'000'000, most_levels = 32;
 
 // The number of newlines that the parser has read, and the last character.

@@ -13,6 +13,8 @@ namespace rigor {
 
 namespace {
 
+// Larger numbers are refused: the limit guards products against overflow. Each number has the unit
+// of its key.
 constexpr double largest = 1e12;
 
 } // namespace

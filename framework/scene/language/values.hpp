@@ -15,6 +15,8 @@
 
 namespace rigor {
 
+/// Smaller numbers are refused where a number must be positive: the limit guards quotients against
+/// overflow. Each number has the unit of its key.
 constexpr double smallest_number = 1e-12;
 
 double number(const Value& value, std::string_view what = "a number");

@@ -21,6 +21,8 @@ namespace rigor {
 
 namespace {
 
+// Larger mesh files, and scenes that are larger with their meshes, are refused: the limits guard
+// memory.
 constexpr std::uintmax_t most_mesh_bytes = 64'000'000, most_scene_bytes = 16'000'000;
 
 // A mesh file that the scene names.

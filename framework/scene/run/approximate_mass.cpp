@@ -17,6 +17,7 @@ namespace rigor {
 
 namespace {
 
+// More cells or samples approximate the mass better, but take more time.
 constexpr int default_cells = 20;      // along the longest edge
 constexpr int default_samples = 10000; // random points
 

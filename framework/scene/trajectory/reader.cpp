@@ -14,6 +14,7 @@ namespace rigor {
 
 namespace {
 
+// Larger counts are refused as damaged, before memory is reserved for them.
 constexpr std::size_t most_name_bytes = 255, most_text_bytes = 16'000'000,
                       most_contacts = 1'000'000;
 

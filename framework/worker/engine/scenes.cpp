@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Runs scenes with the formulas of the implementation. For a client that grades, the engine's own
-// results are thrown away: what counts are the answers of the formulas, in the order of the calls.
+// results are discarded: what counts are the answers of the formulas, in the order of the calls.
 #include "worker/engine/scenes.hpp"
 
 #include "rigid/bodies/non_finite.hpp"

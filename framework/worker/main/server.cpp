@@ -99,6 +99,7 @@ void Server::reply_text(ReplyStatus status, std::string text)
 // most writes: it also looks by itself from time to time.
 void Server::stream(std::span<const std::byte> bytes)
 {
+    // Less is not announced alone: each wake-up costs a system call.
     constexpr std::uint32_t worth_waking = std::uint32_t{1} << 16; // [bytes]
     while (!bytes.empty()) {
         const std::uint32_t taken = channel_.taken.load(std::memory_order_acquire);

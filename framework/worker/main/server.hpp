@@ -38,7 +38,7 @@ private:
     std::uint32_t sequence_ = 1;                 // the current request; request 1 is to get ready
 };
 
-/// The main function of a worker: takes the shared memory from its client and serves for ever.
+/// The main function of a worker: takes the shared memory from its client and serves forever.
 /// @param is_reference  see SceneRequest
 /// @return the exit status, if no client started it
 int run_worker(bool is_reference);

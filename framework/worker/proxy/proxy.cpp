@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Every function of the contract, generated from the table. Each one encodes its arguments, asks
 // the worker, decodes the result, and checks it for NaN and infinity. While a scene runs, the
-// answer is the next one of the run; the engine checks the states that it makes of them.
+// answer is the next one of the stream; the engine checks the states that it computes from them.
 #include "worker/proxy/proxy.hpp"
 
 #include "worker/protocol/define_formulas.hpp"

@@ -3,7 +3,7 @@
 // is told something.
 //
 //     check_slips [SLIP [TOPIC]]
-//     check_slips --sample COUNT    so many of them, the same in every run
+//     check_slips --sample COUNT    this number of them, the same ones in every run
 #include "formulas/table.hpp"
 #include "grading/build/implementation.hpp"
 #include "grading/run_tests.hpp"

@@ -18,10 +18,13 @@ namespace rigor {
 
 namespace {
 
-constexpr int few_contacts = 16; // islands with at most so many contacts converge to rounding
-// Islands with at most so many bodies do so too, if Newton's method may help.
+// Islands with at most this many contacts are solved up to rounding, since their sweeps take little
+// time.
+constexpr int few_contacts = 16;
+// Islands with at most this many bodies are too, if Newton's method may help.
 constexpr std::size_t few_bodies = 8;
-constexpr std::size_t many_contacts = 1000; // sweeps over more contacts are not accelerated
+// Sweeps over more contacts are not accelerated: more plain sweeps gain more in the same time.
+constexpr std::size_t many_contacts = 1000;
 
 // A larger island stops after a limited amount of work, and the remaining error is corrected in the
 // next steps. A heap at rest gets more work, since the remaining error would let it creep and it
@@ -31,7 +34,8 @@ constexpr int times_at_rest = 3;  // a heap at rest gets this many times the wor
 constexpr int fewest_sweeps = 5, most_sweeps = 50;
 constexpr int last_sweeps = 20; // sweeps after Newton's method
 
-// Changes below these fractions of the fastest approach are negligible.
+// The sweeps end when they change velocities by less than these fractions of the fastest approach
+// speed. Larger values save sweeps, but let heaps creep.
 constexpr double to_rounding = 1e-13, for_newton = 1e-8, for_heaps_at_rest = 1e-4,
                  for_moving_heaps = 1e-3;
 // If moving bodies differ in mass by more than this ratio, and further sweeps would still change an

@@ -39,7 +39,9 @@ constexpr double singular_determinant = 1e-12, least_inverse_inertia = 1e-9;
 constexpr double settled = 1e-13; // a change of the impulses, relative to their size
 // A round must reduce the change by this factor, or more rounds do not help.
 constexpr double gain = 0.5;
-constexpr double flat = 0.1;        // a line search ends at this fraction of its first slope
+// A line search ends at this fraction of its first slope. A smaller value takes more bisections, a
+// larger one more steps of Newton's method.
+constexpr double flat = 0.1;
 constexpr double converged = 1e-13; // a Newton step, relative to the size of the velocities
 // Rounding error of a velocity, relative to the fastest body; for λ - ρ u, `weight` times that.
 constexpr double u_rounding = 1e-15;

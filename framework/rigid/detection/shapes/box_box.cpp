@@ -162,7 +162,7 @@ struct Polygon {
 };
 
 // Clips the polygon to sign x[axis] ≤ limit (Sutherland and Hodgman 1974). A vertex on the border
-// up to rounding counts as inside; otherwise aligned boxes would get vertices by chance.
+// up to rounding counts as inside; otherwise rounding would add vertices where boxes are aligned.
 void clip(Polygon& polygon, int axis, double sign, double limit)
 {
     const double border = limit * (1 + border_rounding);

@@ -104,7 +104,7 @@ double height_at(const Outline& o, const Vector2d& place)
 }
 
 // The part of an outline to the left of the line from a to b. Points on the line up to rounding
-// count as left of it; otherwise aligned faces would get corners by chance.
+// count as left of it; otherwise rounding would add corners where faces are aligned.
 Outline left_of(const Outline& o, const Vector2d& a, const Vector2d& b)
 {
     const Vector2d d = (b - a).normalized();

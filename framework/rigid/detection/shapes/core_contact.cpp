@@ -67,7 +67,7 @@ struct CoreOf {
 // A local minimum of f between a and b by golden section search (Kiefer 1953).
 template <class Function> double minimum(const Function& f, double a, double b)
 {
-    constexpr double golden = 0.6180339887498949;
+    constexpr double golden = 0.6180339887498949; // (√5 - 1) / 2
     double s = b - golden * (b - a), t = a + golden * (b - a);
     double f_s = f(s), f_t = f(t);
     for (int i = 0; i < golden_steps; ++i) {
@@ -203,7 +203,7 @@ void find_ball_mesh_contacts(const Core& core, const SolidMesh& mesh, const Dist
     std::vector<Vector3d> known;
     for (const TriangleTree::Found& found : mesh.triangles().local_minima(c, core.radius + reach)) {
         const Vector3d d = (found.point - c).normalized();
-        constexpr double alike = 0.9; // cosine of 25 degrees
+        constexpr double alike = 0.9; // cosine of 25°; a nearer direction is the same contact
         const bool is_new = std::all_of(known.begin(), known.end(),
                                         [&](const Vector3d& k) { return k.dot(d) < alike; });
         if (!is_new || known.size() >= most_contacts) continue;

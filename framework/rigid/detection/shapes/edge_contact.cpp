@@ -13,11 +13,12 @@ namespace rigor {
 
 namespace {
 
-// Sine of the smallest angle between two edges; below it, their end points are in contact.
+// Sine of the smallest angle between two edges, about 3°. Below it, their end points are in
+// contact, because the closest points of almost parallel lines move far if a body rotates a little.
 constexpr double parallel = 0.05;
 constexpr double rounding = 1e-6; // relative rounding error of a direction
 // Deepest overlap that makes a contact of edges, relative to the longest side of the mesh's bounds.
-// Deeper ones are left to the surface points, which know the way out.
+// Deeper overlaps are left to the surface points, where the level set gives the nearest way out.
 constexpr double deepest_share = 0.05;
 
 std::vector<SharpEdge> box_edges(const Box& box)

@@ -21,9 +21,10 @@ namespace {
 // The smallest cosine between a contact normal and the gradient of the other shape's distance.
 // Below it, the point belongs to the far side of a thin wall.
 constexpr double opposite = 0.3;
-// Distance, in radii of a node, from which on one point stands for all of its points.
+// At a larger distance, in radii of a node, one point represents all points of the node. A smaller
+// value tests fewer points, but the represented points may be nearer by more.
 constexpr double far = 6;
-// In spacings of the surface points: the radius of a node in which the nearest point stands for
+// In spacings of the surface points: the radius of a node in which the nearest point represents
 // all, and the difference of distances below which two points count as equally near.
 constexpr double small_node = 1.5, equally_near = 1e-3;
 
@@ -42,8 +43,8 @@ public:
 
 private:
     // All points of a node have about the distance of its middle. If that is large for the size of
-    // the node, one of the points stands for all. In a node of the size of one or two cells, the
-    // nearest point stands for all.
+    // the node, one of the points represents all. In a node of the size of one or two cells, the
+    // nearest point represents all.
     void descend(int index, std::vector<Contact>& contacts) const
     {
         const BoundingTree::Node& node = surface_.point_tree().nodes()[index];

@@ -5,7 +5,9 @@
 
 namespace rigor {
 
-inline constexpr std::size_t most_contacts = 8; // for two shapes
+/// The largest number of contacts of two shapes. More would take more time in the solver, fewer
+/// would represent a large contact region worse.
+inline constexpr std::size_t most_contacts = 8;
 
 /// Keeps at most `most` of the contacts from index `first` on, spread over the region of contact.
 ///

@@ -21,7 +21,7 @@ double strength(const Body& body, const Vector3d& x)
            body.inverse_inertia.norm() * (1 + (x - body.position).squaredNorm());
 }
 
-// An island of so many bodies and pairs of touching bodies.
+// An island with these numbers of bodies and of pairs of touching bodies.
 Island island_with(int bodies, int pairs)
 {
     Island island;
