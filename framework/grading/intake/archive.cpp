@@ -96,7 +96,7 @@ std::string_view forbidden_kind(archive_entry* entry)
 
 class ArchiveReader {
 public:
-    ArchiveReader(const std::filesystem::path& file, const Limits& limits)
+    ArchiveReader(const std::filesystem::path& file, const IntakeLimits& limits)
         : file_(file), limits_(limits), archive_(archive_read_new(), archive_read_free),
           contents_(limits)
     {
@@ -205,7 +205,7 @@ private:
 
     Utf8Locale locale_;
     OpenFile file_;
-    Limits limits_;
+    IntakeLimits limits_;
     std::unique_ptr<archive, int (*)(archive*)> archive_;
     Contents contents_;
     std::size_t unpacked_ = 0;
@@ -229,7 +229,7 @@ std::string without_archive_ending(std::string_view name)
     return std::string(name);
 }
 
-Contents read_archive(const std::filesystem::path& file, const Limits& limits)
+Contents read_archive(const std::filesystem::path& file, const IntakeLimits& limits)
 {
     return ArchiveReader(file, limits).read();
 }

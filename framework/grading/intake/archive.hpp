@@ -20,6 +20,6 @@ std::string without_archive_ending(std::string_view name);
 /// Reads a whole archive. Nothing is written to the disk.
 /// @throws Refused if it is broken or encrypted, holds anything but files and folders, has a name
 ///     that leads out of it, a name twice, or more than the limits allow
-Contents read_archive(const std::filesystem::path& file, const Limits& limits = {});
+Contents read_archive(const std::filesystem::path& file, const IntakeLimits& limits = {});
 
 } // namespace rigor

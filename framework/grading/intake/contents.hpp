@@ -12,7 +12,7 @@ namespace rigor {
 
 /// The most that a submission may hold. A solution has a few files of about 20 kB; build folders
 /// and pictures beside it should not matter.
-struct Limits {
+struct IntakeLimits {
     std::size_t entries = 10'000;                          // files and folders
     std::size_t archive_bytes = std::size_t{64} << 20;     // size of an archive
     std::size_t unpacked_bytes = std::size_t{64} << 20;    // what an archive unpacks to
@@ -24,7 +24,7 @@ struct Limits {
 /// Files by their names, such as "alice/collision.cpp". Only sources have a text.
 class Contents {
 public:
-    explicit Contents(const Limits& limits) : limits_(limits) {}
+    explicit Contents(const IntakeLimits& limits) : limits_(limits) {}
 
     /// Counts a folder or a file. @param raw  its name, as the submission has it
     /// @return the name without "./"; empty for the submission's own folder
@@ -42,7 +42,7 @@ public:
 private:
     void require_new(const std::string& name) const;
 
-    Limits limits_;
+    IntakeLimits limits_;
     std::size_t entries_ = 0, source_bytes_ = 0;
     std::map<std::string, std::string> sources_;
     std::set<std::string> others_;

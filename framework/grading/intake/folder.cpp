@@ -35,7 +35,7 @@ std::string_view forbidden_kind(mode_t mode)
 
 class FolderReader {
 public:
-    FolderReader(fs::path folder, const Limits& limits)
+    FolderReader(fs::path folder, const IntakeLimits& limits)
         : folder_(std::move(folder)), limits_(limits), contents_(limits)
     {
     }
@@ -106,13 +106,13 @@ private:
     }
 
     fs::path folder_;
-    Limits limits_;
+    IntakeLimits limits_;
     Contents contents_;
 };
 
 } // namespace
 
-Contents read_folder(const fs::path& folder, const Limits& limits)
+Contents read_folder(const fs::path& folder, const IntakeLimits& limits)
 {
     return FolderReader(folder, limits).read();
 }

@@ -9,6 +9,6 @@ namespace rigor {
 
 /// Reads a folder and the folders in it. Links are not followed.
 /// @throws Refused if a file cannot be read, or for the same reasons as `read_archive`
-Contents read_folder(const std::filesystem::path& folder, const Limits& limits = {});
+Contents read_folder(const std::filesystem::path& folder, const IntakeLimits& limits = {});
 
 } // namespace rigor

@@ -23,9 +23,9 @@ public:
         }
     }
 
-    Progress sweep(std::vector<Vector3d>& steps) override
+    SweepProgress sweep(std::vector<Vector3d>& steps) override
     {
-        Progress progress;
+        SweepProgress progress;
         for (std::size_t k = 0; k < active_.size(); ++k) {
             ContactConstraint& c = problem_.contacts[active_[k]];
             steps[k] = correct(c);

@@ -144,7 +144,7 @@ Residuals run_sweeps(ContactProblem& problem, Sweeps& sweeps, std::size_t count,
     std::vector<Vector3d> directions; // set from the second sweep on
     bool diverges = false;            // whether the acceleration has made the residual larger
     for (int i = 1; i <= limits.most_sweeps; ++i) {
-        const Progress progress = sweeps.sweep(steps);
+        const SweepProgress progress = sweeps.sweep(steps);
         ++problem.counters->contact_sweeps;
         residuals.last = progress.change;
         residuals.sweeps = i;

@@ -62,7 +62,7 @@ public:
         });
     }
 
-    Progress sweep(std::vector<Vector3d>& steps) override
+    SweepProgress sweep(std::vector<Vector3d>& steps) override
     {
         visit_blocks(island_, *problem_.pool, [&](int block) {
             Block& swept = blocks_[block];
@@ -71,9 +71,9 @@ public:
             for (const PairRows& pair : pairs_of(block))
                 sweep(pair, steps, swept);
         });
-        Progress all;
+        SweepProgress all;
         for (const Block& block : blocks_) {
-            const Progress& progress = block.progress;
+            const SweepProgress& progress = block.progress;
             problem_.counters->contact_impulses += block.impulses;
             all.change = std::max(all.change, progress.change);
             all.total = std::max(all.total, progress.total);
@@ -115,7 +115,7 @@ private:
     // A range of the pairs, and the progress of the last sweep there.
     struct Block {
         IndexRange pairs;
-        Progress progress;
+        SweepProgress progress;
         std::uint64_t impulses = 0;
     };
 
@@ -160,7 +160,7 @@ private:
 
     void sweep(const PairRows& pair, std::vector<Vector3d>& steps, Block& swept)
     {
-        Progress& progress = swept.progress;
+        SweepProgress& progress = swept.progress;
         visit(pair, [&](SweepRow& row, TwoMotions& motions) {
             Vector3d& step = steps[&row - rows_.data()];
             const Vector3d v = motions.relative_velocity(row.r);

@@ -20,12 +20,12 @@ public:
     {
     }
 
-    Progress sweep(std::vector<Vector3d>& steps) override
+    SweepProgress sweep(std::vector<Vector3d>& steps) override
     {
         result_ = resolve_simultaneously(local_.bodies, local_.contacts, 1);
         check_size(local_, result_, "resolve_simultaneously");
         is_current_ = true;
-        Progress progress;
+        SweepProgress progress;
         for (std::size_t k = 0; k < active_.size(); ++k) {
             const double K = problem_.contacts[active_[k]].normal_K;
             Vector3d& j = local_.contacts[k].impulse;

@@ -12,7 +12,7 @@ namespace rigor {
 
 /// The changes of a sweep: the largest change and the largest impulse, both as velocities [m/s],
 /// and the squared length of all changes.
-struct Progress {
+struct SweepProgress {
     double change = 0, total = 0, squared = 0;
 };
 
@@ -25,7 +25,7 @@ public:
 
     /// Visits each contact once.
     /// @param steps  receives the change of each contact's impulse
-    virtual Progress sweep(std::vector<Vector3d>& steps) = 0;
+    virtual SweepProgress sweep(std::vector<Vector3d>& steps) = 0;
     /// The current impulses.
     virtual std::vector<Vector3d> impulses() const = 0;
     /// Adds these changes to the impulses.

@@ -16,7 +16,7 @@ using Format = ArchiveFormat;
 
 // Why an archive with these entries is refused; empty if it is taken.
 std::string refusal_of(Format format, const std::vector<ArchiveEntry>& entries,
-                       const Limits& limits = {})
+                       const IntakeLimits& limits = {})
 {
     const TemporaryFolder folder;
     try {
@@ -124,7 +124,7 @@ TEST_CASE("archive: a name twice is refused", "[intake]")
 
 TEST_CASE("archive: limits on files, bytes and ratio", "[intake]")
 {
-    Limits few;
+    IntakeLimits few;
     few.entries = 2;
     CHECK(refusal_of(Format::tar, {good, {"a", ""}}, few).empty());
     CHECK(contains(refusal_of(Format::tar, {good, {"a", ""}, {"b", ""}}, few), "at most 2 files"));
@@ -134,7 +134,7 @@ TEST_CASE("archive: limits on files, bytes and ratio", "[intake]")
     CHECK(contains(refusal_of(Format::tar_gz, {{"a.bin", zeros}}), "200 times"));
     CHECK(refusal_of(Format::tar, {{"a.bin", zeros}}).empty());
 
-    Limits small;
+    IntakeLimits small;
     small.unpacked_bytes = 1 << 20;
     CHECK(contains(refusal_of(Format::tar, {{"a.bin", noise(2 << 20)}}, small), "at most 1 MB"));
     small = {};

@@ -14,7 +14,7 @@ namespace rigor::testing {
 
 namespace {
 
-std::string refusal_of(const std::filesystem::path& folder, const Limits& limits = {})
+std::string refusal_of(const std::filesystem::path& folder, const IntakeLimits& limits = {})
 {
     try {
         read_folder(folder, limits);
@@ -67,7 +67,7 @@ TEST_CASE("folder: limits on files and bytes", "[intake]")
     const TemporaryFolder folder;
     for (int i = 0; i < 4; ++i)
         folder.write(std::to_string(i) + ".cpp", std::string(1000, 'x'));
-    Limits limits;
+    IntakeLimits limits;
     limits.entries = 3;
     REQUIRE(refusal_of(folder.path(), limits) == "expected at most 3 files, found more");
     limits = {};

@@ -14,7 +14,7 @@ const std::string wanted = "collision.cpp";
 
 Intake taken(const std::vector<std::string>& names)
 {
-    Contents contents{Limits()};
+    Contents contents{IntakeLimits()};
     for (const std::string& name : names)
         if (is_source(name))
             contents.add_source(name, "text of " + name);

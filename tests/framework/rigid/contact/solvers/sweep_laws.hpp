@@ -138,12 +138,12 @@ template <class Make> void check_progress_of_a_lone_contact(const Make& make)
     const std::vector<int> active = {0};
     const std::unique_ptr<Sweeps> made = make(problem, active);
     std::vector<Vector3d> steps(1);
-    const Progress first = made->sweep(steps);
+    const SweepProgress first = made->sweep(steps);
     CHECK(steps[0] == Vector3d(0, 6, 0));
     CHECK(first.change == 3);
     CHECK(first.total == 3);
     CHECK(first.squared == 0.5 * 6 * 6);
-    const Progress second = made->sweep(steps);
+    const SweepProgress second = made->sweep(steps);
     CHECK(steps[0] == Vector3d(0, 0, 0));
     CHECK(second.change == 0);
     CHECK(second.total == 3);
@@ -164,7 +164,7 @@ template <class Make> void check_sweeps_without_work(const Make& make)
     for (const std::vector<int>& active : {std::vector<int>{0}, std::vector<int>{}}) {
         const std::unique_ptr<Sweeps> made = make(problem, active);
         std::vector<Vector3d> steps(active.size());
-        const Progress progress = made->sweep(steps);
+        const SweepProgress progress = made->sweep(steps);
         CHECK(progress.change == 0);
         CHECK(progress.total == 0);
         CHECK(progress.squared == 0);
