@@ -68,10 +68,10 @@ SplitMesh split_along_faces(const TetrahedralMesh& mesh, const std::vector<MeshF
 /// longest edge. Each of their edges with ends on different sides gets a new vertex where it
 /// crosses the plane. All tetrahedra of the mesh that have this edge are halved there, also those
 /// without the vertex, so that the mesh stays conforming. The edges are processed one after
-/// another, in any order. Then each tetrahedron of the vertex is on one side of the plane: the side
-/// of its vertices that do not lie on the plane, or the side of its center if all of them do (a
-/// center exactly on the plane is above). The
-/// mesh splits, as in `split_along_faces`, along the faces between tetrahedra on different sides.
+/// another, in any order. Then each tetrahedron of the vertex is on one side of the plane: where
+/// its vertices are that do not lie on the plane, or where its center is if all of them do (above,
+/// if the center is exactly on the plane). The mesh splits, as in `split_along_faces`, along the
+/// faces between tetrahedra on different sides.
 /// The volume is conserved and no tetrahedron is inverted.
 ///
 /// @param vertex  index into the vertices

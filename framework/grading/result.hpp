@@ -81,8 +81,8 @@ Result ungraded(const Assignment& assignment, const std::vector<std::string>& ta
                 const std::vector<std::string>& counted, SubmissionStatus status,
                 const std::string& message);
 
-/// The result of a task from its test cases. It gets all of its points if it has test cases and all
-/// of them passed, otherwise none. What the task does not disclose is left out.
+/// The result of a task from its test cases. It gets all of its points if there are test cases and
+/// each passed, otherwise none. What the task does not disclose is left out.
 TaskResult score_task(const Task& task, std::vector<TestCase> tests);
 
 } // namespace rigor

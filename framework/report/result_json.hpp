@@ -8,10 +8,10 @@
 //      timing: {build_seconds, test_seconds}, versions: {rigor, compiler},
 //      notes: [...], fingerprint}
 //
-// An entry of `tests` is a task, described by its first failure. A task that did not run counts 0
-// of 0. `notes` and `fingerprint` are there only if they are not empty: `rigor grade` notes the
-// files that it ignored, and knows by the fingerprint whether the result is still that of the
-// submission.
+// An entry of `tests` is a task, described by its first failure. A task that did not run has 0
+// points, and 0 as the most. `notes` and `fingerprint` are there only if they are not empty:
+// `rigor grade` notes the files that it ignored, and knows by the fingerprint whether the result is
+// still that of the submission.
 #pragma once
 
 #include "grading/result.hpp"

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The launcher itself tries each wall (`main/probe.cpp`) and prints which ones held. A tier is what
-// of them may be relied on together: without a filter of system calls there is only tier C, and a
-// filter that can neither ask the grader nor rely on Landlock would let a program start others.
+// The launcher itself tries each wall (`main/probe.cpp`) and prints which ones held. A tier is a
+// set of walls that together can be relied on: without a filter of system calls there is only tier
+// C, and a filter that can neither ask the grader nor rely on Landlock would let a program start
+// others.
 #include "sandbox/tier.hpp"
 
 #include "errors/input_error.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The launcher `confine`: starts one program behind walls. It makes the namespaces, stays outside
-// of the walls as the warden, and forks a child that puts up the walls around itself and becomes
-// the program. It is static and does little else, so that a fresh worker costs milliseconds.
+// the walls as the warden, and forks a child that puts up the walls around itself and becomes the
+// program. It is static and does little else, so that a fresh worker costs milliseconds.
 #include "sandbox/main/failure.hpp"
 #include "sandbox/main/namespaces.hpp"
 #include "sandbox/main/options.hpp"

@@ -13,8 +13,7 @@ namespace rigor {
 
 namespace {
 
-// Larger numbers are refused: the limit guards products against overflow. Each number has the unit
-// of its key.
+// Larger numbers are refused, in the unit of their key: the limit guards products against overflow.
 constexpr double largest = 1e12;
 
 } // namespace

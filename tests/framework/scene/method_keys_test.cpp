@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Keys that choose the formula which a scene runs on: of the mass, of the spin, of a force's point,
-// of yielding, and of a solid that moves as a rigid body.
+// Keys that choose the formula which a scene runs on, for the mass, the spin, the point of a force,
+// yielding, and a solid that moves as a rigid body.
 #include "deformable/step/step.hpp"
 #include "errors/input_error.hpp"
 #include "scene/keys/scene_keys.hpp"

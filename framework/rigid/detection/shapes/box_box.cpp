@@ -25,8 +25,8 @@ constexpr double border_rounding = 1e-9;
 // its separation is larger by this. Otherwise a face is preferred to edges and the larger face to
 // the smaller one, so that a box at rest keeps its kind of contact from step to step.
 constexpr double clear_difference = 0.01;
-// In the same units: overlap up to this counts as apart, since a box at rest overlaps by the slop
-// of the position correction.
+// In the same units: overlap up to this counts as apart, since a box at rest overlaps by what the
+// position correction leaves.
 constexpr double slop_share = 1e-4;
 
 // A box in world space; its axes are the columns of R.

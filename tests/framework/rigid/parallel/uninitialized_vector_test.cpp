@@ -15,7 +15,7 @@ TEST_CASE("uninitialized vector: lists of ranges become one list for any number 
         for (const std::size_t count : {0, 1, 7, 8, 100, 1000}) {
             CAPTURE(threads, count);
             ThreadPool pool(threads);
-            // Of each number that 3 does not divide, as many copies as the remainder.
+            // Each number has as many copies as its remainder after a division by 3.
             const auto copies = [](std::size_t first, std::size_t last) {
                 UninitializedVector<std::size_t> list;
                 for (std::size_t i = first; i < last; ++i)
