@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Topic `contact`, assignment A5: many contact points, many bodies, stacks.
 // Source: lecture "Inertia, rotation, impulses", "Rigid collision algorithms"; Guendelman, Bridson
-// and Fedkiw (2003), "Nonconvex rigid bodies with stacking". Conventions:
-// types.hpp. Everything is in world space; n points from body 2 to body 1; v = v1 - v2 at the
-// contact's point; body 1 receives +j, body 2 receives -j.
+// and Fedkiw (2003), "Nonconvex rigid bodies with stacking". Conventions: types.hpp. Everything is
+// in world space; n points from body 2 to body 1; v = v1 - v2 at the contact's point; body 1
+// receives +j, body 2 receives -j.
 //
 // A contact requires v·n ≥ s with its `separation_speed` s. So the law of a contact uses
 // u = v - s n instead of v: the bodies approach where u·n < 0. Contacts refer to bodies by index.

@@ -13,7 +13,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <exception>
 #include <future>
 #include <mutex>
@@ -64,11 +63,6 @@ std::size_t clear_directory(const std::filesystem::path& directory)
     return removed;
 }
 
-double since(std::chrono::steady_clock::time_point start)
-{
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
 } // namespace
 
 class FrameSequence::Pipeline {
@@ -94,7 +88,7 @@ private:
     void fail(); // ends every stage with the current exception
     void join();
     void rethrow();
-    void note_written(std::size_t number, double encode_seconds);
+    void note_written(std::size_t number);
 
     FrameOptions options_;
     FrameReport report_;
@@ -166,12 +160,7 @@ void FrameSequence::Pipeline::draw(std::promise<OpenRenderer> ready)
 void FrameSequence::Pipeline::draw_pictures(Renderer& renderer)
 {
     for (std::size_t number = 0; const auto picture = pictures_.pop(); ++number) {
-        const auto start = std::chrono::steady_clock::now();
         const auto image = std::make_shared<const Image>(renderer.draw(*picture));
-        {
-            const std::scoped_lock lock(mutex_);
-            report_.draw_seconds += since(start);
-        }
         if (video_) filmed_.push({number, image});
         drawn_.push({number, image});
     }
@@ -180,9 +169,8 @@ void FrameSequence::Pipeline::draw_pictures(Renderer& renderer)
 void FrameSequence::Pipeline::encode()
 try {
     while (const auto drawn = drawn_.pop()) {
-        const auto start = std::chrono::steady_clock::now();
-        write_whole(frame_file(options_.directory, drawn->number), png_bytes(*drawn->image));
-        note_written(drawn->number, since(start));
+        write_picture(frame_file(options_.directory, drawn->number), png_bytes(*drawn->image));
+        note_written(drawn->number);
     }
 } catch (...) {
     fail();
@@ -203,11 +191,10 @@ try {
     fail();
 }
 
-void FrameSequence::Pipeline::note_written(std::size_t number, double encode_seconds)
+void FrameSequence::Pipeline::note_written(std::size_t number)
 {
     const std::scoped_lock lock(mutex_);
     written_.insert(number);
-    report_.encode_seconds += encode_seconds;
     if (options_.progress) options_.progress(written_.size(), options_.expected);
 }
 

@@ -28,9 +28,8 @@ struct FrameReport {
     std::size_t frames = 0;  // number of frames written
     std::size_t removed = 0; // number of files of an earlier run that were removed
     std::optional<std::filesystem::path> video;
-    std::string renderer;                        // what drew the frames
-    std::string notice;                          // one line to show, or empty
-    double draw_seconds = 0, encode_seconds = 0; // working time, summed over threads
+    std::string renderer; // what drew the frames
+    std::string notice;   // one line to show, or empty
 };
 
 /// The files `frame_00000.png`, `frame_00001.png`, … of one run. Each is written completely or not

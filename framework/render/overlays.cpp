@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Overlays: arrows, dots, coils and texts that explain a frame. The length of an arrow for a
-// rotation or an impulse saturates, x / (x + x½), so that small and large values can be seen
-// together.
+// rotation or an impulse saturates, x / (x + h), which is ½ at x = h, so that small and large
+// values can be seen together.
 #include "render/overlays.hpp"
 
 #include "geometry/bounds/bounds.hpp"

@@ -129,7 +129,7 @@ std::vector<std::uint8_t> png_bytes(const Image& image)
     return {bytes.get(), bytes.get() + size};
 }
 
-void write_whole(const std::filesystem::path& file, std::span<const std::uint8_t> bytes)
+void write_picture(const std::filesystem::path& file, std::span<const std::uint8_t> bytes)
 {
     PartialFile partial(file);
     partial.write(bytes);

@@ -12,8 +12,8 @@
 namespace rigor {
 
 /// Draws pictures of one size. The same picture gives the same bits, whatever was drawn before and
-/// however many threads draw. A renderer must be used by one thread only;
-/// several renderers may exist.
+/// however many threads draw. A renderer must be used by one thread only; several renderers may
+/// exist.
 class Renderer {
 public:
     Renderer() = default;

@@ -120,7 +120,7 @@ namespace {
 
 // The key of a surface: the sizes of a round shape or the mesh of a mesh. A box, ball
 // or plane has none.
-struct Essence {
+struct SurfaceKeyOf {
     using Key = std::optional<SurfaceKey>;
     Key operator()(const Capsule& c) const { return SurfaceKey(nullptr, {1, c.radius, c.height}); }
     Key operator()(const Torus& t) const { return SurfaceKey(nullptr, {2, t.radius, t.tube}); }
@@ -134,7 +134,7 @@ struct Essence {
 
 int Visualizer::model_of(const Shape& shape)
 {
-    const auto key = std::visit(Essence{}, shape);
+    const auto key = std::visit(SurfaceKeyOf{}, shape);
     if (!key) return -1;
     const auto [known, is_new] =
         model_numbers_.try_emplace(*key, static_cast<int>(start_.models.size()));

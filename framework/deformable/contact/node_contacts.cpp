@@ -47,7 +47,7 @@ void NodeContacts::find(const Deformable& solid, const std::vector<char>& is_sur
     const Bounds bounds = bounds_of_nodes(solid);
     for (int b = 0; b < static_cast<int>(rigid.bodies.size()); ++b) {
         const RigidBody& body = rigid.world.bodies[b];
-        const Material &m1 = solid.material.surface, &m2 = body.material;
+        const Material both = combined(solid.material.surface, body.material);
         for (const Part& part : body.parts) {
             const Pose pose = part_pose(rigid.surfaces[b], part);
             const double reach = reach_of(solid, rigid.bodies[b], bounding_radius(part),
@@ -63,9 +63,8 @@ void NodeContacts::find(const Deformable& solid, const std::vector<char>& is_sur
                 if (!is_surface[i] || !near.overlaps({x, x})) continue;
                 const Vector3d p = pose.R.transpose() * (x - pose.X);
                 if (field.at_least(p) > reach || field.distance(p) > reach) continue;
-                contacts_.push_back({i, b, number, 0, Vector3d::UnitY(),
-                                     std::min(m1.restitution, m2.restitution),
-                                     std::sqrt(m1.friction * m2.friction)});
+                contacts_.push_back(
+                    {i, b, number, 0, Vector3d::UnitY(), both.restitution, both.friction});
             }
         }
     }

@@ -8,42 +8,43 @@
 #include "rigid/motion/free_flight.hpp"
 #include "rigid/step/sleep.hpp"
 
-#include <algorithm>
-
 namespace rigor {
 
 namespace {
 
-Body rigid_in_world(const World& world, const RigidBody& rigid)
+Body collider_in_world(const World& world, const RigidBody& rigid)
 {
-    Body body;
-    body.position = rigid.state.position;
-    if (rigid.is_static) return body;
-    body.inverse_mass = rigid.inverse.inverse_mass;
-    body.inverse_inertia = inverse_inertia(world.settings.integrator, rigid, rigid.state);
-    body.velocity = rigid.state.velocity;
-    body.angular_momentum = rigid.state.angular_momentum;
-    body.angular_velocity = body.inverse_inertia * rigid.state.angular_momentum;
+    Body body = body_in_world(world.settings.integrator, rigid);
+    if (rigid.is_static && rigid.drive) {
+        const DriveVelocity driven = drive_velocity(*rigid.drive, world.time);
+        body.velocity = driven.linear;
+        body.angular_velocity = driven.angular;
+    }
     return body;
 }
 
 } // namespace
 
-RigidColliders::RigidColliders(const World& of) : world(of), is_pushed(of.bodies.size(), 0)
+RigidColliders::RigidColliders(const World& of)
+    : world(of), is_pushed(of.bodies.size(), 0), is_supported(of.bodies.size(), 0)
 {
     bodies.reserve(of.bodies.size());
     surfaces.reserve(of.bodies.size());
-    for (const RigidBody& rigid : of.bodies) {
-        bodies.push_back(rigid_in_world(of, rigid));
+    for (std::size_t i = 0; i < of.bodies.size(); ++i) {
+        const RigidBody& rigid = of.bodies[i];
+        bodies.push_back(collider_in_world(of, rigid));
         surfaces.push_back(
             {body_rotation(of.settings.integrator, rigid.state), rigid.state.position});
+        is_supported[i] = rigid.rest.is_asleep();
     }
+    for (const WarmContact& c : of.memory.warm_contacts)
+        is_supported[c.body1] = is_supported[c.body2] = 1;
 }
 
 void RigidColliders::advance(double time_step)
 {
     for (std::size_t i = 0; i < bodies.size(); ++i) {
-        if (bodies[i].is_static()) continue;
+        if (bodies[i].is_static() && !world.bodies[i].changes_place()) continue;
         const Vector3d turn = time_step * bodies[i].angular_velocity;
         const double angle = turn.norm();
         surfaces[i].X += time_step * bodies[i].velocity;
@@ -58,13 +59,6 @@ void RigidColliders::push(int body, const Vector3d& point, const Vector3d& impul
     is_pushed[body] = 1;
 }
 
-bool RigidColliders::has_supports(int body) const
-{
-    return world.bodies[body].rest.is_asleep() ||
-           std::any_of(world.memory.warm_contacts.begin(), world.memory.warm_contacts.end(),
-                       [&](const WarmContact& c) { return c.body1 == body || c.body2 == body; });
-}
-
 void RigidColliders::apply_to(World& to, double time_step) const
 {
     for (std::size_t i = 0; i < bodies.size(); ++i) {
@@ -72,7 +66,7 @@ void RigidColliders::apply_to(World& to, double time_step) const
         if (to.bodies[i].rest.is_asleep()) wake(to, {static_cast<int>(i)});
         // The rigid step will move the body by h V + ½ g h². As the nodes carry the body, it has to
         // move with its velocity at the end of the step, V + g h, which adds ½ g h².
-        if (!has_supports(static_cast<int>(i)))
+        if (!is_supported[i])
             to.bodies[i].state.position += 0.5 * time_step * time_step * to.settings.gravity;
         to.bodies[i].state.velocity = bodies[i].velocity;
         to.bodies[i].state.angular_momentum = bodies[i].angular_momentum;

@@ -17,14 +17,14 @@ struct RigidColliders {
     void advance(double time_step);
     /// Writes the velocities after the impulses to the world, and wakes the bodies that got one.
     void apply_to(World& to, double time_step) const;
-    /// Whether a body is in contact with other rigid bodies, or asleep.
-    bool has_supports(int body) const;
     void push(int body, const Vector3d& point, const Vector3d& impulse);
 
     const World& world;
     std::vector<Body> bodies;
     std::vector<Pose> surfaces;
     std::vector<char> is_pushed;
+    /// Whether each body was asleep or in contact with other rigid bodies when the step began.
+    std::vector<char> is_supported;
 };
 
 } // namespace rigor

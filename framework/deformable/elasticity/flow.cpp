@@ -58,9 +58,8 @@ void flow(Deformable& solid, ElementWorkspace& work, World& world)
 {
     const double G = solid.material.shear_modulus(), lambda = solid.material.lame_lambda();
     const double sigma_Y = solid.material.yield_stress;
-    const bool is_optimised = solid.yield_test == YieldTest::strain &&
-                              world.settings.formulas_are_reference &&
-                              world.settings.skips.optimised_formulas;
+    const bool is_optimised =
+        solid.yield_test == YieldTest::strain && world.settings.uses_optimised_formulas();
     const double bound = is_optimised ? yield_strain(sigma_Y, G) : 0;
     for (int e = 0; e < work.elements.size(); ++e) {
         Matrix3d& strain = work.strains[e].elastic;

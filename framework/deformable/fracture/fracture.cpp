@@ -66,7 +66,7 @@ std::vector<Candidate> candidates(const Deformable& solid, const ElementWorkspac
         checked_stresses(smooth_stress(stresses, work.stress_neighbours, volumes), stresses.size());
     std::vector<Candidate> found;
     for (int e = 0; e < work.elements.size(); ++e) {
-        if (world.settings.skips.stress_bound && bound_of(smooth[e]) <= m.strength) {
+        if (world.settings.optimisations.stress_bound && bound_of(smooth[e]) <= m.strength) {
             ++world.counters.eigenvalues_skipped;
             continue;
         }
@@ -250,7 +250,7 @@ int crack_with_virtual_nodes(Deformable& solid, const std::vector<Candidate>& fo
 
 void fracture(Deformable& solid, const ElementWorkspace& work, World& world)
 {
-    if (world.settings.skips.stress_bound && !may_crack(work, solid.material)) {
+    if (world.settings.optimisations.stress_bound && !may_crack(work, solid.material)) {
         world.counters.eigenvalues_skipped += work.elements.size();
         return;
     }

@@ -22,8 +22,8 @@ template <class T> T between(const std::vector<T>& old, const VertexOrigin& orig
     return (1 - origin.fraction) * old[origin.first] + origin.fraction * old[origin.second];
 }
 
-// The new nodes that come from listed old nodes only.
-// @param places  places of the listed nodes, replaced by those of the new nodes; may be empty
+// The new nodes whose origins are all in `nodes`.
+// @param places  places of `nodes`, replaced by those of the new nodes; may be empty
 std::vector<int> carried_nodes(const std::vector<int>& nodes, std::size_t old_count,
                                const std::vector<VertexOrigin>& origins,
                                const std::vector<char>& has_matter, std::vector<Vector3d>& places)

@@ -21,8 +21,8 @@ namespace rigor {
 /// transferred.
 void remesh(Deformable& solid, const SplitMesh& split);
 
-/// The same with virtual nodes. The parent of a copy is the old copy that contained its material. A
-/// handle holds those copies of its nodes that have material.
+/// The same with virtual nodes. The parent of an element is the element of the old mesh that
+/// contained its material. A handle holds those copies of its nodes that have material.
 void remesh(Deformable& solid, EmbeddedMesh embedded);
 
 /// The faces along which a crack runs.

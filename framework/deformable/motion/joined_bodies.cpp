@@ -12,7 +12,7 @@ void JoinedBodies::join(const RigidColliders& rigid, const std::vector<NodeConta
     before_.clear();
     for (const NodeContact& c : contacts) {
         const Body& body = rigid.bodies[c.body];
-        if (body.is_static() || numbers_[c.body] >= 0 || rigid.has_supports(c.body)) continue;
+        if (body.is_static() || numbers_[c.body] >= 0 || rigid.is_supported[c.body]) continue;
         numbers_[c.body] = static_cast<int>(before_.size());
         before_.push_back({1 / body.inverse_mass, body.inverse_inertia.inverse(),
                            body.velocity + time_step * rigid.world.settings.gravity,

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Builds a tree of bounding boxes from the top down. Each node's items are divided at the median of
 // their centers, on the axis on which these are spread most (Ericson 2005, "Real-time collision
-// detection", 6.2). First come the upper nodes, then the branches below them, which threads may
-// share, and last the boxes of the upper nodes.
+// detection", 6.2). First the upper nodes are made, then the branches below them, by several
+// threads, and last the boxes of the upper nodes.
 #include "geometry/bounds/bounding_tree.hpp"
 
 #include <algorithm>

@@ -31,7 +31,7 @@ public:
     BoundingTree() = default;
 
     /// A tree over items 0 … n - 1.
-    /// @param boxes  finite
+    /// @param boxes  boxes with finite corners
     explicit BoundingTree(const std::vector<Bounds>& boxes);
 
     /// A tree over some of the items, in parts that can be built at the same time.

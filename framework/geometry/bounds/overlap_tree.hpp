@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which boxes overlap, without comparing all with all: the broad phase's tree.
+// A tree that finds all pairs of overlapping boxes, for the broad phase.
 #pragma once
 
 #include "geometry/bounds/bounding_tree.hpp"

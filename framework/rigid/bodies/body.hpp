@@ -4,16 +4,26 @@
 
 #include "formulas/types.hpp"
 #include "geometry/shapes/shape.hpp"
+#include "rigid/bodies/drive.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace rigor {
 
 struct Material {
-    double restitution = 0.5; // ε, 0 … 1; two bodies in contact use the smaller of their values
-    double friction = 0.5; // μ ≥ 0; two bodies in contact use the geometric mean of their values
+    double restitution = 0.5; // ε, 0 … 1
+    double friction = 0.5;    // μ ≥ 0
 };
+
+/// The material of a contact: the smaller restitution, and the geometric mean of the frictions.
+inline Material combined(const Material& a, const Material& b)
+{
+    return {std::min(a.restitution, b.restitution), std::sqrt(a.friction * b.friction)};
+}
 
 /// How long a body has been at rest, and whether it sleeps.
 struct Rest {
@@ -30,7 +40,8 @@ struct RigidBody {
     std::vector<Part> parts; // in object space
     Material material;
     bool is_static = false;
-    double mass = 0;                     // [kg]; 0 if static
+    std::shared_ptr<const Drive> drive; // the given motion of a static body; null if it never moves
+    double mass = 0;                    // [kg]; 0 if static
     Matrix3d inertia = Matrix3d::Zero(); // I_body, about the center of mass [kg m²]
     BodyInertia inverse;       // computed once, through the principal axes; zero if static
     bool is_isotropic = false; // whether I_body = i δ, and so I(t)⁻¹ = I_body⁻¹
@@ -40,10 +51,13 @@ struct RigidBody {
     RigidState state;
     Rest rest;
 
-    bool is_symmetric() const { return !symmetry_axis.isZero(0); }
+    bool is_body_of_revolution() const { return !symmetry_axis.isZero(0); }
 
     /// Whether the body is static or asleep, so that nothing moves it in this step.
-    bool is_still() const { return is_static || rest.is_asleep(); }
+    bool is_still() const { return (is_static && !changes_place()) || rest.is_asleep(); }
+
+    /// Whether the body is driven along a path. A belt stays where it is.
+    bool changes_place() const { return drive && !drive->is_belt; }
 };
 
 } // namespace rigor

@@ -31,6 +31,26 @@ Vector3d angular_velocity(Integrator integrator, const RigidBody& body, const Ri
     return inverse_inertia(integrator, body, state) * state.angular_momentum;
 }
 
+Body body_in_world(Integrator integrator, const RigidBody& rigid)
+{
+    const RigidState& s = rigid.state;
+    Body body;
+    body.position = s.position;
+    if (rigid.is_static) return body;
+    body.inverse_mass = rigid.inverse.inverse_mass;
+    body.inverse_inertia = inverse_inertia(integrator, rigid, s);
+    body.velocity = s.velocity;
+    body.angular_momentum = s.angular_momentum;
+    body.angular_velocity = body.inverse_inertia * s.angular_momentum;
+    return body;
+}
+
+Quaternion nearer_quaternion_of(const Matrix3d& R, const Quaternion& p)
+{
+    const Quaternion q = quaternion_of(R);
+    return q.s * p.s + q.v.dot(p.v) < 0 ? Quaternion{-q.s, -q.v} : q;
+}
+
 double orientation_distance(const Quaternion& p, const Quaternion& q)
 {
     const double difference = (p.s - q.s) * (p.s - q.s) + (p.v - q.v).squaredNorm();

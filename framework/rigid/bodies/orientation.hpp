@@ -18,6 +18,12 @@ Matrix3d inverse_inertia(Integrator integrator, const RigidBody& body, const Rig
 /// ω = I(t)⁻¹ L [rad/s]
 Vector3d angular_velocity(Integrator integrator, const RigidBody& body, const RigidState& state);
 
+/// The body as the formulas take it, in world space. A static body has only its position.
+Body body_in_world(Integrator integrator, const RigidBody& body);
+
+/// The quaternion of a rotation matrix, by `quaternion_of`: of q and -q the one nearer to `p`.
+Quaternion nearer_quaternion_of(const Matrix3d& R, const Quaternion& p);
+
 /// min(|p - q|, |p + q|): half the angle [rad] between two orientations, if it is small. The
 /// minimum is taken because q and -q are the same orientation.
 double orientation_distance(const Quaternion& p, const Quaternion& q);

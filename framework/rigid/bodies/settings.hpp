@@ -25,12 +25,12 @@ enum class ContactMethod {
     built_in,
     one_at_a_time,     ///< `resolve_contacts`
     shock_propagation, ///< `resolve_contacts`, then `shock_propagation`
-    simultaneous,      ///< the same with the sweeps of `resolve_simultaneously`
+    simultaneous,      ///< as `built_in`, with the sweeps of `resolve_simultaneously`
 };
 
 /// Optimisations that leave out work that a scene does not need. Each is used if true, and can be
 /// turned off to check that the result stays the same and to measure the time it saves.
-struct Skips {
+struct Optimisations {
     bool islands = true;      ///< solves each group of touching bodies on its own
     bool sleep = true;        ///< skips bodies that have come to rest
     bool warm_start = true;   ///< starts from the impulses of the previous step
@@ -45,13 +45,13 @@ struct Settings {
     Vector3d gravity = Vector3d::Zero(); // g [m/s²]
     Integrator integrator = Integrator::runge_kutta;
     ContactMethod contact_method = ContactMethod::built_in;
-    Skips skips;
+    Optimisations optimisations;
     bool formulas_are_reference = false; // whether the linked formulas are the reference's
 
     /// Whether the engine may run its faster forms of the formulas.
     bool uses_optimised_formulas() const
     {
-        return formulas_are_reference && skips.optimised_formulas;
+        return formulas_are_reference && optimisations.optimised_formulas;
     }
 };
 

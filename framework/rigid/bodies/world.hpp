@@ -4,6 +4,7 @@
 
 #include "rigid/bodies/body.hpp"
 #include "rigid/bodies/counters.hpp"
+#include "rigid/bodies/pair_laws.hpp"
 #include "rigid/bodies/settings.hpp"
 #include "rigid/bodies/step_memory.hpp"
 #include "rigid/parallel/thread_pool.hpp"
@@ -20,14 +21,20 @@ struct Spring {
     double stiffness = 0;               // [N/m]
     double damping = 0;                 // along the spring [N s/m]
     double rest_length = 0;             // [m]
+    bool only_pulls = false;            // a rope: slack while it is shorter than `rest_length`
 };
 
-/// A constant world-space force on a point of a body, from `start` to `end`.
+/// A force on a point of a body and a torque, from `start` to `end`. With a frequency f, both are
+/// multiplied by sin(2π f t + φ).
 struct AppliedForce {
     int body = 0;
-    Vector3d force = Vector3d::Zero(); // [N]
-    Vector3d point = Vector3d::Zero(); // object space [m]
-    double start = 0, end = 1e300;     // [s]
+    Vector3d force = Vector3d::Zero();  // [N]
+    Vector3d point = Vector3d::Zero();  // object space [m]
+    double start = 0, end = 1e300;      // [s]
+    Vector3d torque = Vector3d::Zero(); // [N m]
+    bool turns_with_body = false;       // whether force and torque are in object space
+    double frequency = 0;               // f [Hz]; 0: constant
+    double phase = 0;                   // φ [rad]
 };
 
 /// Everything that a time step reads and changes: state, settings, and the memory of the last step.
@@ -38,6 +45,7 @@ struct World {
     std::vector<RigidBody> bodies;
     std::vector<Spring> springs;
     std::vector<AppliedForce> forces;
+    std::vector<PairLaw> pair_laws; // sorted by their bodies
 
     Settings settings;
 

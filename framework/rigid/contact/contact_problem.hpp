@@ -4,6 +4,7 @@
 
 #include "formulas/collision.hpp"
 #include "rigid/bodies/counters.hpp"
+#include "rigid/bodies/drive.hpp"
 #include "rigid/bodies/optimised_forms.hpp"
 #include "rigid/bodies/settings.hpp"
 #include "rigid/detection/contact.hpp"
@@ -63,10 +64,21 @@ std::size_t contact_count(std::span<const ContactPair> pairs);
 /// Whether the island is a heap rather than a stack: many bodies with many contacts between them.
 bool is_heap(const Island& island);
 
+/// A driven body that contacts touch: its mean velocity over the step, and that at the end of it.
+///
+/// Along a contact's normal a driven body moves with its mean velocity, so that nothing gets into
+/// it. Along the surface its points have their velocity at the end of the step, where they are
+/// then: otherwise what a turntable carries round would move along tangents and creep outwards.
+struct DrivenBody {
+    int body = 0;
+    DriveVelocity mean, last;
+};
+
 /// Everything that the stages of contact work on.
 struct ContactProblem {
     std::vector<Body> bodies; // one for each body of the world; empty for bodies without contacts
     UninitializedVector<ContactConstraint> contacts;
+    std::vector<DrivenBody> driven;
     std::vector<Island> islands; // only those in which two bodies would penetrate
     double time_step = 0;        // [s]
     Settings settings;
@@ -102,6 +114,12 @@ struct ContactProblem {
     Matrix3d impulse_matrix_at(const ContactConstraint& contact, const Vector3d& x) const;
     /// Computes K of a contact and the numbers that follow from it.
     void set_impulse_matrix(ContactConstraint& contact) const;
+    /// Gives the driven bodies that an island touches their velocities for it. While the island's
+    /// bodies move with the mean velocity V, the points that they touch move on by h (V - V_d),
+    /// which changes the velocity of the surface there by h ω × (V - V_d).
+    void set_drives(const Island& island);
+    /// Gives all driven bodies their mean velocities again.
+    void reset_drives();
     /// Applies j to body 1 and -j to body 2.
     void apply(const ContactConstraint& contact, const Vector3d& x, const Vector3d& j);
 };

@@ -67,7 +67,7 @@ std::vector<Island> islands_of(const World& world, const ContactProblem& problem
         if (!world.bodies[c.body1].is_static && !world.bodies[c.body2].is_static)
             groups.unite(c.body1, c.body2);
     }
-    if (!world.settings.skips.islands) // all bodies with contacts form one island
+    if (!world.settings.optimisations.islands) // all bodies with contacts form one island
         for (const ContactConstraint& c : problem.contacts)
             for (int i : {c.body1, c.body2})
                 if (!world.bodies[i].is_static)

@@ -11,9 +11,6 @@ namespace rigor {
 
 namespace {
 
-// Least |n·up| of a contact that carries weight: its tangent plane is less than 73° from level.
-// Otherwise walls would get large impulses. The value changes only the start of the sweeps.
-constexpr double least_slope = 0.3;
 constexpr double touching = 1e-6; // largest gap of touching bodies, in radii; allows for rounding
 
 // A body, the body that it rests on, and the contact between them.
@@ -27,12 +24,12 @@ std::vector<Support> supports_of(const ContactProblem& problem, std::span<const 
     std::vector<Support> supports;
     for (int i : active) {
         const ContactConstraint& c = problem.contacts[i];
-        const double slope = c.normal.dot(up);
+        const double lift = c.normal.dot(up);
         const double v_n = problem.velocity_at(c, c.point).dot(c.normal);
-        if (std::abs(slope) < least_slope || problem.predicted_gap(c, v_n) > touching * c.radius)
+        if (std::abs(lift) < least_lift || problem.predicted_gap(c, v_n) > touching * c.radius)
             continue;
         const Support support =
-            slope > 0 ? Support{c.body1, c.body2, i} : Support{c.body2, c.body1, i};
+            lift > 0 ? Support{c.body1, c.body2, i} : Support{c.body2, c.body1, i};
         if (!problem.bodies[support.upper].is_static()) supports.push_back(support);
     }
     return supports;

@@ -5,6 +5,10 @@
 
 namespace rigor {
 
+/// Least |n·up| of a contact that carries weight: its tangent plane is less than 73° from level. A
+/// smaller value would count walls as supports, a larger one would leave out steep supports.
+inline constexpr double least_lift = 0.3;
+
 /// A first estimate of the impulses of an island that rests on something static.
 ///
 /// From the highest body to the lowest, each body passes the impulse of its own weight, M |g| h,

@@ -18,17 +18,16 @@ namespace rigor {
 
 namespace {
 
-Body body_in_world(Integrator integrator, const RigidBody& rigid)
+// A static body may be driven, with the mean velocity of this step.
+Body static_in_world(const RigidBody& rigid, double time, double time_step)
 {
-    const RigidState& s = rigid.state;
     Body body;
-    body.position = s.position;
-    if (rigid.is_static) return body;
-    body.inverse_mass = rigid.inverse.inverse_mass;
-    body.inverse_inertia = inverse_inertia(integrator, rigid, s);
-    body.velocity = s.velocity;
-    body.angular_momentum = s.angular_momentum;
-    body.angular_velocity = body.inverse_inertia * s.angular_momentum;
+    body.position = rigid.state.position;
+    if (rigid.drive) {
+        const DriveVelocity mean = mean_drive_velocity(*rigid.drive, time, time_step);
+        body.velocity = mean.linear;
+        body.angular_velocity = mean.angular;
+    }
     return body;
 }
 
@@ -43,6 +42,10 @@ void take_bodies(const World& world, std::span<const RigidState> flown,
     std::vector<int> touching;
     for (int i = 0; i < static_cast<int>(touches.size()); ++i)
         if (touches[i]) touching.push_back(i);
+    for (int i : touching)
+        if (const auto& drive = world.bodies[i].drive)
+            problem.driven.push_back({i, mean_drive_velocity(*drive, world.time, problem.time_step),
+                                      drive_velocity(*drive, world.time + problem.time_step)});
     problem.bodies.resize(world.bodies.size());
     after_forces.resize(world.bodies.size());
     constexpr std::size_t grain_size = 64; // bodies
@@ -50,7 +53,10 @@ void take_bodies(const World& world, std::span<const RigidState> flown,
         touching.size(), grain_size, [&](std::size_t first, std::size_t last) {
             for (std::size_t k = first; k < last; ++k) {
                 const int i = touching[k];
-                problem.bodies[i] = body_in_world(world.settings.integrator, world.bodies[i]);
+                const RigidBody& rigid = world.bodies[i];
+                problem.bodies[i] = rigid.is_static
+                                        ? static_in_world(rigid, world.time, problem.time_step)
+                                        : body_in_world(world.settings.integrator, rigid);
                 after_forces[i] = with_forces(problem.bodies[i], world.bodies[i].state, flown[i]);
             }
         });
@@ -134,9 +140,9 @@ struct Filter {
         set_turning(world, problem, c);
         c.free_speed = free_speed;
         c.force_speed = free_speed - problem.velocity_at(c, x).dot(n);
-        const Material &a = world.bodies[c.body1].material, &b = world.bodies[c.body2].material;
-        c.restitution = std::min(a.restitution, b.restitution);
-        c.friction = std::sqrt(a.friction * b.friction);
+        const Material material = material_between(world.pair_laws, world.bodies, c.body1, c.body2);
+        c.restitution = material.restitution;
+        c.friction = material.friction;
         const double r1 = candidates.radii[c.body1], r2 = candidates.radii[c.body2];
         c.radius = r1 > 0 && r2 > 0 ? std::min(r1, r2) : std::max(r1, r2);
     }
@@ -168,7 +174,7 @@ void find_islands(const World& world, const ContactCandidates& candidates, Conta
     const ContactMethod method = problem.settings.contact_method;
     const bool is_iterative =
         method == ContactMethod::built_in || method == ContactMethod::simultaneous;
-    if (!is_iterative || !problem.settings.skips.warm_start) return find();
+    if (!is_iterative || !problem.settings.optimisations.warm_start) return find();
 
     constexpr std::size_t grain_size = 128; // pairs
     std::atomic<std::uint64_t> started = 0;

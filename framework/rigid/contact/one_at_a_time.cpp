@@ -5,6 +5,7 @@
 #include "rigid/contact/one_at_a_time.hpp"
 
 #include "formulas/contact.hpp"
+#include "rigid/contact/load_estimate.hpp"
 #include "rigid/contact/local_island.hpp"
 
 #include <algorithm>
@@ -21,10 +22,6 @@ constexpr int iterations = 10; // for each of the two formulas, as in the paper
 // With ten iterations alone, a seesaw's plank passed on only half of a heavy body's weight.
 constexpr double enough_share = 0.02;
 constexpr int growth = 4, most_visits = 4000;
-// Least n·up of a contact that carries weight: its tangent plane is less than 73° from level. A
-// smaller value would count walls as supports, a larger one would leave steep supports out of the
-// contact graph.
-constexpr double least_slope = 0.3;
 
 // For each body, the bodies on which it rests: those whose contacts push it upwards.
 std::vector<std::vector<int>> supports(const ContactProblem& problem, const LocalIsland& local)
@@ -32,8 +29,8 @@ std::vector<std::vector<int>> supports(const ContactProblem& problem, const Loca
     std::vector<std::vector<int>> rests_on(local.bodies.size());
     for (const BodyContact& c : local.contacts) {
         const double lift = c.normal.dot(problem.up());
-        if (lift > least_slope) rests_on[c.body1].push_back(c.body2);
-        if (lift < -least_slope) rests_on[c.body2].push_back(c.body1);
+        if (lift > least_lift) rests_on[c.body1].push_back(c.body2);
+        if (lift < -least_lift) rests_on[c.body2].push_back(c.body1);
     }
     return rests_on;
 }

@@ -86,8 +86,11 @@ void resolve(ContactProblem& problem, const Island& island)
 
 void process_contact(ContactProblem& problem)
 {
-    for (const Island& island : problem.islands)
+    for (const Island& island : problem.islands) {
+        problem.set_drives(island);
         resolve(problem, island);
+    }
+    problem.reset_drives();
 }
 
 } // namespace rigor

@@ -52,9 +52,12 @@ struct ImpulseBody {
     bool is_still = false;
 };
 
-ImpulseBody impulse_body(const RigidBody& body)
+// The law of a pair may give it any restitution, up to 1.
+ImpulseBody impulse_body(const World& world, const RigidBody& body)
 {
-    return {body.mass, body.material.restitution, body.is_still()};
+    const double restitution = world.pair_laws.empty() ? body.material.restitution : 1;
+    constexpr double driven_mass = 1e300; // [kg], since nothing can stop a driven body
+    return {body.changes_place() ? driven_mass : body.mass, restitution, body.is_still()};
 }
 
 // The share of body j's speed that body i gets when j hits it: (1 + ε) m_j / (m_i + m_j), at most
@@ -138,7 +141,7 @@ std::vector<double> margins_of(const ContactSearch& search, const std::vector<Bo
     std::vector<ImpulseBody> bodies;
     bodies.reserve(all.size());
     for (const RigidBody& body : all)
-        bodies.push_back(impulse_body(body));
+        bodies.push_back(impulse_body(search.world, body));
     // The number of bodies that an impulse passes through in a step. More rounds would widen the
     // margins of longer chains, and take more time.
     constexpr int most_rounds = 8;
@@ -171,12 +174,12 @@ std::vector<Bounds> bounds_with_impulses(const ContactSearch& search, ThreadPool
     const double fastest = *std::max_element(search.travels.begin(), search.travels.end());
     ImpulseBody heaviest{0, 1};
     for (const RigidBody& body : search.world.bodies)
-        heaviest.mass = std::max(heaviest.mass, body.mass);
+        heaviest.mass = std::max(heaviest.mass, impulse_body(search.world, body).mass);
     std::vector<Bounds> wide = search.bounds;
     constexpr std::size_t grain_size = 128; // bodies
     pool.for_each_range(wide.size(), grain_size, [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {
-            const ImpulseBody body = impulse_body(search.world.bodies[i]);
+            const ImpulseBody body = impulse_body(search.world, search.world.bodies[i]);
             const double hit = body.is_still ? 0 : speed_transfer(body, heaviest) * fastest;
             wide[i].grow(margin(search, static_cast<int>(i), std::max(search.travels[i], hit)));
         }
@@ -204,10 +207,18 @@ struct NarrowPhaseResult {
     Counters counters;
 };
 
+bool never_collide(const World& world, int i, int j)
+{
+    if (world.bodies[i].is_static && world.bodies[j].is_static) return true; // one is driven
+    const PairLaw* law = law_of(world.pair_laws, i, j);
+    return law && !law->collides;
+}
+
 NarrowPhaseResult run_narrow_phase(const ContactSearch& search, std::span<const BodyPair> pairs)
 {
     NarrowPhaseResult found;
     for (const auto& [i, j] : pairs) {
+        if (never_collide(search.world, i, j)) continue;
         const double margin = search.candidates.margins[i] + search.candidates.margins[j];
         if (!come_near(search, {i, j}, margin)) continue;
         ++found.counters.pairs_tested;
@@ -221,7 +232,7 @@ NarrowPhaseResult run_narrow_phase(const ContactSearch& search, std::span<const 
         found.any_may_meet |= may_meet;
         for (int sleeping : {i, j}) {
             if (!search.world.bodies[sleeping].rest.is_asleep()) continue;
-            if (may_meet) found.disturbed.push_back(sleeping);
+            if (may_meet && path > 0) found.disturbed.push_back(sleeping); // not by what stands
             found.contacts.resize(first);
         }
     }
@@ -245,7 +256,8 @@ ContactSearch start_search(const World& world, std::span<const RigidState> flown
             if (!body.is_static) search.candidates.radii[i] = body_radius(body);
             if (body.is_still()) continue;
             search.bounds[i].include(body_bounds(body, pose_of(flown[i])));
-            search.travels[i] = travel(body.state, flown[i], search.candidates.radii[i], time_step);
+            const double radius = body.is_static ? body_radius(body) : search.candidates.radii[i];
+            search.travels[i] = travel(body.state, flown[i], radius, time_step);
         }
     });
     return search;

@@ -57,7 +57,7 @@ RigidState constant_wrench_step(const RigidBody& body, const RigidState& state,
     next.velocity += h * A;
     next.angular_momentum += h * wrench.torque;
     const bool is_free = wrench.torque.isZero(0);
-    if (body.is_symmetric() && is_free) {
+    if (body.is_body_of_revolution() && is_free) {
         next.orientation = turned_symmetric(body, state, h);
         return next;
     }

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace rigor {
 
@@ -58,7 +59,7 @@ std::vector<bool> pulled_bodies(const World& world, double time_step)
     return pulled;
 }
 
-double fastest_spring_rate(const World& world)
+double fastest_force_rate(const World& world)
 {
     const auto compliance = [&](int body, const Vector3d& r) -> double {
         if (body < 0 || world.bodies[body].is_static) return 0;
@@ -76,6 +77,8 @@ double fastest_spring_rate(const World& world)
         }
     }
     double rate = 0;
+    for (const AppliedForce& force : world.forces)
+        rate = std::max(rate, 2 * std::numbers::pi * force.frequency);
     for (std::size_t i = 0; i < stiffness.size(); ++i)
         rate = std::max({rate, std::sqrt(stiffness[i]), damping[i]});
     return rate;
@@ -93,11 +96,14 @@ AppliedWrenches::AppliedWrenches(const World& world, std::span<const int> bodies
     : world_(world), bodies_(bodies),
       any_spring_damps_(std::any_of(world.springs.begin(), world.springs.end(),
                                     [](const Spring& spring) { return spring.damping != 0; })),
-      motions_(world.bodies.size()), forces_(world.bodies.size()), net_(bodies.size())
+      motions_(world.bodies.size()), forces_(world.bodies.size()),
+      torques_(world.bodies.size(), Vector3d::Zero()), net_(bodies.size())
 {
     for (const Spring& spring : world.springs)
         for (int i : {spring.body1, spring.body2})
-            if (i >= 0 && world.bodies[i].is_static) {
+            if (i >= 0 && world.bodies[i].changes_place()) {
+                driven_.push_back(i);
+            } else if (i >= 0 && world.bodies[i].is_static) {
                 const RigidBody& body = world.bodies[i];
                 motions_[i] = motion_of(world.settings.integrator, body, body.state, false);
             }
@@ -116,33 +122,56 @@ void AppliedWrenches::add_spring(const Spring& spring)
     const Vector3d d = end2.x - end1.x;
     const double length = d.norm();
     if (length == 0) return; // no direction to pull in
+    if (spring.only_pulls && length <= spring.rest_length) return;
 
     // f₁ = (k (|d| - l₀) + c (v₂ - v₁)·u) u,  u = d/|d|,  f₂ = -f₁
     const Vector3d u = d / length;
-    const double tension = spring.stiffness * (length - spring.rest_length) +
-                           spring.damping * (end2.v - end1.v).dot(u);
+    double tension = spring.stiffness * (length - spring.rest_length) +
+                     spring.damping * (end2.v - end1.v).dot(u);
+    if (spring.only_pulls) tension = std::max(0.0, tension);
     push(spring.body1, tension * u, end1.x);
     push(spring.body2, -tension * u, end2.x);
 }
 
-const std::vector<Wrench>& AppliedWrenches::at(std::span<const RigidState> states, double middle)
+// f(t) = sin(2π f t + φ) f, and the same for the torque.
+void AppliedWrenches::add_force(const AppliedForce& force, double now)
+{
+    const Motion& m = motions_[force.body];
+    const double angle = 2 * std::numbers::pi * force.frequency * now + force.phase;
+    const double share = force.frequency == 0 ? 1 : std::sin(angle);
+    const auto in_world = [&](const Vector3d& v) -> Vector3d {
+        if (force.turns_with_body) return share * (m.R * v);
+        return share * v;
+    };
+    if (!force.force.isZero(0))
+        push(force.body, in_world(force.force), world_point(m.R, m.X, force.point));
+    torques_[force.body] += in_world(force.torque);
+}
+
+const std::vector<Wrench>& AppliedWrenches::at(std::span<const RigidState> states, double middle,
+                                               double now)
 {
     for (int i : bodies_) {
         motions_[i] =
             motion_of(world_.settings.integrator, world_.bodies[i], states[i], any_spring_damps_);
         forces_[i].clear();
+        torques_[i].setZero();
+    }
+    for (int i : driven_) {
+        const Drive& drive = *world_.bodies[i].drive;
+        const RigidState state = driven_state(drive, now);
+        motions_[i] = {body_rotation(world_.settings.integrator, state), state.position,
+                       state.velocity, drive_velocity(drive, now).angular};
     }
     for (const Spring& spring : world_.springs)
         add_spring(spring);
     for (const AppliedForce& force : world_.forces)
-        if (acts(force, middle)) {
-            const Motion& m = motions_[force.body];
-            push(force.body, force.force, world_point(m.R, m.X, force.point));
-        }
+        if (acts(force, middle)) add_force(force, now);
     for (std::size_t k = 0; k < bodies_.size(); ++k) {
         const int i = bodies_[k];
         const Vector3d& X = motions_[i].X;
         net_[k] = gravity_on(world_.settings, world_.bodies[i], X);
+        net_[k].torque += torques_[i];
         if (forces_[i].empty()) continue;
         const Wrench pull = net_wrench(forces_[i], X);
         net_[k].force += pull.force;

@@ -20,11 +20,11 @@ struct Motion {
 /// False for static bodies.
 std::vector<bool> pulled_bodies(const World& world, double time_step);
 
-/// A bound on the fastest rate at which springs and dampers change the motion of a body: the
-/// highest angular frequency of a vibration or rate of a decay [1/s]. With K = 1/M + r² |I⁻¹| at
-/// each end of a spring, no ω² exceeds the largest Σ k (K₁ + K₂) over the springs of one body, and
-/// no rate of decay the largest Σ c (K₁ + K₂).
-double fastest_spring_rate(const World& world);
+/// A bound on the fastest rate at which springs, dampers and forces change the motion of a body:
+/// the highest angular frequency of a vibration or rate of a decay [1/s]. With K = 1/M + r² |I⁻¹|
+/// at each end of a spring, no ω² exceeds the largest Σ k (K₁ + K₂) over the springs of one body,
+/// and no rate of decay the largest Σ c (K₁ + K₂). A force adds its own ω = 2π f.
+double fastest_force_rate(const World& world);
 
 /// The wrench of gravity alone. For the integrator `matrix` it is a point force at the center of
 /// mass, through `net_wrench`; for the others it is `gravity_wrench`. Without gravity no formula is
@@ -48,20 +48,24 @@ public:
     /// @param middle  the time in the middle of the step [s]. A force that acts then acts during
     ///                the whole step, so that a force from the start of one step to the start of
     ///                another one gives its full impulse.
-    const std::vector<Wrench>& at(std::span<const RigidState> states, double middle);
+    /// @param now     the time of these states [s]
+    const std::vector<Wrench>& at(std::span<const RigidState> states, double middle, double now);
 
     /// Whether any spring damps. If none does, the wrenches depend on positions alone.
     bool any_spring_damps() const { return any_spring_damps_; }
 
 private:
     void add_spring(const Spring& spring);
+    void add_force(const AppliedForce& force, double now);
     void push(int body, const Vector3d& force, const Vector3d& point);
 
     const World& world_;
     std::span<const int> bodies_;
     bool any_spring_damps_ = false;
+    std::vector<int> driven_;                     // driven bodies with springs
     std::vector<Motion> motions_;                 // one for each body of the world
     std::vector<std::vector<PointForce>> forces_; // one list for each body of the world
+    std::vector<Vector3d> torques_;               // one for each body of the world [N m]
     std::vector<Wrench> net_;
 };
 

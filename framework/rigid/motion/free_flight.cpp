@@ -82,17 +82,20 @@ int substeps_for(Integrator integrator, const RigidBody& body, const RigidState&
     return static_cast<int>(std::clamp(std::ceil(h / limit), 1.0, most_substeps));
 }
 
-// The number of equal substeps in which no spring vibrates or decays by more than half a unit of
-// its phase. There both methods are accurate: after 30 oscillations the error is 1e-4 of the
-// amplitude, and with dampers, where Runge–Kutta 4 takes the place of the kicks, 4e-3.
-int substeps_for_springs(const World& world, double h)
+// The number of equal substeps in which no spring vibrates or decays, and no force oscillates, by
+// more than half a unit of its phase. There both methods are accurate: after 30 oscillations the
+// error is 1e-4 of the amplitude, and with dampers, where Runge–Kutta 4 takes the place of the
+// kicks, 4e-3.
+int substeps_for_forces(const World& world, double h)
 {
-    if (world.springs.empty() || world.settings.integrator != Integrator::runge_kutta) return 1;
+    if (world.springs.empty() && world.forces.empty()) return 1;
+    if (world.settings.integrator != Integrator::runge_kutta) return 1;
     constexpr double most_phase = 0.5; // [rad]
-    const double needed = std::ceil(fastest_spring_rate(world) * h / most_phase);
+    const double needed = std::ceil(fastest_force_rate(world) * h / most_phase);
     if (needed > most_substeps)
         throw std::domain_error(
-            "a spring or damper is too stiff for the step: expected sqrt(k/M) h and c h/M up to " +
+            "a spring or damper is too stiff or a force too fast for the step: expected "
+            "sqrt(k/M) h, c h/M and 2 pi f h up to " +
             std::to_string(static_cast<int>(most_substeps * most_phase)) + ", found " +
             std::to_string(needed));
     return needed > 1 ? static_cast<int>(needed) : 1; // a NaN is reported at the end of the step
@@ -113,21 +116,28 @@ int count_substeps(int n, Counters& counters)
     return n;
 }
 
+// The times of a step: when it begins, and its middle, which decides what forces act [s].
+struct StepTimes {
+    double start = 0, middle = 0;
+};
+
 // Runge–Kutta 4 for the bodies in `together`, whose forces depend on each other at every stage.
-// @param middle  the time in the middle of the step [s]
 template <class Scheme>
 void fly_by_runge_kutta(const World& world, AppliedWrenches& wrenches,
                         std::span<const int> together, std::vector<RigidState>& states, double h,
-                        double middle)
+                        const StepTimes& times)
 {
     std::vector<BodyStages<Scheme>> bodies;
     bodies.reserve(together.size());
     for (int i : together)
         bodies.push_back({world.bodies[i], Scheme::from(states[i]), Wrench()});
+    const double stages[] = {times.start, times.start + h / 2, times.start + h / 2,
+                             times.start + h};
+    const double* now = stages;
     runge_kutta_4(std::span(bodies), h, [&] {
         for (std::size_t k = 0; k < together.size(); ++k)
             states[together[k]] = Scheme::to(bodies[k].stage, states[together[k]]);
-        const std::vector<Wrench>& net = wrenches.at(states, middle);
+        const std::vector<Wrench>& net = wrenches.at(states, times.middle, *now++);
         for (std::size_t k = 0; k < together.size(); ++k)
             bodies[k].wrench = net[k];
     });
@@ -138,15 +148,17 @@ void fly_by_runge_kutta(const World& world, AppliedWrenches& wrenches,
 // The splitting method of Blanes and Moan (2002), in which impulses (kicks) and free flights
 // alternate; see the header. The coefficients are fractions of the step.
 void fly_by_splitting(const World& world, AppliedWrenches& wrenches, std::span<const int> together,
-                      std::vector<RigidState>& states, double h, double middle)
+                      std::vector<RigidState>& states, double h, const StepTimes& times)
 {
     constexpr double b1 = 0.0829844064174052, b2 = 0.396309801498368, b3 = -0.0390563049223486;
     constexpr double a1 = 0.245298957184271, a2 = 0.604872665711080;
     constexpr double a3 = 0.5 - (a1 + a2), b4 = 1 - 2 * (b1 + b2 + b3);
     constexpr double kicks[] = {b1, b2, b3, b4, b3, b2, b1};
     constexpr double flights[] = {a1, a2, a3, a3, a2, a1};
+    double now = times.start;
     for (std::size_t s = 0; s < std::size(kicks); ++s) {
-        const std::vector<Wrench>& net = wrenches.at(states, middle);
+        const std::vector<Wrench>& net = wrenches.at(states, times.middle, now);
+        if (s < std::size(flights)) now += flights[s] * h;
         for (std::size_t k = 0; k < together.size(); ++k) {
             const RigidBody& body = world.bodies[together[k]];
             RigidState& state = states[together[k]];
@@ -159,15 +171,15 @@ void fly_by_splitting(const World& world, AppliedWrenches& wrenches, std::span<c
 }
 
 void fly_pulled(const World& world, AppliedWrenches& wrenches, std::span<const int> together,
-                std::vector<RigidState>& states, double h, double middle)
+                std::vector<RigidState>& states, double h, const StepTimes& times)
 {
     if (world.settings.integrator == Integrator::matrix)
-        return fly_by_runge_kutta<MatrixScheme>(world, wrenches, together, states, h, middle);
+        return fly_by_runge_kutta<MatrixScheme>(world, wrenches, together, states, h, times);
     if (world.settings.integrator == Integrator::runge_kutta && wrenches.any_spring_damps())
-        return fly_by_runge_kutta<LieScheme>(world, wrenches, together, states, h, middle);
+        return fly_by_runge_kutta<LieScheme>(world, wrenches, together, states, h, times);
     if (world.settings.integrator == Integrator::runge_kutta)
-        return fly_by_splitting(world, wrenches, together, states, h, middle);
-    const std::vector<Wrench>& net = wrenches.at(states, middle);
+        return fly_by_splitting(world, wrenches, together, states, h, times);
+    const std::vector<Wrench>& net = wrenches.at(states, times.middle, times.middle);
     for (std::size_t k = 0; k < together.size(); ++k) {
         const int i = together[k];
         states[i] = one_step(world.settings.integrator, world.bodies[i], states[i], net[k], h);
@@ -180,7 +192,7 @@ RigidState fly(const Settings& settings, const RigidBody& body, RigidState state
                Counters& counters, Gravity gravity)
 {
     const Integrator integrator = settings.integrator;
-    const bool is_exact = body.is_symmetric() && integrator == Integrator::runge_kutta;
+    const bool is_exact = body.is_body_of_revolution() && integrator == Integrator::runge_kutta;
     const int n =
         is_exact ? 1 : count_substeps(substeps_for(integrator, body, state, time_step), counters);
     if (body.is_isotropic) ++counters.isotropic_shortcuts;
@@ -198,10 +210,10 @@ std::vector<RigidState> fly_all(World& world, const std::vector<bool>& pulled, d
     Counters& counters = world.counters;
     std::vector<RigidState> states(world.bodies.size());
     std::vector<int> together;
-    int n = substeps_for_springs(world, time_step);
+    int n = substeps_for_forces(world, time_step);
     for (std::size_t i = 0; i < world.bodies.size(); ++i) {
         const RigidBody& body = world.bodies[i];
-        if (body.is_static) ++counters.static_skipped;
+        if (body.is_static && !body.changes_place()) ++counters.static_skipped;
         if (body.rest.is_asleep()) ++counters.bodies_asleep;
         if (!pulled[i] || body.is_still()) continue;
         together.push_back(static_cast<int>(i));
@@ -212,9 +224,12 @@ std::vector<RigidState> fly_all(World& world, const std::vector<bool>& pulled, d
         pool, states.size(), counters, [&](std::size_t first, std::size_t last, Counters& counted) {
             for (std::size_t i = first; i < last; ++i) {
                 const RigidBody& body = world.bodies[i];
-                states[i] = body.is_still() || pulled[i]
-                                ? body.state
-                                : fly(world.settings, body, body.state, time_step, counted);
+                if (body.changes_place())
+                    states[i] = driven_state(*body.drive, world.time + time_step);
+                else if (body.is_still() || pulled[i])
+                    states[i] = body.state;
+                else
+                    states[i] = fly(world.settings, body, body.state, time_step, counted);
             }
         });
     if (together.empty()) return states;
@@ -223,7 +238,8 @@ std::vector<RigidState> fly_all(World& world, const std::vector<bool>& pulled, d
     const double h = time_step / n;
     AppliedWrenches wrenches(world, together);
     for (int k = 0; k < n; ++k)
-        fly_pulled(world, wrenches, together, states, h, world.time + (k + 0.5) * h);
+        fly_pulled(world, wrenches, together, states, h,
+                   {world.time + k * h, world.time + (k + 0.5) * h});
     for (int i : together)
         states[i] = with_unit_orientation(world.settings.integrator, states[i]);
     return states;

@@ -42,7 +42,7 @@ enum class Gravity { acts, left_out };
 ///
 /// If a body would rotate by more than a quarter turn, the step is divided into equal substeps of
 /// at most a quarter turn (`max_time_step`). Three kinds of flight need no substeps: an isotropic
-/// body with an integrator that rotates it exactly, a body of revolution with the default
+/// body with any integrator but `linear`, a body of revolution with the default
 /// integrator, and the integrator `matrix`, whose assignment comes before that formula's.
 RigidState fly(const Settings& settings, const RigidBody& body, RigidState state, double time_step,
                Counters& counters, Gravity gravity = Gravity::acts);
@@ -65,7 +65,8 @@ void fly_in_parallel(ThreadPool& pool, std::size_t count, Counters& counters, co
 }
 
 /// The states of all bodies after a time step without contacts. Bodies on which springs or applied
-/// forces pull fly together, all others one by one. Static bodies keep their state. Only the
+/// forces pull fly together, all others one by one. Static bodies keep their state, unless they are
+/// driven. Only the
 /// counters of the world are changed.
 ///
 /// @param pulled  see `pulled_bodies`

@@ -5,18 +5,13 @@
 
 #include "formulas/rotation.hpp"
 #include "geometry/shapes/pose.hpp"
+#include "rigid/bodies/orientation.hpp"
 
 #include <cmath>
 
 namespace rigor {
 
 namespace {
-
-Quaternion nearer_quaternion_of(const Matrix3d& R, const Quaternion& p)
-{
-    const Quaternion q = quaternion_of(R);
-    return q.s * p.s + q.v.dot(p.v) < 0 ? Quaternion{-q.s, -q.v} : q;
-}
 
 // Roll, pitch and yaw of R = R_z(ψ) R_y(θ) R_x(φ), with the pitch from -π/2 to π/2.
 Vector3d angles_of(const Matrix3d& R)

@@ -61,10 +61,8 @@ struct MatrixScheme {
     /// taken.
     static RigidState to(const State& s, const RigidState& previous)
     {
-        Quaternion q = quaternion_of(s.rotation);
-        const Quaternion& p = previous.orientation;
-        if (q.s * p.s + q.v.dot(p.v) < 0) q = {-q.s, -q.v};
-        return {s.position, q, s.velocity, s.angular_momentum};
+        return {s.position, nearer_quaternion_of(s.rotation, previous.orientation), s.velocity,
+                s.angular_momentum};
     }
 
     /// R + h Ṙ is not a rotation, so the stages inside a step leave the rotations by O(h²). The

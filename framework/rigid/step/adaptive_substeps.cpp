@@ -92,8 +92,9 @@ IslandWorld part_of(const World& world, const Island& island, const std::vector<
         index[i] = static_cast<int>(part.world.bodies.size());
         part.world.bodies.push_back(world.bodies[i]);
     }
+    part.world.pair_laws = laws_among(world.pair_laws, part.bodies);
     part.world.settings = world.settings;
-    part.world.settings.skips.sleep = false;
+    part.world.settings.optimisations.sleep = false;
     part.world.time = world.time;
     part.world.counters = world.counters;
     for (WarmContact warm : world.memory.warm_contacts) {
@@ -159,7 +160,7 @@ private:
 // and repeated it converges quadratically.
 double first_impact(const World& world, const ContactProblem& problem, const Island& island)
 {
-    constexpr double touching = 1e-10;       // a gap up to this fraction of the radius is closed
+    constexpr double touching = 1e-10; // a gap up to this fraction of the radius counts as contact
     constexpr double just_before = 1 - 1e-9; // so that the bounce belongs to the later part
     double first = problem.time_step;
     for (const ContactPair& pair : island.pairs) {

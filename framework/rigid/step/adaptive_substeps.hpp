@@ -18,10 +18,11 @@ struct Refinement {
 /// Does a step of a world and returns its contacts.
 using Step = std::function<std::vector<ContactRecord>(World& world, double time_step)>;
 
-/// How often a step may be halved. The limit guards the time: the shortest substep is a 1024th.
-inline constexpr int most_halvings = 10;
+/// How often a step may be divided. The limit guards the time: by halves, the shortest part is a
+/// 1024th of the step.
+inline constexpr int most_divisions = 10;
 
-/// Repeats the step of an island in two halves if it left two bodies overlapping.
+/// Repeats the step of an island in two parts if it left two bodies overlapping.
 ///
 /// During a step, a contact acts along one fixed normal. Bodies may slide any distance across it,
 /// but a body that rotates by θ leaves its contact plane by up to θ² r/2, and sweeps that ended
@@ -37,7 +38,7 @@ inline constexpr int most_halvings = 10;
 ///
 /// @param problem  the impulses of repeated islands are removed from it
 /// @param states   the states after the step; those of repeated islands are replaced
-/// @param step     does one of the halves, and may refine it in turn
+/// @param step     advances a world by one part of the step; it may divide that part again
 Refinement refine_by_substeps(World& world, ContactProblem& problem,
                               const std::vector<bool>& pulled, const ContactCandidates& candidates,
                               std::vector<RigidState>& states, const Step& step);

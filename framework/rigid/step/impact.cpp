@@ -11,6 +11,7 @@
 #include "rigid/motion/free_flight.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -54,7 +55,10 @@ Approach first_to_close(const World& world, const ContactProblem& problem, const
         const ContactConstraint& c = problem.contacts[i];
         const auto velocity = [&](int body) -> Vector3d {
             const RigidBody& b = world.bodies[body];
-            if (b.is_static) return Vector3d::Zero();
+            if (b.is_static) {
+                const Body& driven = problem.bodies[body];
+                return driven.velocity + driven.angular_velocity.cross(c.point - driven.position);
+            }
             const Vector3d w = angular_velocity(world.settings.integrator, b, b.state);
             return b.state.velocity + w.cross(c.point - b.state.position);
         };
@@ -73,12 +77,16 @@ PairWorld pair_at(const World& world, const ContactConstraint& c, double time, d
 {
     PairWorld pair;
     pair.world.settings = world.settings;
-    pair.world.settings.skips.warm_start = false;
+    pair.world.settings.optimisations.warm_start = false;
+    pair.world.pair_laws = laws_among(world.pair_laws, std::array{c.body1, c.body2});
+    pair.world.time = world.time + time;
     pair.time = time;
     std::vector<Pose> poses;
     for (int i : {c.body1, c.body2}) {
         RigidBody& body = pair.world.bodies.emplace_back(world.bodies[i]);
-        if (!body.is_static && time > 0)
+        if (body.changes_place())
+            body.state = driven_state(*body.drive, pair.world.time);
+        else if (!body.is_static && time > 0)
             body.state = fly(world.settings, body, body.state, time, pair.world.counters);
         poses.push_back(pose_of(body.state));
     }
@@ -133,9 +141,12 @@ ContactProblem problem_at_impact(PairWorld& pair, double radius, double rest)
         const RigidBody& body = pair.world.bodies[k];
         near.poses.push_back(pose_of(body.state));
         if (body.is_static) near.radii[k] = 0;
-        flown.push_back(
-            body.is_static ? body.state
-                           : fly(pair.world.settings, body, body.state, rest, pair.world.counters));
+        if (body.changes_place())
+            flown.push_back(driven_state(*body.drive, pair.world.time + rest));
+        else if (body.is_static)
+            flown.push_back(body.state);
+        else
+            flown.push_back(fly(pair.world.settings, body, body.state, rest, pair.world.counters));
     }
     return make_problem(pair.world, flown, near, rest, pair.world.pool);
 }

@@ -10,8 +10,8 @@ namespace rigor {
 
 bool is_lone_body(const World& world)
 {
-    return world.bodies.size() == 1 && !world.bodies[0].is_still() && world.springs.empty() &&
-           world.forces.empty();
+    return world.bodies.size() == 1 && !world.bodies[0].is_static && !world.bodies[0].is_still() &&
+           world.springs.empty() && world.forces.empty();
 }
 
 std::vector<ContactRecord> step_lone_body(World& world, double time_step)

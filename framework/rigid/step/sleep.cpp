@@ -30,12 +30,9 @@ bool is_near(const RigidState& a, const RigidState& b, double radius)
 }
 
 // Adds up how long each body of the island has been at rest.
-// @return whether all bodies have been at rest for long enough
-bool has_rested(World& world, const Island& island, const std::vector<double>& radii,
-                const std::vector<bool>& pulled, const std::vector<RigidState>& states,
-                double time_step)
+void add_rest_times(World& world, const Island& island, const std::vector<double>& radii,
+                    const std::vector<RigidState>& states, double time_step)
 {
-    bool all = true;
     for (int i : island.bodies) {
         Rest& rest = world.bodies[i].rest;
         if (rest.duration > 0 && is_near(states[i], rest.place, radii[i])) {
@@ -44,9 +41,30 @@ bool has_rested(World& world, const Island& island, const std::vector<double>& r
             rest.duration = std::min(time_step, first_rest);
             rest.place = states[i];
         }
-        all &= rest.duration >= needed_rest && !pulled[i];
     }
-    return all;
+}
+
+// Whether all bodies of the island have been at rest for long enough.
+bool has_rested(const World& world, const Island& island, const std::vector<bool>& pulled)
+{
+    return std::all_of(island.bodies.begin(), island.bodies.end(), [&](int i) {
+        return world.bodies[i].rest.duration >= needed_rest && !pulled[i];
+    });
+}
+
+// Whether a body of the island touches a driven body while that moves.
+bool is_driven(const World& world, const ContactProblem& problem, const Island& island)
+{
+    if (problem.driven.empty()) return false;
+    const auto moves = [&](int i) {
+        if (!world.bodies[i].drive) return false;
+        const auto [V, w] = drive_velocity(*world.bodies[i].drive, world.time);
+        return !V.isZero(0) || !w.isZero(0);
+    };
+    return std::any_of(island.pairs.begin(), island.pairs.end(), [&](const ContactPair& pair) {
+        const ContactConstraint& c = problem.contacts[pair.first];
+        return moves(c.body1) || moves(c.body2);
+    });
 }
 
 } // namespace
@@ -55,10 +73,11 @@ void fall_asleep(World& world, const ContactProblem& problem, const std::vector<
                  const std::vector<bool>& pulled, std::vector<RigidState>& states,
                  const std::vector<ContactRecord>& records)
 {
-    if (!world.settings.skips.sleep || world.settings.gravity.isZero(0)) return;
+    if (!world.settings.optimisations.sleep || world.settings.gravity.isZero(0)) return;
     std::vector<bool> fell; // one for each body; empty if no body fell asleep
     for (const Island& island : problem.islands) {
-        if (!has_rested(world, island, radii, pulled, states, problem.time_step)) continue;
+        add_rest_times(world, island, radii, states, problem.time_step);
+        if (!has_rested(world, island, pulled) || is_driven(world, problem, island)) continue;
         fell.resize(world.bodies.size());
         const int group = *std::min_element(island.bodies.begin(), island.bodies.end());
         for (int i : island.bodies) {

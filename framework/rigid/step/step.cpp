@@ -29,7 +29,8 @@ std::vector<RigidState> free_flight(World& world, const std::vector<bool>& pulle
     std::vector<RigidState> flown = fly_all(world, pulled, time_step, pool);
     for (std::size_t i = 0; i < flown.size(); ++i) {
         require_finite(world.bodies[i], flown[i], world.time + time_step);
-        if (!world.bodies[i].is_still()) ++world.counters.free_flights;
+        if (!world.bodies[i].is_still() && !world.bodies[i].is_static)
+            ++world.counters.free_flights;
     }
     return flown;
 }
@@ -42,8 +43,33 @@ void apply_forces(ContactProblem& problem, const World& world, const std::vector
             problem.bodies[i] = with_forces(problem.bodies[i], world.bodies[i].state, flown[i]);
 }
 
-// @param depth  how often the original step was halved to get this one
-std::vector<ContactRecord> step(World& world, double time_step, int depth)
+std::vector<ContactRecord> step(World& world, double time_step, int divisions);
+
+// Steps of the parts of a step that was divided `divisions` times.
+Step step_of_parts(int divisions)
+{
+    return
+        [divisions](World& part, double time_step) { return step(part, time_step, divisions + 1); };
+}
+
+// Free flight and the contacts on its way. A sleeping body that another may touch wakes up. It
+// moves then, so both are done again, until no further body wakes.
+ContactCandidates find_contacts(World& world, const std::vector<bool>& pulled, double time_step,
+                                ThreadPool& pool, std::vector<RigidState>& flown)
+{
+    const Counters before = world.counters;
+    for (;;) {
+        flown = free_flight(world, pulled, time_step, pool);
+        if (world.bodies.size() < 2) return {};
+        ContactCandidates candidates = contact_candidates(world, flown, time_step, pool);
+        if (candidates.disturbed.empty()) return candidates;
+        wake(world, candidates.disturbed);
+        world.counters = before; // what is done again counts once
+    }
+}
+
+// @param divisions  how often the original step was divided to get this one
+std::vector<ContactRecord> step(World& world, double time_step, int divisions)
 {
     // Formulas other than the reference's may not be thread-safe and run on one thread.
     ThreadPool alone;
@@ -52,14 +78,7 @@ std::vector<ContactRecord> step(World& world, double time_step, int depth)
     wake_pulled(world, pulled);
 
     std::vector<RigidState> flown;
-    ContactCandidates candidates;
-    for (const Counters before = world.counters;; world.counters = before) {
-        flown = free_flight(world, pulled, time_step, pool);
-        if (world.bodies.size() < 2) break;
-        candidates = contact_candidates(world, flown, time_step, pool);
-        if (candidates.disturbed.empty()) break;
-        wake(world, candidates.disturbed); // the woken bodies move, so the search starts again
-    }
+    const ContactCandidates candidates = find_contacts(world, pulled, time_step, pool, flown);
     if (candidates.contacts.empty())
         return finish_step(world, time_step, {std::move(flown), {}, {}});
 
@@ -73,12 +92,10 @@ std::vector<ContactRecord> step(World& world, double time_step, int depth)
     StepResult result{std::move(flown), {}, {}};
     update_positions(world, problem, pulled, after_collisions, displacements, result.states);
     result.records = bounce_at_impacts(world, problem, pulled, displacements, result.states);
-    const Refinement refined =
-        depth < most_halvings
-            ? refine_by_substeps(
-                  world, problem, pulled, candidates, result.states,
-                  [depth](World& part, double half) { return step(part, half, depth + 1); })
-            : Refinement();
+    Refinement refined;
+    if (divisions < most_divisions)
+        refined = refine_by_substeps(world, problem, pulled, candidates, result.states,
+                                     step_of_parts(divisions));
     collect_contacts(world, problem, candidates, refined, result);
     fall_asleep(world, problem, candidates.radii, pulled, result.states, result.records);
     return finish_step(world, time_step, std::move(result));

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 // The time step of rigid bodies, in the order of Guendelman, Bridson and Fedkiw (2003, "Nonconvex
-// rigid bodies with stacking", ACM Trans. Graph. 22). Each stage is one call in step.cpp:
+// rigid bodies with stacking", ACM Trans. Graph. 22). Each stage is a call or two in step.cpp:
 //
 // stage                 reads                     writes               where
 // 1 free flight         states, forces            flown states         motion/free_flight
 // 2 find contacts       states, flown states      contact candidates   detection/contact_candidates
+//   broad, narrow phase bounds, then shapes       pairs, then points   detection/broad_phase,
+//                                                                      detection/narrow_phase
 //   make the problem    candidates, memory        contacts in islands  contact/make_problem
 // 3 collisions          velocities before forces  velocities           contact/collisions
 // 4 velocities          flown states              velocities           here, `apply_forces`
@@ -14,6 +16,7 @@
 // 8 refine              states, contacts          states, records      step/impact,
 //                                                                      step/adaptive_substeps
 // 9 sleep               states, islands           memory, states       step/sleep
+//   finish the step     states, records           world                step/step_result
 //
 // Papers of the stages: 1 Buss (2000), Blanes and Moan (2002), Munthe-Kaas (1999), see
 // free_flight.hpp; 2 Verlet (1967) for the pair cache, Gottschalk et al. (1996) for boxes, the 2003
@@ -26,8 +29,8 @@
 
 namespace rigor {
 
-/// Advances a world by one time step. The result depends only on (world, time_step), since no other
-/// state is kept elsewhere. Without warm start and sleep it depends only on the bodies' states.
+/// Advances a world by one time step. The result depends only on (world, time_step), since no state
+/// is kept elsewhere. Without warm start and sleep it depends only on the bodies' states.
 ///
 /// @return the contacts that got an impulse, and those that hold sleeping bodies
 /// @throws NonFiniteState if a state is infinite or not a number

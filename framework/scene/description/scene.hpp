@@ -35,6 +35,7 @@ struct BodyDescription {
     std::vector<Part> parts; // in the body's own frame, as in the file
     Material material;
     bool is_static = false;
+    std::optional<Drive> drive; // the given motion of a body that counts as static
     std::optional<double> mass; // given instead of densities [kg]
     // The inertia is given together with the mass, about the center of mass, which is the origin of
     // the frame [kg m²].
@@ -99,6 +100,7 @@ struct Scene {
     std::vector<SolidDescription> solids;
     std::vector<Spring> springs;             // points in the bodies' frames, as in the file
     std::vector<AppliedForce> forces;        // points in the bodies' frames, as in the file
+    std::vector<PairLaw> pairs;              // sorted by their bodies
     std::vector<int> world_forces;           // those of them whose points are still in world space
     Settings settings = settings_on_earth(); // copied whole into the world
     double time_step = 0.01;                 // [s]

@@ -2,6 +2,7 @@
 #include "scene/keys/body_keys.hpp"
 
 #include "errors/quotes.hpp"
+#include "scene/keys/drive_keys.hpp"
 #include "scene/keys/grid_keys.hpp"
 #include "scene/keys/shape_keys.hpp"
 #include "scene/language/orientation.hpp"
@@ -72,7 +73,7 @@ struct BodyDraft {
     BodyDescription body;
     const Value *shape = nullptr, *parts = nullptr, *density = nullptr, *mass = nullptr,
                 *inertia = nullptr, *motion = nullptr, *grid = nullptr, *spin = nullptr,
-                *film = nullptr, *method = nullptr, *samples = nullptr;
+                *film = nullptr, *method = nullptr, *samples = nullptr, *drive = nullptr;
     const Value* part_density = nullptr; // the first density that a part gives
 };
 
@@ -130,6 +131,11 @@ constexpr Key<BodyDraft> body_keys[] = {
      }},
     {"static", "true for a body that never moves, default false",
      [](BodyDraft& d, const Value& v) { d.body.is_static = boolean(v); }},
+    {"driven", "instead of `static`: a motion that nothing can change, of a body without mass",
+     [](BodyDraft& d, const Value& v) {
+         d.body.drive = read_drive(v);
+         d.drive = &v;
+     }},
     {"color", "[red, green, blue], each from 0 to 1, default one of a palette",
      [](BodyDraft& d, const Value& v) { d.body.color = color(v); }},
     {"grid", "makes many of this body, named \"name 1\", \"name 2\" and so on",
@@ -258,6 +264,25 @@ void check_film(const BodyDraft& draft)
         throw Mistake{draft.film->line, "expected no \"filmed\" of a static body, found one"};
 }
 
+// A driven body counts as static, apart from its motion.
+void read_driven(BodyDraft& draft)
+{
+    if (!draft.drive) return;
+    BodyDescription& body = draft.body;
+    if (body.is_static)
+        throw Mistake{draft.drive->line, "expected either \"static\" or \"driven\", found both"};
+    if (draft.motion)
+        throw Mistake{draft.motion->line, "expected the motion of a driven body in \"driven\" "
+                                          "alone, found it in the body too"};
+    for (const Part& part : body.parts)
+        if (std::holds_alternative<Plane>(part.shape))
+            throw Mistake{draft.drive->line,
+                          fmt::format("expected a shape of finite size for the driven body {}, "
+                                      "found a plane",
+                                      in_quotes(body.name))};
+    body.is_static = true;
+}
+
 void check_static(const BodyDraft& draft, const Value& value)
 {
     const BodyDescription& body = draft.body;
@@ -279,6 +304,7 @@ void read_body(const Value& value, MeshLibrary& meshes, std::vector<BodyDescript
     if (draft.body.name.empty())
         throw Mistake{value.line, "expected a \"name\" in the body, found none"};
     read_parts(draft, value, meshes);
+    read_driven(draft);
     read_mass(draft);
     read_mass_samples(draft);
     check_mass_method(draft);
@@ -295,6 +321,7 @@ void body_meanings(std::vector<KeyMeaning>& meanings)
     add_meanings<BodyDraft>("body", body_keys, meanings);
     add_meanings<PartDraft>("part", part_keys, meanings);
     add_meanings<FilmDraft>("filmed", film_keys, meanings);
+    drive_meanings(meanings);
     shape_meanings(meanings);
 }
 

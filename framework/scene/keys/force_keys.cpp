@@ -7,6 +7,9 @@
 
 #include <fmt/format.h>
 
+#include <numbers>
+#include <set>
+
 namespace rigor {
 
 namespace {
@@ -47,21 +50,34 @@ constexpr Key<SpringDraft> spring_keys[] = {
      [](SpringDraft& d, const Value& v) {
          d.spring.rest_length = not_negative(v, "a rest length");
      }},
+    {"only_pulls", "true for a rope: slack while it is shorter than `rest_length`, default false",
+     [](SpringDraft& d, const Value& v) { d.spring.only_pulls = boolean(v); }},
 };
+
+constexpr std::string_view frame_words[] = {"world", "body"};
 
 struct ForceDraft {
     AppliedForce force;
-    const Value *body = nullptr, *vector = nullptr, *end = nullptr, *point = nullptr,
-                *world_point = nullptr;
+    const Value *body = nullptr, *vector = nullptr, *torque = nullptr, *end = nullptr,
+                *point = nullptr, *world_point = nullptr, *frequency = nullptr, *phase = nullptr;
 };
 
 constexpr Key<ForceDraft> force_keys[] = {
     {"body", "needed: the name of a body", [](ForceDraft& d, const Value& v) { d.body = &v; }},
-    {"force", "needed, in world space [N]",
+    {"force", "default [0, 0, 0]; this or `torque` is needed [N]",
      [](ForceDraft& d, const Value& v) {
          d.vector = &v;
          d.force.force = vector3(v);
      }},
+    {"torque", "in addition, default [0, 0, 0] [N m]",
+     [](ForceDraft& d, const Value& v) {
+         d.torque = &v;
+         d.force.torque = vector3(v);
+     }},
+    {"frame",
+     "in which force and torque are given: \"world\", or \"body\" if they turn with it, default "
+     "the first",
+     [](ForceDraft& d, const Value& v) { d.force.turns_with_body = one_of(v, frame_words) == 1; }},
     {"point", "where it acts, in the frame of the body, default [0, 0, 0] [m]",
      [](ForceDraft& d, const Value& v) {
          d.point = &v;
@@ -78,6 +94,36 @@ constexpr Key<ForceDraft> force_keys[] = {
      [](ForceDraft& d, const Value& v) {
          d.end = &v;
          d.force.end = number(v, "an end");
+     }},
+    {"frequency", "> 0: force and torque oscillate as the sine of the time, default never [Hz]",
+     [](ForceDraft& d, const Value& v) {
+         d.frequency = &v;
+         d.force.frequency = positive(v, "a frequency");
+     }},
+    {"phase_degrees", "with `frequency`: of the sine at 0 s, default 0 [degrees]",
+     [](ForceDraft& d, const Value& v) {
+         d.phase = &v;
+         d.force.phase = number(v, "a phase") * std::numbers::pi / 180;
+     }},
+};
+
+struct PairDraft {
+    PairLaw law;
+    const Value *body1 = nullptr, *body2 = nullptr, *collide = nullptr;
+};
+
+constexpr Key<PairDraft> pair_keys[] = {
+    {"body1", "needed: the name of a body", [](PairDraft& d, const Value& v) { d.body1 = &v; }},
+    {"body2", "needed: the name of another one",
+     [](PairDraft& d, const Value& v) { d.body2 = &v; }},
+    {"restitution", "ε from 0 to 1 between the two, default by their own values",
+     [](PairDraft& d, const Value& v) { d.law.restitution = in_range(v, "a restitution", 0, 1); }},
+    {"friction", "μ ≥ 0 between the two, default by their own values",
+     [](PairDraft& d, const Value& v) { d.law.friction = not_negative(v, "a friction"); }},
+    {"collide", "false if they pass through each other, default true",
+     [](PairDraft& d, const Value& v) {
+         d.law.collides = boolean(v);
+         d.collide = &v;
      }},
 };
 
@@ -108,7 +154,10 @@ ForcesRead read_forces(const Value& value, const std::vector<BodyDescription>& b
         ForceDraft draft;
         read_object<ForceDraft>(item, "a force {\"body\": …, \"force\": …}", force_keys, draft);
         if (!draft.body) expected("a \"body\" in the force", item);
-        if (!draft.vector) expected("a \"force\" in it", item);
+        if (!draft.vector && !draft.torque) expected("a \"force\" or a \"torque\" in it", item);
+        if (draft.phase && !draft.frequency)
+            throw Mistake{draft.phase->line,
+                          "expected \"frequency\" beside \"phase_degrees\", found none"};
         if (draft.point && draft.world_point)
             throw Mistake{draft.world_point->line,
                           "expected either \"point\" or \"world_point\", found both"};
@@ -121,10 +170,35 @@ ForcesRead read_forces(const Value& value, const std::vector<BodyDescription>& b
     return read;
 }
 
+std::vector<PairLaw> read_pairs(const Value& value, const std::vector<BodyDescription>& bodies)
+{
+    std::vector<PairLaw> laws;
+    std::set<std::pair<int, int>> seen;
+    for (const Value& item : array(value, "a list of pairs")) {
+        PairDraft draft;
+        read_object<PairDraft>(item, "a pair {\"body1\": …, \"body2\": …}", pair_keys, draft);
+        if (!draft.body1 || !draft.body2) expected("\"body1\" and \"body2\" in the pair", item);
+        PairLaw& law = draft.law;
+        law.body1 = body_index(*draft.body1, bodies);
+        law.body2 = body_index(*draft.body2, bodies);
+        if (law.body1 == law.body2) expected("two different bodies", *draft.body2);
+        if (!law.restitution && !law.friction && !draft.collide)
+            expected("\"restitution\", \"friction\" or \"collide\" in the pair", item);
+        if (!seen.insert(std::minmax(law.body1, law.body2)).second)
+            throw Mistake{item.line, fmt::format("expected each pair once, found {} and {} again",
+                                                 in_quotes(bodies[law.body1].name),
+                                                 in_quotes(bodies[law.body2].name))};
+        laws.push_back(law);
+    }
+    sort_by_pair(laws);
+    return laws;
+}
+
 void force_meanings(std::vector<KeyMeaning>& meanings)
 {
     add_meanings<SpringDraft>("spring", spring_keys, meanings);
     add_meanings<ForceDraft>("force", force_keys, meanings);
+    add_meanings<PairDraft>("pair", pair_keys, meanings);
 }
 
 } // namespace rigor

@@ -17,6 +17,10 @@ struct ForcesRead {
 };
 ForcesRead read_forces(const Value& value, const std::vector<BodyDescription>& bodies);
 
+/// Reads what holds for two bodies in particular, sorted by their bodies.
+/// @throws Mistake
+std::vector<PairLaw> read_pairs(const Value& value, const std::vector<BodyDescription>& bodies);
+
 void force_meanings(std::vector<KeyMeaning>& meanings);
 
 } // namespace rigor

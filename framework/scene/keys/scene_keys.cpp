@@ -31,7 +31,7 @@ constexpr double most_steps = 10'000'000;
 struct SceneDraft {
     Scene scene;
     const Value *meshes = nullptr, *bodies = nullptr, *solids = nullptr, *springs = nullptr,
-                *forces = nullptr, *time_step = nullptr, *end = nullptr,
+                *forces = nullptr, *pairs = nullptr, *time_step = nullptr, *end = nullptr,
                 *frames_per_second = nullptr;
 };
 
@@ -41,21 +41,21 @@ constexpr std::string_view integrators[] = {"matrix",      "linear",       "expo
 constexpr std::string_view contact_methods[] = {"built_in", "one_at_a_time", "shock_propagation",
                                                 "simultaneous"};
 
-constexpr Key<Skips> skip_keys[] = {
+constexpr Key<Optimisations> optimisation_keys[] = {
     {"islands", "contacts solved group by group, default true",
-     [](Skips& s, const Value& v) { s.islands = boolean(v); }},
+     [](Optimisations& s, const Value& v) { s.islands = boolean(v); }},
     {"sleep", "bodies at rest left alone, default true",
-     [](Skips& s, const Value& v) { s.sleep = boolean(v); }},
+     [](Optimisations& s, const Value& v) { s.sleep = boolean(v); }},
     {"warm_start", "impulses start from those of the step before, default true",
-     [](Skips& s, const Value& v) { s.warm_start = boolean(v); }},
+     [](Optimisations& s, const Value& v) { s.warm_start = boolean(v); }},
     {"early_exit", "sweeps end once nothing changes, default true",
-     [](Skips& s, const Value& v) { s.early_exit = boolean(v); }},
+     [](Optimisations& s, const Value& v) { s.early_exit = boolean(v); }},
     {"optimised_formulas",
      "the reference's formulas in a faster form of the same result, default true",
-     [](Skips& s, const Value& v) { s.optimised_formulas = boolean(v); }},
+     [](Optimisations& s, const Value& v) { s.optimised_formulas = boolean(v); }},
     {"stress_bound",
      "the largest principal stress only where a bound on it exceeds the strength, default true",
-     [](Skips& s, const Value& v) { s.stress_bound = boolean(v); }},
+     [](Optimisations& s, const Value& v) { s.stress_bound = boolean(v); }},
 };
 
 constexpr Key<SceneDraft> scene_keys[] = {
@@ -81,10 +81,10 @@ constexpr Key<SceneDraft> scene_keys[] = {
      [](SceneDraft& d, const Value& v) {
          d.scene.settings.contact_method = static_cast<ContactMethod>(one_of(v, contact_methods));
      }},
-    {"skip", "work that may be left out, to turn it on and off",
+    {"optimisations", "which optimisations are used",
      [](SceneDraft& d, const Value& v) {
-         read_object<Skips>(v, "what to skip {\"sleep\": false}", skip_keys,
-                            d.scene.settings.skips);
+         read_object<Optimisations>(v, "which optimisations to use {\"sleep\": false}",
+                                    optimisation_keys, d.scene.settings.optimisations);
      }},
     {"meshes",
      "texts of meshes by file name; those of the files that the scene names are put here as it is "
@@ -95,6 +95,8 @@ constexpr Key<SceneDraft> scene_keys[] = {
     {"solids", "a list of deformable solids", [](SceneDraft& d, const Value& v) { d.solids = &v; }},
     {"springs", "a list of springs", [](SceneDraft& d, const Value& v) { d.springs = &v; }},
     {"forces", "a list of forces", [](SceneDraft& d, const Value& v) { d.forces = &v; }},
+    {"pairs", "a list of what holds for two bodies in particular",
+     [](SceneDraft& d, const Value& v) { d.pairs = &v; }},
     {"camera", "where to look from",
      [](SceneDraft& d, const Value& v) { d.scene.camera = read_camera(v); }},
     {"draw", "what to draw besides the bodies",
@@ -195,6 +197,7 @@ Scene read_scene(const std::string& text)
         draft.scene.forces = std::move(read.forces);
         draft.scene.world_forces = std::move(read.in_world);
     }
+    if (draft.pairs) draft.scene.pairs = read_pairs(*draft.pairs, draft.scene.bodies);
     return std::move(draft.scene);
 }
 
@@ -250,7 +253,7 @@ std::vector<KeyMeaning> scene_language()
     grid_meanings(meanings);
     solid_meanings(meanings);
     force_meanings(meanings);
-    add_meanings<Skips>("skip", skip_keys, meanings);
+    add_meanings<Optimisations>("optimisations", optimisation_keys, meanings);
     picture_meanings(meanings);
     return meanings;
 }

@@ -103,6 +103,7 @@ RecordedWorld make_recorded_world(const Scene& scene, const RunSettings& setting
     world.pool = ThreadPool(settings.threads);
     world.springs = scene.springs;
     world.forces = scene.forces;
+    world.pair_laws = scene.pairs;
     OwnMeshes meshes;
     for (const BodyDescription& described : scene.bodies) {
         RigidBody& body = world.bodies.emplace_back();
@@ -124,6 +125,13 @@ RecordedWorld make_recorded_world(const Scene& scene, const RunSettings& setting
         const Vector3d w = angular_velocity_of(described);
         body.state = {described.position + R * center, described.orientation, described.velocity,
                       R * (body.inertia * (R.transpose() * w))};
+        if (described.drive) {
+            Drive drive = *described.drive;
+            drive.first_position = described.position;
+            drive.first_orientation = described.orientation;
+            body.drive = std::make_shared<const Drive>(drive);
+            body.state = driven_state(drive, world.time);
+        }
         made.bodies.push_back({body.is_static, body.mass, center, body.inertia});
     }
     // Moves a point from the frame of the scene file to object space, whose origin is the center of

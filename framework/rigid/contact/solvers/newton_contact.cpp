@@ -34,8 +34,9 @@ constexpr double light = 1e-3;
 constexpr int most_rounds = 14, most_steps = 40, most_bisections = 30;
 // An inverse inertia J is singular if its determinant is below this, in units of |J|³. It gets
 // this share of |J| on its diagonal: a moment of inertia so large that the axis does not turn. For
-// a point mass, J = 0, the method fails, and the sweeps go on without it.
+// a point mass, J = 0, 1/(M m²) takes the place of |J|.
 constexpr double singular_determinant = 1e-12, least_inverse_inertia = 1e-9;
+constexpr double point_area = 1;  // [m²]; at a lever of 100 m, 1e-5 of the compliance is rotation
 constexpr double settled = 1e-13; // a change of the impulses, relative to their size
 // A round must reduce the change by this factor, or more rounds do not help.
 constexpr double gain = 0.5;
@@ -62,6 +63,19 @@ std::vector<int> from_the_lowest(const ContactProblem& problem, const Island& is
     return indices;
 }
 
+// The part of v₁ - v₂ that no impulse changes: that of driven bodies, which have no unknowns.
+Vector3d surface_velocity(const ContactProblem& problem, const ContactConstraint& c)
+{
+    Vector3d v = Vector3d::Zero();
+    for (const DrivenBody& driven : problem.driven)
+        for (const auto& [i, sign] : {std::pair(c.body1, 1.0), std::pair(c.body2, -1.0)})
+            if (i == driven.body) {
+                const Body& body = problem.bodies[i];
+                v -= sign * (body.velocity + body.angular_velocity.cross(c.point - body.position));
+            }
+    return v;
+}
+
 class Newton {
 public:
     Newton(const ContactProblem& problem, const Island& island, const std::vector<Body>& free,
@@ -81,7 +95,9 @@ public:
             // on the diagonal stands for a very large moment of inertia about that axis.
             const Matrix3d& J = bodies_[i]->inverse_inertia;
             const bool can_turn = J.determinant() > singular_determinant * std::pow(J.norm(), 3);
-            const double least = can_turn ? 0 : least_inverse_inertia * J.norm();
+            const bool is_point = J.isZero(0);
+            const double size = is_point ? bodies_[i]->inverse_mass / point_area : J.norm();
+            const double least = can_turn ? 0 : least_inverse_inertia * size;
             inertias_.push_back((J + least * Matrix3d::Identity()).inverse());
         }
         for (std::size_t k = 0; k < active.size(); ++k) {
@@ -92,7 +108,7 @@ public:
             row.n = c.normal;
             row.r1 = c.point - problem.bodies[c.body1].position;
             row.r2 = c.point - problem.bodies[c.body2].position;
-            row.s = c.target_speed * c.normal;
+            row.s = c.target_speed * c.normal + surface_velocity(problem, c);
             row.friction = c.friction;
             row.normal_K = c.normal_K;
             row.lambda = impulses[k];

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// The given motion of a body that nothing can push: a turntable, a piston, the belt of a conveyor.
+#pragma once
+
+#include "formulas/types.hpp"
+
+namespace rigor {
+
+/// A motion given as a function of time. With s = t - start, at least 0 and at most end - start:
+///
+///     X(t) = X₀ + s V + (sin(2π f s + φ) - sin φ) A,   q(t) = exp(s ω) q₀
+///
+/// The body turns about the origin of its frame. Of a belt only the surface moves: contacts feel
+/// these velocities, but the body stays where it is.
+struct Drive {
+    Vector3d velocity = Vector3d::Zero();         // V [m/s]
+    Vector3d angular_velocity = Vector3d::Zero(); // ω, world space [rad/s]
+    Vector3d amplitude = Vector3d::Zero();        // A, world space [m]
+    double frequency = 0;                         // f [Hz]
+    double phase = 0;                             // φ [rad]
+    double start = 0, end = 1e300;                // [s]
+    bool is_belt = false;                         // whether only the surface moves
+    Vector3d first_position = Vector3d::Zero();   // X₀ [m]
+    Quaternion first_orientation;                 // q₀
+};
+
+/// Velocity and angular velocity of a driven body.
+struct DriveVelocity {
+    Vector3d linear = Vector3d::Zero(), angular = Vector3d::Zero(); // [m/s], [rad/s]
+};
+
+/// The velocity at a time, by the derivative of the path; zero before `start` and from `end` on.
+DriveVelocity drive_velocity(const Drive& drive, double time);
+
+/// The mean velocity over a step: with it the body moves from its place at the start of the step
+/// exactly to its place at the end.
+DriveVelocity mean_drive_velocity(const Drive& drive, double time, double time_step);
+
+/// The state of a driven body at a time. Its angular momentum is zero, since it has no mass.
+RigidState driven_state(const Drive& drive, double time);
+
+} // namespace rigor

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// The keys of the given motion of a body.
+#pragma once
+
+#include "scene/description/scene.hpp"
+#include "scene/language/json.hpp"
+#include "scene/language/keys.hpp"
+
+namespace rigor {
+
+/// Reads a drive. Where the body is at first is left to the body.
+/// @throws Mistake
+Drive read_drive(const Value& value);
+
+void drive_meanings(std::vector<KeyMeaning>& meanings);
+
+} // namespace rigor
