@@ -17,7 +17,7 @@ World world_of(std::vector<RigidBody> bodies, const Vector3d& gravity)
     world.settings.gravity = gravity;
     world.settings.contact_method = ContactMethod::simultaneous;
     world.settings.formulas_are_reference = true; // the reference is linked in
-    world.settings.skips.sleep = false;
+    world.settings.optimisations.sleep = false;
     return world;
 }
 

@@ -97,7 +97,7 @@ TEST_CASE("frames: a PNG holds the pixels that were drawn", "[render]")
         Image image{width, height, {}};
         for (int i = 0; i < 4 * width * height; ++i)
             image.rgba.push_back(static_cast<std::uint8_t>(i % 4 == 3 ? 255 : i * 7 + i / 97));
-        write_whole(folder.path() / "a.png", png_bytes(image));
+        write_picture(folder.path() / "a.png", png_bytes(image));
         CHECK(decoded(folder.path() / "a.png").rgba == image.rgba);
     }
     CHECK(names_in(folder.path()) == std::vector<std::string>{"a.png"});
@@ -197,7 +197,7 @@ TEST_CASE("frames: a directory that cannot be is told at once", "[render]")
     options.width = 64;
     options.expected = 100001;
     CHECK_THROWS_AS(FrameSequence(options), InputError);
-    CHECK_THROWS_AS(write_whole(folder.path() / "none" / "a.png", {}), InputError);
+    CHECK_THROWS_AS(write_picture(folder.path() / "none" / "a.png", {}), InputError);
 }
 
 TEST_CASE("frames: a video is whole, of odd sizes too", "[render]")

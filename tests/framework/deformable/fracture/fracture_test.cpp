@@ -128,7 +128,7 @@ TEST_CASE("fracture: skipping eigenvalues changes no crack", "[deformable]")
     for (const FractureMethod method : methods) {
         DeformableWorld with = pulled_bar(method, NodeIntegrator::implicit_step);
         DeformableWorld without = with;
-        without.rigid.settings.skips.stress_bound = false;
+        without.rigid.settings.optimisations.stress_bound = false;
         run(with, 0.01, 60);
         run(without, 0.01, 60);
         CHECK(with.solids[0].positions == without.solids[0].positions);

@@ -168,3 +168,64 @@ TEST_CASE("contact problem: a stack is no heap and bodies that touch many others
     CHECK(is_heap(island_with(257, 257)));   // too many to be solved like a stack
     CHECK(is_heap(island_with(27, 54 + 9))); // a cube of 3 × 3 × 3 bodies on the ground
 }
+
+namespace {
+
+// A driven body 0 that body 1 touches from above at (1, 0, 0), and body 2 which touches nothing.
+ContactProblem problem_with(const DriveVelocity& mean, const DriveVelocity& last, double h)
+{
+    ContactProblem problem;
+    problem.time_step = h;
+    problem.bodies.resize(3);
+    problem.bodies[0].velocity = mean.linear;
+    problem.bodies[0].angular_velocity = mean.angular;
+    problem.bodies[1].inverse_mass = 1;
+    problem.driven = {{0, mean, last}};
+    ContactConstraint c;
+    c.body1 = 1;
+    c.body2 = 0;
+    c.point = {1, 0, 0};
+    c.normal = {0, 1, 0};
+    problem.contacts.push_back(c);
+    Island island;
+    island.bodies = {1};
+    island.pairs = {{0, 1}};
+    problem.islands = {island};
+    return problem;
+}
+
+} // namespace
+
+TEST_CASE("contact problem: along the normal the mean counts and along the surface the end",
+          "[rigid]")
+{
+    const DriveVelocity mean{{1, 2, 3}, {0, 0, 0}}, last{{4, 5, 6}, {0, 0, 0}};
+    ContactProblem problem = problem_with(mean, last, 0.01);
+    problem.set_drives(problem.islands[0]);
+    CHECK_THAT(problem.bodies[0].velocity, IsClose(Vector3d(4, 2, 6), Rounding(8)));
+    problem.reset_drives();
+    CHECK(problem.bodies[0].velocity == Vector3d(1, 2, 3));
+}
+
+// What stands on a turntable has moved on by the end of the step, and the velocity of the surface
+// there is that of the same place turned by h ω, to second order in h ω.
+TEST_CASE("contact problem: a turntable carries its points round", "[rigid]")
+{
+    for (const double h : {0.01, 0.001}) {
+        const Vector3d w(0, 2, 0);
+        ContactProblem problem = problem_with({{0, 0, 0}, w}, {{0, 0, 0}, w}, h);
+        problem.bodies[1].velocity = w.cross(Vector3d(1, 0, 0));
+        problem.set_drives(problem.islands[0]);
+        const Vector3d v = problem.bodies[0].velocity + w.cross(Vector3d(1, 0, 0));
+        const Vector3d carried = rotation_matrix(turn(w, 2 * h)) * w.cross(Vector3d(1, 0, 0));
+        CHECK_THAT(v, IsClose(carried, Order(2 * (2 * h) * (2 * h))));
+    }
+}
+
+TEST_CASE("contact problem: where nothing touches one its velocity stays", "[rigid]")
+{
+    const DriveVelocity mean{{1, 2, 3}, {0, 1, 0}}, last{{4, 5, 6}, {0, 1, 0}};
+    ContactProblem problem = problem_with(mean, last, 0.01);
+    problem.set_drives(Island());
+    CHECK(problem.bodies[0].velocity == mean.linear);
+}

@@ -62,7 +62,7 @@ TEST_CASE("islands: one in which nothing would penetrate is left out", "[rigid]"
 TEST_CASE("islands: without the skip all bodies with contacts are one", "[rigid]")
 {
     Case both(-0.01);
-    both.world.settings.skips.islands = false;
+    both.world.settings.optimisations.islands = false;
     const std::vector<Island> islands = islands_of(both.world, both.problem, both.pairs);
     REQUIRE(islands.size() == 1);
     CHECK(islands[0].bodies == std::vector<int>{1, 2, 3});

@@ -212,7 +212,7 @@ TEST_CASE("contact: a stack of thirty cubes stands where it was put", "[rigid]")
                 {0.01 * random.uniform(-1, 1), 0.5 + i, 0.01 * random.uniform(-1, 1)}, {0, 0.5}));
         World world = world_of(bodies);
         world.settings.contact_method = method;
-        world.settings.skips.sleep = false;
+        world.settings.optimisations.sleep = false;
         run(world, 120, 1.0 / 60);
         for (std::size_t i = 1; i < bodies.size(); ++i)
             CHECK_THAT(world.bodies[i].state.position,
@@ -227,7 +227,7 @@ TEST_CASE("contact: ten thousand times its mass on a cube does not press it into
     set_mass(heavy, 1e4 * heavy.mass, 1e4 * heavy.inertia);
     World world =
         world_of({fixed(Plane{}, {0, 0.5}), body_of(Box{{1, 1, 1}}, {0, 0.5, 0}, {0, 0.5}), heavy});
-    world.settings.skips.sleep = false;
+    world.settings.optimisations.sleep = false;
     run(world, 300, 1.0 / 60);
     CHECK_THAT(world.bodies[1].state.position, IsClose(Vector3d(0, 0.5, 0), Order(1e-6)));
     CHECK_THAT(world.bodies[2].state.position, IsClose(Vector3d(0, 1.5, 0), Order(1e-6)));

@@ -84,9 +84,9 @@ TEST_CASE("constant wrench: under a torque the order stays four", "[rigid]")
     RigidBody top = free_box();
     set_mass(top, 12, Vector3d(13, 5, 5).asDiagonal().toDenseMatrix());
     spin(top, {1, 2, 3});
-    REQUIRE(top.is_symmetric());
+    REQUIRE(top.is_body_of_revolution());
     for (const RigidBody& body : {free_box({1, 2, 3}), top}) {
-        CAPTURE(body.is_symmetric());
+        CAPTURE(body.is_body_of_revolution());
         const Wrench wrench{{0, 0, 0}, {5, -8, 12}};
         BodyStages<MatrixScheme> exact(body, MatrixScheme::from(body.state), wrench);
         constexpr int short_steps = 20000;
@@ -119,7 +119,7 @@ TEST_CASE("constant wrench: a free body of revolution takes one exact step of an
 {
     for (Random random : seeds(10)) {
         const RigidBody body = random_cylinder(random);
-        REQUIRE(body.is_symmetric());
+        REQUIRE(body.is_body_of_revolution());
         const double time = random.uniform(1, 3);
         const RigidState once = constant_wrench_step(body, body.state, {}, time);
         // Two parts of the time are the same motion.

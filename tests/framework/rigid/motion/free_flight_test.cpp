@@ -99,7 +99,7 @@ TEST_CASE("flight: what is symmetric about an axis flies exactly in one step of 
         CAPTURE(shape.index());
         World coarse = world_of({body_of(shape, {0, 0, 0}, {}, turn({1, 2, 3}, 1))});
         spin(coarse.bodies[0], {1, -2, 0.5});
-        REQUIRE(coarse.bodies[0].is_symmetric());
+        REQUIRE(coarse.bodies[0].is_body_of_revolution());
         World fine = coarse;
         fine.bodies[0].symmetry_axis.setZero(); // use the method of fourth order
         step(coarse, 2);
@@ -108,9 +108,9 @@ TEST_CASE("flight: what is symmetric about an axis flies exactly in one step of 
         CHECK(rotation_angle(eigen(coarse.bodies[0].state.orientation),
                              eigen(fine.bodies[0].state.orientation)) < 1e-11);
     }
-    CHECK_FALSE(body_of(Box{{1, 2, 3}}, {0, 0, 0}).is_symmetric());
+    CHECK_FALSE(body_of(Box{{1, 2, 3}}, {0, 0, 0}).is_body_of_revolution());
     // A cube is isotropic and has no axis of symmetry.
-    CHECK_FALSE(body_of(Box{{1, 1, 1}}, {0, 0, 0}).is_symmetric());
+    CHECK_FALSE(body_of(Box{{1, 1, 1}}, {0, 0, 0}).is_body_of_revolution());
 }
 
 TEST_CASE("flight: a rod that spins fast about itself keeps its energy", "[rigid]")

@@ -18,18 +18,19 @@ constexpr double h = 1.0 / 60;
 
 TEST_CASE("skips: without islands warm start or early exit stacks stand as with them", "[rigid]")
 {
-    const auto without = GENERATE(&Skips::islands, &Skips::warm_start, &Skips::early_exit);
+    const auto without =
+        GENERATE(&Optimisations::islands, &Optimisations::warm_start, &Optimisations::early_exit);
     World with = stacks(3, 5), other = with;
-    with.settings.skips.sleep = other.settings.skips.sleep = false;
-    other.settings.skips.*without = false;
+    with.settings.optimisations.sleep = other.settings.optimisations.sleep = false;
+    other.settings.optimisations.*without = false;
     run(with, 120, h);
     run(other, 120, h);
     CHECK(with.counters.warm_starts > 1000);
     CHECK(with.counters.early_exits > 100);
     CHECK(with.counters.islands == 3 * 120);
-    if (without == &Skips::islands) CHECK(other.counters.islands == 120);
-    if (without == &Skips::warm_start) CHECK(other.counters.warm_starts == 0);
-    if (without == &Skips::early_exit) CHECK(other.counters.early_exits == 0);
+    if (without == &Optimisations::islands) CHECK(other.counters.islands == 120);
+    if (without == &Optimisations::warm_start) CHECK(other.counters.warm_starts == 0);
+    if (without == &Optimisations::early_exit) CHECK(other.counters.early_exits == 0);
     // Both stand still up to the tolerance of the sweeps.
     CHECK(largest_distance(with, other) < 1e-6);
 }

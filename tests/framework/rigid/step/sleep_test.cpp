@@ -39,7 +39,7 @@ World heap(int side)
 TEST_CASE("sleep: bodies at rest sleep where they are and keep their contacts", "[rigid]")
 {
     World sleeping = stacks(2, 4), awake = sleeping;
-    awake.settings.skips.sleep = false;
+    awake.settings.optimisations.sleep = false;
     run(sleeping, 120, h);
     run(awake, 120, h);
     CHECK(awake.counters.bodies_asleep == 0);
@@ -105,7 +105,7 @@ TEST_CASE("sleep: a heap comes to rest and sleeps where it would lie awake", "[r
     const std::uint64_t before = sleeping.counters.bodies_asleep;
 
     // Awake, the heap would stay in its place for the next half second as it did for the last one.
-    awake.settings.skips.sleep = false;
+    awake.settings.optimisations.sleep = false;
     for (RigidBody& body : awake.bodies)
         body.rest = {};
     awake.memory.sleeping_contacts.clear();

@@ -205,7 +205,7 @@ TEST_CASE("island solver: without early exit the result is the same", "[rigid]")
         Column with({5, 1, 3}), without({5, 1, 3});
         choose(with, way);
         choose(without, way);
-        without.settings.skips.early_exit = false;
+        without.settings.optimisations.early_exit = false;
         solve(with);
         solve(without);
         CHECK(with.counted.early_exits > 0);

@@ -52,7 +52,13 @@ TEST_CASE("newton contact: a body without a lever is stopped or slides by Coulom
     CHECK_THAT(impulse_on({1, 2, 0}, 0.5).value(), IsClose(Vector3d(0, 0, 0), Order(1e-9)));
 }
 
-TEST_CASE("newton contact: a point mass is left to the sweeps", "[rigid]")
+TEST_CASE("newton contact: a point mass is stopped or slides like any other body", "[rigid]")
 {
-    CHECK_FALSE(impulse_on({0, -1, 0}, 0, Matrix3d::Zero()));
+    const Matrix3d none = Matrix3d::Zero();
+    CHECK_THAT(impulse_on({0, -1, 0}, 0, none).value(), IsClose(Vector3d(0, 3, 0), Order(1e-9)));
+    CHECK_THAT(impulse_on({0.1, -1, 0.2}, 0.5, none).value(),
+               IsClose(Vector3d(-0.3, 3, -0.6), Order(1e-9)));
+    CHECK_THAT(impulse_on({4, -1, 3}, 0.5, none).value(),
+               IsClose(Vector3d(-1.2, 3, -0.9), Order(1e-9)));
+    CHECK_THAT(impulse_on({1, 2, 0}, 0.5, none).value(), IsClose(Vector3d(0, 0, 0), Order(1e-9)));
 }
