@@ -5,6 +5,7 @@
 // program has started. Ends it by a signal to the warden, which ends all the others first.
 #include "sandbox/confined.hpp"
 
+#include "sandbox/argument_pointers.hpp"
 #include "sandbox/launcher.hpp"
 #include "sandbox/report.hpp"
 
@@ -89,16 +90,6 @@ std::vector<std::string> command_line(const Confinement& confinement, std::size_
     return options;
 }
 
-std::vector<char*> pointers(const std::vector<std::string>& texts)
-{
-    std::vector<char*> result;
-    result.reserve(texts.size() + 1);
-    for (const std::string& text : texts)
-        result.push_back(const_cast<char*>(text.c_str()));
-    result.push_back(nullptr);
-    return result;
-}
-
 /// The actions between fork and exec: the child gets these descriptors and no other, default
 /// signals and a new session.
 class SpawnPlan {
@@ -131,8 +122,9 @@ public:
               const std::vector<std::string>& environment) const
     {
         pid_t pid = -1;
-        const int error = posix_spawn(&pid, arguments[0].c_str(), &actions_, &attributes_,
-                                      pointers(arguments).data(), pointers(environment).data());
+        const int error =
+            posix_spawn(&pid, arguments[0].c_str(), &actions_, &attributes_,
+                        argument_pointers(arguments).data(), argument_pointers(environment).data());
         if (error != 0) throw_errno(error, "cannot start " + arguments[0]);
         return pid;
     }

@@ -20,10 +20,11 @@ using Clock = std::chrono::steady_clock;
 class Run {
 public:
     Run(const Confinement& confinement, const std::vector<std::string>& arguments,
-        const RunLimits& limits)
-        : limits_(limits), input_(no_input()), output_(output_pipe()),
-          program_(confinement, arguments,
-                   std::array<int, 3>{input_, output_.write, output_.write}),
+        const RunLimits& limits, int input)
+        : limits_(limits), empty_(no_input()), output_(output_pipe()),
+          program_(
+              confinement, arguments,
+              std::array<int, 3>{input >= 0 ? input : int(empty_), output_.write, output_.write}),
           ended_(static_cast<int>(syscall(SYS_pidfd_open, program_.warden(), 0)), "pidfd_open")
     {
         output_.write = {};
@@ -91,7 +92,7 @@ private:
 
     RunLimits limits_;
     Clock::time_point start_ = Clock::now();
-    Descriptor input_;
+    Descriptor empty_;
     Ends output_;
     Confined program_;
     Descriptor ended_; // readable when the warden has ended
@@ -103,9 +104,9 @@ private:
 } // namespace
 
 ConfinedRun run_confined(const Confinement& confinement, const std::vector<std::string>& arguments,
-                         const RunLimits& limits)
+                         const RunLimits& limits, int input)
 {
-    return Run(confinement, arguments, limits).to_the_end();
+    return Run(confinement, arguments, limits, input).to_the_end();
 }
 
 } // namespace rigor

@@ -30,9 +30,10 @@ struct ConfinedRun {
     }
 };
 
-/// Runs a program with an empty stdin. When it ends, all that it started is ended too.
+/// Runs a program. When it ends, all that it started is ended too.
+/// @param input  a descriptor that becomes its stdin; -1 for an empty one
 /// @throws std::system_error if it cannot be started behind these walls
 ConfinedRun run_confined(const Confinement& confinement, const std::vector<std::string>& arguments,
-                         const RunLimits& limits = {});
+                         const RunLimits& limits = {}, int input = -1);
 
 } // namespace rigor

@@ -140,14 +140,21 @@ std::optional<Broken> Process::ending()
     }
 }
 
-std::chrono::nanoseconds Process::time_without_processor() const
+std::optional<Process::Progress> Process::progress() const
 {
-    // The numbers of the main thread, see proc(5): time on a processor, time waiting for one [ns],
-    // number of time slices.
-    std::ifstream file("/proc/" + std::to_string(program_.program()) + "/schedstat");
-    std::int64_t with = 0, without = 0;
-    file >> with >> without; // both stay 0 if the kernel does not tell
-    return std::chrono::nanoseconds(without);
+    const std::string folder = "/proc/" + std::to_string(program_.program());
+    // The main thread's time on a processor [ns], see proc(5). The time that it waits for one is
+    // there too, but it grows only when the waiting is over.
+    std::ifstream times(folder + "/schedstat");
+    std::int64_t on_processor = 0;
+    // The state is the letter after the name, which may have spaces but is in brackets.
+    std::ifstream status(folder + "/stat");
+    std::string line;
+    std::getline(status, line);
+    const std::size_t name_end = line.rfind(") ");
+    if (!(times >> on_processor) || name_end == std::string::npos) return {};
+    const char state = line[name_end + 2];
+    return Progress{std::chrono::nanoseconds(on_processor), state != 'R' && state != 'D'};
 }
 
 std::size_t Process::drain(std::string& kept, std::size_t keep)

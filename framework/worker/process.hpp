@@ -29,7 +29,7 @@ enum class Trust {
 
 /// The limits of an implementation. A time limit is the greater of its floor and `multiple` times
 /// what the oracle took for the same request; without an oracle it is the floor. Time counts from
-/// the request, while the client waits and the worker has a processor or sleeps. While the worker
+/// the request, while the client waits and the worker is on a processor or sleeps. While the worker
 /// waits for a processor on a busy machine, a tenth of the time counts.
 struct Limits {
     Trust trust = Trust::ours;
@@ -73,8 +73,12 @@ public:
     /// How it ended or stopped; empty while it runs.
     std::optional<Broken> ending();
 
-    /// The time for which it was ready to run but other processes had the processors.
-    std::chrono::nanoseconds time_without_processor() const;
+    /// What it has done so far, as the kernel tells; nothing if it does not.
+    struct Progress {
+        std::chrono::nanoseconds on_processor{0}; // time that it has computed
+        bool sleeps = false; // it waits for something, and neither computes nor wants to
+    };
+    std::optional<Progress> progress() const;
 
     /// Reads what it has printed so far and appends up to `keep` bytes in all to `kept`.
     /// @return the number of bytes read

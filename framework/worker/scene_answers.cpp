@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
 
 namespace rigor {
@@ -48,7 +49,10 @@ std::span<const std::byte> SceneAnswers::next(FormulaIndex formula, std::size_t 
     StreamedAnswer header{};
     require(sizeof header, formula);
     std::memcpy(&header, part_.data() + at_, sizeof header);
-    if (header.formula != static_cast<std::uint32_t>(formula) || header.size > largest)
+    // A single answer is no longer in a scene than alone. So the size that a worker announces does
+    // not fill this process's memory.
+    if (header.formula != static_cast<std::uint32_t>(formula) ||
+        header.size > std::min(largest, Channel::capacity))
         fail({WorkerFailure::malformed, "sent no answer: it is out of step with the scene"},
              formula);
     require(sizeof header + header.size, formula);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Asks a worker process and waits for its reply. While it waits, it passes on what is streamed,
-// collects what the process prints, and checks that the process lives and keeps its time limit. The
-// time that the worker waits for a processor hardly counts. A reply is copied before it is checked.
+// collects what the process prints, and checks that the process lives and keeps its time limit.
+// While the worker computes, its time on a processor counts. A reply is copied before it is
+// checked.
 #include "worker/session.hpp"
 
 #include "worker/protocol/wire.hpp"
@@ -85,15 +86,18 @@ Reply Session::ask(const Question& question, Allowance& allowance)
     return take_reply();
 }
 
-/// The part of the time that the worker could use: all but its waiting for a processor, and at
-/// least a tenth. Otherwise it could wait forever behind threads of its own.
-Allowance::Seconds Session::usable(Allowance::Seconds passed,
-                                   std::optional<Allowance::Seconds>& starved) const
+/// The part of the time that the worker used: all of it while it sleeps, otherwise the time that it
+/// was on a processor. A busy machine may leave a process waiting for seconds. At least a tenth
+/// counts, since the worker could hide behind others.
+Allowance::Seconds Session::used(Allowance::Seconds passed,
+                                 std::optional<Process::Progress>& before) const
 {
-    const Allowance::Seconds now = process_.time_without_processor();
-    const Allowance::Seconds lost = now - starved.value_or(now);
-    starved = now;
-    return std::max(passed - lost, passed / 10);
+    const std::optional<Process::Progress> now = process_.progress();
+    if (!now) return passed;
+    const Allowance::Seconds ran =
+        before ? now->on_processor - before->on_processor : std::chrono::nanoseconds(0);
+    before = now;
+    return now->sleeps ? passed : std::clamp(ran, passed / 10, passed);
 }
 
 /// Waits for a part of the stream, or until the reply with the current sequence number is there,
@@ -102,13 +106,13 @@ Bytes Session::next_part(Allowance& allowance)
 {
     const std::atomic<std::uint32_t>& reply = process_.channel().reply;
     std::chrono::milliseconds slice(1);
-    std::optional<Allowance::Seconds> starved;
+    std::optional<Process::Progress> before;
     for (;;) {
         if (Bytes part = take_stream(); !part.empty()) return part;
         const Clock::time_point start = Clock::now();
         const std::uint32_t now = await_change(reply, sequence_ - 1, slice);
         const Allowance::Seconds passed = Clock::now() - start;
-        allowance.waited += now == sequence_ ? passed : usable(passed, starved);
+        allowance.waited += now == sequence_ ? passed : used(passed, before);
         if (now == sequence_) return take_stream();
         if (now != sequence_ - 1) throw Broken{WorkerFailure::malformed, out_of_turn};
         collect_output();

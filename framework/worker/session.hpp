@@ -62,8 +62,8 @@ public:
     std::string take_output();
 
 private:
-    Allowance::Seconds usable(Allowance::Seconds passed,
-                              std::optional<Allowance::Seconds>& starved) const;
+    Allowance::Seconds used(Allowance::Seconds passed,
+                            std::optional<Process::Progress>& before) const;
     Bytes take_stream();
     void collect_output();
 

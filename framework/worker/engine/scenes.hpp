@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The engine's part of a worker. It is linked beforehand, and only the names below are visible
-// outside. So an implementation can neither replace a function of the engine nor call one for an
-// answer.
+// outside. So an implementation can neither replace a function of the engine nor call one to get
+// the right answer.
 #pragma once
 
 #include "worker/engine/answers.hpp"

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Every function of the contract, generated from the table. Each one encodes its arguments, asks
-// the worker, decodes the result, and checks it for NaN and infinity. While a scene runs, the
-// answer is the next one of the stream; the engine checks the states that it computes from them.
+// the worker, decodes the result, and checks it for NaN and infinity and for the lengths of its
+// lists. While a scene runs, the answer is the next one of the stream; the engine checks the states
+// that it computes from them.
 #include "worker/proxy/proxy.hpp"
 
 #include "worker/protocol/define_formulas.hpp"
 #include "worker/protocol/finite.hpp"
+#include "worker/proxy/answer_sizes.hpp"
 
 #include <memory>
 
@@ -17,6 +19,8 @@ std::unique_ptr<Worker> under_test, reference;
 Worker* asked = nullptr;
 SceneAnswers* run = nullptr;
 std::optional<FormulaCall> last;
+std::vector<FormulaCall> recent;
+std::size_t oldest = 0; // index of the recent call that the next one replaces, once it is full
 
 /// Formulas whose result may be infinite: the longest time step of a rotation, which may be
 /// arbitrarily slow, and the yield strain of a material without stiffness.
@@ -29,6 +33,20 @@ void refuse_non_finite(FormulaIndex formula, const std::string& which)
 {
     if (which.empty() || (may_be_infinite(formula) && which == "it is +infinity")) return;
     throw NotFinite(subject_of(formula), which);
+}
+
+/// Keeps a call among the recent ones. A long one is left out, so that they need little memory.
+void keep(FormulaIndex formula, const wire::Bytes& arguments)
+{
+    constexpr std::size_t most = 64, longest = std::size_t{1} << 14;
+    if (arguments.size() > longest) return;
+    if (recent.size() < most) {
+        recent.push_back({formula, arguments});
+        return;
+    }
+    recent[oldest].formula = formula;
+    recent[oldest].arguments.assign(arguments.begin(), arguments.end());
+    oldest = (oldest + 1) % most;
 }
 
 template <class Result> Result decoded(FormulaIndex formula, std::span<const std::byte> encoded)
@@ -47,7 +65,10 @@ wire::Bytes note_call(FormulaIndex formula, const Argument&... arguments)
 {
     wire::Bytes bytes;
     (wire::encode(bytes, arguments), ...);
-    if (asked != reference.get()) last = FormulaCall{formula, bytes};
+    if (asked != reference.get()) {
+        last = FormulaCall{formula, bytes};
+        keep(formula, bytes);
+    }
     return bytes;
 }
 
@@ -59,7 +80,9 @@ typename Formula::Result answer(const Argument&... arguments)
     if (!asked) throw std::logic_error("a formula was called before use_worker said whom to ask");
     if (run) {
         try {
-            return decoded<Result>(formula, run->next(formula, largest));
+            Result result = decoded<Result>(formula, run->next(formula, largest));
+            check_sizes<formula>(result, arguments...);
+            return result;
         } catch (...) {
             note_call(formula, arguments...);
             throw;
@@ -68,6 +91,7 @@ typename Formula::Result answer(const Argument&... arguments)
     const wire::Bytes encoded = note_call(formula, arguments...);
     Result result = decoded<Result>(formula, asked->call(formula, encoded, largest));
     refuse_non_finite(formula, find_non_finite(result));
+    check_sizes<formula>(result, arguments...);
     return result;
 }
 
@@ -104,6 +128,11 @@ const std::optional<FormulaCall>& last_call()
     return last;
 }
 
+std::span<const FormulaCall> recent_calls()
+{
+    return recent;
+}
+
 void answer_from(SceneAnswers* answers)
 {
     run = answers;
@@ -112,6 +141,8 @@ void answer_from(SceneAnswers* answers)
 void renew_worker()
 {
     last.reset();
+    recent.clear();
+    oldest = 0;
     worker().renew();
 }
 

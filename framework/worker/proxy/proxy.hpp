@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 // The formulas as functions that ask a worker. A program that links the library `proxy` and sets a
-// worker can call `combine(a, b)` from the same headers, and an implementation
-// in another process answers.
+// worker can call `combine(a, b)` from the same headers, and an implementation in another process
+// answers.
 #pragma once
 
 #include "worker/scene_answers.hpp"
 
 #include <filesystem>
 #include <optional>
+#include <span>
 
 namespace rigor {
 
@@ -36,6 +37,9 @@ struct FormulaCall {
 
 /// The last call of a formula of the worker under test since `renew_worker`, if there was one.
 const std::optional<FormulaCall>& last_call();
+
+/// Some dozens of the last calls of the worker under test since `renew_worker`, in any order.
+std::span<const FormulaCall> recent_calls();
 
 /// The reference failed, which is never the fault of the implementation under test.
 struct OracleFailure : std::runtime_error {

@@ -6,6 +6,7 @@
 //     check_slips --sample COUNT    this number of them, the same ones in every run
 #include "formulas/table.hpp"
 #include "grading/build/implementation.hpp"
+#include "grading/places.hpp"
 #include "grading/run_tests.hpp"
 #include "slips.hpp"
 #include "support/temporary_folder.hpp"
@@ -46,6 +47,15 @@ std::string solution(const std::string& topic)
 {
     std::ifstream file(fs::path(RIGOR_SOURCE_DIR) / "reference" / (topic + ".cpp"));
     return {std::istreambuf_iterator<char>(file), {}};
+}
+
+// The headers that the reference's files include beside the contract.
+void copy_headers(const fs::path& folder)
+{
+    for (const auto& entry : fs::directory_iterator(fs::path(RIGOR_SOURCE_DIR) / "reference"))
+        if (entry.path().extension() == ".hpp")
+            fs::copy_file(entry.path(), folder / entry.path().filename(),
+                          fs::copy_options::overwrite_existing);
 }
 
 std::string with_slip(const Slip& slip, const Place& place)
@@ -109,6 +119,7 @@ void judge(Case& slipped, const fs::path& folder, const std::vector<Assignment>&
     for (const Place& place : places_of_slips())
         std::ofstream(folder / (place.topic + ".cpp"), std::ios::binary)
             << (&place == slipped.place ? with_slip(*slipped.slip, place) : solution(place.topic));
+    copy_headers(folder);
     const Implementation implementation = build_implementation(folder.string());
     for (const Place& place : places_of_slips())
         for (const std::string& formula : {place.neighbour, place.name}) {
@@ -149,6 +160,8 @@ int check(const std::vector<std::string>& arguments)
     const std::vector<Assignment> assignments = load_assignments(RIGOR_ASSIGNMENTS_DIR);
     GradingRun run;
     run.test_program = RIGOR_GRADED_TESTS;
+    // The limit of each call follows the reference's time for it, in this run and under this load.
+    run.oracle = places().program("worker_reference");
     std::atomic<std::size_t> next = 0, judged = 0;
     const auto work = [&] {
         const testing::TemporaryFolder folder; // one for all, so that the right files stay compiled

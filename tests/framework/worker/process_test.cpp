@@ -5,9 +5,14 @@
 #include "support/temporary_folder.hpp"
 #include "worker/protocol/wire.hpp"
 
+#include <atomic>
+#include <sched.h>
 #include <sstream>
+#include <stdexcept>
 #include <sys/wait.h>
+#include <thread>
 #include <unistd.h>
+#include <vector>
 
 namespace rigor {
 
@@ -71,6 +76,55 @@ TEST_CASE("worker: a slow call may take a multiple of what the oracle takes")
         REQUIRE(text.find("(the reference took ") != std::string::npos);
     }
     REQUIRE(next_call_is_answered());
+}
+
+namespace {
+
+/// Threads that compute on one processor and leave little of it to a process of the lowest class.
+class BusyProcessor {
+public:
+    explicit BusyProcessor(int process)
+    {
+        cpu_set_t one;
+        CPU_ZERO(&one);
+        CPU_SET(sched_getcpu(), &one);
+        const sched_param none = {};
+        if (sched_setaffinity(process, sizeof one, &one) != 0 ||
+            sched_setscheduler(process, SCHED_IDLE, &none) != 0)
+            throw std::runtime_error("cannot leave a process without a processor");
+        for (int i = 0; i < 8; ++i)
+            threads_.emplace_back([this, one] {
+                sched_setaffinity(0, sizeof one, &one);
+                while (!done_) {
+                }
+            });
+    }
+    ~BusyProcessor()
+    {
+        done_ = true;
+        for (std::thread& thread : threads_)
+            thread.join();
+    }
+    BusyProcessor(const BusyProcessor&) = delete;
+    BusyProcessor& operator=(const BusyProcessor&) = delete;
+
+private:
+    std::atomic<bool> done_ = false;
+    std::vector<std::thread> threads_;
+};
+
+} // namespace
+
+TEST_CASE("worker: a process that gets no processor is not late")
+{
+    Limits limits = tight();
+    limits.call = Seconds(0.1);
+    use_worker(attack("inspect"), {}, limits);
+    attacked();
+    const std::string printed = worker().take_output();
+    const BusyProcessor busy(std::stoi(printed.substr(printed.find(' '))));
+    for (int i = 0; i < 20; ++i)
+        REQUIRE_NOTHROW(attacked());
 }
 
 TEST_CASE("worker: an oracle that fails leaves the floor")

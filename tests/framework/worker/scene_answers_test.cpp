@@ -137,6 +137,23 @@ TEST_CASE("scene answers: a forged stream moves nothing")
     REQUIRE(next_call_is_answered());
 }
 
+TEST_CASE("scene answers: an announced size fills no memory")
+{
+    const Scene box = parse_scene(R"({
+  "gravity": [0, -10, 0], "time_step": 0.01, "end": 1, "contact": "one_at_a_time",
+  "bodies": [{"name": "floor", "shape": {"plane": {}}, "static": true},
+             {"name": "box", "shape": {"box": {"size": [1, 1, 1]}}, "position": [0, 0.5, 0]}]
+})",
+                                  "box");
+    Limits limits = tight();
+    use_worker(attack("announced_answer"), {}, limits);
+    const Run forged =
+        run([&](const ByteSink& sink) { run_scene_with_worker(box, Record::every_step, sink); });
+    CAPTURE(forged.what());
+    REQUIRE(forged.what().find("sent no answer: it is out of step") != std::string::npos);
+    REQUIRE(next_call_is_answered());
+}
+
 TEST_CASE("scene answers: a worker with a main of its own moves nothing")
 {
     const Run forged = run_with(attack("own_main").string());

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+// Checks of lists and indices in the answers of formulas. Tests and the engine use them as indices
+// into arrays of their own, in a process that a student must not reach. So an answer that does not
+// fit its arguments never leaves the proxy.
+#pragma once
+
+#include "deformable/fracture/checked_answers.hpp"
+#include "formulas/table.hpp"
+
+#include <stdexcept>
+#include <string>
+#include <tuple>
+
+namespace rigor {
+
+/// @throws std::out_of_range that names the formula, unless there are as many as expected
+inline void require_size(FormulaIndex formula, const char* what, std::size_t found,
+                         std::size_t expected)
+{
+    if (found != expected)
+        throw std::out_of_range(std::string(formulas[static_cast<unsigned>(formula)].name) +
+                                " returned " + std::to_string(found) + " " + what + " where " +
+                                std::to_string(expected) + " were expected");
+}
+
+/// Checks an answer against the arguments of the call. A number always fits, and so does a fixed
+/// count of numbers. @throws std::out_of_range
+template <FormulaIndex formula, class Result, class... Argument>
+void check_sizes(const Result& result, const Argument&... argument)
+{
+    using F = FormulaIndex;
+    const auto arguments = std::tie(argument...);
+    if constexpr (formula == F::resolve_contacts || formula == F::shock_propagation ||
+                  formula == F::resolve_simultaneously) {
+        require_size(formula, "bodies", result.bodies.size(), std::get<0>(arguments).size());
+        require_size(formula, "impulses", result.impulses.size(), std::get<1>(arguments).size());
+    } else if constexpr (formula == F::contact_levels) {
+        require_size(formula, "levels", result.size(), std::get<1>(arguments).size());
+    } else if constexpr (formula == F::deepest_approaching_point) {
+        const auto n = static_cast<long>(std::get<0>(arguments).size());
+        if (result && (*result < 0 || *result >= n))
+            throw std::out_of_range("deepest_approaching_point returned " +
+                                    std::to_string(*result) + " for " + std::to_string(n) +
+                                    " points");
+    } else if constexpr (formula == F::smooth_stress) {
+        checked_stresses(result, std::get<0>(arguments).size());
+    } else if constexpr (formula == F::closest_face) {
+        checked_face(result);
+    } else if constexpr (formula == F::split_along_faces) {
+        checked_split_along_faces(result, std::get<0>(arguments));
+    } else if constexpr (formula == F::split_element) {
+        checked_split(result, std::get<0>(arguments), "split_element");
+    } else if constexpr (formula == F::virtual_nodes) {
+        checked_embedding(result, std::get<0>(arguments));
+    } else {
+        constexpr bool is_list = requires
+        {
+            result.begin();
+        }
+        &&!requires
+        {
+            Result::SizeAtCompileTime;
+        };
+        static_assert(!is_list, "a formula with a list as its result needs a check of its size");
+    }
+}
+
+} // namespace rigor

@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: MIT
+// Grades the corpus of hostile submissions as `rigor grade` grades a class. Each gets the points
+// and the message that it may get and leaves nothing behind, and a right and a wrong submission get
+// the same points after it as before.
+//
+//     check_corpus [NAME...]              all of them, or these: kernel/socket
+//     check_corpus --sample COUNT SEED    this number of them, which the seed draws
+#include "corpus.hpp"
+#include "errors/utf8.hpp"
+#include "grading/build/submission_build.hpp"
+#include "grading/class/graded_submission.hpp"
+#include "grading/class/isolated.hpp"
+#include "grading/places.hpp"
+#include "leftovers.hpp"
+#include "report/exports/gradebook.hpp"
+#include "report/exports/learning_systems.hpp"
+#include "support/temporary_folder.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <fstream>
+#include <random>
+#include <sstream>
+#include <stdexcept>
+
+namespace {
+
+using namespace rigor;
+using namespace rigor::corpus;
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+using Clock = std::chrono::steady_clock;
+
+// A fixed secret, so that each run of this program is the same.
+constexpr const char* secret = "the secret of the corpus, which no submission knows";
+constexpr std::chrono::seconds longest(400); // compilers that run into their limits
+constexpr std::size_t lanes = 2;
+
+struct Corpus {
+    Selection selection;
+    GradingRun run;
+    std::vector<HostileSubmission> all;
+};
+
+std::string text_of(const fs::path& file)
+{
+    std::ifstream in(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+bool contains(const std::string& text, const std::string& part)
+{
+    return text.find(part) != std::string::npos;
+}
+
+// What is wrong with a text that is shown to people: characters that are not seen, our paths.
+std::string fault_of_text(const std::string& name, const std::string& text)
+{
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+        std::replace(line.begin(), line.end(), '\t', ' ');
+        if (line.ends_with('\r')) line.pop_back();
+        if (!is_plain_utf8(line)) return name + " has control characters: " + line;
+    }
+    for (const fs::path& path : {places().source, places().build})
+        if (contains(text, path.string())) return name + " names a folder of ours";
+    if (contains(text, "/cc") || contains(text, ".s:")) return name + " names a temporary file";
+    return "";
+}
+
+// What is wrong with the table of points in a report: it has each task once.
+std::string fault_of_report(const std::string& report, double points)
+{
+    std::istringstream lines(report);
+    int rows = 0;
+    for (std::string line; std::getline(lines, line);) {
+        std::istringstream words(line);
+        std::string tag, formula, score;
+        words >> tag >> formula >> score;
+        if (tag != "A0.1" || formula != "kinetic_energy" || !contains(score, "/")) continue;
+        if (++rows > 1) return "the report has a forged row: " + line;
+        if (score != (points > 0 ? "1/1" : "0/1")) return "the report has other points: " + line;
+    }
+    return "";
+}
+
+// Spreadsheets do not run any cell.
+std::string fault_of_tables(const Row& row)
+{
+    for (const std::string& table : {gradebook_csv({row}), canvas_csv({row}, "A0")}) {
+        std::istringstream lines(table);
+        for (std::string line; std::getline(lines, line);)
+            for (const char* start : {"=", "@", "\uFF1D", "\u00A0@", "\"=", ",="})
+                if (line.starts_with(start) || contains(line, ",=")) return "a cell runs: " + line;
+    }
+    return "";
+}
+
+std::string fault_of(const Expectation& expected, const ResultFiles& files)
+{
+    const Json result = Json::parse(files.at("result.json"));
+    std::string status = result.at("status"), message;
+    if (result.at("message").is_string()) message = result.at("message");
+    if (status == "graded") {
+        const Json& task = result.at("tests").at(0);
+        status = task.at("status");
+        if (task.at("detail").is_string()) message = task.at("detail");
+    }
+    const double points = result.at("score");
+    const std::string found = fmt::format("found {} {}: {:.160}", points, status, message);
+    const auto& statuses = expected.statuses;
+    if (points != expected.points && !(statuses.back() == "passed" && status == "passed"))
+        return fmt::format("expected {} points, {}", expected.points, found);
+    if (std::find(statuses.begin(), statuses.end(), status) == statuses.end())
+        return fmt::format("expected {}, {}", fmt::join(statuses, " or "), found);
+    if (!contains(message, expected.text))
+        return fmt::format("expected a message with '{}', {}", expected.text, found);
+    if (points == 0 && message.empty()) return "nobody is told why";
+    for (const auto& [name, text] : files)
+        if (std::string fault = fault_of_text(name, text); !fault.empty()) return fault;
+    if (std::string fault = fault_of_report(files.at("report.txt"), points); !fault.empty())
+        return fault;
+    const std::optional<Row> row = read_row(files.at("result.json"));
+    return row ? fault_of_tables(*row) : "result.json is no result";
+}
+
+// A right and a wrong submission.
+class Controls {
+public:
+    explicit Controls(const Corpus& corpus) : corpus_(corpus)
+    {
+        const std::string right = text_of(fs::path(RIGOR_SOURCE_DIR) / "reference/pipeline.cpp");
+        std::string wrong = right;
+        const std::size_t at = wrong.find("return 0.5");
+        if (at == std::string::npos) throw std::logic_error("the reference has another form");
+        wrong.replace(at, 10, "return 0.6");
+        right_.write("pipeline.cpp", right);
+        wrong_.write("pipeline.cpp", wrong);
+    }
+    ~Controls()
+    {
+        for (const auto* folder : {&right_, &wrong_})
+            remove_submission_build(folder->path());
+    }
+
+    std::string fault() const
+    {
+        for (const auto* folder : {&right_, &wrong_}) {
+            const Implementation control = build_implementation(folder->path());
+            const Result result = grade(corpus_.selection, control, corpus_.run);
+            const double expected = folder == &right_ ? 1 : 0;
+            if (result.status != SubmissionStatus::graded || result.score() != expected)
+                return fmt::format("a control got {} points, expected {}: {}", result.score(),
+                                   expected, result.message);
+        }
+        return "";
+    }
+
+private:
+    const Corpus& corpus_;
+    testing::TemporaryFolder right_, wrong_;
+};
+
+// Grades one as a class of one, in a process of its own.
+std::string fault_of(const Corpus& corpus, const HostileSubmission& hostile)
+{
+    const testing::TemporaryFolder handed_in, place;
+    const FoundSubmissions found =
+        find_submissions({hostile.write(handed_in.path()).string()}, "pipeline.cpp", {});
+    if (found.submissions.size() != 1) return "expected one submission";
+    std::optional<WorkDone> done;
+    run_isolated(
+        1, 1,
+        [&](std::size_t) {
+            return packed(graded_submission(corpus.selection, found.submissions[0], corpus.run,
+                                            place.path(), "fingerprint"));
+        },
+        [&](const WorkDone& ended) { done = ended; }, {}, longest);
+    remove_submission_build(place.path());
+    if (!done->text) return "the grader failed: " + done->fault;
+    if (std::string fault = fault_of(hostile.expected, unpacked(*done->text)); !fault.empty())
+        return fault;
+    const std::string left = leftovers();
+    return left.empty() ? "" : "it left " + left;
+}
+
+// Grades every second one. @return a line for each fault, and one for the slowest
+std::string faults_of_lane(const Corpus& corpus, std::size_t lane)
+{
+    adopt_orphans();
+    std::string text;
+    const Controls controls(corpus);
+    if (const std::string fault = controls.fault(); !fault.empty()) return fault + "\n";
+    for (std::size_t i = lane; i < corpus.all.size(); i += lanes) {
+        const HostileSubmission& hostile = corpus.all[i];
+        const auto start = Clock::now();
+        std::string fault = fault_of(corpus, hostile);
+        if (fault.empty()) fault = controls.fault();
+        const std::chrono::duration<double> seconds = Clock::now() - start;
+        if (!fault.empty())
+            text += fmt::format("{} ({:.1f} s): {}\n", hostile.name, seconds.count(), fault);
+    }
+    if (const std::string fault = Controls(corpus).fault(); !fault.empty()) text += fault + "\n";
+    return text;
+}
+
+std::vector<HostileSubmission> chosen(std::vector<HostileSubmission> all,
+                                      const std::vector<std::string>& arguments)
+{
+    if (arguments.size() == 3 && arguments[0] == "--sample") {
+        std::mt19937 random(static_cast<unsigned>(std::stoul(arguments[2])));
+        for (std::size_t i = all.size(); i > 1; --i) // Fisher and Yates
+            std::swap(all[i - 1], all[random() % i]);
+        all.resize(std::min<std::size_t>(all.size(), std::stoul(arguments[1])));
+    } else if (!arguments.empty()) {
+        std::erase_if(all, [&](const HostileSubmission& each) {
+            return std::find(arguments.begin(), arguments.end(), each.name) == arguments.end();
+        });
+    }
+    if (all.empty()) throw std::invalid_argument("expected a submission: none is so called");
+    return all;
+}
+
+int check(const std::vector<std::string>& arguments)
+{
+    Corpus corpus;
+    corpus.selection = select_tasks(load_assignments(places().assignments()), {"a0"}).at(0);
+    corpus.run.test_program = RIGOR_GRADED_TESTS;
+    corpus.run.oracle = places().program("worker_reference");
+    corpus.run.secret = secret;
+    std::vector<HostileSubmission> all =
+        hostile_sources(fs::path(RIGOR_SOURCE_DIR) / "tests/attacks/submissions");
+    const std::string solution = text_of(fs::path(RIGOR_SOURCE_DIR) / "reference/pipeline.cpp");
+    for (const HostileSubmission& hostile : hostile_intakes(solution))
+        all.push_back(hostile);
+    corpus.all = chosen(all, arguments);
+    prepare_submission_builds({});
+    const auto start = Clock::now();
+    std::string faults;
+    run_isolated(
+        lanes, lanes, [&](std::size_t lane) { return faults_of_lane(corpus, lane); },
+        [&](const WorkDone& done) { faults += done.text ? *done.text : done.fault + "\n"; });
+    const std::chrono::duration<double> seconds = Clock::now() - start;
+    fmt::print("{}{} of {} hostile submissions graded in {:.0f} s, {}\n", faults, corpus.all.size(),
+               all.size(), seconds.count(), faults.empty() ? "as expected" : "not as expected");
+    return faults.empty() ? 0 : 1;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    try {
+        return check({argv + 1, argv + argc});
+    } catch (const std::exception& exception) {
+        fmt::print(stderr, "check_corpus: {}\n", exception.what());
+        return 2;
+    }
+}

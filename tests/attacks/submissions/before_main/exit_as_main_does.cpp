@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// A constructor ends the program with the status that main has when no client started it.
+// expect: 0 crashed: the start of the program ended the program: exit status 2
+#include "formulas/pipeline.hpp"
+
+#include <unistd.h>
+
+namespace {
+
+[[gnu::constructor]] void leave()
+{
+    _exit(2);
+}
+
+} // namespace
+
+namespace rigor {
+
+double kinetic_energy(double mass, const Vector3d& velocity, const Matrix3d& inertia,
+                      const Vector3d& angular_velocity)
+{
+    return 0.5 * mass * velocity.squaredNorm() +
+           0.5 * angular_velocity.dot(inertia * angular_velocity);
+}
+
+} // namespace rigor

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// Asks how old a file of the tree is.
+// expect: 0 compile_error|passed
+#include "formulas/pipeline.hpp"
+#pragma GCC dependency "../../../../../README.md"
+
+namespace rigor {
+
+double kinetic_energy(double mass, const Vector3d& velocity, const Matrix3d& inertia,
+                      const Vector3d& angular_velocity)
+{
+    return 0.5 * mass * velocity.squaredNorm() +
+           0.5 * angular_velocity.dot(inertia * angular_velocity);
+}
+
+} // namespace rigor

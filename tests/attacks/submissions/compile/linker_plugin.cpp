@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// Marks the object for a plugin of the linker.
+// expect: 0 compile_error|passed
+#include "formulas/pipeline.hpp"
+
+namespace rigor {
+
+double kinetic_energy(double mass, const Vector3d& velocity, const Matrix3d& inertia,
+                      const Vector3d& angular_velocity)
+{
+    return 0.5 * mass * velocity.squaredNorm() +
+           0.5 * angular_velocity.dot(inertia * angular_velocity);
+}
+
+} // namespace rigor
+
+asm(".section .gnu.lto_.attack, \"e\"; .ascii \"nonsense\"; .text; .comm __gnu_lto_slim,1,1");

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// Asks for a better place in the queue for processors.
+// expect: 0 crashed: tried to make system call
+#include "formulas/pipeline.hpp"
+
+#include <sys/resource.h>
+
+namespace rigor {
+
+double kinetic_energy(double, const Vector3d&, const Matrix3d&, const Vector3d&)
+{
+    setpriority(PRIO_PROCESS, 0, -20);
+    return 0;
+}
+
+} // namespace rigor

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+// A result without a bound.
+// expect: 0 not_finite
+#include "formulas/pipeline.hpp"
+
+#include <limits>
+
+namespace rigor {
+
+double kinetic_energy(double, const Vector3d&, const Matrix3d&, const Vector3d&)
+{
+    return std::numeric_limits<double>::infinity();
+}
+
+} // namespace rigor

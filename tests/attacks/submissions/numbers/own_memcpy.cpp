@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// A memcpy that copies nothing. It stays in this file.
+// expect: 1 passed
+#include "formulas/pipeline.hpp"
+
+extern "C" void* memcpy(void* to, const void*, unsigned long)
+{
+    return to;
+}
+
+namespace rigor {
+
+double kinetic_energy(double mass, const Vector3d& velocity, const Matrix3d& inertia,
+                      const Vector3d& angular_velocity)
+{
+    return 0.5 * mass * velocity.squaredNorm() +
+           0.5 * angular_velocity.dot(inertia * angular_velocity);
+}
+
+} // namespace rigor
