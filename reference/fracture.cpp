@@ -6,6 +6,8 @@
 // the plane.
 #include "formulas/fracture.hpp"
 
+#include "fracture_mesh.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -14,22 +16,6 @@
 namespace rigor {
 
 namespace {
-
-using Tetrahedron = std::array<int, 4>;
-using Tetrahedra = std::vector<Tetrahedron>;
-
-bool is_index(int i, std::size_t size)
-{
-    return i >= 0 && static_cast<std::size_t>(i) < size;
-}
-
-bool is_mesh(const TetrahedralMesh& mesh)
-{
-    for (const Tetrahedron& t : mesh.tetrahedra)
-        for (int v : t)
-            if (!is_index(v, mesh.vertices.size())) return false;
-    return true;
-}
 
 // A vertex nearer to the plane than this fraction of the longest edge counts as lying on the plane.
 constexpr double snap_distance = 0.05;
@@ -43,11 +29,6 @@ std::vector<int> tetrahedra_at(const Tetrahedra& tetrahedra, const std::set<int>
                           [&](int v) { return chosen.contains(v); }) >= count)
             result.push_back(static_cast<int>(t));
     return result;
-}
-
-int corner_of(const Tetrahedron& t, int vertex)
-{
-    return static_cast<int>(std::find(t.begin(), t.end(), vertex) - t.begin());
 }
 
 // A cut through a vertex.

@@ -6,6 +6,8 @@
 // is left becomes a vertex.
 #include "formulas/fracture.hpp"
 
+#include "fracture_mesh.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -18,8 +20,6 @@ namespace {
 
 using Eigen::Matrix4d;
 using Eigen::Vector4d;
-using Tetrahedron = std::array<int, 4>;
-using Tetrahedra = std::vector<Tetrahedron>;
 
 // The number of corner c of tetrahedron t. Corners are what is joined or separated.
 int corner(int t, int c)
@@ -49,19 +49,6 @@ public:
 private:
     std::vector<int> above_;
 };
-
-bool is_index(int i, std::size_t size)
-{
-    return i >= 0 && static_cast<std::size_t>(i) < size;
-}
-
-bool is_mesh(const TetrahedralMesh& mesh)
-{
-    for (const Tetrahedron& t : mesh.tetrahedra)
-        for (int v : t)
-            if (!is_index(v, mesh.vertices.size())) return false;
-    return true;
-}
 
 using FaceVertices = std::array<int, 3>; // in ascending order
 
@@ -94,11 +81,6 @@ std::vector<SharedFace> shared_faces(const Tetrahedra& tetrahedra, const std::ve
         if (faces[i - 1].first == faces[i].first)
             result.push_back({faces[i].first, faces[i - 1].second, faces[i].second});
     return result;
-}
-
-int corner_of(const Tetrahedron& t, int vertex)
-{
-    return static_cast<int>(std::find(t.begin(), t.end(), vertex) - t.begin());
 }
 
 // Gives each group of corners its own vertex, for the vertices with `may_double`. The first group

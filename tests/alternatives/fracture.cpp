@@ -35,6 +35,18 @@ Face face_of(const Tetrahedron& t, int f)
     return face;
 }
 
+// Adds to `parents` the vertices that no tetrahedron uses, which stay in the mesh.
+std::vector<int> with_unused(std::vector<int> parents, const TetrahedralMesh& mesh)
+{
+    std::vector<bool> is_used(mesh.vertices.size());
+    for (const auto& tetrahedron : mesh.tetrahedra)
+        for (int v : tetrahedron)
+            is_used[v] = true;
+    for (std::size_t v = 0; v < is_used.size(); ++v)
+        if (!is_used[v]) parents.push_back(static_cast<int>(v));
+    return parents;
+}
+
 // The tetrahedra that have each face, by the vertices of the face.
 std::map<Face, std::vector<int>> sides_of_faces(const std::vector<Tetrahedron>& tetrahedra)
 {
@@ -174,7 +186,7 @@ SplitMesh split_along_faces(const TetrahedralMesh& mesh, const std::vector<MeshF
     SplitMesh result = {{{}, mesh.tetrahedra}, {}, std::vector<int>(mesh.tetrahedra.size())};
     std::iota(result.parents.begin(), result.parents.end(), 0);
     const std::vector<int> label = spread(4 * mesh.tetrahedra.size(), links);
-    for (int parent : relabel(result.mesh.tetrahedra, label)) {
+    for (int parent : with_unused(relabel(result.mesh.tetrahedra, label), mesh)) {
         result.mesh.vertices.push_back(mesh.vertices[parent]);
         result.origins.push_back({parent, parent, 0});
     }
@@ -301,8 +313,8 @@ EmbeddedMesh virtual_nodes(const TetrahedralMesh& mesh, const std::vector<Elemen
                     if (common > 0) link(links, copy0, t0, copy1, t1, v);
             }
     }
-    result.vertex_parents =
-        relabel(result.mesh.tetrahedra, spread(4 * result.parents.size(), links));
+    const std::vector<int> label = spread(4 * result.parents.size(), links);
+    result.vertex_parents = with_unused(relabel(result.mesh.tetrahedra, label), mesh);
     for (int parent : result.vertex_parents)
         result.mesh.vertices.push_back(mesh.vertices[parent]);
     return result;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Setup of the graded tests, which call the formulas of a worker. A failure of the worker becomes
 // the verdict of the test case.
+#include "diagnosis/workers/task_mistake.hpp"
 #include "formulas/table.hpp"
 #include "support/call_text.hpp"
 #include "support/catch.hpp"
@@ -64,6 +65,11 @@ std::string last_call_text()
     const auto& call = last_call();
     if (!call || call->arguments.size() > longest) return "";
     return decoders[static_cast<unsigned>(call->formula)](call->arguments);
+}
+
+std::string mistake_text(const std::string& tag)
+{
+    return diagnosis::task_mistake(tag);
 }
 
 namespace {

@@ -4,6 +4,7 @@
 #define CATCH_CONFIG_EXTERNAL_INTERFACES
 #include "support/catch.hpp"
 
+#include "seeds/drawn_seed.hpp"
 #include "support/run.hpp"
 #include "support/seeds.hpp"
 #include "support/verdict.hpp"
@@ -63,6 +64,7 @@ public:
         start_ = std::chrono::steady_clock::now();
         name_ = info.name;
         tags_ = info.tagsAsString();
+        draw_first_seed(name_);
         send({{"begin", name_}, {"tag", task_tag(tags_)}});
         begin_test_case();
     }
@@ -96,11 +98,20 @@ public:
               {"class", v.tolerance_class},
               {"place", v.place},
               {"seed", v.seed},
+              {"mistake", mistake()},
               {"hidden", tags_.find("[hidden]") != std::string::npos},
               {"seconds", seconds.count()}});
     }
 
 private:
+    // Why the answers are wrong, if they are.
+    std::string mistake() const
+    {
+        const std::string& status = verdict().status;
+        const bool is_wrong = status == "failed" || status == "not_finite";
+        return is_wrong && options.verdicts >= 0 ? mistake_text(task_tag(tags_)) : "";
+    }
+
     void note_failure(const Catch::AssertionResult& result,
                       const std::vector<Catch::MessageInfo>& infos)
     {
@@ -156,6 +167,11 @@ int main(int count, char** values)
     if (!verdicts.empty()) options.verdicts = std::atoi(verdicts.c_str());
     if (!seed.empty())
         set_first_seed(static_cast<unsigned>(std::strtoul(seed.c_str(), nullptr, 10)));
+    // The key comes by the environment, which other users cannot read, and goes no further.
+    if (const char* key = std::getenv(rigor::seed_key_variable)) {
+        set_seed_key(key);
+        unsetenv(rigor::seed_key_variable);
+    }
     try {
         prepare(options);
     } catch (const std::exception& error) {

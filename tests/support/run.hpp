@@ -24,4 +24,8 @@ void begin_test_case();
 /// is too long to read.
 std::string last_call_text();
 
+/// Why the answers to the formula of this task are wrong, in one sentence. Called after one of the
+/// task's test cases failed. Empty if nothing is known.
+std::string mistake_text(const std::string& tag);
+
 } // namespace rigor::testing

@@ -21,7 +21,7 @@ Trajectory run_scene(const std::string& name, std::optional<double> time_step = 
 /// Changes that make a step depend on the bodies' states alone, and that keep rounding from
 /// changing the number of sweeps.
 inline constexpr const char* without_memory =
-    R"({"skip": {"warm_start": false, "sleep": false, "early_exit": false}})";
+    R"({"optimisations": {"warm_start": false, "sleep": false, "early_exit": false}})";
 
 /// Index of a body by its name. Throws std::out_of_range with the name if there is none.
 int body_index(const Trajectory& trajectory, const std::string& name);

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "support/seeds.hpp"
 
+#include "seeds/drawn_seed.hpp"
 #include "support/verdict.hpp"
+
+#include <utility>
 
 namespace rigor::testing {
 
 namespace {
 unsigned first = 0;
-}
+std::string key_of_seeds;
+} // namespace
 
 void Seeds::begin_case(unsigned seed)
 {
@@ -30,6 +34,16 @@ unsigned first_seed()
 void set_first_seed(unsigned seed)
 {
     first = seed;
+}
+
+void draw_first_seed(const std::string& test)
+{
+    if (!key_of_seeds.empty()) first = drawn_seed(key_of_seeds, test);
+}
+
+void set_seed_key(std::string key)
+{
+    key_of_seeds = std::move(key);
 }
 
 } // namespace rigor::testing

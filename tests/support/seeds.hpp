@@ -8,6 +8,7 @@
 #include "support/catch.hpp"
 
 #include <optional>
+#include <string>
 
 namespace rigor::testing {
 
@@ -49,8 +50,13 @@ private:
 /// The seeds of a property, n in a row from the run's first seed.
 Seeds seeds(unsigned n);
 
-/// The first seed of every property: 0, or the run's `--seed`.
+/// The first seed of every property: 0, or the run's `--seed`, or the drawn one.
 unsigned first_seed();
 void set_first_seed(unsigned seed);
+
+/// Draws the first seed of the test that begins, if the run has a key of secret seeds.
+void draw_first_seed(const std::string& test);
+/// @param key  see `seeds/drawn_seed.hpp`; empty for none
+void set_seed_key(std::string key);
 
 } // namespace rigor::testing

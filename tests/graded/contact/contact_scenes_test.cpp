@@ -136,7 +136,7 @@ TEST_CASE("contact: an arch carries a load and the floor carries both", "[A5.6][
     const Trajectory run = run_scene("a5-contact/arch");
     check_at_most(farthest(run, "stone", end_of(run)), 1e-3, "way of a stone [m]");
     const Trajectory awake =
-        run_scene("a5-contact/arch", {}, R"({"end": 0.5, "skip": {"sleep": false}})");
+        run_scene("a5-contact/arch", {}, R"({"end": 0.5, "optimisations": {"sleep": false}})");
     check_every_contact_is_recorded(awake);
     check_at_most(std::abs(share_of_the_floor(awake) - 1), 1e-3, "what the floor carries, less 1");
 }

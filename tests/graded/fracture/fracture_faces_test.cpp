@@ -171,7 +171,7 @@ TEST_CASE("fracture: a crack that turns a corner frees a quarter", "[A7.5][fract
 
 TEST_CASE("fracture: an edge does not hold tetrahedra together", "[A7.5][fracture]")
 {
-    // of the eight tetrahedra around the middle, all faces on x = 0 and on y = 0 leave four pairs
+    // eight tetrahedra are around the middle; all faces on x = 0 and on y = 0 leave four pairs
     const TetrahedralMesh mesh = octahedron();
     Faces faces = faces_where(mesh, [](const Vector3d& x) { return x.x() == 0; });
     const Faces other = faces_where(mesh, [](const Vector3d& x) { return x.y() == 0; });

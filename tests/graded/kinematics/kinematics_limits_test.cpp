@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
-// A1: rods and point masses, which have inertia about some axes or about none.
+// A1: rods and point masses, which have inertia about some axes or about none, and bodies that have
+// turned by a tiny angle.
 #include "formulas/kinematics.hpp"
 #include "support/close.hpp"
 #include "support/random.hpp"
 #include "support/seeds.hpp"
+
+#include <cmath>
 
 using namespace rigor;
 using namespace rigor::testing;
@@ -40,5 +43,51 @@ TEST_CASE("kinematics: a static body has no rates even if it has a velocity", "[
         const Wrench wrench = {random.vector(), random.vector()};
         const MatrixStateRate rate = equations_of_motion(state, 0, Matrix3d::Zero(), wrench);
         REQUIRE_THAT(rate, IsExactly(MatrixStateRate()));
+    }
+}
+
+namespace {
+
+// A body that has turned by a tiny angle, down to 2^-40: no entry of its rotation matrix is a
+// rounding error.
+Matrix3d slightly_turned(Random& random)
+{
+    const double angle = std::ldexp(1, -1 - static_cast<int>(random.bits() % 40));
+    return Eigen::AngleAxisd(angle, random.unit_vector()).toRotationMatrix();
+}
+
+} // namespace
+
+TEST_CASE("kinematics: a body that has turned by a tiny angle has turned", "[A1.2][kinematics]")
+{
+    for (Random random : seeds(80)) {
+        const Matrix3d R = slightly_turned(random);
+        const Vector3d p = random.vector();
+        const Vector3d expected = p.x() * R.col(0) + p.y() * R.col(1) + p.z() * R.col(2);
+        REQUIRE_THAT(world_point(R, Vector3d::Zero(), p), IsClose(expected, Rounding(8, p.norm())));
+    }
+}
+
+TEST_CASE("kinematics: seen from a body that has turned by a tiny angle, the world has turned",
+          "[A1.3][kinematics]")
+{
+    for (Random random : seeds(80)) {
+        const Matrix3d R = slightly_turned(random);
+        const Vector3d x = random.vector();
+        const Vector3d expected(R.col(0).dot(x), R.col(1).dot(x), R.col(2).dot(x));
+        REQUIRE_THAT(object_point(R, Vector3d::Zero(), x),
+                     IsClose(expected, Rounding(8, x.norm())));
+    }
+}
+
+TEST_CASE("kinematics: the angular velocity of a body that has turned by a tiny angle",
+          "[A1.4][kinematics]")
+{
+    for (Random random : seeds(80)) {
+        const Matrix3d R = slightly_turned(random);
+        const Vector3d w = random.vector();
+        Matrix3d R_dot;
+        R_dot << w.cross(R.col(0)), w.cross(R.col(1)), w.cross(R.col(2));
+        REQUIRE_THAT(angular_velocity(R_dot, R), IsClose(w, Rounding(32, w.norm())));
     }
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The law of no memory, for every formula: an answer depends on the arguments alone, and not on the
 // calls before. Each call is made after one that has nothing in common with it, and after one that
-// differs in a single argument.
+// differs in a single argument, or in a list by a single element.
 #include "change.hpp"
 #include "inputs.hpp"
 #include "support/seeds.hpp"
@@ -12,23 +12,50 @@ namespace rigor::testing {
 
 namespace {
 
-// The first arguments with one of them taken from the second, for each argument of a type that does
-// not refer to the others.
+template <class T>
+concept List = requires(T list)
+{
+    list.resize(1);
+    list.push_back(list[0]);
+};
+
+// What a list may get from a list of other arguments. Indices of bodies and neighbours belong to
+// their own arguments; all random meshes have the same tetrahedra.
+enum class Exchange { everything, element, nothing };
+
+template <class Element> constexpr Exchange exchange_of()
+{
+    if (std::is_same_v<Element, MeshFace> || std::is_same_v<Element, ElementCrack>)
+        return Exchange::everything;
+    if (std::is_same_v<Element, BodyContact>) return Exchange::nothing;
+    if (Plain<Element> || requires(Element matrix) { matrix.colPivHouseholderQr(); })
+        return Exchange::element;
+    return Exchange::nothing;
+}
+
+// The first arguments with one of them taken from the second, for each argument that does not refer
+// to the others. Most lists get a single element, in their middle, so that their length, their
+// first and their last element stay the same.
 template <class Arguments, std::size_t... i>
 void mix(std::vector<Arguments>& calls, const Arguments& first, const Arguments& second,
          std::index_sequence<i...>)
 {
     const auto exchange = [&]<std::size_t k>(std::integral_constant<std::size_t, k>) {
         using T = std::tuple_element_t<k, Arguments>;
-        if constexpr (Plain<T> ? !std::is_same_v<T, TetrahedralMesh> && !std::is_same_v<T, LevelSet>
-                               : !requires(T t) {
-                                     t.resize(1);
-                                     t.push_back(t[0]);
-                                 }) {
-            Arguments call = first;
-            std::get<k>(call) = std::get<k>(second);
-            calls.push_back(call);
+        Arguments call = first;
+        auto& argument = std::get<k>(call);
+        const auto& other = std::get<k>(second);
+        if constexpr (!List<T>) {
+            argument = other;
+        } else {
+            constexpr Exchange part = exchange_of<typename T::value_type>();
+            if constexpr (part == Exchange::nothing) return;
+            if constexpr (part == Exchange::everything) argument = other;
+            if constexpr (part == Exchange::element)
+                if (!argument.empty() && !other.empty())
+                    argument[argument.size() / 2] = other.front();
         }
+        calls.push_back(call);
     };
     (exchange(std::integral_constant<std::size_t, i>()), ...);
 }

@@ -12,17 +12,17 @@ namespace rigor::testing {
 
 namespace {
 
-// Masses up to 2^±60, lengths up to 2^±44 and times up to 2^±20, half of them the extremes: from
-// less than a grain of sand to a planet. The sixth power of a pressure, which an eigenvalue solver
-// may need, is still a number.
+// Masses up to 2^±50, lengths up to 2^±44 and times up to 2^±32, half of them the extremes: from
+// less than a grain of sand to a planet, and from less than a nanosecond to a century. The sixth
+// power of a pressure, which an eigenvalue solver may need, is still a number.
 Dimension random_units(Random& random)
 {
     const auto exponent = [&](int largest) {
         if (random.bits() % 2 == 0) return random.bits() % 2 == 0 ? largest : -largest;
         return 2 * (random_index(random, static_cast<std::size_t>(largest) + 1) - largest / 2);
     };
-    const int mass = exponent(60), length = exponent(44);
-    return {mass, length, exponent(20)};
+    const int mass = exponent(50), length = exponent(44);
+    return {mass, length, exponent(32)};
 }
 
 // The factor by which a number grew, as a power of four where it is one.

@@ -72,12 +72,31 @@ inline std::vector<int> number_vertices(std::vector<Tetrahedron>& tetrahedra, Co
     return parents;
 }
 
-/// The mesh in which exactly these corners are joined.
-inline SplitMesh with_joined(const TetrahedralMesh& mesh, Corners& corners)
+/// The vertices that no tetrahedron uses.
+inline std::vector<int> unused_vertices(const TetrahedralMesh& mesh)
+{
+    std::vector<bool> is_used(mesh.vertices.size());
+    for (const Tetrahedron& t : mesh.tetrahedra)
+        for (int v : t)
+            is_used[v] = true;
+    std::vector<int> unused;
+    for (std::size_t v = 0; v < is_used.size(); ++v)
+        if (!is_used[v]) unused.push_back(static_cast<int>(v));
+    return unused;
+}
+
+/// The mesh in which exactly these corners are joined. Without `keeps_unused`, vertices that no
+/// tetrahedron uses are left out, which is a mistake.
+inline SplitMesh with_joined(const TetrahedralMesh& mesh, Corners& corners,
+                             bool keeps_unused = true)
 {
     SplitMesh result = {{{}, mesh.tetrahedra}, {}, std::vector<int>(mesh.tetrahedra.size())};
     std::iota(result.parents.begin(), result.parents.end(), 0);
-    for (int parent : number_vertices(result.mesh.tetrahedra, corners)) {
+    std::vector<int> parents = number_vertices(result.mesh.tetrahedra, corners);
+    if (keeps_unused)
+        for (int v : unused_vertices(mesh))
+            parents.push_back(v);
+    for (int parent : parents) {
         result.mesh.vertices.push_back(mesh.vertices[parent]);
         result.origins.push_back({parent, parent, 0});
     }
@@ -85,7 +104,8 @@ inline SplitMesh with_joined(const TetrahedralMesh& mesh, Corners& corners)
 }
 
 /// The mesh split along the faces for which `is_cut(face)` is true (A7.5).
-template <class IsCut> SplitMesh split_where(const TetrahedralMesh& mesh, IsCut is_cut)
+template <class IsCut>
+SplitMesh split_where(const TetrahedralMesh& mesh, IsCut is_cut, bool keeps_unused = true)
 {
     Corners corners(mesh.tetrahedra.size());
     for (const auto& [face, sharing] : faces_of(mesh))
@@ -93,7 +113,7 @@ template <class IsCut> SplitMesh split_where(const TetrahedralMesh& mesh, IsCut 
             for (int v : face)
                 corners.join(sharing[0], corner_of(mesh.tetrahedra[sharing[0]], v), sharing[1],
                              corner_of(mesh.tetrahedra[sharing[1]], v));
-    return with_joined(mesh, corners);
+    return with_joined(mesh, corners, keeps_unused);
 }
 
 /// The rules of `split_element` (A7.6); each mistake changes one.
@@ -102,12 +122,13 @@ struct ElementRules {
     bool opens = true;             // otherwise the mesh is only refined
     bool opens_rim = false;        // separates each tetrahedron at the vertex from all others
     bool halves_in_the_middle = false;
+    double nearest_to_an_end = 0;    // the least distance of a new vertex from an end of its edge
     bool swaps_corners = false;      // in one of the two halves
     double snap_distance = 0.05;     // relative to the longest edge
     bool asks_for_both_sides = true; // otherwise it splits even if no vertex is above, or below
     // The side of a tetrahedron on the plane, from the height of its center: positive for above, 0
     // for neither.
-    double (*side_on_plane)(double height) = [](double height) { return height; };
+    double (*side_on_plane)(double height) = [](double height) { return height >= 0 ? 1.0 : -1.0; };
 };
 
 inline bool has(const Tetrahedron& t, int vertex)
@@ -156,7 +177,9 @@ inline SplitMesh split_by(const ElementRules& rules, const TetrahedralMesh& mesh
                 if (has(t, vertex) && heights[a] > 0 && heights[b] < 0) edges.insert({a, b});
     for (const auto& [a, b] : edges) {
         const double exact = heights[a] / (heights[a] - heights[b]);
-        const double t = rules.halves_in_the_middle ? 0.5 : exact;
+        const double t = rules.halves_in_the_middle ? 0.5
+                                                    : std::clamp(exact, rules.nearest_to_an_end,
+                                                                 1 - rules.nearest_to_an_end);
         const int p = static_cast<int>(x.size());
         x.push_back((1 - t) * x[a] + t * x[b]);
         split.origins.push_back({a, b, t});
@@ -209,6 +232,7 @@ struct CopyRules {
     bool first_crack_only = false;
     bool whole_shares = false;  // each copy has the whole volume
     bool corner_shares = false; // a quarter of the volume for each real corner
+    bool drops_unused = false;  // vertices that no tetrahedron uses
     bool clips_all = false;     // clips each part by every crack through the tetrahedron
 };
 
@@ -324,6 +348,9 @@ inline EmbeddedMesh copies_by(const CopyRules& rules, const TetrahedralMesh& mes
             }
     }
     result.vertex_parents = number_vertices(result.mesh.tetrahedra, corners);
+    if (!rules.drops_unused)
+        for (int v : unused_vertices(mesh))
+            result.vertex_parents.push_back(v);
     for (int parent : result.vertex_parents)
         result.mesh.vertices.push_back(mesh.vertices[parent]);
     return result;

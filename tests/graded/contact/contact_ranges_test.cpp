@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+// A5: long lists with equal depths, many iterations, many sweeps, high towers, contacts between
+// levels that are not neighbours.
+#include "contact_cases.hpp"
+#include "formulas/contact.hpp"
+#include "support/close.hpp"
+
+namespace rigor::testing {
+
+namespace {
+
+// The stack of n blocks of 1 kg. With `is_reversed` the bodies have their numbers from above; the
+// contacts stay in their order, from below.
+ContactCase numbered_stack(int n, bool is_reversed)
+{
+    ContactCase problem = stack(std::vector<double>(static_cast<std::size_t>(n), 1.0));
+    if (!is_reversed) return problem;
+    std::reverse(problem.bodies.begin(), problem.bodies.end());
+    for (BodyContact& contact : problem.contacts) {
+        contact.body1 = n - contact.body1;
+        contact.body2 = n - contact.body2;
+    }
+    return problem;
+}
+
+} // namespace
+
+TEST_CASE("contact: equal depths keep the order of a long list", "[A5.2][contact]")
+{
+    // The lowest block stops. Each block above shares the difference of its speed and that of the
+    // block below it, so the impulse of each contact is half of the impulse before it.
+    for (const bool is_reversed : {false, true}) {
+        CAPTURE(is_reversed);
+        const ContactCase problem = numbered_stack(50, is_reversed);
+        const ContactResult result = resolve_contacts(problem.bodies, problem.contacts, 1);
+        for (int k = 0; k < 50; ++k) {
+            CAPTURE(k);
+            REQUIRE_THAT(result.impulses[k],
+                         IsClose(Vector3d(std::exp2(-k) * up), Rounding(64, 1)));
+        }
+    }
+}
+
+TEST_CASE("contact: the last of many iterations stops the approach", "[A5.2][contact]")
+{
+    for (const int n : {1, 10, 100, 160, 500}) {
+        CAPTURE(n);
+        const ContactCase problem = stack({1});
+        const ContactResult result = resolve_contacts(problem.bodies, problem.contacts, n);
+        REQUIRE_THAT(result.impulses[0], IsClose(up, Rounding(16.0 * n + 64, 1)));
+        REQUIRE_THAT(result.bodies[1].velocity, IsClose(Vector3d(0, 0, 0), Rounding(64, 1)));
+    }
+}
+
+TEST_CASE("contact: a high tower is stopped in one pass", "[A5.4][contact]")
+{
+    const int n = 200;
+    const ContactCase problem = stack(std::vector<double>(n, 1.0));
+    std::vector<int> levels;
+    for (int level = 0; level <= n; ++level)
+        levels.push_back(level);
+    const ContactResult result = shock_propagation(problem.bodies, problem.contacts, levels, 1);
+    for (int level = 1; level <= n; ++level) {
+        CAPTURE(level);
+        REQUIRE_THAT(result.bodies[level].velocity, IsClose(Vector3d(0, 0, 0), Rounding(64, 1)));
+        REQUIRE_THAT(result.impulses[level - 1], IsClose(up, Rounding(64, 1)));
+    }
+}
+
+TEST_CASE("contact: all bodies of lower levels are held", "[A5.4][contact]")
+{
+    // Body 3 has level 3, because it also rests on body 2; it falls on body 1, which has level 1.
+    for (int lower = 0; lower < 3; ++lower) {
+        CAPTURE(lower);
+        ContactCase problem = {{Body(), block(1), block(2), block(3, -up)},
+                               {touch(3, lower, 0.01)}};
+        const ContactResult result =
+            shock_propagation(problem.bodies, problem.contacts, {0, 1, 2, 3}, 1);
+        REQUIRE_THAT(result.bodies[lower], IsExactly(problem.bodies[lower]));
+        REQUIRE_THAT(result.impulses[0], IsClose(Vector3d(3 * up), Rounding(64, 3)));
+    }
+}
+
+TEST_CASE("contact: within a level the deepest contact comes first", "[A5.4][contact]")
+{
+    // Two blocks of one level fall together, and the lower one is to stop on the ground. If their
+    // own contact comes first, it sees no approach yet, and the upper block falls on. Of equal
+    // depths the first one in the list comes first.
+    for (const double depth : {0.005, 0.01, 0.02}) // that on the ground has 0.01
+        for (const bool is_pair_first : {true, false}) {
+            CAPTURE(depth, is_pair_first);
+            ContactCase problem = stack({1, 1});
+            problem.contacts[1].depth = depth;
+            if (is_pair_first) std::swap(problem.contacts[0], problem.contacts[1]);
+            const ContactResult result =
+                shock_propagation(problem.bodies, problem.contacts, {0, 1, 1}, 1);
+            const double left = depth > 0.01 || (depth == 0.01 && is_pair_first) ? 1 : 0.5;
+            REQUIRE_THAT(result.bodies[2].velocity, IsClose(Vector3d(-left * up), Rounding(64, 1)));
+        }
+}
+
+TEST_CASE("contact: each of many sweeps visits the contacts in the order given", "[A5.5][contact]")
+{
+    const ContactCase problem = {{Body(), rod(-up)},
+                                 {touch(1, 0, 0.01, {-1, 0, 0}), touch(1, 0, 0.01, {1, 0, 0})}};
+    double left = 0, right = 0;
+    for (int sweeps = 1; sweeps <= 25; ++sweeps) {
+        CAPTURE(sweeps);
+        left = std::max(0.0, left - (-1 + 4 * left - 2 * right) / 4);
+        right = std::max(0.0, right - (-1 + 4 * right - 2 * left) / 4);
+        const ContactResult result =
+            resolve_simultaneously(problem.bodies, problem.contacts, sweeps);
+        REQUIRE_THAT(result.impulses[0], IsClose(Vector3d(left * up), Rounding(64, 4)));
+        REQUIRE_THAT(result.impulses[1], IsClose(Vector3d(right * up), Rounding(64, 4)));
+    }
+}
+
+} // namespace rigor::testing

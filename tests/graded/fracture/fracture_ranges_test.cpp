@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: MIT
+// A7: stresses with nearly equal eigenvalues, thresholds next to the stress, faces that are nearly
+// equally near, unused vertices, planes exactly through a center, tiny tips.
+#include "fracture_laws.hpp"
+#include "support/seeds.hpp"
+
+namespace rigor::testing {
+
+namespace {
+
+Matrix3d turned_stress(const Matrix3d& R, const Vector3d& principal)
+{
+    const Matrix3d stress = R * principal.asDiagonal() * R.transpose();
+    return (stress + stress.transpose()) / 2;
+}
+
+constexpr double h = 1.0 / 64; // a height less than 0.05, and a power of two
+
+// A flat tetrahedron on the plane z = 0 with the heights 0, 0, h and -h, whose center is exactly on
+// the plane. A second one is on its face above, up to vertex 4, and a third below, down to vertex
+// 5.
+TetrahedralMesh between_two()
+{
+    return {{{0, 0, 0}, {0, 1, -h}, {1, 0, h}, {1, -1, 0}, {0.25, 0.25, 1}, {0.25, -0.125, -1}},
+            {{0, 1, 2, 3}, {0, 2, 1, 4}, {0, 1, 3, 5}}};
+}
+
+const Vector3d far_away(7, 8, 9);
+
+// The mesh with one more vertex, of this number, that no tetrahedron uses.
+TetrahedralMesh with_unused_vertex(TetrahedralMesh mesh, int number)
+{
+    mesh.vertices.insert(mesh.vertices.begin() + number, far_away);
+    for (Tetrahedron& t : mesh.tetrahedra)
+        for (int& v : t)
+            if (v >= number) ++v;
+    return mesh;
+}
+
+// Checks that the vertex is still there, once, and no tetrahedron has it.
+void check_unused(const TetrahedralMesh& mesh, int count)
+{
+    REQUIRE(vertex_count(mesh) == count);
+    REQUIRE(std::count(mesh.vertices.begin(), mesh.vertices.end(), far_away) == 1);
+    for (const Tetrahedron& t : mesh.tetrahedra)
+        for (int v : t)
+            REQUIRE(mesh.vertices[v] != far_away);
+}
+
+// Checks that no tetrahedron is inverted, which is a mistake in the test.
+void require_positive(const TetrahedralMesh& mesh)
+{
+    for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t)
+        REQUIRE(volume(mesh, t) > 0);
+}
+
+} // namespace
+
+TEST_CASE("fracture: nearly equal eigenvalues keep their digits", "[A7.2][fracture]")
+{
+    for (Random random : seeds(10)) {
+        const Matrix3d R = random.rotation();
+        for (int power = 1; power <= 15; ++power) {
+            const double gap = std::pow(10.0, -power);
+            for (const double last : {-0.5, 1 - 2 * gap, 1 - gap}) {
+                CAPTURE(gap, last);
+                const Matrix3d sigma = turned_stress(R, {1, last, 1 - gap});
+                const auto [stress, d] = principal_stress(sigma);
+                REQUIRE_THAT(stress, IsClose(1.0, Rounding(64, 1)));
+                REQUIRE_THAT(d.norm(), IsClose(1.0, Rounding(16)));
+                REQUIRE_THAT(Vector3d(sigma * d), IsClose(Vector3d(stress * d), Rounding(64, 2)));
+            }
+        }
+    }
+}
+
+TEST_CASE("fracture: a threshold next to the stress decides", "[A7.3][fracture]")
+{
+    for (Random random : seeds(20)) {
+        const Matrix3d sigma = turned_stress(random.rotation(), {-0.5, 1, 0.25});
+        for (int power = 1; power <= 12; ++power) {
+            const double off = std::pow(10.0, -power);
+            CAPTURE(off);
+            REQUIRE(crack_plane(sigma, 1 - off).has_value());
+            REQUIRE(!crack_plane(sigma, 1 + off).has_value());
+        }
+    }
+}
+
+TEST_CASE("fracture: of faces that are nearly equally near the nearer one", "[A7.4][fracture]")
+{
+    // faces 1 and 2 are across x and y; face 0 looks along z, because the tetrahedron is flat
+    for (Random random : seeds(10)) {
+        const Matrix3d R = random.rotation();
+        const std::array<Vector3d, 4> flat = {R * Vector3d(0, 0, 0), R * Vector3d(1, 0, 0),
+                                              R * Vector3d(0, 1, 0), R * Vector3d(0, 0, 0.1)};
+        for (int power = 1; power <= 12; ++power)
+            for (const double x : {1.0, -1.0})
+                for (const double y : {1.0, -1.0}) {
+                    const double more = 1 + std::pow(10.0, -power);
+                    CAPTURE(more, x, y);
+                    REQUIRE(closest_face(flat, R * Vector3d(more * x, y, 0).normalized()) == 1);
+                    REQUIRE(closest_face(flat, R * Vector3d(x, more * y, 0).normalized()) == 2);
+                }
+    }
+}
+
+TEST_CASE("fracture: a mesh without tetrahedra keeps its vertices", "[A7.5][fracture]")
+{
+    const TetrahedralMesh points = {{{1, 2, 3}, {4, 5, 6}}, {}};
+    const SplitMesh result = split_along_faces(points, {});
+    REQUIRE(vertex_count(result.mesh) == 2);
+    REQUIRE(result.origins.size() == 2);
+}
+
+TEST_CASE("fracture: a center exactly on the plane is above", "[A7.6][fracture]")
+{
+    const TetrahedralMesh mesh = between_two();
+    require_positive(mesh);
+    for (const double sign : {1.0, -1.0}) {
+        CAPTURE(sign);
+        const SplitMesh result = split_element(mesh, 0, sign * Vector3d::UnitZ());
+        check_split(mesh, result);
+        INFO("the flat tetrahedron stays with the one that the normal points to");
+        const double flat = volume(mesh, 0), other = volume(mesh, sign > 0 ? 1 : 2),
+                     alone = volume(mesh, sign > 0 ? 2 : 1);
+        std::vector<double> pieces = {flat + other, alone};
+        std::sort(pieces.begin(), pieces.end());
+        REQUIRE_THAT(piece_volumes(result.mesh), IsClose(pieces, Rounding(64, 1)));
+    }
+}
+
+TEST_CASE("fracture: a flat tetrahedron alone does not split", "[A7.6][fracture]")
+{
+    TetrahedralMesh mesh = between_two();
+    mesh.vertices.resize(4);
+    mesh.tetrahedra.resize(1);
+    const SplitMesh result = split_element(mesh, 0, Vector3d::UnitZ());
+    check_split(mesh, result);
+    REQUIRE(vertex_count(result.mesh) == 4);
+    REQUIRE(tetrahedron_count(result.mesh) == 1);
+}
+
+TEST_CASE("fracture: a new vertex near the end of its edge is on the plane", "[A7.6][fracture]")
+{
+    // the longest edge is 1.16 m, so the height of 0.06 m is just not on the plane
+    const TetrahedralMesh mesh = {{{0, 0, 0}, {0.5, 0, 0.06}, {0.5, 0.3, -1}, {0.1, 0.5, -0.5}},
+                                  {{0, 1, 2, 3}}};
+    require_positive(mesh);
+    const SplitMesh result = split_element(mesh, 0, Vector3d::UnitZ());
+    check_split(mesh, result);
+    int cut = 0;
+    for (std::size_t v = 0; v < result.origins.size(); ++v)
+        if (result.origins[v].first != result.origins[v].second) {
+            ++cut;
+            REQUIRE_THAT(result.mesh.vertices[v].z(), IsClose(0.0, Rounding(8, 1)));
+        }
+    REQUIRE(cut == 4); // two edges, and both sides of the crack
+}
+
+TEST_CASE("fracture: the mesh around a cut stays conforming", "[A7.6][fracture]")
+{
+    Random random(1);
+    for (const int n : {2, 4, 5}) {
+        CAPTURE(n);
+        const TetrahedralMesh cube = jiggled(block(n, n, n), random);
+        const int middle = block_vertex(n, n, n / 2, n / 2, n / 2);
+        check_split(cube, split_element(cube, middle, Vector3d(1, 2, 3).normalized()));
+    }
+}
+
+TEST_CASE("fracture: the tip that a crack cuts off may be tiny", "[A7.7][fracture]")
+{
+    const Vector3d normal = Vector3d(-1, -1, -1).normalized(); // points to the corner 0
+    for (int power = 0; power <= 13; ++power) {
+        const double k = std::exp2(-power);
+        CAPTURE(k);
+        const EmbeddedMesh result =
+            virtual_nodes(unit_tetrahedron(), {{0, {0.99 * k, 0, 0}, normal}});
+        const double share = std::pow(0.99 * k, 3);
+        REQUIRE_THAT(result.fractions, IsClose(std::vector{share, 1 - share}, Rounding(64, 1)));
+    }
+}
+
+TEST_CASE("fracture: along faces an unused vertex stays", "[A7.5][fracture]")
+{
+    for (int unused = 0; unused <= 5; ++unused) {
+        CAPTURE(unused);
+        const TetrahedralMesh mesh = with_unused_vertex(two_tetrahedra(), unused);
+        for (const bool is_cut : {false, true}) {
+            const SplitMesh result = split_along_faces(mesh, is_cut ? std::vector<MeshFace>{{0, 0}}
+                                                                    : std::vector<MeshFace>());
+            check_unused(result.mesh, is_cut ? 9 : 6);
+            REQUIRE(result.origins.size() == result.mesh.vertices.size());
+        }
+    }
+}
+
+TEST_CASE("fracture: through elements an unused vertex stays", "[A7.6][fracture]")
+{
+    for (int unused = 0; unused <= 5; ++unused) {
+        CAPTURE(unused);
+        const TetrahedralMesh mesh = with_unused_vertex(two_tetrahedra(), unused);
+        const int vertex = unused == 0 ? 1 : 0; // the origin, a corner of one tetrahedron alone
+        const Vector3d normal = Vector3d(1, -1, 0).normalized();
+        // the plane has two of its corners and halves the edge between the other two
+        const SplitMesh result = split_element(mesh, vertex, normal);
+        check_unused(result.mesh, 6 + 1 + 1);
+        REQUIRE(result.origins.size() == result.mesh.vertices.size());
+        check_unused(split_element(mesh, unused, normal).mesh, 6);
+    }
+}
+
+TEST_CASE("fracture: with virtual nodes an unused vertex stays", "[A7.7][fracture]")
+{
+    for (int unused = 0; unused <= 5; ++unused) {
+        CAPTURE(unused);
+        const TetrahedralMesh mesh = with_unused_vertex(two_tetrahedra(), unused);
+        const EmbeddedMesh result = virtual_nodes(mesh, {});
+        check_unused(result.mesh, 6);
+        REQUIRE(std::count(result.vertex_parents.begin(), result.vertex_parents.end(), unused) ==
+                1);
+    }
+}
+
+} // namespace rigor::testing
