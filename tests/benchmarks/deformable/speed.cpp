@@ -162,7 +162,7 @@ void measure_skip(Bench& bench)
 {
     const auto pulled = [](bool skips) {
         DeformableWorld world = bent_bar({32, 8, 8}, NodeIntegrator::implicit_step);
-        world.rigid.settings.skips.stress_bound = skips;
+        world.rigid.settings.optimisations.stress_bound = skips;
         Deformable& bar = world.solids[0];
         bar.material.strength = 1e5;
         Handle handle;

@@ -36,7 +36,7 @@ public:
         world_.settings.integrator = integrator;
         world_.settings.contact_method = method;
         world_.settings.formulas_are_reference = true;
-        world_.settings.skips.sleep = false;
+        world_.settings.optimisations.sleep = false;
         world_.settings.gravity = trial.gravity;
         const Material material = {trial.restitution, trial.friction};
         for (const TrialBody& body : trial.bodies) {

@@ -58,8 +58,8 @@ void encode(const std::vector<Image>& images, const TemporaryFolder& folder)
 {
     const auto half = [&](std::size_t first) {
         for (std::size_t i = first; i < images.size(); i += 2)
-            write_whole(folder.path() / ("alone_" + std::to_string(i) + ".png"),
-                        png_bytes(images[i]));
+            write_picture(folder.path() / ("alone_" + std::to_string(i) + ".png"),
+                          png_bytes(images[i]));
     };
     std::thread other(half, 1);
     half(0);

@@ -132,7 +132,7 @@ void settle(Bench& bench, int side)
         step(sleeping, pile_step);
     const double settled = sleeping.time;
     World awake = sleeping;
-    awake.settings.skips.sleep = false;
+    awake.settings.optimisations.sleep = false;
     for (RigidBody& body : awake.bodies)
         body.rest = {};
     const auto some_steps = [](World& world) {

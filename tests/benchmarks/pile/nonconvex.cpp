@@ -70,7 +70,7 @@ World room_of_bodies(const Room& room)
     world.settings.gravity = {0, pile_gravity, 0};
     world.settings.contact_method = ContactMethod::simultaneous;
     world.settings.formulas_are_reference = true;
-    world.settings.skips.sleep = false;
+    world.settings.optimisations.sleep = false;
     const auto wall = [&](const Vector3d& size, const Vector3d& X) {
         world.bodies.push_back(body_of(Box{size}, X, {}, true));
     };

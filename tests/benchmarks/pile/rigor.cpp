@@ -16,7 +16,7 @@ World pile_world(const PileStart& start, const PileOptions& options)
     world.settings.gravity = {0, pile_gravity, 0};
     world.settings.contact_method = ContactMethod::simultaneous;
     world.settings.formulas_are_reference = true;
-    world.settings.skips.sleep = options.sleep;
+    world.settings.optimisations.sleep = options.sleep;
     world.pool = ThreadPool(options.threads);
     const auto add = [&world](const Vector3d& size, const Vector3d& X, const Quaternion& q,
                               bool is_static) {

@@ -63,13 +63,13 @@ World after(World world, int steps)
 }
 
 SkipCase switched(const std::string& name, const std::string& scene, const World& world, int steps,
-                  bool Skips::*skip, const std::string& counter_name,
+                  bool Optimisations::*skip, const std::string& counter_name,
                   std::uint64_t Counters::*counter, double bound)
 {
     World with = world, without = world;
-    with.settings.skips.*skip = true;
-    without.settings.skips.*skip = false;
-    if (skip == &Skips::sleep)
+    with.settings.optimisations.*skip = true;
+    without.settings.optimisations.*skip = false;
+    if (skip == &Optimisations::sleep)
         for (RigidBody& body : without.bodies)
             body.rest = {}; // wakes the body
     return {name,
@@ -101,19 +101,20 @@ SkipRun run_steps(const World& world, int steps, std::uint64_t Counters::*counte
 std::vector<SkipCase> switchable_skips()
 {
     World sleepy = towers(50, 4);
-    sleepy.settings.skips.sleep = true;
+    sleepy.settings.optimisations.sleep = true;
     const World high = towers(1, 20), wall = stress::world_of(gable(12, 8));
     return {
         switched("islands", "50 towers of 4 cubes, each pushed", pushed_towers(50, 4), 30,
-                 &Skips::islands, "islands", &Counters::islands, resting),
-        switched("sleep", "50 towers of 4 cubes after 5 s", after(sleepy, 300), 120, &Skips::sleep,
-                 "bodies asleep", &Counters::bodies_asleep, resting),
-        switched("warm start", "a gable of 68 bricks", wall, 60, &Skips::warm_start,
+                 &Optimisations::islands, "islands", &Counters::islands, resting),
+        switched("sleep", "50 towers of 4 cubes after 5 s", after(sleepy, 300), 120,
+                 &Optimisations::sleep, "bodies asleep", &Counters::bodies_asleep, resting),
+        switched("warm start", "a gable of 68 bricks", wall, 60, &Optimisations::warm_start,
                  "contact sweeps", &Counters::contact_sweeps, resting),
-        switched("early exit", "100 cubes that land", landing_cubes(100), 120, &Skips::early_exit,
-                 "contact sweeps", &Counters::contact_sweeps, resting),
-        switched("optimised formulas", "tower of 20 cubes", high, 120, &Skips::optimised_formulas,
-                 "contact impulses", &Counters::contact_impulses, resting),
+        switched("early exit", "100 cubes that land", landing_cubes(100), 120,
+                 &Optimisations::early_exit, "contact sweeps", &Counters::contact_sweeps, resting),
+        switched("optimised formulas", "tower of 20 cubes", high, 120,
+                 &Optimisations::optimised_formulas, "contact impulses",
+                 &Counters::contact_impulses, resting),
     };
 }
 

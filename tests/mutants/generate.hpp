@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// One source that contains all mutants of a source.
+#pragma once
+
+#include "mutants/source.hpp"
+
+#include <set>
+#include <string>
+#include <vector>
+
+namespace rigor::mutants {
+
+/// One wrong solution.
+struct Mutant {
+    int number;              // from 1
+    std::string function;    // the function that is wrong
+    std::string name;        // what is wrong: "old line => new line", in one line of text
+    std::size_t first, last; // its lines in the generated text, from 1; 0 if it has none
+};
+
+struct Generated {
+    std::string text;
+    std::vector<Mutant> mutants;
+};
+
+/// The source with all its mutants, except for those with these numbers. One of them is chosen at
+/// run time by RIGOR_MUTANT="stem number"; without a choice all functions are the unchanged ones.
+/// The stem is the name of the source, `fracture_vertices`; up to its first underscore it is a
+/// topic.
+Generated generate(const Source& source, const std::string& stem, const std::set<int>& without);
+
+} // namespace rigor::mutants
