@@ -7,12 +7,13 @@
 #include "cli/commands/compare.hpp"
 #include "cli/commands/demo.hpp"
 #include "cli/commands/figures.hpp"
-#include "cli/commands/grade.hpp"
 #include "cli/commands/hint.hpp"
 #include "cli/commands/list.hpp"
 #include "cli/commands/render.hpp"
 #include "cli/commands/simulate.hpp"
 #include "cli/commands/test.hpp"
+#include "cli/instructor/grade.hpp"
+#include "cli/instructor/release.hpp"
 
 namespace rigor {
 
@@ -24,6 +25,7 @@ std::span<const CommandEntry> commands()
         {"list", "Show assignments, tasks, points and scenes", declare_list},
         {"check", "Grade your own files: the loop to live in", declare_check},
         {"grade", "Grade a class: folders and archives", declare_grade},
+        {"release", "Make what students, Gradescope or GitHub get", declare_release},
         {"hint", "Give a hint for a task, and the next one each time", declare_hint},
         {"simulate", "Run a scene and store its trajectory", declare_simulate},
         {"render", "Draw a scene or a stored trajectory as frames", declare_render},

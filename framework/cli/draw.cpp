@@ -70,8 +70,7 @@ Film::Film(const std::string& folder, const Scene& scene, const DrawOptions& opt
     if (!options.gl.empty()) options_.gl = gl_from_text(options.gl);
     options_.video = options.video;
     options_.frames_per_second = scene.frames_per_second;
-    while (frame_step(scene, static_cast<std::int64_t>(options_.expected)) <= step_count(scene))
-        ++options_.expected;
+    options_.expected = static_cast<std::size_t>(frame_count(scene));
     options_.progress = [this](std::size_t done, std::size_t expected) {
         progress_->update(static_cast<double>(done) /
                               static_cast<double>(std::max<std::size_t>(1, expected)),

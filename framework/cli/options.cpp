@@ -46,6 +46,12 @@ void Options::word(const std::string& value_name, std::string& value, const std:
     app_.add_option(value_name, value, broken(meaning))->type_name("")->required();
 }
 
+void Options::word_or_none(const std::string& value_name, std::string& value,
+                           const std::string& meaning)
+{
+    app_.add_option(value_name, value, broken(meaning))->type_name("");
+}
+
 void Options::examples(const std::vector<std::string>& lines)
 {
     std::string text = "Examples:";

@@ -35,6 +35,9 @@ public:
                const std::string& meaning);
     /// A required positional argument.
     void word(const std::string& value_name, std::string& value, const std::string& meaning);
+    /// A positional argument that may be left out.
+    void word_or_none(const std::string& value_name, std::string& value,
+                      const std::string& meaning);
     /// Examples at the end of the help text. Each line is a command and what it does.
     void examples(const std::vector<std::string>& lines);
 

@@ -195,7 +195,7 @@ std::vector<SuiteResult> run_preset(const std::string& preset, SuiteSize size)
                        "--test-dir",
                        build.string(),
                        "-LE",
-                       size == SuiteSize::all ? "^sample$" : "^long$",
+                       size == SuiteSize::all ? "^(sample|proof)$" : "^(long|proof)$",
                        "--output-on-failure",
                        "--no-tests=error",
                        "--timeout",

@@ -28,8 +28,30 @@ std::vector<std::string> texts(const Value& value, std::string_view what)
 // A task while it is read, with the values whose lines an error message names.
 struct TaskDraft {
     Task task;
-    const Value *tag = nullptr, *formula = nullptr, *scenes = nullptr;
+    const Value *tag = nullptr, *formula = nullptr, *scenes = nullptr, *parts = nullptr;
 };
+
+constexpr Key<PartOfPoints> part_keys[] = {
+    {"law", "needed: the name of a test of the task",
+     [](PartOfPoints& p, const Value& v) { p.law = line_of_text(v, "the name of a test"); }},
+    {"points", "needed: > 0",
+     [](PartOfPoints& p, const Value& v) { p.points = positive(v, "points"); }},
+};
+
+std::vector<PartOfPoints> parts_of(const Value& value)
+{
+    std::vector<PartOfPoints> parts;
+    for (const Value& item : array(value, "a list of parts {\"law\": …, \"points\": …}")) {
+        PartOfPoints part;
+        read_object<PartOfPoints>(item, "a part {\"law\": …, \"points\": …}", part_keys, part);
+        if (part.law.empty() || part.points == 0)
+            throw Mistake{item.line, "expected \"law\" and \"points\" in the part"};
+        for (const PartOfPoints& other : parts)
+            if (other.law == part.law) expected("a law that no other part names", item);
+        parts.push_back(std::move(part));
+    }
+    return parts;
+}
 
 constexpr std::string_view visibilities[] = {"visible", "hidden"};
 constexpr std::string_view disclosures[] = {"all", "law", "nothing"};
@@ -49,6 +71,11 @@ constexpr Key<TaskDraft> task_keys[] = {
      [](TaskDraft& d, const Value& v) { d.task.title = line_of_text(v, "a title"); }},
     {"points", "needed: > 0",
      [](TaskDraft& d, const Value& v) { d.task.points = positive(v, "points"); }},
+    {"parts", "points for single laws, less than the points of the task in all",
+     [](TaskDraft& d, const Value& v) {
+         d.task.parts = parts_of(v);
+         d.parts = &v;
+     }},
     {"visibility", "needed: \"visible\" or \"hidden\"",
      [](TaskDraft& d, const Value& v) { d.task.is_hidden = one_of(v, visibilities) == 1; }},
     {"hint", "needed: one sentence for a student whose solution fails",
@@ -83,6 +110,13 @@ void read_task(Draft& draft, const Value& value)
         throw Mistake{value.line,
                       fmt::format("expected either \"formula\" or \"title\" in the task, found {}",
                                   task.task.title.empty() ? "neither" : "both")};
+    double sum = 0;
+    for (const PartOfPoints& part : task.task.parts)
+        sum += part.points;
+    if (sum > 0 && sum >= task.task.points)
+        throw Mistake{task.parts->line,
+                      fmt::format("expected parts of less than {:g} points in all, found {:g}",
+                                  task.task.points, sum)};
     draft.tasks.push_back(std::move(task));
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The content of assignments/<name>/assignment.json: the tasks of an assignment,
-// their points and hints.
+// The content of assignments/<name>/assignment.json: the tasks of an assignment, their points and
+// hints.
 #pragma once
 
 #include <filesystem>
@@ -16,13 +16,20 @@ enum class Disclosure {
     nothing // that the task failed
 };
 
-struct Task {
-    std::string tag;     // "A2.14"
-    std::string formula; // "combine"; empty for a task about scenes
-    std::string title;   // name of a task that is not about a formula
+/// Points for one law of a task, which are earned even if another law breaks.
+struct PartOfPoints {
+    std::string law; // the name of a test case
     double points = 0;
-    bool is_hidden = false;             // its tests compare with the reference
-    std::string hint;                   // for a student whose solution fails
+};
+
+struct Task {
+    std::string tag;                 // "A2.14"
+    std::string formula;             // "combine"; empty for a task about scenes
+    std::string title;               // name of a task that is not about a formula
+    double points = 0;               // for the task as a whole
+    std::vector<PartOfPoints> parts; // less than `points` in all; the rest is for all laws together
+    bool is_hidden = false;          // its tests compare with the reference
+    std::string hint;                // for a student whose solution fails
     std::vector<std::string> builds_on; // tags of the tasks whose formulas its tests call too
     std::vector<std::string> scenes;    // files of the scenes it is judged by
     Disclosure discloses = Disclosure::all;

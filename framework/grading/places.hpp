@@ -19,8 +19,8 @@ struct Places {
 const Places& places();
 
 /// A lock on a build folder, held while this object lives, so that one process at a time writes
-/// there; the launcher takes the same lock. If another process holds it, a note
-/// is printed on stderr.
+/// there; the launcher takes the same lock. If another process holds it, a note is printed on
+/// stderr.
 class BuildLock {
 public:
     explicit BuildLock(const std::filesystem::path& build = places().build);

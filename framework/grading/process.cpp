@@ -4,6 +4,8 @@
 // two seconds later SIGKILL.
 #include "grading/process.hpp"
 
+#include "sandbox/argument_pointers.hpp"
+
 #include <array>
 #include <cerrno>
 #include <chrono>
@@ -101,16 +103,6 @@ private:
     int read_ = -1, write_ = -1;
 };
 
-std::vector<char*> pointers(const std::vector<std::string>& texts)
-{
-    std::vector<char*> result;
-    result.reserve(texts.size() + 1);
-    for (const std::string& text : texts)
-        result.push_back(const_cast<char*>(text.c_str()));
-    result.push_back(nullptr);
-    return result;
-}
-
 std::vector<std::string> environment_with(const std::vector<std::string>& additions)
 {
     // The additions come before the inherited variables: the first of two equal names counts.
@@ -178,9 +170,9 @@ void collect(pid_t child, const Command& command, LinePipe& output, LinePipe& me
 
 Ended run(const Command& command, const OnLine& on_output, const OnLine& on_message)
 {
-    const std::vector<char*> arguments = pointers(command.arguments);
+    const std::vector<char*> arguments = argument_pointers(command.arguments);
     const std::vector<std::string> environment = environment_with(command.environment);
-    std::vector<char*> variables = pointers(environment);
+    std::vector<char*> variables = argument_pointers(environment);
     int failure[2];
     if (pipe2(failure, O_CLOEXEC) != 0)
         throw std::runtime_error("pipe: " + std::string(std::strerror(errno)));

@@ -33,12 +33,26 @@ std::optional<Status> status_of(std::string_view text)
     return static_cast<Status>(found - statuses.begin());
 }
 
+const TestCase* TaskResult::of_law(std::string_view law) const
+{
+    const auto found = std::find_if(tests.begin(), tests.end(),
+                                    [&](const TestCase& test) { return test.name == law; });
+    return found == tests.end() ? nullptr : &*found;
+}
+
 const TestCase* TaskResult::first_failure() const
 {
     const auto worst =
         std::max_element(tests.begin(), tests.end(),
                          [](const TestCase& a, const TestCase& b) { return a.status < b.status; });
     return worst == tests.end() || worst->status == Status::passed ? nullptr : &*worst;
+}
+
+std::string TaskResult::mistake() const
+{
+    for (const TestCase& test : tests)
+        if (!test.mistake.empty()) return test.mistake;
+    return "";
 }
 
 namespace {
@@ -61,6 +75,20 @@ void hide_undisclosed(TaskResult& result)
 
 } // namespace
 
+namespace {
+
+double points_of_parts(const TaskResult& result)
+{
+    double points = 0;
+    for (const PartOfPoints& part : result.task.parts) {
+        const TestCase* test = result.of_law(part.law);
+        if (test && test->status == Status::passed) points += part.points;
+    }
+    return points;
+}
+
+} // namespace
+
 TaskResult score_task(const Task& task, std::vector<TestCase> tests)
 {
     TaskResult result = {task, Status::skipped, 0, 0, std::move(tests)};
@@ -69,7 +97,10 @@ TaskResult score_task(const Task& task, std::vector<TestCase> tests)
     result.status = failure ? failure->status : Status::passed;
     if (result.status == Status::skipped) return result;
     result.max_score = task.points;
-    if (result.status == Status::passed) result.score = task.points;
+    if (result.status == Status::passed)
+        result.score = task.points;
+    else
+        result.score = points_of_parts(result);
     hide_undisclosed(result);
     return result;
 }

@@ -37,7 +37,8 @@ std::optional<Status> status_of(std::string_view text);
 struct TestCase {
     std::string name; // "inertia: the union of two hemispheres is a sphere"
     Status status = Status::passed;
-    std::string message, hint;                                       // as the test words them
+    std::string message, hint; // as the test words them
+    std::string mistake; // why the answers are wrong, in one sentence; empty if it is not known
     std::string expected, actual, error, tolerance, tolerance_class; // empty where there is none
     std::string place;                                               // the field that is wrong
     std::optional<std::int64_t> seed;                                // seed of the counterexample
@@ -51,8 +52,12 @@ struct TaskResult {
     double score = 0, max_score = 0; // a task that is not run counts 0 of 0
     std::vector<TestCase> tests;
 
+    /// The test case of this law; none if it did not run.
+    const TestCase* of_law(std::string_view law) const;
     /// The first of the test cases with the worst outcome; none if all passed.
     const TestCase* first_failure() const;
+    /// Why the answers are wrong: the first sentence that a test case has; empty without one.
+    std::string mistake() const;
 };
 
 enum class SubmissionStatus { graded, compile_error, rejected, internal_error };
@@ -64,6 +69,7 @@ struct Result {
     SubmissionStatus status = SubmissionStatus::graded;
     std::string message; // explains a status other than `graded`
     std::uint32_t seed = 0;
+    bool has_secret_seeds = false; // whether a secret drew the seeds of this submission
     std::vector<TaskResult> tasks;
     double build_seconds = 0, test_seconds = 0;
     std::string walls; // the walls around the submission: "A: namespaces, uid, seccomp, Landlock"
@@ -82,7 +88,8 @@ Result ungraded(const Assignment& assignment, const std::vector<std::string>& ta
                 const std::string& message);
 
 /// The result of a task from its test cases. It gets all of its points if there are test cases and
-/// each passed, otherwise none. What the task does not disclose is left out.
+/// each passed, otherwise those of its parts whose law held. What the task does not disclose is
+/// left out.
 TaskResult score_task(const Task& task, std::vector<TestCase> tests);
 
 } // namespace rigor

@@ -4,10 +4,12 @@
 // wrongly, the result is an internal error and no score.
 #include "grading/run_tests.hpp"
 
+#include "errors/quotes.hpp"
 #include "grading/places.hpp"
 #include "grading/process.hpp"
 #include "grading/verdicts.hpp"
 #include "sandbox/tier.hpp"
+#include "seeds/drawn_seed.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -24,6 +26,18 @@ std::vector<std::string> runnable(const Selection& selection, bool has_oracle)
     for (const std::string& tag : selection.tags)
         if (has_oracle || !selection.assignment.task(tag)->is_hidden) tags.push_back(tag);
     return tags;
+}
+
+// The error that a part of a task's points names a law that no test has; empty if there is none.
+std::string missing_law(const Task& task, const std::vector<TestCase>& tests)
+{
+    if (tests.empty()) return ""; // the task did not run
+    for (const PartOfPoints& part : task.parts)
+        if (std::none_of(tests.begin(), tests.end(),
+                         [&](const TestCase& test) { return test.name == part.law; }))
+            return fmt::format("task {} has points for a law that no test has: {}", task.tag,
+                               in_quotes(part.law));
+    return "";
 }
 
 // The walls around the submission, in words. A sanitizer needs calls that walls refuse, so the
@@ -57,6 +71,10 @@ Command test_command(const GradingRun& run, const Implementation& implementation
                              {"--verdicts", std::to_string(message_descriptor), "--seed",
                               std::to_string(run.seed),
                               specification(tags, run.oracle.has_value())});
+    if (!run.secret.empty())
+        command.environment = {
+            std::string(seed_key_variable) + "=" +
+            seed_key(run.secret, fmt::format("{} {}", implementation.digest, run.seed))};
     command.silence = run.silence;
     return command;
 }
@@ -85,6 +103,7 @@ Result ungraded(const Selection& selection, const GradingRun& run, SubmissionSta
     Result result = ungraded(selection.assignment, selection.tags,
                              runnable(selection, run.oracle.has_value()), status, message);
     result.seed = run.seed;
+    result.has_secret_seeds = !run.secret.empty();
     return result;
 }
 
@@ -99,6 +118,7 @@ Result grade(const Selection& selection, const Implementation& implementation,
     result.assignment = selection.assignment;
     result.submission = implementation.name;
     result.seed = run.seed;
+    result.has_secret_seeds = !run.secret.empty();
     result.walls = walls_in_words();
     result.build_seconds = implementation.build_seconds;
     if (is_broken) return result;
@@ -122,8 +142,11 @@ Result grade(const Selection& selection, const Implementation& implementation,
         result.test_seconds = ended.seconds;
         fault = fault_of(ended, verdicts, tags);
     }
-    for (const std::string& tag : selection.tags)
-        result.tasks.push_back(score_task(*selection.assignment.task(tag), verdicts.of(tag)));
+    for (const std::string& tag : selection.tags) {
+        const Task& task = *selection.assignment.task(tag);
+        if (fault.empty()) fault = missing_law(task, verdicts.of(tag));
+        result.tasks.push_back(score_task(task, verdicts.of(tag)));
+    }
     if (!fault.empty()) {
         result.status = SubmissionStatus::internal_error;
         result.message = fault + (last_words.empty() ? "" : "; its last words: " + last_words);

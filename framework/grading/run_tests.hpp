@@ -18,7 +18,10 @@ struct GradingRun {
     std::filesystem::path test_program; // graded_tests
     /// The reference's worker. Without it no hidden test runs.
     std::optional<std::filesystem::path> oracle;
-    std::uint32_t seed = 0;
+    std::uint32_t seed = 0; // the first seed of each property, if there is no secret
+    /// The course's secret, which draws the seeds of each submission and test. Without it
+    /// (empty) they are the same for everybody, so that a student can know the random cases.
+    std::string secret;
     double silence = 300; // longest time for a test case [s]; the tests' own limits are far less
     OnTask on_task;
 };

@@ -48,6 +48,7 @@ TestCase test_case(const json& line)
     result.status = *status_of(status);
     result.message = message_of(line);
     result.hint = text_of(line, "hint");
+    result.mistake = text_of(line, "mistake");
     result.is_hidden = line.at("hidden").get<bool>();
     result.seconds = line.at("seconds").get<double>();
     result.expected = text_of(line, "expected");

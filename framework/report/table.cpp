@@ -159,6 +159,7 @@ std::string failure_text(const Result& result, const TaskResult& task,
         return text + row("hint", task.task.hint) + row("to read", handout(result, task));
     text += row("the law", law_of(test.name));
     if (!compared) text += row("what happened", shortened(test.message));
+    text += row("the mistake", task.mistake());
     if (task.status == Status::compile_error)
         text += row("declared", declaration_of(result.assignment.topic, task.task.formula));
     text += row("the case", compared ? noted(test) : "");
@@ -178,13 +179,19 @@ std::string failure_text(const Result& result, const TaskResult& task,
     return text + row("to read", handout(result, task));
 }
 
+constexpr std::size_t longest_tag = 6; // "A10.12"
+
 // Tag of the stub that a task's test called, from a message such as "A1.9 equations_of_motion is
 // not implemented yet (…)".
 std::string stub_of(const TaskResult& task)
 {
     if (task.status != Status::not_implemented) return "";
+    // The rest of the message may be the student's own words.
     const std::string& message = task.first_failure()->message;
-    return message.starts_with("A") ? message.substr(0, message.find(' ')) : "";
+    const std::string tag = message.substr(0, message.find(' '));
+    const bool is_tag = tag.size() <= longest_tag && tag.starts_with("A") &&
+                        tag.find_first_not_of("A0123456789.") == std::string::npos;
+    return is_tag ? tag : "";
 }
 
 std::string task_row(const TaskResult& task, bool color)

@@ -23,6 +23,7 @@ void write_whole(const std::filesystem::path& file, const std::string& content)
     bool ok = true;
     for (std::size_t sent = 0; ok && sent < content.size();) {
         const ssize_t n = write(descriptor, content.data() + sent, content.size() - sent);
+        if (n < 0 && errno == EINTR) continue;
         ok = n > 0;
         if (ok) sent += static_cast<std::size_t>(n);
     }

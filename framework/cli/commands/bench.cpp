@@ -75,7 +75,7 @@ void run_benchmark(const std::string& name, const BenchOptions& options)
 int bench(const BenchOptions& options)
 {
     const std::vector<std::string> known = ninja_programs("bench_");
-    if (known.empty()) throw std::runtime_error("this build has no benchmarks");
+    if (known.empty()) throw InputError("this build has no benchmarks");
     if (options.list) {
         fmt::print("{}\n", fmt::join(known, "\n"));
         return exit_done;

@@ -4,6 +4,7 @@
 #include "cli/options.hpp"
 #include "cli/prepare.hpp"
 #include "cli/progress.hpp"
+#include "cli/secret.hpp"
 #include "errors/input_error.hpp"
 #include "grading/places.hpp"
 #include "grading/run_tests.hpp"
@@ -25,7 +26,7 @@ namespace {
 
 struct CheckOptions {
     std::vector<std::string> what;
-    std::string with = "student", out;
+    std::string with = "student", out, secret;
     std::uint32_t seed = 0;
     bool json = false;
 };
@@ -91,6 +92,7 @@ int check(const CheckOptions& options)
                            "RIGOR_TIER=C they run all the same\n");
     GradingRun run = prepared_grading_run();
     run.seed = options.seed;
+    run.secret = secret_in(options.secret);
     std::vector<Result> results;
     for (const Selection& selection : selections) {
         Progress progress(selection.assignment.name);
@@ -120,6 +122,8 @@ Action declare_check(Options& options)
         "--with", "WHO", chosen->with,
         "student (the default), reference, or a folder that holds some of the topics' files");
     options.option("--seed", "N", chosen->seed, "First seed of the random cases (0)");
+    options.option("--secret", "FILE", chosen->secret,
+                   "File with a secret that draws the seeds, as in `grade`");
     options.flag("--json", chosen->json,
                  "Print the result as JSON: an object for one assignment, a list for several");
     options.option("--out", "FILE", chosen->out, "Write that JSON to a file");

@@ -9,6 +9,7 @@
 #include "report/terminal.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -88,6 +89,9 @@ std::vector<SuiteResult> run_suites(const TestOptions& options)
 int test(const TestOptions& options)
 {
     check_usage(options);
+    if (!std::filesystem::is_directory(places().source / "tests/framework"))
+        throw InputError("this tree has no tests of the framework; `./rigor check` checks your "
+                         "solution");
     if (options.mistakes) return list_mistakes();
     if (options.stress) return stress(options);
     const std::vector<SuiteResult> results = run_suites(options);

@@ -115,6 +115,8 @@ std::string shown_errors(const std::string& output)
 {
     std::string text = first_errors(lines_of(printable(output)));
     replace_all(text, places().source.string() + "/", "");
+    replace_all(text, "{standard input}: Assembler messages:\n", "");
+    replace_all(text, "{standard input}", "the assembler, line of its input");
     return text;
 }
 
@@ -180,7 +182,12 @@ void CompiledFolder::compile_topic(const std::string& topic, CompiledTopic& comp
     compiler.arguments.insert(compiler.arguments.end(),
                               {"-MD", "-MF", list.string(), "-o", object.string(), "-c", file});
     const ConfinedRun run = run_tool(compiler);
-    compiled.errors = run.ok() ? forbidden_include(list, compiler.folder) : why_it_ended(run, file);
+    if (run.ok() && (!is_plain_file(object) || !is_plain_file(list)))
+        compiled.errors = file + ": the compiler made no object\n";
+    else if (run.ok())
+        compiled.errors = forbidden_include(list, compiler.folder);
+    else
+        compiled.errors = why_it_ended(run, file);
     if (!compiled.errors.empty()) return;
     const ConfinedRun names = run_tool({{"/usr/bin/nm", "-P", object.string()}, out, {out}, out});
     if (!names.ok()) {

@@ -57,6 +57,9 @@ public:
                                                  const OnBuildStep& on_step,
                                                  std::vector<std::string>& steps);
 
+    /// SHA-256 of all files that were taken.
+    const std::string& digest() const { return files_.digest; }
+
     /// The private folder, where a worker may be put too.
     const std::filesystem::path& place() const { return place_; }
 

@@ -7,6 +7,7 @@
 #include "errors/printable.hpp"
 #include "grading/build/submission_build.hpp"
 #include "grading/places.hpp"
+#include "seeds/drawn_seed.hpp"
 
 #include <algorithm>
 #include <stdexcept>
@@ -34,6 +35,7 @@ Implementation build_reference(const OnBuildStep& on_step)
     result.name = "reference";
     result.folder = places().source / "reference";
     result.worker = places().program("worker_reference");
+    result.digest = sha256("reference");
     result.build_steps = run.steps;
     result.build_seconds = run.seconds;
     return result;
@@ -51,6 +53,7 @@ Implementation build_folder(const std::string& name, const fs::path& folder,
     result.broken = std::move(build.broken);
     result.borrowed = std::move(build.borrowed);
     result.undefined = std::move(build.undefined);
+    result.digest = std::move(build.digest);
     result.build_steps = std::move(build.steps);
     result.build_seconds = build.seconds;
     return result;

@@ -23,6 +23,7 @@ struct Implementation {
     /// What was out of date and had to be made; empty if everything was up to date.
     std::vector<std::string> build_steps;
     double build_seconds = 0;
+    std::string digest; // SHA-256 of the files that it was made of, with their names
 
     bool is_broken(const std::string& topic) const { return broken.count(topic) > 0; }
     /// The errors of all topics' files; empty if there are none.

@@ -3,8 +3,10 @@
 
 #include "formulas/table.hpp"
 
+#include <algorithm>
 #include <cstdlib>
 #include <cxxabi.h>
+#include <iterator>
 #include <memory>
 #include <sstream>
 #include <string_view>
@@ -35,6 +37,19 @@ const Formula* formula_of(const std::string& symbol)
     return nullptr;
 }
 
+// Whether a name that may be defined more than once is shared on purpose: a template or an inline
+// function of C++, or a name that the compiler makes for itself, such as the pointer
+// `DW.ref.__gxx_personality_v0` to what finds the handlers of exceptions. A weak name of C, or a
+// weak `operator new` or `delete`, would stand in for that of the C library and of the worker.
+bool is_shared(const std::string& name)
+{
+    constexpr std::string_view replaceable[] = {"_Znw", "_Zna", "_Zdl", "_Zda"};
+    if (name.starts_with("__") || name.find('.') != std::string::npos) return true;
+    return name.starts_with("_Z") &&
+           std::none_of(std::begin(replaceable), std::end(replaceable),
+                        [&](std::string_view operation) { return name.starts_with(operation); });
+}
+
 } // namespace
 
 ObjectSymbols parse_symbols(const std::string& listing)
@@ -46,16 +61,20 @@ ObjectSymbols parse_symbols(const std::string& listing)
         std::string name;
         char kind = 0;
         if (!(words >> name >> kind)) continue;
+        const auto is_one_of = [kind](std::string_view kinds) {
+            return kinds.find(kind) != std::string_view::npos;
+        };
         if (kind == 'U')
             symbols.undefined.insert(name);
-        else if (std::string_view("TDBRCGS").find(kind) != std::string_view::npos)
+        else if (is_one_of("TDBRCGSi") || (is_one_of("WVu") && !is_shared(name)))
             symbols.defined.insert(name);
     }
     return symbols;
 }
 
 std::map<std::string, std::vector<std::string>>
-names_to_hide(const std::map<std::string, ObjectSymbols>& objects)
+names_to_hide(const std::map<std::string, ObjectSymbols>& objects,
+              const std::set<std::string>& reserved)
 {
     // The object whose definition counts, for each name that another object uses or the worker.
     std::map<std::string, std::string> keeper;
@@ -65,7 +84,7 @@ names_to_hide(const std::map<std::string, ObjectSymbols>& objects)
             bool is_used = formula != nullptr;
             for (const auto& [other, others] : objects)
                 is_used = is_used || (other != topic && others.undefined.count(name) > 0);
-            if (!is_used) continue;
+            if (!is_used || (formula == nullptr && reserved.count(name) > 0)) continue;
             if (formula != nullptr && formula->topic == topic)
                 keeper[name] = topic;
             else

@@ -7,6 +7,7 @@
 #include "errors/printable.hpp"
 #include "grading/build/compiled_folder.hpp"
 #include "grading/places.hpp"
+#include "grading/process.hpp"
 #include "grading/topics.hpp"
 
 #include <algorithm>
@@ -15,6 +16,7 @@
 #include <fstream>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <stdexcept>
 
 namespace rigor {
@@ -24,6 +26,25 @@ namespace fs = std::filesystem;
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+// The names in the objects and libraries of ours that are linked into each worker.
+std::set<std::string> names_of_worker(const Toolchain& tools)
+{
+    Command command;
+    command.arguments = {"/usr/bin/nm", "-P"};
+    command.folder = places().build;
+    command.arguments.insert(command.arguments.end(), tools.linked_inputs.begin(),
+                             tools.linked_inputs.end());
+    std::string listing;
+    const Ended ended =
+        rigor::run(command, [&](std::string_view line) { listing += std::string(line) + "\n"; });
+    const ObjectSymbols symbols = parse_symbols(listing);
+    if (!ended.ok() || symbols.undefined.empty())
+        throw std::runtime_error("the names in the framework's part of a worker cannot be read");
+    std::set<std::string> names = symbols.defined;
+    names.insert(symbols.undefined.begin(), symbols.undefined.end());
+    return names;
+}
 
 // The commands for student/, after what every worker needs was built: the contract as a precompiled
 // header, the engine, the launcher. This is done once, since a process grades with one framework.
@@ -40,6 +61,7 @@ const Toolchain& tools_after_framework(const OnBuildStep& on_step, std::vector<s
     const NinjaRun run = run_ninja(targets, on_step);
     if (!run.ok) throw std::runtime_error("code of the framework does not compile:\n" + run.errors);
     steps = run.steps;
+    tools.reserved = names_of_worker(tools);
     built = std::move(tools);
     return *built;
 }
@@ -112,7 +134,8 @@ public:
         for (const fs::path& input : tool.readable)
             let_others_read(input);
         const ConfinedRun linked = run_tool(tool);
-        if (!linked.ok()) return {"cannot be linked:\n" + shown_errors(linked.output), {}};
+        if (!linked.ok() || !is_plain_file(out / "worker"))
+            return {"cannot be linked:\n" + shown_errors(linked.output), {}};
         take_over(out / "worker", worker());
         fs::remove_all(out);
         return {why_it_does_not_start(worker()), undefined_names(printable(linked.output))};
@@ -132,7 +155,8 @@ private:
         std::map<std::string, ObjectSymbols> symbols;
         for (const auto& [topic, compiled] : objects_)
             symbols[topic] = compiled->symbols;
-        std::map<std::string, std::vector<std::string>> hidden = names_to_hide(symbols);
+        std::map<std::string, std::vector<std::string>> hidden =
+            names_to_hide(symbols, tools_.reserved);
         for (const auto& [topic, compiled] : objects_)
             hidden[topic]; // one entry each, also without names
         return hidden;
@@ -199,6 +223,7 @@ SubmissionBuild build_submission(const fs::path& folder, const OnBuildStep& on_s
     const Toolchain& tools = tools_after_framework(on_step, build.steps);
 
     CompiledFolder own(folder, tools);
+    build.digest = own.digest();
     std::map<std::string, CompiledTopic> compiled = own.compile(topics(), on_step, build.steps);
     const fs::path student = places().source / "student";
     for (const std::string& topic : topics())

@@ -19,6 +19,7 @@ struct SubmissionBuild {
     std::vector<std::string> borrowed;         // topics that the folder lacks, taken from student/
     std::vector<std::string> undefined;        // names that are used and defined nowhere
     std::vector<std::string> steps;            // what was out of date: "Building inertia.cpp"
+    std::string digest;                        // SHA-256 of the folder's files
     double seconds = 0;
 };
 

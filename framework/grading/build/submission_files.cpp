@@ -5,6 +5,7 @@
 
 #include "grading/topics.hpp"
 #include "sandbox/descriptor.hpp"
+#include "seeds/drawn_seed.hpp"
 
 #include <algorithm>
 #include <cerrno>
@@ -103,10 +104,12 @@ public:
     void add(const fs::path& name, const std::string& text)
     {
         write_if_changed(into_ / name, text);
+        digests_ += sha256(name.string()) + sha256(text);
         for (fs::path part = name; !part.empty(); part = part.parent_path())
             kept_.insert(part);
     }
     bool is_full() const { return kept_.size() >= most_files; }
+    std::string digest() const { return sha256(digests_); }
 
     void remove_others() const
     {
@@ -121,6 +124,7 @@ public:
 private:
     fs::path into_;
     std::set<fs::path> kept_;
+    std::string digests_; // those of each name and text, which have one length
 };
 
 // The submission's other sources, sorted by name.
@@ -167,6 +171,7 @@ SubmissionFiles take_files(const fs::path& folder, const fs::path& into)
         files.hash = hash_of(name.string() + '\0' + *content.text, files.hash);
     }
     taken.remove_others();
+    files.digest = taken.digest();
     return files;
 }
 

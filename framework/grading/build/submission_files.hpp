@@ -15,6 +15,7 @@ struct SubmissionFiles {
     std::vector<std::string> topics;            // those whose file was taken
     std::map<std::string, std::string> refused; // topic and why its file was not taken, in a line
     std::uint64_t hash = 0;                     // all other files: a hash of names and contents
+    std::string digest;                         // SHA-256 of all names and contents
 };
 
 /// Copies the topics' files of a folder, and its headers and other sources that these may include,

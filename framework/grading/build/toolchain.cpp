@@ -8,8 +8,10 @@
 #include "sandbox/blocked_calls.hpp"
 
 #include <algorithm>
+#include <csignal>
 #include <cstring>
 #include <stdexcept>
+#include <thread>
 #include <unistd.h>
 #include <utility>
 
@@ -73,6 +75,8 @@ void take_compile(Toolchain& tools, const std::string& command)
         else if (words[i] != "-MD")
             tools.compile.push_back(words[i]);
     }
+    // The assembler then reads from a pipe, so that its messages do not name a temporary file.
+    tools.compile.emplace_back("-pipe");
     // A file that includes itself could have errors without end. Clang stops by itself.
     if (tools.compile[0].find("clang") == std::string::npos)
         tools.compile.emplace_back("-fmax-errors=20");
@@ -94,6 +98,21 @@ void take_link(Toolchain& tools, const std::string& command)
     }
     // A name that is defined nowhere costs those who use it only.
     tools.link.emplace_back("-Wl,--warn-unresolved-symbols");
+}
+
+// How much longer a program may take than its time on a processor, on a machine with other work.
+constexpr double busy = 4;
+
+// The most memory of a compiler or linker: a twentieth of it does for a solution. Half the machine's
+// leaves the other half to the grader.
+std::uint64_t memory_of_a_tool()
+{
+    constexpr std::uint64_t most = std::uint64_t{6} << 30,
+                            least = std::uint64_t{1} << 30; // [bytes]
+    const long pages = sysconf(_SC_PHYS_PAGES), size = sysconf(_SC_PAGESIZE);
+    if (pages <= 0 || size <= 0) return most;
+    return std::clamp(static_cast<std::uint64_t>(pages) * static_cast<std::uint64_t>(size) / 2,
+                      least, most);
 }
 
 } // namespace
@@ -123,11 +142,13 @@ ConfinedRun run_tool(const ToolRun& tool)
     walls.writable = {tool.out};
     walls.folder = tool.folder;
     walls.environment = {"PATH=/usr/bin:/bin", "LC_ALL=C", "TMPDIR=" + tool.out.string()};
-    walls.limits.address_space = std::uint64_t{6} << 30;
+    walls.limits.address_space = memory_of_a_tool();
+    // A compiler starts an assembler, and a linker some threads for each processor.
+    walls.limits.processes = 64 + 4 * std::thread::hardware_concurrency();
     walls.limits.processor_time = static_cast<std::uint64_t>(compile_limit);
     walls.limits.file_size = largest_output;
     RunLimits limits;
-    limits.time = std::chrono::duration<double>(compile_limit);
+    limits.time = std::chrono::duration<double>(busy * compile_limit);
     return run_confined(walls, tool.arguments, limits);
 }
 
@@ -139,22 +160,32 @@ std::string why_it_does_not_start(const fs::path& worker)
     Confinement walls{Profile::worker, usual_tier()};
     walls.limits.address_space = std::uint64_t{2} << 30;
 #endif
+    constexpr int longest_start = 5; // [s]; the start takes milliseconds
+    walls.limits.processor_time = longest_start;
     RunLimits limits;
-    limits.time = std::chrono::duration<double>(5);
+    limits.time = std::chrono::duration<double>(busy * longest_start);
     // Without a client, the main function says so and ends with this status.
     constexpr int without_client = 2;
     const ConfinedRun run = run_confined(walls, {worker.string()}, limits);
     if (run.status == without_client && run.signal == 0 && !run.blocked_call && !run.timed_out)
         return "";
     const std::string when = " before any function is called: look at what it defines globally\n";
-    if (run.timed_out) return "does not return" + when;
+    const bool is_out_of_time = run.signal == SIGXCPU || run.signal == SIGKILL;
+    if (run.timed_out || is_out_of_time) return "does not return" + when;
     if (run.blocked_call) return "tries to " + words_for_blocked_call(*run.blocked_call) + when;
     if (run.signal != 0) return std::string("crashes (") + strsignal(run.signal) + ")" + when;
     return "ends the program" + when;
 }
 
+bool is_plain_file(const fs::path& path)
+{
+    std::error_code error;
+    return fs::symlink_status(path, error).type() == fs::file_type::regular;
+}
+
 void take_over(const fs::path& made, const fs::path& place)
 {
+    if (!is_plain_file(made)) throw std::runtime_error(made.string() + ": expected a file");
     fs::remove(place);
     fs::copy_file(made, place);
     await_no_writer(place);

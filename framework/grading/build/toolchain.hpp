@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,8 @@ struct Toolchain {
     std::vector<std::string>
         linked_inputs;                 // its objects and libraries, relative to the build folder
     std::filesystem::path precompiled; // the folder of the precompiled headers
+    /// Names that the rest of the worker defines, or takes from libraries.
+    std::set<std::string> reserved = {};
 };
 
 /// Taken from the commands of the main build.
@@ -41,6 +44,10 @@ ConfinedRun run_tool(const ToolRun& tool);
 /// Why a worker does not reach its main function; empty if it does. Global objects are constructed
 /// before, and a student's constructor may fail.
 std::string why_it_does_not_start(const std::filesystem::path& worker);
+
+/// Whether there is a regular file. What a tool of students left may be a link to a file of ours, or
+/// a pipe that keeps its reader waiting.
+bool is_plain_file(const std::filesystem::path& path);
 
 /// Moves a file that a tool made to a place of ours. It is a copy, which is ours alone.
 void take_over(const std::filesystem::path& made, const std::filesystem::path& place);

@@ -6,6 +6,7 @@
 #include "grading/intake/refused.hpp"
 #include "grading/places.hpp"
 #include "sandbox/tier.hpp"
+#include "seeds/drawn_seed.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -55,6 +56,7 @@ std::uint64_t fingerprint_of(const Selection& selection, const GradingRun& run)
     for (const std::string& tag : selection.tags)
         hash = hash_of(tag + ";", hash);
     hash = hash_of(fmt::format("seed {} walls {}", run.seed, description(usual_tier())), hash);
+    if (!run.secret.empty()) hash = hash_of(hmac_sha256(run.secret, "fingerprint"), hash);
     hash = hash_of_file("/proc/self/exe", hash);
     hash = hash_of_file(run.test_program, hash);
     hash = run.oracle ? hash_of_file(*run.oracle, hash) : hash_of("no oracle", hash);

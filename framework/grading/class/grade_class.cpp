@@ -15,6 +15,7 @@
 #include "report/write_whole.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <fmt/format.h>
 #include <fstream>
 #include <random>
@@ -141,19 +142,30 @@ private:
             take(to_do_[ended.index], ended);
             ++done;
         };
-        run_isolated(to_do_.size(), run_.jobs, work, on_done,
-                     [&] { progress(done, to_do_.size(), "grading"); });
+        run_isolated(
+            to_do_.size(), run_.jobs, work, on_done,
+            [&] { progress(done, to_do_.size(), "grading"); }, longest_grading());
         return fault_of_controls("after the last submission");
+    }
+
+    // The compiler, each call and each scene have limits of their own, so that only a fault of the
+    // framework takes this long: hours at the most, and not for ever. The controls were just
+    // graded, at this machine's speed and under its load.
+    std::chrono::duration<double> longest_grading() const
+    {
+        constexpr double multiple = 100;
+        constexpr std::chrono::minutes least(30); // compilers that run into their limits
+        return std::max<std::chrono::duration<double>>(least, multiple * longest_control_);
     }
 
     void take(std::size_t i, const WorkDone& ended)
     {
         work_.remove(std::to_string(i));
         const std::optional<Row> before = read_row(content_of(folder_.result_of(names_[i])));
-        const ResultFiles files = ended.text
-                                      ? unpacked(*ended.text)
-                                      : faulty_submission(run_.selection, submissions_[i], run_.run,
-                                                          ended.fault + " (tried twice)");
+        const std::string fault = ended.fault + (ended.was_tried_twice ? " (tried twice)" : "");
+        const ResultFiles files =
+            ended.text ? unpacked(*ended.text)
+                       : faulty_submission(run_.selection, submissions_[i], run_.run, fault);
         write(i, files);
         rows_[i] = read_row(files.at("result.json"));
         if (!rows_[i]) throw std::runtime_error(names_[i] + ": its result is not a whole result");
@@ -188,8 +200,9 @@ private:
         return grade(run_.selection, build_implementation(place.string()), run_.run);
     }
 
-    std::string fault_of_controls(const std::string& when) const
+    std::string fault_of_controls(const std::string& when)
     {
+        const auto start = std::chrono::steady_clock::now();
         std::string fault;
         const auto work = [&](std::size_t i) {
             return fault_of_control(graded_control(i == 1), i == 1);
@@ -202,6 +215,7 @@ private:
         };
         run_isolated(run_.reference ? 2 : 1, run_.jobs, work, on_done,
                      [&] { progress(0, 1, "controls"); });
+        longest_control_ = std::chrono::steady_clock::now() - start;
         return fault;
     }
 
@@ -214,6 +228,7 @@ private:
     const std::vector<Submission>& submissions_;
     const ClassFolder& folder_;
     WorkFolders work_;
+    std::chrono::duration<double> longest_control_{0};
     std::vector<std::string> names_, fingerprints_;
     std::vector<std::optional<Row>> rows_;
     std::vector<std::size_t> to_do_;

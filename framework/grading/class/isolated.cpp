@@ -99,10 +99,7 @@ Isolated::Isolated(const std::function<std::string()>& work)
 
 Isolated::~Isolated()
 {
-    if (!has_ended_) {
-        kill(process_, SIGKILL);
-        waitpid(process_, nullptr, 0);
-    }
+    stop();
     close(text_);
     close(said_);
 }
@@ -111,6 +108,15 @@ bool Isolated::has_ended()
 {
     if (!has_ended_) has_ended_ = waitpid(process_, &state_, WNOHANG) == process_;
     return has_ended_;
+}
+
+void Isolated::stop()
+{
+    if (has_ended_) return;
+    kill(process_, SIGKILL);
+    while (waitpid(process_, &state_, 0) < 0 && errno == EINTR) {
+    }
+    has_ended_ = true;
 }
 
 std::optional<std::string> Isolated::text() const
@@ -130,12 +136,14 @@ std::string Isolated::fault() const
 void run_isolated(std::size_t count, unsigned jobs,
                   const std::function<std::string(std::size_t)>& work,
                   const std::function<void(const WorkDone&)>& on_done,
-                  const std::function<void()>& on_wait)
+                  const std::function<void()>& on_wait, std::chrono::duration<double> longest)
 {
+    using Clock = std::chrono::steady_clock;
     struct Running {
         std::size_t index;
         bool is_second_try;
         std::unique_ptr<Isolated> process;
+        Clock::time_point start = Clock::now();
     };
     std::deque<std::pair<std::size_t, bool>> waiting; // index, and whether it is the second try
     for (std::size_t i = 0; i < count; ++i)
@@ -149,13 +157,20 @@ void run_isolated(std::size_t count, unsigned jobs,
                                std::make_unique<Isolated>([&work, i = index] { return work(i); })});
         }
         for (auto entry = running.begin(); entry != running.end();) {
+            const bool is_late =
+                !entry->process->has_ended() && Clock::now() - entry->start > longest;
+            if (is_late) entry->process->stop();
             if (!entry->process->has_ended()) {
                 ++entry;
                 continue;
             }
             const std::optional<std::string> text = entry->process->text();
-            if (text || entry->is_second_try)
-                on_done({entry->index, text, text ? "" : entry->process->fault()});
+            if (is_late)
+                on_done(
+                    {entry->index, {}, fmt::format("it took more than {:.3g} s", longest.count())});
+            else if (text || entry->is_second_try)
+                on_done({entry->index, text, text ? "" : entry->process->fault(),
+                         entry->is_second_try});
             else
                 waiting.emplace_front(entry->index, true);
             entry = running.erase(entry);

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <string>
 #include <sys/types.h>
@@ -25,6 +26,8 @@ public:
 
     /// Whether the process has ended. Does not wait.
     bool has_ended();
+    /// Ends the process, and with it all that it started.
+    void stop();
     /// What the function returned; nothing if it threw or crashed.
     std::optional<std::string> text() const;
     /// What went wrong, in one line.
@@ -37,19 +40,24 @@ private:
     bool has_ended_ = false;
 };
 
+/// For work that may take any time.
+inline constexpr std::chrono::duration<double> no_limit{std::numeric_limits<double>::infinity()};
+
 /// How one piece of work ended.
 struct WorkDone {
     std::size_t index = 0;
     std::optional<std::string> text; // what the function returned
     std::string fault;               // why there is no text
+    bool was_tried_twice = false;
 };
 
 /// Runs `work(i)` for each `i < count`, up to `jobs` at a time, each isolated. What fails is tried
-/// once more. `on_done` is called in this process, in the order in which they end, and `on_wait`
-/// while it waits.
+/// once more. What takes longer than `longest` is ended, and not tried again. `on_done` is called
+/// in this process, in the order in which they end, and `on_wait` while it waits.
 void run_isolated(std::size_t count, unsigned jobs,
                   const std::function<std::string(std::size_t)>& work,
                   const std::function<void(const WorkDone&)>& on_done,
-                  const std::function<void()>& on_wait = {});
+                  const std::function<void()>& on_wait = {},
+                  std::chrono::duration<double> longest = no_limit);
 
 } // namespace rigor

@@ -14,14 +14,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <clocale>
-#include <cstring>
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <memory>
 #include <sys/stat.h>
-#include <unistd.h>
 
 namespace rigor {
 
@@ -51,29 +47,13 @@ private:
     locale_t utf8_, before_;
 };
 
-class OpenFile {
-public:
-    explicit OpenFile(const std::filesystem::path& file)
-        : descriptor_(open(file.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC))
-    {
-        if (descriptor_ < 0) throw Refused(std::string("cannot be read: ") + std::strerror(errno));
-        struct stat status = {};
-        const bool is_file = fstat(descriptor_, &status) == 0 && S_ISREG(status.st_mode);
-        size_ = static_cast<std::size_t>(status.st_size);
-        if (!is_file) close(descriptor_);
-        if (!is_file) throw Refused("expected a folder or an archive, found neither");
-    }
-    ~OpenFile() { close(descriptor_); }
-    OpenFile(const OpenFile&) = delete;
-    OpenFile& operator=(const OpenFile&) = delete;
-
-    int descriptor() const { return descriptor_; }
-    std::size_t size() const { return size_; }
-
-private:
-    int descriptor_;
-    std::size_t size_ = 0;
-};
+std::size_t size_of_file(int descriptor)
+{
+    struct stat status = {};
+    if (fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode))
+        throw Refused("expected a folder or an archive, found neither");
+    return static_cast<std::size_t>(status.st_size);
+}
 
 // What an entry of an archive is if it is neither a file nor a folder; otherwise empty.
 std::string_view forbidden_kind(archive_entry* entry)
@@ -96,13 +76,13 @@ std::string_view forbidden_kind(archive_entry* entry)
 
 class ArchiveReader {
 public:
-    ArchiveReader(const std::filesystem::path& file, const IntakeLimits& limits)
-        : file_(file), limits_(limits), archive_(archive_read_new(), archive_read_free),
-          contents_(limits)
+    ArchiveReader(int descriptor, const IntakeLimits& limits)
+        : size_(size_of_file(descriptor)), limits_(limits),
+          archive_(archive_read_new(), archive_read_free), contents_(limits)
     {
-        if (file_.size() > limits_.archive_bytes)
+        if (size_ > limits_.archive_bytes)
             throw Refused(fmt::format("expected an archive of at most {} MB, found {} MB",
-                                      limits_.archive_bytes >> 20, file_.size() >> 20));
+                                      limits_.archive_bytes >> 20, size_ >> 20));
         archive* a = archive_.get();
         archive_read_support_filter_gzip(a);
         archive_read_support_filter_bzip2(a);
@@ -110,7 +90,7 @@ public:
         archive_read_support_filter_zstd(a);
         archive_read_support_format_tar(a);
         archive_read_support_format_zip(a);
-        if (archive_read_open_fd(a, file_.descriptor(), 65536) != ARCHIVE_OK) break_off();
+        if (archive_read_open_fd(a, descriptor, 65536) != ARCHIVE_OK) break_off();
         if (archive_filter_count(a) > 2) // the compression, and the bytes of the file
             refuse_compressed_again();
     }
@@ -182,8 +162,7 @@ private:
             throw Refused(fmt::format("expected an archive that unpacks to at most {} MB, "
                                       "found more",
                                       limits_.unpacked_bytes >> 20));
-        if (unpacked_ > limits_.bytes_at_any_ratio &&
-            unpacked_ / limits_.unpacked_ratio > file_.size())
+        if (unpacked_ > limits_.bytes_at_any_ratio && unpacked_ / limits_.unpacked_ratio > size_)
             throw Refused(fmt::format("expected an archive that unpacks to at most {} times its "
                                       "size, found more",
                                       limits_.unpacked_ratio));
@@ -204,7 +183,7 @@ private:
     }
 
     Utf8Locale locale_;
-    OpenFile file_;
+    std::size_t size_; // the archive's length [bytes]
     IntakeLimits limits_;
     std::unique_ptr<archive, int (*)(archive*)> archive_;
     Contents contents_;
@@ -229,9 +208,9 @@ std::string without_archive_ending(std::string_view name)
     return std::string(name);
 }
 
-Contents read_archive(const std::filesystem::path& file, const IntakeLimits& limits)
+Contents read_archive(int descriptor, const IntakeLimits& limits)
 {
-    return ArchiveReader(file, limits).read();
+    return ArchiveReader(descriptor, limits).read();
 }
 
 } // namespace rigor

@@ -4,7 +4,6 @@
 
 #include "grading/intake/contents.hpp"
 
-#include <filesystem>
 #include <string>
 #include <string_view>
 
@@ -17,9 +16,10 @@ bool is_archive_name(std::string_view name);
 /// The name without the ending of an archive: "alice" of "alice.tar.gz".
 std::string without_archive_ending(std::string_view name);
 
-/// Reads a whole archive. Nothing is written to the disk.
+/// Reads a whole archive from a descriptor. Nothing is written to the disk. The library that reads
+/// it may have errors, so `read_archive_behind_walls` is for what students hand in.
 /// @throws Refused if it is broken or encrypted, holds anything but files and folders, has a name
 ///     that leads out of it, a name twice, or more than the limits allow
-Contents read_archive(const std::filesystem::path& file, const IntakeLimits& limits = {});
+Contents read_archive(int descriptor, const IntakeLimits& limits = {});
 
 } // namespace rigor

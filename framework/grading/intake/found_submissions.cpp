@@ -25,9 +25,10 @@ bool holds(const fs::path& folder, const std::string& wanted)
     return fs::exists(fs::symlink_status(folder / wanted, error));
 }
 
-// What lies in a folder, without what programs made.
+// What lies in a folder, without what programs made, such as `.git`.
 struct Listing {
     std::vector<fs::path> folders, archives, links, others;
+    std::vector<fs::path> dotted; // folders and archives that are taken for such
 
     bool is_empty() const
     {
@@ -44,7 +45,11 @@ Listing listing_of(const fs::path& folder)
         const std::string name = entry->path().filename().string();
         std::error_code unknown;
         const fs::file_status status = entry->symlink_status(unknown);
-        if (is_by_product(name)) continue;
+        if (is_by_product(name)) {
+            if (fs::is_directory(status) || is_archive_name(name))
+                listing.dotted.push_back(entry->path());
+            continue;
+        }
         if (fs::is_symlink(status))
             listing.links.push_back(entry->path());
         else if (fs::is_directory(status))
@@ -101,7 +106,9 @@ public:
             add(archive);
         for (const fs::path& link : listing.links)
             add(link, "expected a folder or an archive, found a link");
-        note_others(path, listing.others);
+        note_passed_over(path, listing.others, "expected folders and archives");
+        note_passed_over(path, listing.dotted,
+                         "a name that begins with a dot is that of a program's own folder");
     }
 
     FoundSubmissions result() const
@@ -162,7 +169,8 @@ private:
         return text;
     }
 
-    void note_others(const fs::path& folder, const std::vector<fs::path>& others)
+    void note_passed_over(const fs::path& folder, const std::vector<fs::path>& others,
+                          const std::string& why)
     {
         std::vector<std::string> names;
         names.reserve(others.size());
@@ -170,9 +178,9 @@ private:
             names.push_back(other.filename().string());
         std::sort(names.begin(), names.end());
         if (!names.empty())
-            notes_.push_back(fmt::format("{}: passed over {}: expected folders and archives",
-                                         in_quotes(folder.filename().string()),
-                                         first_names(names)));
+            notes_.push_back(fmt::format("{}: passed over {}: {}",
+                                         in_quotes(folder.filename().string()), first_names(names),
+                                         why));
     }
 
     std::string wanted_;

@@ -2,9 +2,9 @@
 #include "grading/intake/intake.hpp"
 
 #include "errors/quotes.hpp"
-#include "grading/intake/archive.hpp"
 #include "grading/intake/folder.hpp"
 #include "grading/intake/refused.hpp"
+#include "grading/intake/unpacked.hpp"
 
 #include <fmt/format.h>
 
@@ -65,7 +65,8 @@ Intake take_files_for(const std::string& wanted, const Contents& contents)
 
 Intake take_submission(const fs::path& path, const std::string& wanted)
 {
-    return take_files_for(wanted, fs::is_directory(path) ? read_folder(path) : read_archive(path));
+    return take_files_for(wanted, fs::is_directory(path) ? read_folder(path)
+                                                         : read_archive_behind_walls(path));
 }
 
 } // namespace rigor

@@ -12,12 +12,30 @@ bool is_number(const std::string& cell)
     return cell.find_first_not_of("0123456789.") == std::string::npos;
 }
 
-// Spreadsheets run a cell that begins with one of these, also after spaces.
-bool looks_like_formula(const std::string& cell)
+// Spreadsheets run a cell that begins with one of these, also after spaces. The second row has the
+// same signs in full width, which some of them read as the plain ones.
+constexpr std::string_view signs[] = {"=",      "+",      "-",      "@",
+                                      "\t",     "\r",     "\n", // plain
+                                      "\uFF1D", "\uFF0B", "\uFF0D", "\uFF20"};
+
+// Spaces that are not seen: the space, those that do not break, wide ones, and the mark of a file
+// in UTF-8.
+constexpr std::string_view spaces[] = {" ",      "\u00A0", "\u2002", "\u2003", "\u2007",
+                                       "\u2009", "\u200B", "\u202F", "\u3000", "\uFEFF"};
+
+template <std::size_t n>
+std::size_t length_of_start(std::string_view text, const std::string_view (&starts)[n])
 {
-    const std::size_t first = cell.find_first_not_of(' ');
-    return first != std::string::npos &&
-           std::string_view("=+-@\t\r\n").find(cell[first]) != std::string_view::npos;
+    for (const std::string_view start : starts)
+        if (text.starts_with(start)) return start.size();
+    return 0;
+}
+
+bool looks_like_formula(std::string_view cell)
+{
+    while (const std::size_t length = length_of_start(cell, spaces))
+        cell.remove_prefix(length);
+    return length_of_start(cell, signs) > 0;
 }
 
 std::string quoted(const std::string& cell)

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <fmt/format.h>
+#include <map>
 
 namespace rigor {
 
@@ -89,6 +90,26 @@ std::string distribution(const std::vector<const Row*>& rows)
     return text;
 }
 
+// The mistakes that several submissions have in common, the most frequent first.
+std::string common_mistakes(const std::vector<const Row*>& rows)
+{
+    std::map<std::pair<std::size_t, std::string>, int> counts; // by task and sentence
+    for (const Row* row : rows)
+        for (std::size_t t = 0; t < row->tasks.size(); ++t)
+            if (!row->tasks[t].mistake.empty()) ++counts[{t, row->tasks[t].mistake}];
+    std::vector<std::pair<int, std::string>> lines;
+    for (const auto& [key, n] : counts)
+        if (n > 1)
+            lines.emplace_back(n, fmt::format("  {:>4}  {} {}\n", n,
+                                              rows.front()->tasks[key.first].tag, key.second));
+    std::stable_sort(lines.begin(), lines.end(),
+                     [](const auto& a, const auto& b) { return a.first > b.first; });
+    std::string text;
+    for (const auto& line : lines)
+        text += line.second;
+    return text.empty() ? "" : "\nmistakes of several submissions:\n" + text;
+}
+
 std::string not_judged(const std::vector<Row>& rows)
 {
     std::string text;
@@ -124,7 +145,8 @@ std::string class_summary(const std::vector<Row>& rows)
         fmt::format("{}: {} {}: {}\n", rows.front().assignment, rows.size(),
                     rows.size() == 1 ? "submission" : "submissions", counts_of_statuses(rows));
     const std::vector<const Row*> all = judged(rows);
-    if (!all.empty()) text += "\n" + tasks_table(all) + "\n" + distribution(all);
+    if (!all.empty())
+        text += "\n" + tasks_table(all) + "\n" + distribution(all) + common_mistakes(all);
     return text + not_judged(rows);
 }
 

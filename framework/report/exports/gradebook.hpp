@@ -10,7 +10,7 @@
 namespace rigor {
 
 /// gradebook.csv: submission, status, points, max, and the points of each task. A submission that
-/// could not be graded for a fault of the framework has no points.
+/// could not be graded because of a fault of the framework has empty cells, not 0.
 /// @param rows  sorted by name, all of one assignment
 std::string gradebook_csv(const std::vector<Row>& rows);
 

@@ -20,6 +20,8 @@ std::string output_of(const TaskResult& task)
     if (!failure->message.empty()) text += "\n" + failure->message;
     if (!failure->expected.empty())
         text += "\nexpected: " + failure->expected + "\nactual:   " + failure->actual;
+    if (const std::string mistake = task.mistake(); !mistake.empty())
+        text += "\nmistake: " + mistake;
     const std::string& hint = failure->hint.empty() ? task.task.hint : failure->hint;
     return hint.empty() ? text : text + "\nhint: " + hint;
 }

@@ -27,7 +27,7 @@ Row row_of(const nlohmann::json& json)
     for (const nlohmann::json& task : json.at("tests"))
         row.tasks.push_back({task.at("tag").get<std::string>(), task.at("name").get<std::string>(),
                              task.at("status").get<std::string>(), task.at("score").get<double>(),
-                             task.at("max_score").get<double>()});
+                             task.at("max_score").get<double>(), text_or_nothing(task, "mistake")});
     return row;
 }
 

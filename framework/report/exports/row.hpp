@@ -13,6 +13,7 @@ struct TaskPoints {
     std::string tag, name;
     std::string status; // "passed", "failed", …
     double points = 0, max_points = 0;
+    std::string mistake = {}; // why the answers are wrong; empty if it is not known
 };
 
 struct Row {

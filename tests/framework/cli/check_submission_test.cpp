@@ -70,6 +70,24 @@ TEST_CASE("submission: a crash and an endless loop cost their own tasks only", "
     REQUIRE(checked.status == 1);
 }
 
+TEST_CASE("submission: a wrong answer is explained in one sentence", "[cli][submission]")
+{
+    if (!std::filesystem::is_directory(std::string(RIGOR_SOURCE_DIR) + "/reference")) return;
+    const TemporaryFolder folder;
+    folder.write("inertia.cpp",
+                 "#include \"formulas/inertia.hpp\"\nnamespace rigor {\n"
+                 "Matrix3d world_inverse_inertia(const Matrix3d& R, const Matrix3d& I)\n"
+                 "{\n    return 3 * R * I * R.transpose();\n}\n}\n");
+    const Checked checked = check({"A2.3"}, folder.path());
+    CAPTURE(checked.said);
+    const json& mistake = checked.result["tests"][0]["mistake"];
+    REQUIRE(mistake.is_string());
+    REQUIRE(
+        mistake.get<std::string>().starts_with("Your answer is 3 times the right one, on all "));
+    REQUIRE(checked.said.find("the mistake   Your answer is 3 times the right one") !=
+            std::string::npos);
+}
+
 TEST_CASE("submission: a syntax error is told with file and line", "[cli][submission]")
 {
     const TemporaryFolder folder;

@@ -38,7 +38,7 @@ void write_class(const TemporaryFolder& folder)
     write_archive(folder.path() / "alice.zip", ArchiveFormat::zip,
                   {{"a0/pipeline.cpp", solved}, {"a0/report.pdf", "-"}});
     folder.write("=bob/pipeline.cpp", solved + "\n");
-    folder.write("carol/pipeline.cpp", "// nothing yet\n");
+    folder.write("carol/pipeline.cpp", "// nothing\n");
     folder.write("dave/a/pipeline.cpp", solved);
     folder.write("dave/b/pipeline.cpp", solved);
     folder.write("eve.tar.gz", "this is no archive");
@@ -126,6 +126,38 @@ TEST_CASE("grade: a class gets a gradebook that does not depend on how it was ma
     CHECK(contains(changed.output, "carol: graded, 1/1 points; before: graded, 0/1 points"));
 }
 
+TEST_CASE("grade: a secret makes it worthless to know the cases", "[cli][class]")
+{
+    const TemporaryFolder submissions, results;
+    const std::string secret = submissions.write("secret", "sixteen letters or more\n").string();
+    const fs::path all = submissions.path() / "class";
+    submissions.write("class/alice/pipeline.cpp", source("tests/alternatives/pipeline.cpp"));
+    submissions.write("class/mallory/pipeline.cpp",
+                      source("tests/attacks/submissions/detection/known_cases.cpp"));
+    const auto result_of = [&](const std::string& out, const std::vector<std::string>& options) {
+        std::vector<std::string> arguments = {"grade", "a0", all.string(), "--out",
+                                              (results.path() / out).string()};
+        arguments.insert(arguments.end(), options.begin(), options.end());
+        const Run run = rigor(arguments);
+        CAPTURE(run.output);
+        REQUIRE(run.status == 0);
+        REQUIRE(contains(run.output, "a student can know them") == options.empty());
+        REQUIRE(json::parse(content_of(results.path() / out / "alice/result.json"))["score"] == 1);
+        return json::parse(content_of(results.path() / out / "mallory/result.json"));
+    };
+    const json known = result_of("known", {}), first = result_of("first", {"--secret", secret}),
+               again = result_of("again", {"--secret", secret});
+    CHECK(known["score"] == 1);
+    CHECK(known["seeds"] == "the same for all");
+    CHECK(first["score"] == 0);
+    CHECK(first["seeds"] == "drawn by a secret");
+    CHECK(first["tests"][0]["seed"].is_number());
+    CHECK(first["tests"][0]["seed"] == again["tests"][0]["seed"]);
+    const json another = result_of(
+        "another", {"--secret", submissions.write("other", "seventeen other letters").string()});
+    CHECK(another["tests"][0]["seed"] != first["tests"][0]["seed"]);
+}
+
 TEST_CASE("grade: bad input for the run is one line and nothing is written", "[cli][class]")
 {
     const TemporaryFolder submissions, results;
@@ -137,6 +169,10 @@ TEST_CASE("grade: bad input for the run is one line and nothing is written", "[c
         {{"grade", "A2.1", all, "--out", out}, "a part of one"},
         {{"grade", "a0", all + "/missing", "--out", out}, "found no file"},
         {{"grade", "a0", all, "--out", out, "--jobs", "1000"}, "at most 256"},
+        {{"grade", "a0", all, "--out", out, "--secret", all + "/none"},
+         "--secret: expected a file"},
+        {{"grade", "a0", all, "--out", out, "--secret", all + "/carol/pipeline.cpp"},
+         "at least 16 bytes"},
         {{"grade", "a0", all, "--out", all}, "expected an empty folder"},
         {{"grade", "a0", all, "--out", all + "/out"}, "outside of"}};
     for (const auto& [arguments, message] : wrong) {

@@ -102,6 +102,16 @@ TEST_CASE("assignment: an error names line and expectation", "[assignment]")
     require_complaint(task("Two terms.", ""), 4, "a hint");
     require_complaint(task("\"formula\": \"kinetic_energy\", ", ""), 4,
                       "either \"formula\" or \"title\"");
+    const auto parts = [&](const std::string& text) {
+        return task("\"points\": 1", "\"points\": 3, \"parts\": [" + text + "]");
+    };
+    const std::string part = R"({"law": "pipeline: a law", "points": 1})";
+    require_complaint(parts(part + ", " + part), 4, "a law that no other part names");
+    require_complaint(parts(R"({"law": "pipeline: a law", "points": 3})"), 4,
+                      "expected parts of less than 3 points in all, found 3");
+    require_complaint(parts(R"({"law": "pipeline: a law"})"), 4, "\"law\" and \"points\"");
+    require_complaint(parts(R"({"law": "pipeline: a law", "points": -1})"), 4, "points > 0");
+    require_complaint(parts(R"({"lew": "pipeline: a law"})"), 4, "did you mean \"law\"?");
 }
 
 TEST_CASE("assignment: the table of formulas and the tasks agree", "[assignment]")

@@ -49,7 +49,9 @@ std::string verdict_of(const std::string& tag, const std::string& status)
 
 // The result of a test program that writes these lines to the descriptor for verdicts and then runs
 // the shell commands `ending`.
-Result graded(const std::string& lines, const std::string& ending, bool oracle = false)
+// @param part  a part of the points of the first task; without a law there is none
+Result graded(const std::string& lines, const std::string& ending, bool oracle = false,
+              const PartOfPoints& part = {})
 {
     const TemporaryFolder folder;
     folder.write("lines", lines);
@@ -61,6 +63,7 @@ Result graded(const std::string& lines, const std::string& ending, bool oracle =
     selection.assignment.name = "a2-inertia";
     selection.assignment.tasks = {task_worth(2, "A2.1"), task_worth(3, "A2.2"),
                                   task_worth(5, "A2.3", true)};
+    if (!part.law.empty()) selection.assignment.tasks[0].parts = {part};
     selection.tags = {"A2.1", "A2.2", "A2.3"};
     GradingRun run;
     run.test_program = script;
@@ -79,6 +82,38 @@ TEST_CASE("scoring: points are earned whole", "[scoring]")
     REQUIRE(one_wrong.score == 0);
     REQUIRE(one_wrong.max_score == 3);
     REQUIRE(one_wrong.status == failed);
+}
+
+TEST_CASE("scoring: a part is earned by its own law", "[scoring]")
+{
+    using enum Status;
+    Task task = task_worth(6);
+    task.parts = {{"a law", 2}, {"another law", 1}};
+    const auto score = [&](Status first, Status second, Status third) {
+        std::vector<TestCase> tests = tests_with({first, second, third});
+        tests[0].name = "a law";
+        tests[1].name = "another law";
+        return score_task(task, tests);
+    };
+    CHECK(score(passed, passed, passed).score == 6);
+    CHECK(score(passed, passed, failed).score == 3);
+    CHECK(score(passed, failed, passed).score == 2);
+    CHECK(score(failed, passed, passed).score == 1);
+    CHECK(score(failed, crashed, passed).score == 0);
+    CHECK(score(timed_out, passed, not_finite).score == 1);
+    CHECK(score(not_implemented, not_implemented, not_implemented).score == 0);
+    CHECK(score(passed, passed, failed).max_score == 6);
+    task.discloses = Disclosure::nothing;
+    CHECK(score(passed, passed, failed).score == 3);
+}
+
+TEST_CASE("scoring: points for a law that no test has are a fault of ours", "[scoring]")
+{
+    const std::string lines = verdict_of("A2.1", "passed") + verdict_of("A2.2", "passed");
+    CHECK(graded(lines, "", false, {"topic: a law", 1}).status == SubmissionStatus::graded);
+    const Result result = graded(lines, "", false, {"topic: a low", 1});
+    CHECK(result.status == SubmissionStatus::internal_error);
+    CHECK(result.message == "task A2.1 has points for a law that no test has: \"topic: a low\"");
 }
 
 TEST_CASE("scoring: a task without a test earns nothing and counts nothing", "[scoring]")
@@ -170,11 +205,12 @@ TEST_CASE("scoring: a verdict keeps numbers and seed and says each line once", "
     verdicts.take(
         R"({"tag":"A2.1","name":"topic: a law","status":"failed","message":"a\nseed := 7\na\nb",)"
         R"("expected":"1","actual":"2","error":1.0,"tolerance":1e-15,"class":"R","place":"","seed":7,)"
-        R"("hidden":true,"seconds":0.5})");
+        R"("mistake":"Twice the right one.","hidden":true,"seconds":0.5})");
     REQUIRE(verdicts.fault() == "");
     REQUIRE(verdicts.open() == "");
     const TestCase& test = verdicts.of("A2.1").at(0);
     REQUIRE(test.message == "a\nb");
+    REQUIRE(test.mistake == "Twice the right one.");
     REQUIRE(test.seed == 7);
     REQUIRE(test.error == "1");
     REQUIRE(test.tolerance == "1e-15");
@@ -189,13 +225,16 @@ TEST_CASE("scoring: a failure tells no more than its task discloses", "[scoring]
     for (TestCase& test : tests) {
         test.name = "topic: a law";
         test.message = test.expected = test.actual = test.error = test.hint = "42";
+        test.mistake = "Twice 21.";
         test.seed = 7;
     }
     REQUIRE(score_task(task, tests).tests[2].message == "42");
+    REQUIRE(score_task(task, tests).mistake() == "Twice 21.");
     task.discloses = Disclosure::law;
     const TaskResult law = score_task(task, tests);
     REQUIRE(law.status == Status::crashed);
     REQUIRE(law.tests.size() == 3);
+    REQUIRE(law.mistake() == "");
     for (const TestCase& test : law.tests) {
         REQUIRE(test.name == "topic: a law");
         REQUIRE((test.message + test.expected + test.actual + test.error + test.hint).empty());
@@ -207,6 +246,7 @@ TEST_CASE("scoring: a failure tells no more than its task discloses", "[scoring]
     REQUIRE(nothing.score == 0);
     REQUIRE(nothing.tests.size() == 1);
     REQUIRE(nothing.tests[0].name.empty());
+    REQUIRE(nothing.mistake() == "");
     task.discloses = Disclosure::all;
     REQUIRE(score_task(task, tests_with({Status::passed})).score == 2);
 }

@@ -26,6 +26,8 @@ TEST_CASE("report: result.json has what the other formats need", "[report]")
     REQUIRE(failed["status"] == "failed");
     REQUIRE(failed["expected"] == "(1, 2, 3)");
     REQUIRE(failed["seed"] == 17);
+    REQUIRE(failed["mistake"] == "The components are in reverse order.");
+    REQUIRE(value["tests"][0]["mistake"].is_null());
     double sum = 0;
     for (const auto& test : value["tests"])
         sum += test["max_score"].get<double>();

@@ -34,6 +34,7 @@ inline Result some_result()
     bad.tolerance = "1.8e-15";
     bad.tolerance_class = "R";
     bad.seed = 17;
+    bad.mistake = "The components are in reverse order.";
     stub.status = Status::not_implemented;
     stub.message = "A2.3 world_inverse_inertia is not implemented yet (student/inertia.cpp)";
     result.tasks = {score_task(task_of("A2.1", "particle_mass_properties", 2), {good}),

@@ -33,6 +33,7 @@ TEST_CASE("report: the table says what broke and where and what to do next", "[r
     REQUIRE(has(table, "failed, 1 of 2 laws broken"));
     REQUIRE(has(table, "it turns with the body"));
     REQUIRE(has(table, "2, allowed 1.8e-15 (rounding)"));
+    REQUIRE(has(table, "the mistake   The components are in reverse order.\n"));
     REQUIRE(has(table, "./rigor check A2.2 --seed 17"));
     REQUIRE(has(table, "student/inertia.cpp:"));
     REQUIRE(has(table, "assignments/a2-inertia/README.md, A2.2"));

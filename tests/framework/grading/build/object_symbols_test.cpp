@@ -21,9 +21,15 @@ ObjectSymbols symbols(const std::string& listing)
 
 TEST_CASE("object symbols: strong definitions and uses are told apart", "[build]")
 {
-    const ObjectSymbols found = symbols("f T 0 1\ng U\nh W 0 1\ni t 0 1\nj B 8 4\nk V 0 1\nl w\n");
+    const ObjectSymbols found =
+        symbols("f T 0 1\ng U\n_Zh W 0 1\ni t 0 1\nj B 8 4\n_Zk V 0 1\nl w\n");
     REQUIRE(found.defined == std::set<std::string>{"f", "j"});
     REQUIRE(found.undefined == std::set<std::string>{"g"});
+    const ObjectSymbols weak =
+        symbols("malloc W 0 1\n_Znwm W 0 1\n_ZdlPv V 0 1\nmain u 0 1\nmemcpy i 0 1\n"
+                "_ZNSt6vectorIdSaIdEE9push_backEOd W 0 1\n_ZZ1fvE1x u 0 4\n"
+                "DW.ref.__gxx_personality_v0 V 0 8\n__clang_call_terminate W 0 1\n");
+    REQUIRE(weak.defined == std::set<std::string>{"malloc", "_Znwm", "_ZdlPv", "main", "memcpy"});
     REQUIRE(symbols("").defined.empty());
     REQUIRE(symbols("/usr/bin/nm: x: file format not recognized\n").undefined.empty());
 }
@@ -45,6 +51,18 @@ TEST_CASE("object symbols: a helper that another file uses is shared", "[build]"
         {"rotation", symbols(helper + " T 0 1\n" + cleanup + " T 0 1\n")},
     });
     REQUIRE(hidden.at("rotation") == std::vector<std::string>{cleanup});
+    REQUIRE(hidden.count("inertia") == 0);
+}
+
+TEST_CASE("object symbols: nobody gets another memcpy than that of the library", "[build]")
+{
+    const std::map<std::string, ObjectSymbols> objects = {
+        {"inertia", symbols("memcpy U\n" + helper + " U\n")},
+        {"rotation", symbols("memcpy T 0 1\n" + helper + " T 0 1\n" + normalized + " T 0 1\n")},
+    };
+    REQUIRE(names_to_hide(objects).empty());
+    const auto hidden = names_to_hide(objects, {"memcpy", normalized});
+    REQUIRE(hidden.at("rotation") == std::vector<std::string>{"memcpy"});
     REQUIRE(hidden.count("inertia") == 0);
 }
 

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <map>
 #include <stdexcept>
+#include <unistd.h>
 
 namespace rigor::testing {
 
@@ -68,6 +69,27 @@ TEST_CASE("isolated: what fails once is tried again", "[class]")
     });
     std::fclose(tries);
     REQUIRE(all.at(0) == "try 2");
+}
+
+TEST_CASE("isolated: what takes too long is ended once and the others go on", "[class]")
+{
+    std::map<std::size_t, WorkDone> all;
+    const auto start = std::chrono::steady_clock::now();
+    run_isolated(
+        3, 2,
+        [](std::size_t i) -> std::string {
+            while (i == 1)
+                pause();
+            return "done";
+        },
+        [&](const WorkDone& done) { all[done.index] = done; }, {}, std::chrono::milliseconds(500));
+    REQUIRE(std::chrono::steady_clock::now() - start < std::chrono::seconds(20));
+    REQUIRE(all.size() == 3);
+    REQUIRE(all.at(0).text == "done");
+    REQUIRE(all.at(2).text == "done");
+    REQUIRE_FALSE(all.at(1).text);
+    REQUIRE(all.at(1).fault == "it took more than 0.5 s");
+    REQUIRE_FALSE(all.at(1).was_tried_twice);
 }
 
 TEST_CASE("isolated: a long result comes whole", "[class]")

@@ -2,6 +2,7 @@
 #include "grading/intake/archive.hpp"
 
 #include "grading/intake/refused.hpp"
+#include "grading/intake/unpacked.hpp"
 #include "support/catch.hpp"
 #include "support/temporary_folder.hpp"
 #include "written_archive.hpp"
@@ -20,7 +21,7 @@ std::string refusal_of(Format format, const std::vector<ArchiveEntry>& entries,
 {
     const TemporaryFolder folder;
     try {
-        read_archive(write_archive(folder.path() / "a", format, entries), limits);
+        read_archive_behind_walls(write_archive(folder.path() / "a", format, entries), limits);
         return "";
     } catch (const Refused& refused) {
         return refused.what();
@@ -31,7 +32,7 @@ std::string refusal_of_file(const std::string& content)
 {
     const TemporaryFolder folder;
     try {
-        read_archive(folder.write("a", content));
+        read_archive_behind_walls(folder.write("a", content));
         return "";
     } catch (const Refused& refused) {
         return refused.what();
@@ -72,7 +73,7 @@ TEST_CASE("archive: every format gives the same files", "[intake]")
          {Format::zip, Format::tar, Format::tar_gz, Format::tar_xz, Format::tar_zst}) {
         CAPTURE(static_cast<int>(format));
         const TemporaryFolder folder;
-        const Contents contents = read_archive(write_archive(
+        const Contents contents = read_archive_behind_walls(write_archive(
             folder.path() / "a", format,
             {{"Zoë", "", AE_IFDIR}, {"Zoë/collision.cpp", "int x;\n"}, {"./notes.txt", "hello"}}));
         REQUIRE(contents.sources() ==

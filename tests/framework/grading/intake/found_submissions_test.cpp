@@ -94,6 +94,20 @@ TEST_CASE("submissions: a pipe is refused without being opened", "[intake]")
             Names{"alice!", "bob"});
 }
 
+TEST_CASE("submissions: what a dot hides is passed over with a note", "[intake]")
+{
+    const TemporaryFolder folder;
+    folder.write("alice/collision.cpp", "");
+    folder.write(".bob/collision.cpp", "");
+    folder.write(".carol.zip", "");
+    folder.write(".DS_Store", "");
+    const FoundSubmissions found = found_in({folder.path()});
+    REQUIRE(names_of(found) == Names{"alice"});
+    REQUIRE(found.notes.size() == 1);
+    CAPTURE(found.notes[0]);
+    REQUIRE(found.notes[0].find("passed over \".bob\", \".carol.zip\": ") != std::string::npos);
+}
+
 TEST_CASE("submissions: none is an error", "[intake]")
 {
     const TemporaryFolder folder;

@@ -16,6 +16,10 @@ TEST_CASE("csv: no cell is a formula", "[report]")
 {
     for (const char* cell : {"=1+1", "+1", "-1", "@SUM(A1)", "\t=1", "  =1", "-cmd"})
         CHECK(csv_line({cell}) == "'" + std::string(cell) + "\r\n");
+    for (const char* cell : {"\uFF1D1+1", "\uFF0B1", "\uFF0D1", "\uFF20SUM(A1)", "\u00A0=1",
+                             "\u3000\u200B@SUM(A1)", "\uFEFF=1"})
+        CHECK(csv_line({cell}) == "'" + std::string(cell) + "\r\n");
+    CHECK(csv_line({"Zo\u00EB\u00A0=1"}) == "Zo\u00EB\u00A0=1\r\n");
     CHECK(csv_line({"=HYPERLINK(\"x\",\"y\")"}) == "\"'=HYPERLINK(\"\"x\"\",\"\"y\"\")\"\r\n");
     CHECK(csv_line({"a=b", "1-2"}) == "a=b,1-2\r\n");
 }

@@ -40,6 +40,19 @@ TEST_CASE("gradebook: the summary counts tasks and points and names who has no g
     CHECK(!contains(text, " \n"));
 }
 
+TEST_CASE("gradebook: the summary names the mistakes of several submissions", "[report]")
+{
+    std::vector<Row> rows = {row_of("a", "graded", 0, 0), row_of("b", "graded", 0, 0),
+                             row_of("c", "graded", 0, 0)};
+    rows[0].tasks[0].mistake = rows[2].tasks[0].mistake = "Twice the right one.";
+    rows[1].tasks[0].mistake = "The transpose is missing.";
+    const std::string text = class_summary(rows);
+    CAPTURE(text);
+    CHECK(contains(text, "mistakes of several submissions:\n     2  A2.1 Twice the right one.\n"));
+    CHECK(!contains(text, "transpose"));
+    CHECK(!contains(class_summary(some_class()), "mistakes"));
+}
+
 TEST_CASE("gradebook: a class that could not be graded has a summary too", "[report]")
 {
     CHECK(contains(class_summary({row_of("a", "rejected", 0, 0)}), "1 submission: 1 rejected"));

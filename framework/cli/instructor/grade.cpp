@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "cli/commands/grade.hpp"
+#include "cli/instructor/grade.hpp"
 
 #include "cli/options.hpp"
 #include "cli/prepare.hpp"
 #include "cli/progress.hpp"
+#include "cli/secret.hpp"
 #include "errors/input_error.hpp"
 #include "errors/quotes.hpp"
 #include "grading/class/class_folder.hpp"
@@ -29,7 +30,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct GradeOptions {
-    std::string assignment, out;
+    std::string assignment, out, secret;
     std::vector<std::string> submissions;
     std::uint32_t jobs = 0, seed = 0;
 };
@@ -163,12 +164,16 @@ ClassRun prepared_class_run(const Selection& selection, const GradeOptions& opti
     run.jobs = jobs_of(options);
     run.run = prepared_grading_run();
     run.run.seed = options.seed;
+    run.run.secret = secret_in(options.secret);
     if (places().has_reference()) run.reference = prepared_implementation("reference");
     prepare_submissions();
     fmt::print(stderr, "walls around the submissions: {}\n", description(usual_tier()));
     if (has_too_weak_walls())
         fmt::print(stderr, "no walls are possible here: hidden tests are left out; with "
                            "RIGOR_TIER=C they run all the same\n");
+    if (run.run.secret.empty())
+        fmt::print(stderr, "random cases: the same for all, since there is no --secret: a student "
+                           "can know them\n");
     if (!run.reference)
         fmt::print(stderr, "this tree has no reference/: no control must get every point\n");
     return run;
@@ -181,6 +186,7 @@ int grade(const GradeOptions& options)
         throw InputError("expected submissions: folders, archives, or a folder of them");
     if (options.out.empty()) throw InputError("expected --out DIR, the folder for the results");
     jobs_of(options); // a wrong number is reported before anything is done
+    secret_in(options.secret);
     require_outside(options.out, options.submissions);
     const FoundSubmissions found =
         find_submissions(options.submissions, selection.assignment.topic + ".cpp",
@@ -223,6 +229,8 @@ Action declare_grade(Options& options)
     options.option("--jobs", "N", chosen->jobs,
                    "Submissions that are graded at the same time (as many as processors)");
     options.option("--seed", "N", chosen->seed, "First seed of the random cases (0)");
+    options.option("--secret", "FILE", chosen->secret,
+                   "File with a secret, which draws other random cases for each submission");
     options.examples(
         {"grade a4 submissions --out grades       a folder of folders and archives",
          "grade a4 alice.zip bob/ --out grades    two submissions",

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+#include "cli/instructor/release.hpp"
+
+#include "cli/options.hpp"
+#include "errors/input_error.hpp"
+#include "errors/quotes.hpp"
+#include "grading/places.hpp"
+#include "grading/selection.hpp"
+#include "release/autograder.hpp"
+#include "release/autograder_proof.hpp"
+#include "release/proof.hpp"
+#include "release/repository.hpp"
+#include "release/zip.hpp"
+#include "report/write_whole.hpp"
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <fmt/format.h>
+#include <unistd.h>
+
+namespace rigor {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ReleaseOptions {
+    std::string assignment, out, gradescope, classroom;
+};
+
+// The trees are built here. What has not changed since the last release is not built again.
+fs::path proving_ground(const char* name)
+{
+    const fs::path folder = places().build / "release" / name;
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (!fs::is_directory(folder))
+        throw InputError(fmt::format("{}: cannot be made: {}", folder.string(), error.message()));
+    return folder;
+}
+
+Assignment assignment_of(const ReleaseOptions& options)
+{
+    if (options.assignment.empty())
+        throw InputError("expected an assignment, such as a4: --gradescope and --classroom are "
+                         "about one");
+    const std::vector<Selection> found =
+        select_tasks(load_assignments(places().assignments()), {options.assignment});
+    if (found.size() != 1 || found[0].tags.size() != found[0].assignment.tasks.size())
+        throw InputError("expected an assignment, such as a4 or collision, found " +
+                         in_quotes(options.assignment) + ", which is a part of one");
+    return found[0].assignment;
+}
+
+// Writes the students' tree as a repository, proves it and gives it its name.
+void release_tree(const ReleasedTree& tree, const std::string& out)
+{
+    DraftFolder folder(out);
+    const std::string commit = write_repository(tree, folder.draft());
+    const fs::path work = proving_ground("students");
+    write_commit(folder.draft(), work);
+    const TreeProof proof = prove_students_tree(work, places().source / "reference");
+    folder.publish();
+    fmt::print("{}: {} files, commit {}\n"
+               "  built; the stubs: {} visible tasks, none implemented, 0 of {:g} points; the "
+               "reference in their place: {:g} of {:g}\n",
+               out, tree.size(), commit, proof.tasks, proof.points, proof.points, proof.points);
+    std::fflush(stdout);
+}
+
+void check_place_of(const std::string& file)
+{
+    if (fs::is_directory(file))
+        throw InputError("--gradescope: expected a file, found the folder " + file);
+    const fs::path folder = fs::absolute(file).parent_path();
+    if (access(folder.c_str(), W_OK) != 0)
+        throw InputError(fmt::format("--gradescope: {} cannot be written: {}", folder.string(),
+                                     std::strerror(errno)));
+}
+
+void release_autograder(const Assignment& assignment, const std::string& file)
+{
+    const fs::path layout = proving_ground("autograder"), draft = layout.string() + ".zip";
+    const std::string bytes = zip_of(gradescope_tree(places().source, assignment));
+    write_whole(draft, bytes);
+    const std::string user = prove_autograder(draft, layout, assignment, places().source);
+    write_whole(file, bytes);
+    fs::remove(draft);
+    fmt::print(
+        "{}: {:.1f} MB for Gradescope\n"
+        "  set up and run as {}: a solved submission gets every point, a file without formulas "
+        "and an empty submission none\n",
+        file, static_cast<double>(bytes.size()) / 1e6, user);
+    std::fflush(stdout);
+}
+
+ReleasedTree classroom_tree(const Assignment& assignment)
+{
+    ReleasedTree tree = students_tree(places().source);
+    add_file(tree, {workflow_path, classroom_workflow(assignment), false});
+    return tree;
+}
+
+int release(const ReleaseOptions& options)
+{
+    if (!places().has_reference())
+        throw InputError("this tree has no reference/: only the instructor's tree is released");
+    if (options.out.empty() && options.gradescope.empty() && options.classroom.empty())
+        throw InputError("expected --out DIR, --gradescope FILE or --classroom DIR");
+    // Everything wrong with the options is said before anything is built.
+    const bool is_about_one = !options.gradescope.empty() || !options.classroom.empty();
+    Assignment assignment;
+    if (is_about_one || !options.assignment.empty()) assignment = assignment_of(options);
+    for (const std::string& folder : {options.out, options.classroom})
+        if (!folder.empty()) const DraftFolder can_be_written(folder);
+    if (!options.gradescope.empty()) check_place_of(options.gradescope);
+
+    if (!options.out.empty()) release_tree(students_tree(places().source), options.out);
+    if (!options.classroom.empty()) release_tree(classroom_tree(assignment), options.classroom);
+    if (!options.gradescope.empty()) release_autograder(assignment, options.gradescope);
+    return exit_done;
+}
+
+} // namespace
+
+Action declare_release(Options& options)
+{
+    const auto chosen = std::make_shared<ReleaseOptions>();
+    options.word_or_none("ASSIGNMENT", chosen->assignment,
+                         "For --gradescope and --classroom: a4-collision, a4 or collision");
+    options.option("--out", "DIR", chosen->out,
+                   "The students' tree, a folder and a git repository: new, empty, or an earlier "
+                   "release");
+    options.option("--gradescope", "FILE", chosen->gradescope,
+                   "The autograder of an assignment, a zip to upload");
+    options.option("--classroom", "DIR", chosen->classroom,
+                   "The students' tree with a workflow that checks an assignment at each push, "
+                   "for a template repository on GitHub");
+    options.examples({"release --out handout                 what students get",
+                      "release a4 --gradescope a4.zip        for Gradescope",
+                      "release a4 --classroom a4-template    for GitHub"});
+    return [chosen] { return release(*chosen); };
+}
+
+} // namespace rigor

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// Files for services that grade: a Gradescope autograder, and the workflow of a GitHub repository.
+#pragma once
+
+#include "grading/assignment.hpp"
+#include "release/tree.hpp"
+
+#include <filesystem>
+#include <string>
+
+namespace rigor {
+
+/// The files of a Gradescope autograder, as they lie in its zip: `setup.sh`, which Gradescope runs
+/// once as root, `run_autograder`, which it runs for each submission, and in `rigor/` the tree that
+/// grades.
+ReleasedTree gradescope_tree(const std::filesystem::path& source, const Assignment& assignment);
+
+/// The path of the workflow in a template repository for GitHub Classroom.
+inline constexpr const char* workflow_path = ".github/workflows/classroom.yml";
+
+/// The workflow that checks a student's repository at each push: a step for each visible task, by
+/// the command grader of GitHub Classroom, and one that reports the points. Names of workflow and
+/// job are those that GitHub Classroom looks for.
+std::string classroom_workflow(const Assignment& assignment);
+
+} // namespace rigor

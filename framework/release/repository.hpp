@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// A tree as a git repository with one commit. The same files give the same commit and the same
+// bytes: author, date and settings are fixed, and nothing of the user's git is used.
+#pragma once
+
+#include "release/tree.hpp"
+
+#include <filesystem>
+#include <string>
+
+namespace rigor {
+
+/// Writes the files to a folder, and a repository with one commit that has all of them.
+/// @param folder  new
+/// @return the commit, 40 hexadecimal digits
+/// @throws InputError if git is not installed or a file cannot be written
+std::string write_repository(const ReleasedTree& tree, const std::filesystem::path& folder);
+
+/// Makes `work` have the files of the repository's commit. Files that have not changed since the
+/// last time keep their time stamps, so a build there goes on where it was; `build/` is kept.
+void write_commit(const std::filesystem::path& repository, const std::filesystem::path& work);
+
+/// A folder that gets its name only when its content is complete: a run that fails leaves nothing
+/// under that name, and an earlier release stays as it was.
+class DraftFolder {
+public:
+    /// @param place  new, empty, or a repository that write_repository made and nobody changed
+    /// @throws InputError if it is anything else, or cannot be written
+    explicit DraftFolder(const std::filesystem::path& place);
+    ~DraftFolder();
+    DraftFolder(const DraftFolder&) = delete;
+    DraftFolder& operator=(const DraftFolder&) = delete;
+
+    const std::filesystem::path& draft() const { return draft_; }
+    /// Gives it its name. @throws InputError
+    void publish();
+
+private:
+    std::filesystem::path place_, draft_;
+};
+
+} // namespace rigor

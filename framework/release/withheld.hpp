@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// Which files of the engine give away the answer of a formula. A file does if a student gets the
+// points of a task by copying some of its lines; what the contract's header says anyway, in the
+// same words, gives nothing away. Such a file is replaced in the students' tree by one that calls
+// the formula.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+namespace rigor {
+
+/// The verdict on one file of the engine that computes what a formula computes, or nearly.
+struct JudgedFile {
+    std::string_view path;  // in the tree
+    std::string_view tasks; // whose formulas it comes near
+    std::string_view why;   // why it is replaced or kept
+    /// The file whose text it gets in the students' tree; empty: it is kept.
+    std::string_view replacement;
+};
+
+/// All files of the engine that were judged. Files that only call formulas are not among them.
+std::span<const JudgedFile> judged_files();
+
+/// Visible tests that write out the answer of a formula in plain arithmetic, to compare with it.
+/// They are kept, since without them the task could not be checked; so the points of these tasks
+/// say less about a student who reads the tests.
+std::span<const JudgedFile> telling_tests();
+
+/// The file whose text a file gets in the students' tree; empty if it keeps its own.
+std::string_view replacement_of(std::string_view path);
+
+} // namespace rigor

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: MIT
+// `rigor grade` that is broken off, stopped, or has no room to write: what is lost, and that the
+// next run makes the same gradebook bit for bit.
+#include "class/made_class.hpp"
+#include "command.hpp"
+#include "support/catch.hpp"
+#include "support/temporary_folder.hpp"
+
+#include <chrono>
+#include <csignal>
+#include <fcntl.h>
+#include <map>
+#include <random>
+#include <set>
+#include <sys/mount.h>
+#include <sys/wait.h>
+#include <thread>
+#include <unistd.h>
+
+namespace rigor::testing {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+Run grade(const fs::path& submissions, const fs::path& out)
+{
+    return rigor({"grade", "a0", submissions.string(), "--out", out.string(), "--jobs", "2"});
+}
+
+// A run in a process group of its own.
+pid_t started(const fs::path& submissions, const fs::path& out)
+{
+    const std::string program = std::string(RIGOR_BINARY_DIR) + "/bin/rigor";
+    const pid_t process = fork();
+    if (process == 0) {
+        setpgid(0, 0);
+        const int nothing = open("/dev/null", O_WRONLY);
+        dup2(nothing, STDOUT_FILENO);
+        dup2(nothing, STDERR_FILENO);
+        execl(program.c_str(), "rigor", "grade", "a0", submissions.c_str(), "--out", out.c_str(),
+              "--jobs", "2", nullptr);
+        _exit(127);
+    }
+    return process;
+}
+
+// The files for the whole class, which do not depend on the time.
+std::map<std::string, std::string> class_files(const fs::path& out)
+{
+    std::map<std::string, std::string> files;
+    for (const char* name : {"gradebook.csv", "summary.txt", "canvas.csv", "moodle.csv"}) {
+        std::ifstream in(out / name, std::ios::binary);
+        files[name] = {std::istreambuf_iterator<char>(in), {}};
+    }
+    return files;
+}
+
+// No file that was begun and not finished.
+bool has_drafts(const fs::path& out)
+{
+    for (const auto& entry : fs::recursive_directory_iterator(out))
+        if (entry.path().extension() == ".new") return true;
+    return false;
+}
+
+fs::path small_class(const TemporaryFolder& folder, int count)
+{
+    write_class(made_class(RIGOR_SOURCE_DIR, "pipeline", count, 3), "pipeline",
+                folder.path() / "class");
+    return folder.path() / "class";
+}
+
+// A file system in memory, mounted while this object lives, where this user may mount one.
+class MemoryDisk {
+public:
+    MemoryDisk(const fs::path& place, const std::string& options, unsigned long flags = 0)
+        : place_(place)
+    {
+        fs::create_directories(place);
+        is_mounted_ =
+            geteuid() == 0 && mount("tmpfs", place.c_str(), "tmpfs", flags, options.c_str()) == 0;
+    }
+    ~MemoryDisk()
+    {
+        if (is_mounted_) umount2(place_.c_str(), MNT_DETACH);
+    }
+    MemoryDisk(const MemoryDisk&) = delete;
+    MemoryDisk& operator=(const MemoryDisk&) = delete;
+
+    bool is_mounted() const { return is_mounted_; }
+    void grow() const { mount("tmpfs", place_.c_str(), "tmpfs", MS_REMOUNT, "size=64m"); }
+
+private:
+    fs::path place_;
+    bool is_mounted_ = false;
+};
+
+bool is_one_line(const std::string& text, const std::string& part)
+{
+    const std::size_t at = text.find("rigor: ");
+    return at != std::string::npos && text.find('\n', at) == text.size() - 1 &&
+           text.find(part, at) != std::string::npos;
+}
+
+} // namespace
+
+TEST_CASE("grade: a seed draws the same class and no two texts are equal", "[cli][class]")
+{
+    const auto first = made_class(RIGOR_SOURCE_DIR, "kinematics", 200, 1),
+               again = made_class(RIGOR_SOURCE_DIR, "kinematics", 200, 1),
+               other = made_class(RIGOR_SOURCE_DIR, "kinematics", 200, 2);
+    std::set<std::string> kinds, texts;
+    bool differs = false;
+    for (std::size_t i = 0; i < first.size(); ++i) {
+        REQUIRE(first[i].name == again[i].name);
+        REQUIRE((first[i].text == again[i].text));
+        differs |= first[i].text != other[i].text;
+        kinds.insert(first[i].kind);
+        if (first[i].kind == "nothing") continue;
+        CAPTURE(i, first[i].kind);
+        CHECK(texts.insert(first[i].text).second);
+    }
+    CHECK(differs);
+    CHECK(kinds == std::set<std::string>{"attack", "mistake", "nothing", "right", "slip", "stub"});
+}
+
+TEST_CASE("grade: a run that is killed at any moment resumes to the same gradebook",
+          "[.long][class]")
+{
+    const TemporaryFolder folder;
+    const fs::path submissions = small_class(folder, 6), whole = folder.path() / "whole",
+                   killed = folder.path() / "killed";
+    const auto start = Clock::now();
+    REQUIRE(grade(submissions, whole).status == 0);
+    const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+
+    // Up to three kills in a row, and then the run may end. What was killed goes on, what has ended
+    // begins anew.
+    constexpr int kills = 10, in_a_row = 3, most_rounds = 60;
+    std::mt19937 random(5);
+    int broken_off = 0;
+    for (int round = 0; broken_off < kills && round < most_rounds; ++round) {
+        const pid_t process = started(submissions, killed);
+        std::this_thread::sleep_for(std::chrono::duration<double>(
+            seconds / 2 * std::uniform_real_distribution<double>(0, 1)(random)));
+        kill(process, SIGKILL);
+        int state = 0;
+        REQUIRE(waitpid(process, &state, 0) == process);
+        const bool was_killed = WIFSIGNALED(state);
+        broken_off += was_killed;
+        if (was_killed && broken_off % in_a_row != 0 && broken_off < kills) continue;
+        const Run resumed = grade(submissions, killed);
+        CAPTURE(round, resumed.output);
+        REQUIRE(resumed.status == 0);
+        CHECK(class_files(killed) == class_files(whole));
+        CHECK(!has_drafts(killed));
+        fs::remove_all(killed);
+    }
+    CHECK(broken_off == kills);
+}
+
+TEST_CASE("grade: a run that is stopped for a while goes on to the same gradebook",
+          "[.long][class]")
+{
+    const TemporaryFolder folder;
+    const fs::path submissions = small_class(folder, 6), whole = folder.path() / "whole",
+                   stopped = folder.path() / "stopped";
+    REQUIRE(grade(submissions, whole).status == 0);
+    const pid_t process = started(submissions, stopped);
+    for (int i = 0; i < 3; ++i) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(700));
+        kill(-process, SIGSTOP);
+        std::this_thread::sleep_for(std::chrono::seconds(2));
+        kill(-process, SIGCONT);
+    }
+    int state = 0;
+    REQUIRE(waitpid(process, &state, 0) == process);
+    REQUIRE(WIFEXITED(state));
+    CHECK(WEXITSTATUS(state) == 0);
+    CHECK(class_files(stopped) == class_files(whole));
+}
+
+TEST_CASE("grade: a full disk is one line and no half file, and room lets the run go on",
+          "[.long][class]")
+{
+    const TemporaryFolder folder;
+    const fs::path submissions = small_class(folder, 6), whole = folder.path() / "whole";
+    const MemoryDisk disk(folder.path() / "disk", "size=48k");
+    if (!disk.is_mounted()) {
+        WARN("left out: this user cannot mount a small disk");
+        return;
+    }
+    REQUIRE(grade(submissions, whole).status == 0);
+    const fs::path out = folder.path() / "disk/out";
+    const Run full = grade(submissions, out);
+    CAPTURE(full.output);
+    CHECK(full.status == 2);
+    CHECK(is_one_line(full.output, "No space left on device"));
+    CHECK(!has_drafts(out));
+    CHECK(!fs::exists(out / "gradebook.csv"));
+    disk.grow();
+    const Run resumed = grade(submissions, out);
+    CAPTURE(resumed.output);
+    REQUIRE(resumed.status == 0);
+    CHECK(class_files(out) == class_files(whole));
+}
+
+TEST_CASE("grade: a folder that cannot be written is one line", "[cli][class]")
+{
+    const TemporaryFolder folder;
+    const fs::path submissions = small_class(folder, 1), place = folder.path() / "read_only";
+    const MemoryDisk disk(place, "", MS_RDONLY);
+    if (geteuid() == 0 && !disk.is_mounted()) {
+        WARN("left out: root may write everywhere and cannot mount a read-only disk here");
+        return;
+    }
+    if (geteuid() != 0) fs::permissions(place, fs::perms::owner_read | fs::perms::owner_exec);
+    for (const fs::path& out : {place, place / "out"}) {
+        const Run run = grade(submissions, out);
+        CAPTURE(run.output);
+        CHECK(run.status == 2);
+        CHECK(is_one_line(run.output, place.string()));
+    }
+    std::error_code error;
+    fs::permissions(place, fs::perms::owner_all, error);
+}
+
+} // namespace rigor::testing
