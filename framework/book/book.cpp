@@ -6,6 +6,7 @@
 #include "book/markdown.hpp"
 #include "book/mathml.hpp"
 #include "errors/input_error.hpp"
+#include "errors/markup.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -63,7 +64,7 @@ std::string picture(const fs::path& file, const std::string& text)
 {
     const std::string kind = file.extension() == ".svg" ? "svg+xml" : "png";
     std::string description;
-    for (const char c : escaped(text))
+    for (const char c : escaped_markup(text))
         description += c == '"' ? std::string("&quot;") : std::string(1, c);
     return fmt::format("<img alt=\"{}\" src=\"data:image/{};base64,{}\"/>", description, kind,
                        base64(content(file)));
@@ -104,10 +105,10 @@ std::string title_page(const std::vector<std::string>& chapters)
         const std::vector<std::string> title = headings(chapters[i], "# ");
         std::string sections;
         for (const std::string& section : headings(chapters[i], "## "))
-            sections += (sections.empty() ? "" : " · ") + escaped(section);
+            sections += (sections.empty() ? "" : " · ") + escaped_markup(section);
         items +=
             fmt::format("<li><a href=\"#{}\">{}</a><br/><span>{}</span></li>\n", chapter_name(i),
-                        title.empty() ? "" : escaped(title.front()), sections);
+                        title.empty() ? "" : escaped_markup(title.front()), sections);
     }
     return fmt::format("<header><h1>Rigor</h1>\n<p>Rigid bodies, plasticity and fracture: the "
                        "handouts of all assignments</p></header>\n<nav><h2>Contents</h2>\n"

@@ -4,6 +4,7 @@
 #include "book/markdown.hpp"
 
 #include "book/mathml.hpp"
+#include "errors/markup.hpp"
 
 #include <cctype>
 #include <fmt/format.h>
@@ -52,7 +53,7 @@ std::string words(const std::string& text)
     std::string result, inner, target;
     for (std::size_t at = 0; at < text.size();) {
         if (between(text, at, "`", inner))
-            result += "<code>" + escaped(inner) + "</code>";
+            result += "<code>" + escaped_markup(inner) + "</code>";
         else if (between(text, at, "$", inner))
             result += mathml(inner, false);
         else if (between(text, at, "**", inner))
@@ -60,9 +61,9 @@ std::string words(const std::string& text)
         else if (between(text, at, "*", inner))
             result += "<em>" + words(inner) + "</em>";
         else if (link(text, at, inner, target))
-            result += words(inner); // the book is one page: its links lead nowhere
+            result += words(inner); // links are dropped: their targets are not in the book
         else
-            result += escaped(std::string(1, text[at++]));
+            result += escaped_markup(std::string(1, text[at++]));
     }
     return result;
 }
@@ -137,7 +138,8 @@ private:
         while (at_ < lines_.size() && !lines_[at_].starts_with("```"))
             content += lines_[at_++] + "\n";
         ++at_;
-        return is_math ? mathml(content, true) + "\n" : "<pre>" + escaped(content) + "</pre>\n";
+        return is_math ? mathml(content, true) + "\n"
+                       : "<pre>" + escaped_markup(content) + "</pre>\n";
     }
 
     std::string indented()
@@ -145,7 +147,7 @@ private:
         std::string content;
         while (at_ < lines_.size() && lines_[at_].starts_with("    "))
             content += lines_[at_++].substr(4) + "\n";
-        return "<pre>" + escaped(content) + "</pre>\n";
+        return "<pre>" + escaped_markup(content) + "</pre>\n";
     }
 
     std::string heading()

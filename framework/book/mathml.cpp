@@ -5,6 +5,7 @@
 #include "book/mathml.hpp"
 
 #include "errors/input_error.hpp"
+#include "errors/markup.hpp"
 
 #include <cctype>
 #include <fmt/format.h>
@@ -117,7 +118,7 @@ private:
         std::string whole(1, c); // with the other bytes of a letter that is not ASCII
         while (at_ < text_.size() && (static_cast<unsigned char>(text_[at_]) & 0xC0) == 0x80)
             whole += text_[at_++];
-        return element("mo", c == '\'' ? "′" : escaped(whole));
+        return element("mo", c == '\'' ? "′" : escaped_markup(whole));
     }
 
     std::string number()
@@ -180,8 +181,8 @@ private:
         }
         if (word == "sqrt") return element("msqrt", argument());
         if (word == "mathrm")
-            return fmt::format("<mi mathvariant=\"normal\">{}</mi>", escaped(plain()));
-        if (word == "text") return element("mtext", escaped(plain()));
+            return fmt::format("<mi mathvariant=\"normal\">{}</mi>", escaped_markup(plain()));
+        if (word == "text") return element("mtext", escaped_markup(plain()));
         if (word == "mathrel") return argument();
         if (word == "left" || word == "right") {
             skip_space();
@@ -231,14 +232,6 @@ std::string mathml(const std::string& latex, bool is_block)
 {
     return fmt::format("<math{}>{}</math>", is_block ? " display=\"block\"" : "",
                        Formula(latex).row());
-}
-
-std::string escaped(const std::string& text)
-{
-    std::string result;
-    for (const char c : text)
-        result += c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '&' ? "&amp;" : std::string(1, c);
-    return result;
 }
 
 } // namespace rigor::book

@@ -7,11 +7,8 @@
 namespace rigor::book {
 
 /// A formula in the commands of LaTeX that the handouts use, as an element <math>.
-/// @param is_block  on lines of its own
+/// @param is_block  whether the formula stands on a line of its own
 /// @throws InputError for a command that is not known
 std::string mathml(const std::string& latex, bool is_block);
-
-/// A text with <, > and & replaced.
-std::string escaped(const std::string& text);
 
 } // namespace rigor::book

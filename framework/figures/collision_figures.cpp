@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Figures of A4: a cell of a level set, K as an ellipse at the tip of a rod, the friction cone, a
-// jam, and deepest against first point.
+// Figures of A4: a level set and one of its cells, K as an ellipse at the tip of a rod, the
+// friction cone, a jam, and deepest against first point.
 #include "figures/collision_figures.hpp"
 
 #include "formulas/collision.hpp"
@@ -76,6 +76,72 @@ Drawing level_set()
     drawing.place({0, 0}, 1);
     drawing.label({470, -60}, "true surface", Side::right, "ink");
     drawing.label({470, -90}, "φ = 0 of the grid", Side::right, "blue");
+    return drawing;
+}
+
+// The corner of the unit cell with these three numbers, 0 or 1 each.
+Vector3d corner(int i, int j, int k)
+{
+    return Vector3d(i, j, k);
+}
+
+// The signed distance to a ball of radius 1.2 around the corner (0, 0, 0), at the nodes of one cell
+// with an edge of 1 m.
+LevelSet cell_of_a_ball()
+{
+    LevelSet grid;
+    grid.size = {2, 2, 2};
+    for (int k = 0; k < 2; ++k)
+        for (int j = 0; j < 2; ++j)
+            for (int i = 0; i < 2; ++i)
+                grid.distances.push_back(corner(i, j, k).norm() - 1.2);
+    return grid;
+}
+
+Drawing trilinear_cell()
+{
+    Drawing drawing(
+        "A cell of a level set: from eight corners four values along x, from these two along y, "
+        "and from these one along z.",
+        660, 400);
+    const LevelSet grid = cell_of_a_ball();
+    const View view(25, 20);
+    const Vector3d p(0.4, 0.6, 0.5);
+    const auto value = [&](const Vector3d& x) {
+        return fmt::format("{:.2f}", sample_level_set(grid, x));
+    };
+    drawing.place({190, 275}, 215);
+    for (int axis = 0; axis < 3; ++axis)
+        for (int i = 0; i < 4; ++i) {
+            Vector3d a = Vector3d::Zero();
+            a[(axis + 1) % 3] = i & 1;
+            a[(axis + 2) % 3] = i >> 1;
+            drawing.line(view(a), view(a + Vector3d::Unit(axis)), "grey thin");
+        }
+    for (int k = 0; k < 2; ++k) {
+        const Vector3d low(p.x(), 0, k), high(p.x(), 1, k), between(p.x(), p.y(), k);
+        for (const Vector3d& x : {low, high}) {
+            drawing.dot(view(x), "blue");
+            drawing.label(view(x), value(x), x.y() > 0 ? Side::above : Side::below, "blue");
+        }
+        drawing.line(view(low), view(high), "blue thin dashed");
+        drawing.dot(view(between), "orange");
+        drawing.label(view(between), value(between), Side::left, "orange");
+        for (int j = 0; j < 2; ++j)
+            for (int i = 0; i < 2; ++i) {
+                const Vector3d x = corner(i, j, k);
+                drawing.dot(view(x), "ink");
+                drawing.label(view(x), value(x), i > 0 ? Side::right : Side::left);
+            }
+    }
+    drawing.line(view({p.x(), p.y(), 0}), view({p.x(), p.y(), 1}), "orange thin dashed");
+    drawing.dot(view(p), "green");
+    drawing.label(view(p), "φ(p) = " + value(p), Side::below, "green");
+    const char* steps[] = {"8 nodes", "4 values along x", "2 along y", "1 along z"};
+    const char* colors[] = {"ink", "blue", "orange", "green"};
+    drawing.place({500, 120}, 1);
+    for (int i = 0; i < 4; ++i)
+        drawing.label({0, -28.0 * i}, steps[i], Side::right, colors[i]);
     return drawing;
 }
 
@@ -211,6 +277,7 @@ Drawing first_point()
 std::span<const Figure> collision_figures()
 {
     static constexpr Figure all[] = {{"a4-collision", "level_set", level_set},
+                                     {"a4-collision", "trilinear_cell", trilinear_cell},
                                      {"a4-collision", "first_point", first_point},
                                      {"a4-collision", "impulse_ellipse", impulse_ellipse},
                                      {"a4-collision", "friction_cone", friction_cone},

@@ -3,6 +3,8 @@
 // version for dark ground. Coordinates are written with two digits after the point.
 #include "figures/drawing.hpp"
 
+#include "errors/markup.hpp"
+
 #include <cmath>
 #include <fmt/format.h>
 #include <numbers>
@@ -42,14 +44,6 @@ std::string number(double value)
 {
     const double rounded = std::round(value * 100) / 100;
     return fmt::format("{:.2f}", rounded == 0 ? 0.0 : rounded);
-}
-
-std::string escaped(const std::string& text)
-{
-    std::string result;
-    for (const char c : text)
-        result += c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '&' ? "&amp;" : std::string(1, c);
-    return result;
 }
 
 } // namespace
@@ -137,7 +131,7 @@ void Drawing::label(const Vector2d& point, const std::string& text, Side side,
     if (side == Side::above) at.y() -= line / 3 + gap;
     if (side == Side::below) at.y() += line * 2 / 3 + gap / 2;
     content_ += fmt::format("<text class=\"{}\" x=\"{}\" y=\"{}\" text-anchor=\"{}\">{}</text>\n",
-                            style, number(at.x()), number(at.y()), anchor, escaped(text));
+                            style, number(at.x()), number(at.y()), anchor, escaped_markup(text));
 }
 
 Points Drawing::sampled(double from, double to, int steps, const std::function<Vector2d(double)>& f)
@@ -155,7 +149,7 @@ std::string Drawing::svg() const
                        "stroke-width=\"2\" stroke-linejoin=\"round\" stroke-linecap=\"round\">\n"
                        "<title>{2}</title>\n<style>{3}</style>\n"
                        "<rect class=\"paper\" width=\"{0}\" height=\"{1}\"/>\n{4}</svg>\n",
-                       width_, height_, escaped(title_), style_sheet, content_);
+                       width_, height_, escaped_markup(title_), style_sheet, content_);
 }
 
 View::View(double turn, double tilt)

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Figures of A3: the naive step of a matrix, the linear step of a quaternion on its circle, and the
-// axes of Euler angles on the way to gimbal lock.
+// Figures of A3: the naive step of a matrix, the linear step of a quaternion on its circle, Euler
+// angles on the way to gimbal lock, and a top whose inertia does not turn with it.
 #include "figures/rotation_figures.hpp"
 
+#include "formulas/inertia.hpp"
 #include "formulas/kinematics.hpp"
 #include "formulas/rotation.hpp"
 
@@ -120,13 +121,62 @@ Drawing gimbal_lock()
     return drawing;
 }
 
+// The top of the scene symmetric_top.
+const Vector3d top_moments(0.04, 0.04, 0.02), top_spin(2, 4, 6);
+
+// The way of the top's axis in 1.1 s, where ω is I(t)⁻¹ L. The tensor turns with the top, or it
+// stays as it is at the start.
+Points way_of_the_axis(const View& view, bool inertia_turns)
+{
+    const Matrix3d I_body_inverse = top_moments.cwiseInverse().asDiagonal();
+    const Vector3d L = top_moments.cwiseProduct(top_spin);
+    const double h = 0.005;
+    const int steps = 220;
+    Quaternion q;
+    Points way;
+    for (int i = 0; i <= steps; ++i) {
+        const Matrix3d R = to_matrix(q);
+        way.push_back(view(R.col(2)));
+        const Matrix3d I_inverse =
+            inertia_turns ? world_inverse_inertia(R, I_body_inverse) : I_body_inverse;
+        q = advance_exact(q, I_inverse * L, h);
+    }
+    return way;
+}
+
+Drawing wrong_inertia()
+{
+    Drawing drawing(
+        "The way of the axis of a free top: around L if the inertia turns with the top, "
+        "and around an ω that stands still if it does not.",
+        660, 380);
+    const View view(35, 25);
+    drawing.place({230, 215}, 150);
+    drawing.circle({0, 0}, 1, "grey thin");
+    const Vector3d L = top_moments.cwiseProduct(top_spin).normalized() * 1.25;
+    const Vector3d w = top_spin.normalized() * 1.25;
+    drawing.curve(way_of_the_axis(view, true), "blue thick");
+    drawing.curve(way_of_the_axis(view, false), "red dashed");
+    drawing.arrow({0, 0}, view(L), "blue");
+    drawing.label(view(L), "L", Side::above, "blue");
+    drawing.arrow({0, 0}, view(w), "red dashed");
+    drawing.label(view(w), "ω at the start", Side::above, "red");
+    drawing.dot(view({0, 0, 1}), "ink");
+    drawing.label(view({0, 0, 1}), "start", Side::below);
+    drawing.place({425, 150}, 1);
+    drawing.label({0, 0}, "I(t) turns with the top", Side::right, "blue");
+    drawing.label({0, -30}, "I_body in place of I(t)", Side::right, "red");
+    return drawing;
+}
+
 } // namespace
 
 std::span<const Figure> rotation_figures()
 {
     static constexpr Figure all[] = {{"a3-rotation", "drift", drift},
                                      {"a3-rotation", "quaternion_path", quaternion_path},
-                                     {"a3-rotation", "gimbal_lock", gimbal_lock}};
+                                     {"a3-rotation", "gimbal_lock", gimbal_lock},
+                                     {"a3-rotation", "wrong_inertia", wrong_inertia}};
     return all;
 }
 

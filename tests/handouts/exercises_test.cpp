@@ -68,6 +68,16 @@ TEST_CASE("exercises: the heading of a task has its points", "[exercises]")
     }
 }
 
+TEST_CASE("exercises: each handout says that a task of more than 2 points has parts", "[exercises]")
+{
+    for (const Handout& handout : all_handouts()) {
+        CAPTURE(handout.label);
+        static const std::regex sentence(
+            R"(A\s+task\s+of\s+more\s+than\s+2\s+points\s+has\s+parts)");
+        CHECK(std::regex_search(handout.text, sentence));
+    }
+}
+
 TEST_CASE("exercises: each question has an answer behind a fold", "[exercises]")
 {
     for (const Handout& handout : long_handouts()) {

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Each picture that a handout shows is there, and each figure is shown.
+// Each picture that a handout shows is there, each figure is shown, and each picture of a wrong run
+// can be drawn again.
 #include "handouts/handouts.hpp"
 #include "support/catch.hpp"
 
 #include <regex>
 #include <set>
+#include <sstream>
 
 using namespace rigor::handouts;
 
@@ -19,6 +21,31 @@ std::set<std::string> pictures_in(const std::string& text)
     for (std::sregex_iterator i(text.begin(), text.end(), picture), end; i != end; ++i)
         pictures.insert((*i)[1]);
     return pictures;
+}
+
+fs::path source(const std::string& path)
+{
+    return fs::path(RIGOR_SOURCE_DIR) / path;
+}
+
+// A row of the table in wrong_pictures.sh.
+struct WrongRun {
+    std::string handout, picture, mistake, scene, end, size;
+};
+
+std::vector<WrongRun> wrong_runs()
+{
+    std::vector<WrongRun> runs;
+    std::istringstream lines(content(source("tests/handouts/wrong_pictures.sh")));
+    for (std::string line; std::getline(lines, line);) {
+        static const std::regex row(R"(a\d-[a-z]+ .+)");
+        if (!std::regex_match(line, row)) continue;
+        WrongRun run;
+        std::istringstream(line) >> run.handout >> run.picture >> run.mistake >> run.scene >>
+            run.end >> run.size;
+        runs.push_back(run);
+    }
+    return runs;
 }
 
 } // namespace
@@ -49,4 +76,38 @@ TEST_CASE("pictures: each figure is shown, and can be read on dark ground", "[pi
         }
     }
     CHECK(figures >= 20);
+}
+
+TEST_CASE("pictures: each of a wrong run names the mistake and the scene that make it",
+          "[pictures]")
+{
+    std::set<std::string> drawn, shown;
+    for (const WrongRun& run : wrong_runs()) {
+        CAPTURE(run.handout, run.picture);
+        CHECK((run.mistake == "-" || fs::exists(source("tests/mistakes/" + run.mistake + ".cpp"))));
+        CHECK(fs::exists(assignments() / run.handout / "scenes" / (run.scene + ".json")));
+        CHECK(std::regex_match(run.end, std::regex(R"(\d+(\.\d+)?)")));
+        CHECK(std::regex_match(run.size, std::regex(R"(\d+x\d+)")));
+        drawn.insert(run.handout + "/" + run.picture);
+    }
+    for (const Handout& handout : all_handouts())
+        for (const std::string& picture : pictures_in(handout.text))
+            if (picture.starts_with("wrong")) shown.insert(handout.name + "/" + picture);
+    CHECK(!drawn.empty());
+    CHECK(drawn == shown);
+}
+
+TEST_CASE("pictures: each handout shows a wrong run where it says what to look for", "[pictures]")
+{
+    for (const Handout& handout : all_handouts()) {
+        if (handout.label == "A0") continue;
+        CAPTURE(handout.label);
+        const std::size_t section = handout.text.find("\n## If you see this\n");
+        REQUIRE(section != std::string::npos);
+        const std::size_t end = handout.text.find("\n## ", section + 1);
+        int wrong = 0;
+        for (const std::string& picture : pictures_in(handout.text.substr(section, end - section)))
+            wrong += fs::path(picture).filename().string().starts_with("wrong") ? 1 : 0;
+        CHECK(wrong >= 1);
+    }
 }
