@@ -26,7 +26,7 @@ trap 'rm -rf "$work"' EXIT
 
 options=(-std=c++20 -w -ferror-limit=0 "-I$root/framework" "-I$root/tests"
          -isystem /usr/include/eigen3)
-for text in SOURCE_DIR BINARY_DIR MODULE_DIR GL FONT VERSION COMPILER LAUNCHER; do
+for text in SOURCE_DIR BINARY_DIR MODULE_DIR GL FONT VERSION COMPILER LAUNCHER UNPACK; do
     options+=("-DRIGOR_$text=\"\"") # CMake fills these in
 done
 
