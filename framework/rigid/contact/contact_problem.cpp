@@ -61,11 +61,25 @@ std::size_t contact_count(std::span<const ContactPair> pairs)
 
 bool is_heap(const Island& island)
 {
-    // A stack has about one pair of touching bodies for each body. An island of up to 8 bodies is
-    // always cheap enough to be solved like a stack, and one of more than 256 never is.
-    constexpr std::size_t few_bodies = 8, many_bodies = 256;
+    // A stack has about one pair of touching bodies for each body. An island of more than this many
+    // bodies is too expensive to be solved like one.
+    constexpr std::size_t many_bodies = 256;
     const std::size_t bodies = island.bodies.size(), pairs = island.pairs.size();
     return bodies > few_bodies && (bodies > many_bodies || 4 * pairs > 5 * bodies + 8);
+}
+
+double kinetic_energy_of(const Body& b)
+{
+    const double m = 1 / b.inverse_mass;
+    return (m * b.velocity.squaredNorm() + b.angular_velocity.dot(b.angular_momentum)) / 2;
+}
+
+double kinetic_energy_of(std::span<const Body> bodies)
+{
+    double energy = 0;
+    for (const Body& body : bodies)
+        energy += kinetic_energy_of(body);
+    return energy;
 }
 
 Vector3d ContactProblem::up() const

@@ -37,6 +37,9 @@ struct ContactConstraint : Contact {
     Vector3d initial_impulse = Vector3d::Zero();
 };
 
+/// A gap up to this fraction of a contact's radius counts as touching.
+inline constexpr double touching_gap = 1e-10;
+
 /// The contacts [first, last) of one pair of bodies, from the lowest up.
 struct ContactPair {
     int first = 0, last = 0;
@@ -61,6 +64,9 @@ struct Island {
 
 std::size_t contact_count(std::span<const ContactPair> pairs);
 
+/// An island of up to this many bodies is always cheap enough to be solved like a stack.
+inline constexpr std::size_t few_bodies = 8;
+
 /// Whether the island is a heap rather than a stack: many bodies with many contacts between them.
 bool is_heap(const Island& island);
 
@@ -73,6 +79,10 @@ struct DrivenBody {
     int body = 0;
     DriveVelocity mean, last;
 };
+
+/// Kinetic energy of a body or of several bodies [J].
+double kinetic_energy_of(const Body& body);
+double kinetic_energy_of(std::span<const Body> bodies);
 
 /// Everything that the stages of contact work on.
 struct ContactProblem {

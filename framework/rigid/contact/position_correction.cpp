@@ -23,7 +23,7 @@ constexpr double corrected_fraction = 0.2;
 constexpr double correction_rate = 1;
 // Overlap that is left, as a fraction of the radius. In a stack it has the size of rounding errors;
 // in a heap it is the slop that lets the heap come to rest.
-constexpr double rounding_slop = 1e-6, heap_slop = 1e-4;
+constexpr double rounding_slop = 1e-6, heap_slop = resting_overlap;
 constexpr double weightless_slop = 1e-3; // without gravity, where a correction adds energy
 // There are as many sweeps, within these bounds, as visit about `most_visits` rows in all. More of
 // them take more time; fewer leave more of the overlap of a large island to the next steps.

@@ -47,7 +47,7 @@ Energy kinetic_energy(const ContactProblem& problem, const Island& island)
     for (int i : island.bodies) {
         const Body& b = problem.bodies[i];
         const double m = 1 / b.inverse_mass;
-        energy += (m * b.velocity.squaredNorm() + b.angular_velocity.dot(b.angular_momentum)) / 2;
+        energy += kinetic_energy_of(b);
         P += m * b.velocity;
         M += m;
     }

@@ -5,6 +5,10 @@
 
 namespace rigor {
 
+/// Overlap that the position correction leaves where bodies rest in a heap, relative to the size of
+/// the smaller body. Detection counts it as apart.
+inline constexpr double resting_overlap = 1e-4;
+
 /// A contact: a pair of close points of two shapes, or of two bodies of a world.
 struct Contact {
     Vector3d point = Vector3d::Zero();   // in the middle between them [m]

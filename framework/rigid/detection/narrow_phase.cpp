@@ -80,17 +80,15 @@ struct SeparatingNormal {
 void improve_by_looking_ahead(const Vector3d& half, const Vector3d& c, const Vector3d& d,
                               double radius, SeparatingNormal& best)
 {
-    // Overlap up to this counts as apart, in radii: a sphere at rest overlaps by the slop of the
-    // position correction.
-    constexpr double slop = 1e-4;
+    const double slop = resting_overlap * radius;
     const auto consider = [&](const Vector3d& n) {
         const double now = n.dot(c) - n.cwiseAbs().dot(half) - radius, then = now + n.dot(d);
-        if (now > -slop * radius && then > best.then) best = {n, now, then};
+        if (now > -slop && then > best.then) best = {n, now, then};
     };
     for (int i = 0; i < 3; ++i)
         consider((c[i] < 0 ? -1 : 1) * Vector3d::Unit(i));
     const SphereBoxGap end = sphere_box_gap(half, c + d, radius);
-    if (!end.is_inside && end.gap > -slop * radius) consider(end.n);
+    if (!end.is_inside && end.gap > -slop) consider(end.n);
 }
 
 void find_sphere_contacts(const PlacedSphere& sphere, const Box& box, const Pose& pose,

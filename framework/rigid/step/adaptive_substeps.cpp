@@ -160,7 +160,6 @@ private:
 // and repeated it converges quadratically.
 double first_impact(const World& world, const ContactProblem& problem, const Island& island)
 {
-    constexpr double touching = 1e-10; // a gap up to this fraction of the radius counts as contact
     constexpr double just_before = 1 - 1e-9; // so that the bounce belongs to the later part
     double first = problem.time_step;
     for (const ContactPair& pair : island.pairs) {
@@ -168,7 +167,7 @@ double first_impact(const World& world, const ContactProblem& problem, const Isl
         const RigidBody &body1 = world.bodies[c.body1], &body2 = world.bodies[c.body2];
         const bool are_balls = is_ball(body1) && is_ball(body2);
         const bool bounces =
-            c.restitution > 0 && !c.collision_impulse.isZero(0) && c.gap > touching * c.radius;
+            c.restitution > 0 && !c.collision_impulse.isZero(0) && c.gap > touching_gap * c.radius;
         if (!are_balls || !bounces || body1.is_static || body2.is_static) continue;
         const double approach = -(body1.state.velocity - body2.state.velocity).dot(c.normal);
         if (approach * first > c.gap) first = just_before * c.gap / approach;

@@ -21,7 +21,6 @@ namespace rigor {
 namespace {
 
 constexpr int most_iterations = 8; // secant method; it converges in three or four
-constexpr double touching = 1e-10; // a gap up to this fraction of the radius counts as contact
 constexpr double met = 1e-6; // largest gap at the end of the iteration, as a fraction of the radius
 
 // The two bodies alone, at some time of the step.
@@ -115,7 +114,7 @@ std::optional<PairWorld> pair_at_impact(const World& world, const ContactConstra
     const double reach = 2 * std::abs(approach.gap) + c.radius;
     double time = approach.closes(), before = 0, gap_before = approach.gap;
     PairWorld pair = pair_at(world, c, time, reach);
-    for (int i = 0; i < most_iterations && std::abs(pair.gap) > touching * c.radius; ++i) {
+    for (int i = 0; i < most_iterations && std::abs(pair.gap) > touching_gap * c.radius; ++i) {
         const double slope = (pair.gap - gap_before) / (time - before);
         if (!(slope < 0)) return std::nullopt;
         before = time;
@@ -159,7 +158,7 @@ std::vector<ContactRecord> records_of_bounce(const ContactProblem& impact,
     std::vector<ContactRecord> records;
     for (const ContactConstraint& hit : impact.contacts) {
         const double v_n = impact.velocity_at(hit, hit.point).dot(hit.normal) + hit.force_speed;
-        if (impact.predicted_gap(hit, v_n) < -touching * c.radius) return {}; // they meet again
+        if (impact.predicted_gap(hit, v_n) < -touching_gap * c.radius) return {}; // they meet again
         if (!hit.collision_impulse.isZero(0))
             records.push_back(
                 {c.body1, c.body2, hit.point, hit.normal, -hit.gap, hit.collision_impulse});

@@ -8,6 +8,7 @@
 #include "rigid/contact/solvers/collision_law_sweeps.hpp"
 #include "rigid/contact/solvers/newton_contact.hpp"
 #include "rigid/contact/solvers/optimised_sweeps.hpp"
+#include "rigid/contact/solvers/run_sweeps.hpp"
 #include "rigid/contact/solvers/simultaneous_sweeps.hpp"
 
 #include <algorithm>
@@ -21,10 +22,7 @@ namespace {
 // Islands with at most this many contacts are solved up to rounding, since their sweeps take little
 // time.
 constexpr int few_contacts = 16;
-// Islands with at most this many bodies are too, if Newton's method may help.
-constexpr std::size_t few_bodies = 8;
-// Sweeps over more contacts are not accelerated: more plain sweeps gain more in the same time.
-constexpr std::size_t many_contacts = 1000;
+// So are islands with at most `few_bodies`, if Newton's method may help.
 
 // A larger island stops after a limited amount of work, and the remaining error is corrected in the
 // next steps. A heap at rest gets more work, since the remaining error would let it creep and it
@@ -118,81 +116,6 @@ std::unique_ptr<Sweeps> sweeps_of(ContactProblem& problem, const Island& island,
     return collision_law_sweeps(problem, active);
 }
 
-// Limits at which a run of sweeps ends.
-struct SweepLimits {
-    int most_sweeps = 0;
-    double negligible_change = 0; // [m/s]
-};
-
-// Convergence of a run of sweeps: the largest change in the first and in the last sweep [m/s].
-struct Residuals {
-    double first = 0, last = 0;
-    int sweeps = 0;
-    bool has_converged = false; // whether the last sweep changed nothing that matters
-
-    // The sum of the changes that further sweeps would make, if each changes the same fraction of
-    // the one before as these sweeps did on average [m/s]. Under a heavy body each sweep changes
-    // little, although much is missing: a ten millionth of it at a mass ratio of 1e7. Rounding,
-    // which does not decay, is not missing.
-    double missing() const
-    {
-        constexpr double slowest_decay = 1e-7;
-        return last / std::max(slowest_decay, std::log(first / last) / sweeps);
-    }
-};
-
-// Sweeps until the changes are negligible or the limit is reached. After each sweep the impulses
-// also move on in the direction of the previous sweeps, as long as this helps (nonlinear conjugate
-// gradients): directions = steps + β directions, impulses += β directions.
-Residuals run_sweeps(ContactProblem& problem, Sweeps& sweeps, std::size_t count,
-                     const SweepLimits& limits)
-{
-    Residuals residuals;
-    double before = 0, smallest = std::numeric_limits<double>::infinity();
-    const bool is_large = count > many_contacts; // plain sweeps then gain more in the same time
-    std::vector<Vector3d> steps(count, Vector3d::Zero());
-    std::vector<Vector3d> directions; // set from the second sweep on
-    bool diverges = false;            // whether the acceleration has made the residual larger
-    for (int i = 1; i <= limits.most_sweeps; ++i) {
-        const SweepProgress progress = sweeps.sweep(steps);
-        ++problem.counters->contact_sweeps;
-        residuals.last = progress.change;
-        residuals.sweeps = i;
-        if (i == 1) residuals.first = progress.change;
-        residuals.has_converged =
-            progress.change <= rounding * progress.total + limits.negligible_change;
-        if (i == limits.most_sweeps) break;
-        if (residuals.has_converged && problem.settings.optimisations.early_exit) {
-            ++problem.counters->early_exits;
-            break;
-        }
-        diverges |= progress.change > 2 * smallest;
-        smallest = std::min(smallest, progress.change);
-        if (is_large) continue;
-        const bool slows_down = before > 0 && progress.squared <= before && !diverges;
-        // β = 0 restarts the directions.
-        const double beta = slows_down ? progress.squared / before : 0;
-        before = progress.squared;
-        directions.resize(count, Vector3d::Zero());
-        for (std::size_t k = 0; k < count; ++k) {
-            const Vector3d more = beta * directions[k];
-            directions[k] = steps[k] + more;
-            steps[k] = more;
-        }
-        if (beta > 0) sweeps.add(steps);
-    }
-    return residuals;
-}
-
-// Changes the impulses of the sweeps to the given ones.
-void set_impulses(Sweeps& sweeps, std::vector<Vector3d> impulses)
-{
-    const std::vector<Vector3d> here = sweeps.impulses();
-    for (std::size_t k = 0; k < here.size(); ++k)
-        impulses[k] -= here[k];
-    sweeps.add(impulses);
-}
-
 // Whether bodies have little more velocity than gravity has given them in this step.
 bool is_at_rest(const ContactProblem& problem, double fastest)
 {
@@ -221,16 +144,6 @@ std::vector<Vector3d> initial_impulses(const ContactProblem& problem, std::span<
     return impulses;
 }
 
-double kinetic_energy(std::span<const Body> bodies)
-{
-    double energy = 0;
-    for (const Body& b : bodies)
-        energy += (b.velocity.squaredNorm() / b.inverse_mass +
-                   b.angular_velocity.dot(b.angular_momentum)) /
-                  2;
-    return energy;
-}
-
 // Whether the impulses would add kinetic energy to the bodies of the island.
 // @param bodies  as they are without them, in the order of the island
 bool adds_energy(const ContactProblem& problem, const Island& island, std::span<const int> active,
@@ -240,7 +153,7 @@ bool adds_energy(const ContactProblem& problem, const Island& island, std::span<
     std::vector<int> places(problem.bodies.size(), -1);
     for (std::size_t i = 0; i < island.bodies.size(); ++i)
         places[island.bodies[i]] = static_cast<int>(i);
-    const double before = kinetic_energy(bodies);
+    const double before = kinetic_energy_of(bodies);
     for (std::size_t k = 0; k < active.size(); ++k) {
         const ContactConstraint& c = problem.contacts[active[k]];
         if (const int i = places[c.body1]; i >= 0)
@@ -248,7 +161,7 @@ bool adds_energy(const ContactProblem& problem, const Island& island, std::span<
         if (const int i = places[c.body2]; i >= 0)
             optimised::apply_impulse(bodies[i], c.point, -impulses[k]);
     }
-    return kinetic_energy(bodies) > (1 + least_gain) * before;
+    return kinetic_energy_of(bodies) > (1 + least_gain) * before;
 }
 
 // Where Newton's method starts, and when its result counts.
@@ -271,16 +184,22 @@ bool solve_by_newton(ContactProblem& problem, const Island& island, std::span<co
     return run_sweeps(problem, sweeps, active.size(), check).first <= start.allowed;
 }
 
-} // namespace
+// How an island is solved.
+struct SolvePlan {
+    double approach = 0; // speed that the impulses have to remove [m/s]
+    SweepLimits limits;
+    bool may_use_newton = false; // whenever the sweeps do not converge
+    bool is_stack = false;       // a heap's sparse matrix would have too many entries (fill-in)
+    std::vector<Body> free;      // the bodies of a stack before any impulse
+};
 
-void solve_island(ContactProblem& problem, const Island& island, std::span<const int> active)
+SolvePlan plan_for(const ContactProblem& problem, const Island& island, std::span<const int> active)
 {
     const int count = static_cast<int>(active.size());
     const double speed = fastest(problem, island, active);
     const bool rests = is_at_rest(problem, speed) || rests_on_driven(problem, island, active);
     const std::size_t bodies = island.bodies.size();
     const bool is_on_joint = bodies == 1 && island.pairs.size() > 1; // sweeps converge slowly there
-    // Not for a heap: the factors of its sparse matrix would have too many entries (fill-in).
     const bool is_stack = !is_heap(island);
     const bool may_use_newton = (rests || is_on_joint) && is_stack;
     const double approach = fastest_approach(problem, active);
@@ -290,40 +209,61 @@ void solve_island(ContactProblem& problem, const Island& island, std::span<const
                              : rests          ? for_heaps_at_rest
                                               : for_moving_heaps;
     const int times = rests && !may_use_newton ? times_at_rest : 1;
-    const SweepLimits limits{
-        std::clamp(times * most_visits / count, times * fewest_sweeps, most_sweeps),
-        rounding * speed + tolerance * approach};
-    const std::vector<Body> free = is_stack ? problem.bodies_of(island) : std::vector<Body>();
+    const int sweeps = std::clamp(times * most_visits / count, times * fewest_sweeps, most_sweeps);
+    return {approach,
+            {sweeps, rounding * speed + tolerance * approach},
+            may_use_newton,
+            is_stack,
+            is_stack ? problem.bodies_of(island) : std::vector<Body>()};
+}
+
+// Whether much would be missing of the impulses in a stack of bodies of very different mass.
+bool is_far_off(const ContactProblem& problem, const Island& island, const SolvePlan& plan,
+                const Residuals& swept)
+{
+    return plan.is_stack && mass_ratio(problem, island) > large_ratio &&
+           swept.missing() > far_off * plan.approach;
+}
+
+// Continues by Newton's method after the sweeps have not converged. It starts from the better of
+// two sets of impulses: those after the sweeps or those before them. After the impact of a heavy
+// body these are far from what holds it at rest, and both may fail. Then it starts again from none.
+// If that fails too, and the sweeps end with impulses that add energy, they start again from none:
+// so they never add any.
+void continue_by_newton(ContactProblem& problem, const Island& island, std::span<const int> active,
+                        const SolvePlan& plan, const Residuals& swept, Sweeps& sweeps)
+{
+    const bool may_be_lost = is_far_off(problem, island, plan, swept);
+    const std::vector<Vector3d> start =
+        swept.last <= swept.first ? sweeps.impulses() : initial_impulses(problem, active);
+    const std::vector<Vector3d> none(active.size(), Vector3d::Zero());
+    const double allowed = std::min(swept.first, swept.last);
+    const SweepLimits check{last_sweeps, plan.limits.negligible_change};
+    const auto newton_from = [&](const std::vector<Vector3d>& impulses) {
+        return solve_by_newton(problem, island, active, {plan.free, impulses, allowed}, check,
+                               sweeps);
+    };
+    if (newton_from(start) || (may_be_lost && newton_from(none))) return;
+
+    set_impulses(sweeps, start);
+    run_sweeps(problem, sweeps, active.size(), check);
+    if (!may_be_lost) return;
+    // Among more than two bodies, single ones may keep too much speed although energy is lost.
+    const bool is_pair = island.bodies.size() <= 2;
+    if (is_pair && !adds_energy(problem, island, active, plan.free, sweeps.impulses())) return;
+    set_impulses(sweeps, none);
+    run_sweeps(problem, sweeps, active.size(), plan.limits);
+}
+
+} // namespace
+
+void solve_island(ContactProblem& problem, const Island& island, std::span<const int> active)
+{
+    const SolvePlan plan = plan_for(problem, island, active);
     const std::unique_ptr<Sweeps> sweeps = sweeps_of(problem, island, active);
-    const Residuals swept = run_sweeps(problem, *sweeps, active.size(), limits);
-    const bool is_far_off = is_stack && mass_ratio(problem, island) > large_ratio &&
-                            swept.missing() > far_off * approach;
-    if (!swept.has_converged && (may_use_newton || is_far_off)) {
-        // Newton's method starts from the better of two sets of impulses: those after the sweeps or
-        // those before them. After the impact of a heavy body these are far from what holds it at
-        // rest, and both may fail. Then it starts again from none. If that fails too, and the
-        // sweeps end with impulses that add energy, they start again from none: so they never add
-        // any.
-        const std::vector<Vector3d> start =
-            swept.last <= swept.first ? sweeps->impulses() : initial_impulses(problem, active);
-        const std::vector<Vector3d> none(active.size(), Vector3d::Zero());
-        const double allowed = std::min(swept.first, swept.last);
-        const SweepLimits check{last_sweeps, limits.negligible_change};
-        const auto newton_from = [&](const std::vector<Vector3d>& impulses) {
-            return solve_by_newton(problem, island, active, {free, impulses, allowed}, check,
-                                   *sweeps);
-        };
-        if (!newton_from(start) && !(is_far_off && newton_from(none))) {
-            set_impulses(*sweeps, start);
-            run_sweeps(problem, *sweeps, active.size(), check);
-            const bool is_pair = bodies <= 2; // among more, single ones may keep too much speed
-            if (is_far_off &&
-                (!is_pair || adds_energy(problem, island, active, free, sweeps->impulses()))) {
-                set_impulses(*sweeps, none);
-                run_sweeps(problem, *sweeps, active.size(), limits);
-            }
-        }
-    }
+    const Residuals swept = run_sweeps(problem, *sweeps, active.size(), plan.limits);
+    if (!swept.has_converged && (plan.may_use_newton || is_far_off(problem, island, plan, swept)))
+        continue_by_newton(problem, island, active, plan, swept, *sweeps);
     sweeps->finish();
 }
 

@@ -25,9 +25,6 @@ constexpr double border_rounding = 1e-9;
 // its separation is larger by this. Otherwise a face is preferred to edges and the larger face to
 // the smaller one, so that a box at rest keeps its kind of contact from step to step.
 constexpr double clear_difference = 0.01;
-// In the same units: overlap up to this counts as apart, since a box at rest overlaps by what the
-// position correction leaves.
-constexpr double slop_share = 1e-4;
 
 // A box in world space; its axes are the columns of R.
 struct PlacedBox {
@@ -293,7 +290,7 @@ void find_box_contacts(const Box& box1, const Pose& pose1, const Box& box2, cons
     if (face2.separation >= reach) return;
 
     const double smallest = std::min(a.half.minCoeff(), b.half.minCoeff());
-    const double clearly = clear_difference * smallest, slop = slop_share * smallest;
+    const double clearly = clear_difference * smallest, slop = resting_overlap * smallest;
     const double least = std::max(face1.separation, face2.separation) + clearly;
     const Axis edges = best_edges(a, b, relation, least);
     bool is_edges = edges.separation > least;

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+// Sweeps that are accelerated by nonsmooth nonlinear conjugate gradients (Silcowitz-Hansen, Niebe
+// and Erleben 2010). After each sweep, its change becomes the next search direction together with
+// a part of the one before, and the impulses move along it.
+#include "rigid/contact/solvers/run_sweeps.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace rigor {
+
+namespace {
+
+// Sweeps over more contacts are not accelerated: more plain sweeps gain more in the same time.
+constexpr std::size_t many_contacts = 1000;
+constexpr double rounding = 2 * std::numeric_limits<double>::epsilon();
+
+} // namespace
+
+double Residuals::missing() const
+{
+    constexpr double slowest_decay = 1e-7;
+    return last / std::max(slowest_decay, std::log(first / last) / sweeps);
+}
+
+Residuals run_sweeps(ContactProblem& problem, Sweeps& sweeps, std::size_t count,
+                     const SweepLimits& limits)
+{
+    Residuals residuals;
+    double before = 0, smallest = std::numeric_limits<double>::infinity();
+    const bool is_large = count > many_contacts; // plain sweeps then gain more in the same time
+    std::vector<Vector3d> steps(count, Vector3d::Zero());
+    std::vector<Vector3d> directions; // set from the second sweep on
+    bool diverges = false;            // whether the acceleration has made the residual larger
+    for (int i = 1; i <= limits.most_sweeps; ++i) {
+        const SweepProgress progress = sweeps.sweep(steps);
+        ++problem.counters->contact_sweeps;
+        residuals.last = progress.change;
+        residuals.sweeps = i;
+        if (i == 1) residuals.first = progress.change;
+        residuals.has_converged =
+            progress.change <= rounding * progress.total + limits.negligible_change;
+        if (i == limits.most_sweeps) break;
+        if (residuals.has_converged && problem.settings.optimisations.early_exit) {
+            ++problem.counters->early_exits;
+            break;
+        }
+        diverges |= progress.change > 2 * smallest;
+        smallest = std::min(smallest, progress.change);
+        if (is_large) continue;
+        const bool slows_down = before > 0 && progress.squared <= before && !diverges;
+        // β = 0 restarts the directions.
+        const double beta = slows_down ? progress.squared / before : 0;
+        before = progress.squared;
+        directions.resize(count, Vector3d::Zero());
+        for (std::size_t k = 0; k < count; ++k) {
+            const Vector3d more = beta * directions[k];
+            directions[k] = steps[k] + more;
+            steps[k] = more;
+        }
+        if (beta > 0) sweeps.add(steps);
+    }
+    return residuals;
+}
+
+void set_impulses(Sweeps& sweeps, std::vector<Vector3d> impulses)
+{
+    const std::vector<Vector3d> here = sweeps.impulses();
+    for (std::size_t k = 0; k < here.size(); ++k)
+        impulses[k] -= here[k];
+    sweeps.add(impulses);
+}
+
+} // namespace rigor
