@@ -9,6 +9,8 @@
 
 #include <cmath>
 
+namespace billiards {
+
 using namespace rigor;
 using namespace rigor::testing;
 
@@ -55,3 +57,5 @@ TEST_CASE("classics: billiard balls part as in free space", "[classics]")
                                    IsClose(0.0, Order(1e-6 * speed)));
                     }
 }
+
+} // namespace billiards

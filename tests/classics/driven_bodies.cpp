@@ -8,12 +8,14 @@
 #include <cmath>
 #include <numbers>
 
+namespace driven_bodies {
+
 using namespace rigor;
 using namespace rigor::testing;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 RigidBody driven(const Shape& shape, const Material& material, const Vector3d& X, Drive drive,
                  const Quaternion& q = {})
@@ -364,3 +366,5 @@ TEST_CASE("classics: a spring with a driven end forces its body", "[classics]")
         check_order(errors, 4);
     }
 }
+
+} // namespace driven_bodies

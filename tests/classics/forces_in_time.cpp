@@ -13,7 +13,7 @@ using namespace rigor::testing;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 // A world with one force on its last body.
 World with_force(std::vector<RigidBody> bodies, AppliedForce force, const Vector3d& gravity)

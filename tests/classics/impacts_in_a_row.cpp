@@ -8,6 +8,8 @@
 #include <cmath>
 #include <numbers>
 
+namespace impacts_in_a_row {
+
 using namespace rigor;
 using namespace rigor::testing;
 
@@ -157,3 +159,5 @@ TEST_CASE("classics: a cue ball follows or draws by two sevenths of its spin", "
         check_at_most(errors.front(), 1e-2 * v, "error of the speed [m/s]");
     }
 }
+
+} // namespace impacts_in_a_row

@@ -13,7 +13,7 @@ using namespace rigor::testing;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 // The height of a body at the last moment before it leaves another one, between two steps [m].
 double leaves_at(World& world, int body, int from, double h)

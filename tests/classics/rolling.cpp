@@ -9,12 +9,14 @@
 #include <cmath>
 #include <numbers>
 
+namespace rolling {
+
 using namespace rigor;
 using namespace rigor::testing;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 Vector3d gravity_on_incline(double angle)
 {
@@ -143,3 +145,5 @@ TEST_CASE("classics: a loaded ball rocks with the period of a pendulum", "[class
                 CHECK_THAT((last - first) / swings, IsClose(T, Order(2e-3 * T)));
             }
 }
+
+} // namespace rolling

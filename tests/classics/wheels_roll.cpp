@@ -10,6 +10,8 @@
 #include <cmath>
 #include <numbers>
 
+namespace wheels_roll {
+
 using namespace rigor;
 using namespace rigor::testing;
 
@@ -139,3 +141,5 @@ TEST_CASE("classics: a polygonal wheel loses no more than its corners take", "[c
             }
     }
 }
+
+} // namespace wheels_roll

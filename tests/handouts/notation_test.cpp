@@ -7,6 +7,8 @@
 #include <set>
 #include <sstream>
 
+namespace notation_test {
+
 using namespace rigor::handouts;
 
 namespace {
@@ -116,3 +118,5 @@ TEST_CASE("handouts: formulas are written so that the common viewers show them",
         }
     }
 }
+
+} // namespace notation_test

@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace rigor::testing {
+namespace rigor::testing::release_test {
 
 namespace {
 
@@ -83,4 +83,4 @@ TEST_CASE("release: what is handed out is proven, and the same again", "[.long][
     CHECK(!contains(program, "is the reference's step"));
 }
 
-} // namespace rigor::testing
+} // namespace rigor::testing::release_test

@@ -47,11 +47,11 @@ TEST_CASE("scene commands: a stored run can be drawn", "[cli][scene]")
     const Run drawn = rigor({"render", trajectory, "--out", frames, "--size", "64x48"});
     CAPTURE(drawn.output);
     REQUIRE(drawn.status == 0);
-    const auto json = nlohmann::json::parse(stored.output.substr(stored.output.find('{')));
+    const auto parsed = nlohmann::json::parse(stored.output.substr(stored.output.find('{')));
     long files = 0;
     for (const auto& entry : std::filesystem::directory_iterator(frames))
         files += entry.path().extension() == ".png";
-    REQUIRE(files == json["frames"]);
+    REQUIRE(files == parsed["frames"]);
     REQUIRE(files > 30);
 }
 

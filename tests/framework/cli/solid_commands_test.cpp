@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace rigor::testing {
+namespace rigor::testing::solid_commands_test {
 
 namespace {
 
@@ -109,4 +109,4 @@ TEST_CASE("solid commands: where two runs of a solid part is told by node and el
     CHECK(other[0].actual == "4 nodes, 2 elements in 2 pieces");
 }
 
-} // namespace rigor::testing
+} // namespace rigor::testing::solid_commands_test

@@ -4,7 +4,7 @@
 #include "grading/selection.hpp"
 #include "support/catch.hpp"
 
-namespace rigor::testing {
+namespace rigor::testing::selection_test {
 
 namespace {
 
@@ -82,4 +82,4 @@ TEST_CASE("selection: an unknown word gets the nearest name", "[selection]")
     REQUIRE(complaint("zzzzzzzzzzzzz").find("did you mean") == std::string::npos);
 }
 
-} // namespace rigor::testing
+} // namespace rigor::testing::selection_test

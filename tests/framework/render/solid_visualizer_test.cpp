@@ -18,6 +18,8 @@
 #include <cmath>
 #include <utility>
 
+namespace solid_visualizer_test {
+
 using namespace rigor;
 using rigor::testing::TemporaryFolder;
 
@@ -289,3 +291,5 @@ TEST_CASE("solids: a run becomes files", "[render]")
     CHECK(names_in(folder.path()).size() == 4);
     CHECK(decoded(folder.path() / "frame_00003.png").width == 64);
 }
+
+} // namespace solid_visualizer_test

@@ -10,6 +10,8 @@
 #include <cmath>
 #include <numbers>
 
+namespace method_keys_test {
+
 using namespace rigor;
 
 namespace {
@@ -201,3 +203,5 @@ TEST_CASE("methods: what cannot be is refused in its own line")
           "s:3: expected no \"yield_stress\" or \"strength\" of the solid \"s\" that moves as a "
           "rigid body, found one");
 }
+
+} // namespace method_keys_test

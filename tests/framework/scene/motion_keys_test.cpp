@@ -11,6 +11,8 @@
 #include <cmath>
 #include <numbers>
 
+namespace motion_keys_test {
+
 using namespace rigor;
 
 namespace {
@@ -198,3 +200,5 @@ TEST_CASE("pairs: what holds for two bodies is read and sorted")
                      {"body1": "b", "body2": "a", "friction": 2})") ==
           "s:5: expected each pair once, found \"b\" and \"a\" again");
 }
+
+} // namespace motion_keys_test

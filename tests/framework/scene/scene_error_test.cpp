@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <fstream>
 
+namespace scene_error_test {
+
 using namespace rigor;
 
 namespace {
@@ -209,3 +211,5 @@ TEST_CASE("scene: a file that is no file is refused")
     CHECK(load("/dev/zero") == "/dev/zero: expected a scene file, found something else");
     CHECK(load("no/such.json") == "no/such.json: expected a scene file, found nothing");
 }
+
+} // namespace scene_error_test

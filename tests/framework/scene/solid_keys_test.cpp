@@ -8,6 +8,8 @@
 
 #include <numbers>
 
+namespace solid_keys_test {
+
 using namespace rigor;
 using namespace rigor::testing;
 
@@ -242,3 +244,5 @@ TEST_CASE("solids: a mesh that is too large or not one kind is refused")
                           "s");
           }) == "s:2: expected solids of at most 200000 tetrahedra, found 270000");
 }
+
+} // namespace solid_keys_test

@@ -8,6 +8,8 @@
 
 #include <limits>
 
+namespace solid_records_test {
+
 using namespace rigor;
 using namespace rigor::testing;
 
@@ -213,3 +215,5 @@ TEST_CASE("trajectory of solids: the hash of a motion is of the solids too")
     CHECK(hash_of(strained) != hash_of(frame));
     CHECK(hash_of(cracked) != hash_of(frame));
 }
+
+} // namespace solid_records_test

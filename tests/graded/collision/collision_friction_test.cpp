@@ -9,7 +9,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace rigor::testing {
+namespace rigor::testing::collision_friction_test {
 
 namespace {
 
@@ -220,4 +220,4 @@ TEST_CASE("collision: a block rests on an incline up to the angle of friction", 
     }
 }
 
-} // namespace rigor::testing
+} // namespace rigor::testing::collision_friction_test

@@ -3,7 +3,7 @@
 #include "contact_laws.hpp"
 #include "support/seeds.hpp"
 
-namespace rigor::testing {
+namespace rigor::testing::contact_convergence_test {
 
 namespace {
 
@@ -198,4 +198,4 @@ TEST_CASE("contact: a tower that is pushed obeys all laws at once in the end", "
     }
 }
 
-} // namespace rigor::testing
+} // namespace rigor::testing::contact_convergence_test

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace rigor::testing {
+namespace rigor::testing::contact_one_at_a_time_test {
 
 namespace {
 
@@ -150,4 +150,4 @@ TEST_CASE("contact: a heap of balls turned by 17 degrees is resolved the same wa
     REQUIRE(contacts > 100);
 }
 
-} // namespace rigor::testing
+} // namespace rigor::testing::contact_one_at_a_time_test

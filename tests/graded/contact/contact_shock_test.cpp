@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace rigor::testing {
+namespace rigor::testing::contact_shock_test {
 
 namespace {
 
@@ -203,4 +203,4 @@ TEST_CASE("contact: shock propagation without iterations or contacts changes not
     REQUIRE(propagated({}, {}).bodies.empty());
 }
 
-} // namespace rigor::testing
+} // namespace rigor::testing::contact_shock_test

@@ -2,7 +2,7 @@
 // A5.5: all contacts at once. These tests are about single sweeps and exact answers.
 #include "contact_laws.hpp"
 
-namespace rigor::testing {
+namespace rigor::testing::contact_simultaneous_test {
 
 namespace {
 
@@ -249,4 +249,4 @@ TEST_CASE("contact: simultaneously without contacts nothing changes", "[A5.5][co
     REQUIRE(resolve_simultaneously({}, {}, 10).bodies.empty());
 }
 
-} // namespace rigor::testing
+} // namespace rigor::testing::contact_simultaneous_test

@@ -4,7 +4,7 @@
 #include "fracture_laws.hpp"
 #include "support/seeds.hpp"
 
-namespace rigor::testing {
+namespace rigor::testing::fracture_ranges_test {
 
 namespace {
 
@@ -223,4 +223,4 @@ TEST_CASE("fracture: with virtual nodes an unused vertex stays", "[A7.7][fractur
     }
 }
 
-} // namespace rigor::testing
+} // namespace rigor::testing::fracture_ranges_test

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <numbers>
 
+namespace inertia_axes_test {
+
 using namespace rigor;
 using namespace rigor::testing;
 
@@ -173,3 +175,5 @@ TEST_CASE("inertia: a small body has large inverse moments", "[A2.5][inertia]")
     REQUIRE_THAT(invert_moments(moments),
                  IsClose(Vector3d(1e15, 0.5e15, 0.25e15), Rounding(8, 1e15)));
 }
+
+} // namespace inertia_axes_test

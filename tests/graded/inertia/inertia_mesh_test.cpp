@@ -15,7 +15,7 @@ using namespace rigor::testing;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 // A box of edges `size`, one corner at `corner`, as 12 triangles.
 TriangleMesh box(const Vector3d& corner, const Vector3d& size)

@@ -9,12 +9,14 @@
 #include <cmath>
 #include <numbers>
 
+namespace inertia_ranges_test {
+
 using namespace rigor;
 using namespace rigor::testing;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 Matrix3d turned(const Matrix3d& R, const Matrix3d& I)
 {
@@ -173,3 +175,5 @@ TEST_CASE("inertia: a mesh inside out has negative mass and inertia", "[A2.13][i
         REQUIRE_THAT(found.inertia, IsClose(I, Rounding(64, far * far * volumes)));
     }
 }
+
+} // namespace inertia_ranges_test

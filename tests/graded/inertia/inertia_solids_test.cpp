@@ -13,7 +13,7 @@ using namespace rigor::testing;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 MassProperties centered(double M, double Ixx, double Iyy, double Izz)
 {

@@ -7,6 +7,8 @@
 #include "support/random.hpp"
 #include "support/seeds.hpp"
 
+namespace kinematics_modes_test {
+
 using namespace rigor;
 using namespace rigor::testing;
 
@@ -255,3 +257,5 @@ TEST_CASE("kinematics: no inertial wrench without rotation and without particles
     REQUIRE_THAT(inertial_wrench(six_particles(), none, V, Vector3d(0, 2, 0)),
                  IsClose(Wrench{}, Rounding(16, 3 * 2 * 20)));
 }
+
+} // namespace kinematics_modes_test

@@ -6,6 +6,8 @@
 #include "support/random.hpp"
 #include "support/seeds.hpp"
 
+namespace kinematics_sums_test {
+
 using namespace rigor;
 using namespace rigor::testing;
 
@@ -89,3 +91,5 @@ TEST_CASE("kinematics: inertial forces are a sum over any number of particles",
                      IsClose(sum, rounding_of(particles.size(), magnitudes)));
     }
 }
+
+} // namespace kinematics_sums_test

@@ -7,6 +7,8 @@
 
 #include <numbers>
 
+namespace plasticity_cycle_test {
+
 using namespace rigor;
 using namespace rigor::testing;
 
@@ -140,3 +142,5 @@ TEST_CASE("plasticity: a cycle in a turned frame is the turned cycle", "[A6.8][p
         check_at_least(here.dissipation, 0, "the dissipation", 0);
     }
 }
+
+} // namespace plasticity_cycle_test

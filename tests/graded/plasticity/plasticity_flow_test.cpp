@@ -6,12 +6,14 @@
 
 #include <numbers>
 
+namespace plasticity_flow_test {
+
 using namespace rigor;
 using namespace rigor::testing;
 
 namespace {
 
-constexpr double sqrt_3 = std::numbers::sqrt3;
+using std::numbers::sqrt3;
 
 Matrix3d deviator_of(const Matrix3d& sigma)
 {
@@ -82,7 +84,7 @@ TEST_CASE("plasticity: shear flows as shear", "[A6.8][plasticity]")
 {
     // f = √3·2 - √3 = √3 and γ = √3/(3·0.5). The increment in xy and in yx is γ √3/2 = 1, so that τ
     // = 1 is left.
-    const Flow sheared = flow(shear(2), sqrt_3, 0.5);
+    const Flow sheared = flow(shear(2), sqrt3, 0.5);
     REQUIRE_THAT(sheared.increment, IsClose(shear(1), Rounding(16, 2)));
     REQUIRE_THAT(sheared.new_stress, IsClose(shear(1), Rounding(16, 2)));
 }
@@ -209,3 +211,5 @@ TEST_CASE("plasticity: a stress just above the yield surface flows just a little
                      IsClose(d / 6 * diagonal(1, -0.5, -0.5), Rounding(16, 1)));
     }
 }
+
+} // namespace plasticity_flow_test

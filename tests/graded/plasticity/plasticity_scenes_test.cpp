@@ -12,7 +12,7 @@ using namespace rigor::testing;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 // Young's modulus [Pa], yield stress [Pa], yield strain and length [m] of the bars in the scenes.
 constexpr double E = 1e7, sigma_Y = 2e5, e_Y = sigma_Y / E, length = 2;

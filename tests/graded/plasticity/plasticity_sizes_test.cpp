@@ -8,6 +8,8 @@
 
 #include <limits>
 
+namespace plasticity_sizes_test {
+
 using namespace rigor;
 using namespace rigor::testing;
 
@@ -83,3 +85,5 @@ TEST_CASE("plasticity: a plastic strain of any size grows in proportion", "[A6.8
         REQUIRE_THAT(flow, IsClose(Matrix3d(k * usual), Rounding(64, scale)));
     }
 }
+
+} // namespace plasticity_sizes_test

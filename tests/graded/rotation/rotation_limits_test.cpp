@@ -13,7 +13,7 @@ using namespace rigor::testing;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 // Checks a step against its closed form, with `by` as the rotation vector of the step.
 void check_motion(const RigidState& actual, const StepCase& c, const Vector3d& X,

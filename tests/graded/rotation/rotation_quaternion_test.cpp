@@ -5,6 +5,8 @@
 #include "support/close.hpp"
 #include "support/seeds.hpp"
 
+namespace rotation_quaternion_test {
+
 using namespace rigor;
 using namespace rigor::testing;
 
@@ -188,3 +190,5 @@ TEST_CASE("rotation: the rate is the derivative of the turning quaternion", "[A3
     check_order(errors, 2);
     REQUIRE_THAT(errors.back(), IsClose(0.0, Order(4e-5)));
 }
+
+} // namespace rotation_quaternion_test

@@ -14,7 +14,7 @@ using namespace rigor::testing;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 // A turn by `angle`, as small as it may be, about a random axis.
 Quaternion small_turn(Random& random, double angle)

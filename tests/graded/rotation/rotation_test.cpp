@@ -12,7 +12,7 @@ using namespace rigor::testing;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 Matrix3d matrix(const Vector3d& x, const Vector3d& y, const Vector3d& z)
 {

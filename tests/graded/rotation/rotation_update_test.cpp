@@ -13,7 +13,7 @@ using namespace rigor::testing;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 const Quaternion identity = {1, {0, 0, 0}};
 
 } // namespace

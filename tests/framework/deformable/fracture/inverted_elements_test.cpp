@@ -9,6 +9,8 @@
 
 #include <algorithm>
 
+namespace inverted_elements_test {
+
 using namespace rigor;
 using namespace rigor::testing;
 
@@ -210,3 +212,5 @@ TEST_CASE("inverted elements: an element that would gain energy by its shape is 
     CHECK_FALSE(relax_element(fast, 0));
     CHECK(fast.positions == places);
 }
+
+} // namespace inverted_elements_test

@@ -10,7 +10,7 @@ using namespace rigor::testing;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 const std::vector<Shape> shapes = {
     Sphere{0.7},           Capsule{0.4, 1.2},        Torus{1, 0.3},

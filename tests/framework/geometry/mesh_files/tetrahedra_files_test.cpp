@@ -5,6 +5,8 @@
 
 #include "support/close.hpp"
 
+namespace tetrahedra_files_test {
+
 using namespace rigor;
 using namespace rigor::testing;
 
@@ -99,3 +101,5 @@ TEST_CASE("tetrahedra: a text that is no mesh is refused where it goes wrong", "
     CHECK(refusal(replaced(medit, "2 3 4 5", "2 3 4 -5")) ==
           "18: expected the number of a vertex, found \"-5\"");
 }
+
+} // namespace tetrahedra_files_test

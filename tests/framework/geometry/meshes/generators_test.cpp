@@ -11,7 +11,7 @@ using namespace rigor::testing;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 // The volume of a polygon turned in n steps, divided by that of the smooth solid of revolution.
 double in_steps(int n)

@@ -9,7 +9,7 @@
 
 #include <fstream>
 
-namespace rigor::testing {
+namespace rigor::testing::archive_test {
 
 namespace {
 
@@ -205,4 +205,4 @@ TEST_CASE("intake: a zip archive that is compressed again is refused", "[intake]
     REQUIRE(refusal_of(Format::tar_gz, {{"collision.cpp", "int x;\n"}}).empty());
 }
 
-} // namespace rigor::testing
+} // namespace rigor::testing::archive_test

@@ -10,7 +10,7 @@
 #include <sys/un.h>
 #include <unistd.h>
 
-namespace rigor::testing {
+namespace rigor::testing::folder_test {
 
 namespace {
 
@@ -77,4 +77,4 @@ TEST_CASE("folder: limits on files and bytes", "[intake]")
     REQUIRE(refusal_of(folder.path(), limits).empty());
 }
 
-} // namespace rigor::testing
+} // namespace rigor::testing::folder_test

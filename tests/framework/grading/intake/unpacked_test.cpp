@@ -9,7 +9,7 @@
 
 #include <sys/stat.h>
 
-namespace rigor::testing {
+namespace rigor::testing::unpacked_test {
 
 namespace {
 
@@ -77,4 +77,4 @@ TEST_CASE("unpacked: a pipe in place of an archive keeps nobody waiting", "[inta
     REQUIRE_THROWS_AS(read_archive_behind_walls(folder.path() / "missing.zip"), Refused);
 }
 
-} // namespace rigor::testing
+} // namespace rigor::testing::unpacked_test

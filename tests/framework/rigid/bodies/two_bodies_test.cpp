@@ -39,7 +39,7 @@ TEST_CASE("two bodies: an impulse acts on the first and its opposite on the seco
         TwoMotions motions{side_by_side(body1.velocity, body2.velocity),
                            side_by_side(body1.angular_velocity, body2.angular_velocity)};
         CHECK_THAT(motions.relative_velocity(r),
-                   IsClose(relative_velocity(body1, body2, x), Rounding(32, 8)));
+                   IsClose(rigor::relative_velocity(body1, body2, x), Rounding(32, 8)));
         motions.apply(masses, r, j);
         optimised::apply_impulse(body1, x, j);
         optimised::apply_impulse(body2, x, -j);

@@ -5,6 +5,8 @@
 
 #include <numeric>
 
+namespace load_estimate_test {
+
 using namespace rigor;
 using namespace rigor::testing;
 
@@ -64,3 +66,5 @@ TEST_CASE("load estimate: nothing is estimated where nothing rests on a static b
         for (const ContactConstraint& c : stack->problem.contacts)
             CHECK(c.initial_impulse == Vector3d::Zero());
 }
+
+} // namespace load_estimate_test

@@ -4,6 +4,8 @@
 #include "framework/rigid/worlds.hpp"
 #include "rigid/motion/free_flight.hpp"
 
+namespace make_problem_test {
+
 using namespace rigor;
 using namespace rigor::testing;
 
@@ -48,3 +50,5 @@ TEST_CASE("contact problem: what does not meet in the step has no contact", "[ri
     World world = world_of({fixed(Plane{}, {}), ball});
     CHECK(problem_of(world, alone).islands.empty());
 }
+
+} // namespace make_problem_test

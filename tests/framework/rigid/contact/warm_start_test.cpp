@@ -2,6 +2,8 @@
 #include "framework/rigid/worlds.hpp"
 #include "rigid/contact/warm_start.hpp"
 
+namespace warm_start_test {
+
 using namespace rigor;
 using namespace rigor::testing;
 
@@ -52,3 +54,5 @@ TEST_CASE("warm start: a step that took no time leaves no impulses behind", "[ri
     CHECK(warm[0].impulse == Vector3d(0, 6, 0));
     CHECK(warm_contacts(poses, contacts, 0).empty());
 }
+
+} // namespace warm_start_test

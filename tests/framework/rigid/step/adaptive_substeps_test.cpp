@@ -4,6 +4,8 @@
 #include "rigid/step/step.hpp"
 #include "support/depth.hpp"
 
+namespace adaptive_substeps_test {
+
 using namespace rigor;
 using namespace rigor::testing;
 
@@ -66,3 +68,5 @@ TEST_CASE("adaptive substeps: thin plates that slap on each other keep their ord
         below = y;
     }
 }
+
+} // namespace adaptive_substeps_test

@@ -2,6 +2,8 @@
 #include "framework/rigid/worlds.hpp"
 #include "rigid/step/step.hpp"
 
+namespace lone_body_test {
+
 using namespace rigor;
 using namespace rigor::testing;
 
@@ -38,3 +40,5 @@ TEST_CASE("lone body: a body that is alone flies as it does far from others", "[
         CHECK(alone.counters.free_flights == two.counters.free_flights);
     }
 }
+
+} // namespace lone_body_test

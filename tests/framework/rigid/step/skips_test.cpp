@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace skips_test {
+
 using namespace rigor;
 using namespace rigor::testing;
 
@@ -34,3 +36,5 @@ TEST_CASE("skips: without islands warm start or early exit stacks stand as with 
     // Both stand still up to the tolerance of the sweeps.
     CHECK(largest_distance(with, other) < 1e-6);
 }
+
+} // namespace skips_test

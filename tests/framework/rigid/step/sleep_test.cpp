@@ -3,6 +3,8 @@
 #include "framework/rigid/worlds.hpp"
 #include "rigid/step/step.hpp"
 
+namespace sleep_test {
+
 using namespace rigor;
 using namespace rigor::testing;
 
@@ -129,3 +131,5 @@ TEST_CASE("sleep: what moves slowly does not sleep", "[rigid]")
     run(world, 120, h);
     CHECK(world.bodies[1].state.position.y() < 0.55); // the leaning box fell
 }
+
+} // namespace sleep_test
