@@ -13,9 +13,11 @@ namespace rigor::figures {
 
 namespace {
 
+// A text has a rim in the color of the paper, so that no line runs through it.
 constexpr std::string_view style_sheet = R"(
 .paper { fill: #ffffff; stroke: none }
-text { font: 15px sans-serif; stroke: none !important; fill: #1f2328 }
+text { font: 15px sans-serif; fill: #1f2328; paint-order: stroke; stroke: #ffffff !important }
+text { stroke-width: 4; stroke-dasharray: none }
 .thin { stroke-width: 1 } .thick { stroke-width: 3.5 } .dashed { stroke-dasharray: 6 5 }
 .ink { stroke: #1f2328 } .grey { stroke: #8c959f } .blue { stroke: #0969da }
 .orange { stroke: #bc4c00 } .green { stroke: #1a7f37 } .red { stroke: #cf222e }
@@ -26,7 +28,7 @@ text.green { fill: #1a7f37 } text.red { fill: #cf222e }
 .filled.blue, .solid.blue { fill: #0969da } .filled.orange, .solid.orange { fill: #bc4c00 }
 .filled.green, .solid.green { fill: #1a7f37 } .filled.red, .solid.red { fill: #cf222e }
 @media (prefers-color-scheme: dark) {
-.paper { fill: #0d1117 } text { fill: #e6edf3 }
+.paper { fill: #0d1117 } text { fill: #e6edf3; stroke: #0d1117 !important }
 .ink { stroke: #e6edf3 } .blue { stroke: #58a6ff } .orange { stroke: #f0883e }
 .green { stroke: #56d364 } .red { stroke: #ff7b72 }
 text.grey { fill: #8c959f } text.blue { fill: #58a6ff } text.orange { fill: #f0883e }
@@ -130,8 +132,8 @@ void Drawing::label(const Vector2d& point, const std::string& text, Side side,
     if (side == Side::right) at.x() += gap, anchor = "start";
     if (side == Side::above) at.y() -= line / 3 + gap;
     if (side == Side::below) at.y() += line * 2 / 3 + gap / 2;
-    content_ += fmt::format("<text class=\"{}\" x=\"{}\" y=\"{}\" text-anchor=\"{}\">{}</text>\n",
-                            style, number(at.x()), number(at.y()), anchor, escaped_markup(text));
+    labels_ += fmt::format("<text class=\"{}\" x=\"{}\" y=\"{}\" text-anchor=\"{}\">{}</text>\n",
+                           style, number(at.x()), number(at.y()), anchor, escaped_markup(text));
 }
 
 Points Drawing::sampled(double from, double to, int steps, const std::function<Vector2d(double)>& f)
@@ -148,8 +150,8 @@ std::string Drawing::svg() const
                        "width=\"{0}\" height=\"{1}\" role=\"img\" fill=\"none\" "
                        "stroke-width=\"2\" stroke-linejoin=\"round\" stroke-linecap=\"round\">\n"
                        "<title>{2}</title>\n<style>{3}</style>\n"
-                       "<rect class=\"paper\" width=\"{0}\" height=\"{1}\"/>\n{4}</svg>\n",
-                       width_, height_, escaped_markup(title_), style_sheet, content_);
+                       "<rect class=\"paper\" width=\"{0}\" height=\"{1}\"/>\n{4}{5}</svg>\n",
+                       width_, height_, escaped_markup(title_), style_sheet, content_, labels_);
 }
 
 View::View(double turn, double tilt)

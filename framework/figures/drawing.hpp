@@ -49,7 +49,7 @@ private:
     Vector2d px(const Vector2d& point) const;
     std::string path(const Points& points) const;
 
-    std::string title_, content_;
+    std::string title_, content_, labels_; // labels are drawn last
     double width_, height_, unit_ = 1;
     Vector2d origin_ = Vector2d::Zero();
 };

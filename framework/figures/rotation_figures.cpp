@@ -160,7 +160,7 @@ Drawing wrong_inertia()
     drawing.arrow({0, 0}, view(L), "blue");
     drawing.label(view(L), "L", Side::above, "blue");
     drawing.arrow({0, 0}, view(w), "red dashed");
-    drawing.label(view(w), "ω at the start", Side::above, "red");
+    drawing.label(view(w), "ω", Side::left, "red");
     drawing.dot(view({0, 0, 1}), "ink");
     drawing.label(view({0, 0, 1}), "start", Side::below);
     drawing.place({425, 150}, 1);

@@ -48,7 +48,64 @@ std::vector<WrongRun> wrong_runs()
     return runs;
 }
 
+// Where a text of a figure lies, if its letters are as wide as those of a usual font.
+struct Label {
+    std::string text;
+    double left, right, top, bottom; // [px]
+};
+
+std::vector<Label> labels_in(const std::string& svg)
+{
+    constexpr double letter = 7.5, above = 11, below = 4; // of a font of 15 px
+    std::vector<Label> labels;
+    static const std::regex label(
+        R"re(<text class="[^"]*" x="([^"]+)" y="([^"]+)" text-anchor="(\w+)">([^<]*)<)re");
+    for (std::sregex_iterator i(svg.begin(), svg.end(), label), end; i != end; ++i) {
+        static const std::regex one_letter("&\\w+;|[\\x00-\\x7f]|[\\xc0-\\xff][\\x80-\\xbf]+");
+        const std::string text = (*i)[4], anchor = (*i)[3];
+        const double x = std::stod((*i)[1]), y = std::stod((*i)[2]);
+        const double width =
+            letter * static_cast<double>(
+                         std::distance(std::sregex_iterator(text.begin(), text.end(), one_letter),
+                                       std::sregex_iterator()));
+        const double left = anchor == "start" ? x : anchor == "end" ? x - width : x - width / 2;
+        labels.push_back({text, left, left + width, y - above, y + below});
+    }
+    return labels;
+}
+
+bool overlap(const Label& a, const Label& b)
+{
+    return a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
+}
+
 } // namespace
+
+TEST_CASE("pictures: the labels of a figure lie inside it and apart", "[pictures]")
+{
+    int figures = 0;
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(assignments())) {
+        if (entry.path().parent_path().filename() != "figures") continue;
+        ++figures;
+        const std::string svg = content(entry.path());
+        std::smatch size;
+        REQUIRE(std::regex_search(svg, size, std::regex(R"re(viewBox="0 0 ([\d.]+) ([\d.]+)")re")));
+        const std::vector<Label> labels = labels_in(svg);
+        for (std::size_t i = 0; i < labels.size(); ++i) {
+            const Label& label = labels[i];
+            CAPTURE(entry.path().filename(), label.text, label.left, label.right);
+            CHECK(label.left >= 0);
+            CHECK(label.right <= std::stod(size[1]));
+            CHECK(label.top >= 0);
+            CHECK(label.bottom <= std::stod(size[2]));
+            for (std::size_t k = 0; k < i; ++k) {
+                CAPTURE(labels[k].text);
+                CHECK_FALSE(overlap(label, labels[k]));
+            }
+        }
+    }
+    REQUIRE(figures >= 20);
+}
 
 TEST_CASE("pictures: each one that a handout shows exists", "[pictures]")
 {
