@@ -51,6 +51,9 @@ struct TaskResult {
     Status status = Status::skipped;
     double score = 0, max_score = 0; // a task that is not run counts 0 of 0
     std::vector<TestCase> tests;
+    /// Whether the points were earned with the reference in place of what the task builds on, so
+    /// that one error is paid for once.
+    bool follow_through = false;
 
     /// The test case of this law; none if it did not run.
     const TestCase* of_law(std::string_view law) const;

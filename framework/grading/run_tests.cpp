@@ -60,13 +60,18 @@ std::string specification(const std::vector<std::string>& tags, bool has_oracle)
     return result;
 }
 
+// Whose answers a task builds on: those of the submission, or those of the reference.
+enum class Others { submission, reference };
+
 Command test_command(const GradingRun& run, const Implementation& implementation,
-                     const std::vector<std::string>& tags)
+                     const std::vector<std::string>& tags, Others others)
 {
     Command command;
     command.arguments = {run.test_program.string(), "--worker", implementation.worker.string()};
     if (run.oracle)
         command.arguments.insert(command.arguments.end(), {"--oracle", run.oracle->string()});
+    if (others == Others::reference)
+        command.arguments.insert(command.arguments.end(), {"--others", "reference"});
     command.arguments.insert(command.arguments.end(),
                              {"--verdicts", std::to_string(message_descriptor), "--seed",
                               std::to_string(run.seed),
@@ -93,6 +98,31 @@ std::string fault_of(const Ended& ended, const Verdicts& verdicts,
     for (const std::string& tag : tags)
         if (verdicts.of(tag).empty()) return fmt::format("no test of {} ran", tag);
     return "";
+}
+
+// Judges the tasks that did not get all points once more, with the reference in place of what they
+// build on. A task keeps the better of the two results.
+void follow_through(const GradingRun& run, const Implementation& implementation, Result& result)
+{
+    std::vector<std::string> tags;
+    for (const TaskResult& task : result.tasks)
+        if (!task.tests.empty() && task.score < task.max_score) tags.push_back(task.task.tag);
+    if (!run.oracle || tags.empty()) return;
+    Verdicts verdicts;
+    const Ended ended = rigor::run(
+        test_command(run, implementation, tags, Others::reference), [](std::string_view) {},
+        [&](std::string_view line) { verdicts.take(line); });
+    result.test_seconds += ended.seconds;
+    if (const std::string fault = fault_of(ended, verdicts, tags); !fault.empty()) {
+        result.notes.push_back("not judged with the reference's other formulas: " + fault);
+        return;
+    }
+    for (TaskResult& task : result.tasks) {
+        TaskResult followed = score_task(task.task, verdicts.of(task.task.tag));
+        if (followed.score <= task.score) continue;
+        task = std::move(followed);
+        task.follow_through = true;
+    }
 }
 
 } // namespace
@@ -137,8 +167,8 @@ Result grade(const Selection& selection, const Implementation& implementation,
     };
     std::string fault;
     if (!tags.empty()) { // otherwise all requested tasks are hidden
-        const Ended ended =
-            rigor::run(test_command(run, implementation, tags), on_output, on_message);
+        const Ended ended = rigor::run(test_command(run, implementation, tags, Others::submission),
+                                       on_output, on_message);
         result.test_seconds = ended.seconds;
         fault = fault_of(ended, verdicts, tags);
     }
@@ -150,7 +180,9 @@ Result grade(const Selection& selection, const Implementation& implementation,
     if (!fault.empty()) {
         result.status = SubmissionStatus::internal_error;
         result.message = fault + (last_words.empty() ? "" : "; its last words: " + last_words);
+        return result;
     }
+    follow_through(run, implementation, result);
     return result;
 }
 

@@ -37,6 +37,7 @@ Json task_json(const TaskResult& result)
         {"status", to_string(result.status)},
         {"score", result.score},
         {"max_score", result.max_score},
+        {"follow_through", result.follow_through},
         {"visibility", result.task.is_hidden ? "hidden" : "visible"},
         {"message", did_not_run ? Json("did not run") : text_or_null(failure ? failure->name : "")},
         {"detail", text_or_null(shown.message)},

@@ -11,11 +11,37 @@
 #include "worker/protocol/wire.hpp"
 #include "worker/proxy/proxy.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <stdexcept>
 #include <system_error>
 
 namespace rigor::testing {
+
+namespace {
+
+bool follows_through = false;
+
+// The assignment of a task: "A2" of "A2.14".
+std::string_view assignment_of(std::string_view tag)
+{
+    return tag.substr(0, tag.find('.'));
+}
+
+// The formulas that are not what a task is about. The task of a formula is about this one alone; a
+// task about scenes is about all formulas of its assignment.
+FormulaSet others_of(std::string_view tag)
+{
+    const bool has_formula = std::any_of(std::begin(formulas), std::end(formulas),
+                                         [&](const Formula& f) { return f.tag == tag; });
+    FormulaSet others;
+    for (unsigned i = 0; i < formula_count; ++i)
+        others[i] = has_formula ? formulas[i].tag != tag
+                                : assignment_of(formulas[i].tag) != assignment_of(tag);
+    return others;
+}
+
+} // namespace
 
 void prepare(const RunOptions& options)
 {
@@ -28,12 +54,16 @@ void prepare(const RunOptions& options)
     if (!is_sanitized) limits.trust = Trust::students;
     make_undumpable();
     use_worker(options.worker, oracle, limits);
+    if (!options.others.empty() && (options.others != "reference" || !oracle))
+        throw std::runtime_error("graded_tests: expected --others reference with --oracle FILE");
+    follows_through = !options.others.empty();
 }
 
 /// Starts a new worker process for each test case, so that no test case can affect the next one.
-void begin_test_case()
+void begin_test_case(const std::string& tag)
 {
     renew_worker();
+    if (follows_through) replace_by_reference(others_of(tag));
 }
 
 namespace {

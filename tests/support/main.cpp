@@ -66,7 +66,7 @@ public:
         tags_ = info.tagsAsString();
         draw_first_seed(name_);
         send({{"begin", name_}, {"tag", task_tag(tags_)}});
-        begin_test_case();
+        begin_test_case(task_tag(tags_));
     }
 
     AssertionDone assertionEnded(const Catch::AssertionStats& stats) override
@@ -162,6 +162,7 @@ int main(int count, char** values)
     std::vector<char*> arguments(values, values + count);
     options.worker = take(arguments, "--worker");
     options.oracle = take(arguments, "--oracle");
+    options.others = take(arguments, "--others");
     const std::string verdicts = take(arguments, "--verdicts");
     const std::string seed = take(arguments, "--seed");
     if (!verdicts.empty()) options.verdicts = std::atoi(verdicts.c_str());

@@ -13,7 +13,9 @@ using Json = nlohmann::ordered_json;
 std::string output_of(const TaskResult& task)
 {
     const TestCase* failure = task.first_failure();
-    if (task.status == Status::passed) return "passed";
+    if (task.status == Status::passed)
+        return task.follow_through ? "passed, with the reference in place of what it builds on"
+                                   : "passed";
     if (!failure) return "did not run";
     std::string text = fmt::format("{}: {}", to_string(task.status),
                                    failure->name.empty() ? task.task.name() : failure->name);

@@ -6,6 +6,7 @@
 
 #include "worker/scene_answers.hpp"
 
+#include <bitset>
 #include <filesystem>
 #include <optional>
 #include <span>
@@ -25,6 +26,17 @@ Worker* oracle();
 
 /// Makes the formulas take their answers from this run of a scene; nullptr: ask for each again.
 void answer_from(SceneAnswers* run);
+
+/// Formulas by their index in the table.
+using FormulaSet = std::bitset<formula_count>;
+
+/// Lets the reference answer these formulas in place of the worker under test, until the next call
+/// of this function. The worker learns nothing of the answers but what becomes an argument of its
+/// own formulas. @throws std::logic_error if there is no reference for them
+void replace_by_reference(const FormulaSet& these);
+
+/// The formulas that the reference answers at present.
+const FormulaSet& replaced_by_reference();
 
 /// Makes the next call start a fresh process.
 void renew_worker();

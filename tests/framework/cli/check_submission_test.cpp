@@ -70,6 +70,51 @@ TEST_CASE("submission: a crash and an endless loop cost their own tasks only", "
     REQUIRE(checked.status == 1);
 }
 
+TEST_CASE("submission: an error in an earlier assignment is paid for there alone",
+          "[cli][submission]")
+{
+    if (!std::filesystem::is_directory(std::string(RIGOR_SOURCE_DIR) + "/reference")) return;
+    const TemporaryFolder folder; // with a stub, and with a wrong formula of assignment A1
+    std::filesystem::copy_file(sample("complete") / "inertia.cpp", folder.path() / "inertia.cpp");
+    for (const char* earlier :
+         {"", "#include \"formulas/kinematics.hpp\"\nnamespace rigor {\n"
+              "Vector3d point_velocity(const Vector3d& V, const Vector3d&, "
+              "const Vector3d&, const Vector3d&)\n{\n    return V;\n}\n}\n"}) {
+        folder.write("kinematics.cpp", earlier);
+        const Checked checked = check({"a2-inertia"}, folder.path());
+        CAPTURE(checked.said);
+        REQUIRE(not_passed(checked.result) == Statuses());
+        REQUIRE(checked.result["score"] == checked.result["max_score"]);
+        for (const json& test : checked.result["tests"]) {
+            const bool is_scene = test["tag"] == "A2.15" || test["tag"] == "A2.16";
+            REQUIRE(test["follow_through"] == is_scene);
+        }
+        REQUIRE(check({"A1.10"}, folder.path()).result["score"] == 0);
+    }
+}
+
+TEST_CASE("submission: the reference answers in place of others, and never for the task itself",
+          "[cli][submission]")
+{
+    if (!std::filesystem::is_directory(std::string(RIGOR_SOURCE_DIR) + "/reference")) return;
+    std::ifstream file(sample("complete") / "inertia.cpp");
+    const std::string whole(std::istreambuf_iterator<char>(file), {});
+    const std::regex returned("return R \\* \\(I_body_inverse");
+    const TemporaryFolder folder;
+    // What stands in for a missing formula of A1 is no answer that the submission could call.
+    for (const std::string before : {"cross_matrix(Vector3d(0, 0, 0)) + ", "2 * "}) {
+        folder.write(
+            "inertia.cpp",
+            "#include \"formulas/kinematics.hpp\"\n" +
+                std::regex_replace(whole, returned, "return " + before + "R * (I_body_inverse"));
+        const Checked checked = check({"A2.3", "A2.15"}, folder.path());
+        CAPTURE(before, checked.said);
+        REQUIRE(checked.result["status"] == "graded");
+        REQUIRE(checked.result["tests"][0]["score"] == 0);
+        REQUIRE(checked.result["tests"][1]["status"] != "passed"); // some laws may hold
+    }
+}
+
 TEST_CASE("submission: a wrong answer is explained in one sentence", "[cli][submission]")
 {
     if (!std::filesystem::is_directory(std::string(RIGOR_SOURCE_DIR) + "/reference")) return;

@@ -50,14 +50,18 @@ std::string verdict_of(const std::string& tag, const std::string& status)
 // The result of a test program that writes these lines to the descriptor for verdicts and then runs
 // the shell commands `ending`.
 // @param part  a part of the points of the first task; without a law there is none
+// @param followed  what it writes if the reference answers in place of the other formulas
 Result graded(const std::string& lines, const std::string& ending, bool oracle = false,
-              const PartOfPoints& part = {})
+              const PartOfPoints& part = {}, const std::string& followed = "")
 {
     const TemporaryFolder folder;
     folder.write("lines", lines);
-    const auto script = folder.write(
-        "tests", "#!/bin/sh\necho \"$@\" >" + (folder.path() / "asked").string() + "\ncat " +
-                     (folder.path() / "lines").string() + " >&3\n" + ending + "\n");
+    folder.write("followed", followed.empty() ? lines : followed);
+    const auto script =
+        folder.write("tests", "#!/bin/sh\ncd " + folder.path().string() +
+                                  "\ncase \"$*\" in *--others*) cat followed >&3; exit;; esac\n"
+                                  "cat lines >&3\n" +
+                                  ending + "\n");
     std::filesystem::permissions(script, std::filesystem::perms::owner_all);
     Selection selection;
     selection.assignment.name = "a2-inertia";
@@ -105,6 +109,25 @@ TEST_CASE("scoring: a part is earned by its own law", "[scoring]")
     CHECK(score(passed, passed, failed).max_score == 6);
     task.discloses = Disclosure::nothing;
     CHECK(score(passed, passed, failed).score == 3);
+}
+
+TEST_CASE("scoring: a task keeps the better of two results", "[scoring]")
+{
+    const std::string first = verdict_of("A2.1", "not_implemented") + verdict_of("A2.2", "failed") +
+                              verdict_of("A2.3", "passed");
+    const Result better =
+        graded(first, "", true, {}, verdict_of("A2.1", "passed") + verdict_of("A2.2", "crashed"));
+    REQUIRE(better.score() == 7);
+    REQUIRE(better.tasks[0].follow_through);
+    REQUIRE(better.tasks[0].status == Status::passed);
+    REQUIRE_FALSE(better.tasks[1].follow_through);
+    REQUIRE(better.tasks[1].status == Status::failed);
+    REQUIRE_FALSE(better.tasks[2].follow_through);
+
+    const Result broken = graded(first, "", true, {}, begin_of("A2.1") + "\n");
+    REQUIRE(broken.status == SubmissionStatus::graded);
+    REQUIRE(broken.score() == 5);
+    REQUIRE(broken.notes.size() == 1);
 }
 
 TEST_CASE("scoring: points for a law that no test has are a fault of ours", "[scoring]")
