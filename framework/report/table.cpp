@@ -198,7 +198,8 @@ std::string task_row(const TaskResult& task, bool color)
 {
     const Look look = look_of(task.status);
     std::string words(look.words);
-    if (task.status == Status::passed && task.follow_through) words = "passed, with others put right";
+    if (task.status == Status::passed && task.follow_through)
+        words = "passed, with others put right";
     if (task.status == Status::skipped && task.task.is_hidden) words = "hidden, run by the course";
     const auto wrong =
         std::count_if(task.tests.begin(), task.tests.end(),
