@@ -56,7 +56,7 @@ struct Label {
 
 std::vector<Label> labels_in(const std::string& svg)
 {
-    constexpr double letter = 7.5, above = 11, below = 4; // of a font of 15 px
+    constexpr double letter = 7.5, above = 11, below = 4; // sizes in a font of 15 px
     std::vector<Label> labels;
     static const std::regex label(
         R"re(<text class="[^"]*" x="([^"]+)" y="([^"]+)" text-anchor="(\w+)">([^<]*)<)re");
