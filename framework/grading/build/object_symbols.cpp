@@ -66,7 +66,7 @@ ObjectSymbols parse_symbols(const std::string& listing)
         };
         if (kind == 'U')
             symbols.undefined.insert(name);
-        else if (is_one_of("TDBRCGSi") || (is_one_of("WVu") && !is_shared(name)))
+        else if (is_one_of("TDBRCGSAi") || (is_one_of("WVu") && !is_shared(name)))
             symbols.defined.insert(name);
     }
     return symbols;

@@ -167,11 +167,19 @@ private:
     {
         const fs::path list = copy.string() + ".names";
         std::ofstream(list) << fmt::format("{}\n", fmt::join(names, "\n"));
-        return run_tool({{"/usr/bin/objcopy", "--localize-symbols=" + list.string(),
-                          object.string(), copy.string()},
-                         copy.parent_path(),
-                         {object},
-                         copy.parent_path()});
+        const auto copied = [&](const std::string& option, const fs::path& from,
+                                const fs::path& to) {
+            let_others_read(from);
+            return run_tool(
+                {{"/usr/bin/objcopy", option + list.string(), from.string(), to.string()},
+                 copy.parent_path(),
+                 {from},
+                 copy.parent_path()});
+        };
+        // A name that is unique in a process becomes local only if it is weak.
+        const fs::path weak = copy.string() + ".weak";
+        const ConfinedRun weakened = copied("--weaken-symbols=", object, weak);
+        return weakened.ok() ? copied("--localize-symbols=", weak, copy) : weakened;
     }
 
     const Toolchain& tools_;

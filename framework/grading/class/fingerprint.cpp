@@ -60,7 +60,7 @@ std::uint64_t fingerprint_of(const Selection& selection, const GradingRun& run)
     hash = hash_of_file("/proc/self/exe", hash);
     hash = hash_of_file(run.test_program, hash);
     hash = run.oracle ? hash_of_file(*run.oracle, hash) : hash_of("no oracle", hash);
-    hash = hash_of_file(places().build / "framework/worker_engine.o", hash);
+    hash = hash_of_file(places().build / "framework/students_worker.o", hash);
     hash = hash_of_file(places().program("confine"), hash);
     hash = hash_of_folder(places().source / "framework/formulas", {".hpp"}, hash);
     hash = hash_of_folder(places().source / "student", {".cpp", ".hpp", ".h"}, hash);

@@ -3,15 +3,9 @@
 // reference's formulas, and a test checks that both give the same.
 #pragma once
 
-#include "formulas/types.hpp"
+#include "rigid/bodies/inlined_product.hpp"
 
 namespace rigor::optimised {
-
-/// A x as a sum over columns, since Eigen's own product is not inlined.
-[[gnu::always_inline]] inline Vector3d product(const Matrix3d& A, const Vector3d& x)
-{
-    return x.x() * A.col(0) + x.y() * A.col(1) + x.z() * A.col(2);
-}
 
 /// Inlined form of `relative_velocity`.
 [[gnu::always_inline]] inline Vector3d relative_velocity(const Body& body1, const Body& body2,

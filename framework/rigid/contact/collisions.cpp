@@ -5,7 +5,7 @@
 #include "rigid/contact/collisions.hpp"
 
 #include "formulas/collision.hpp"
-#include "rigid/bodies/optimised_forms.hpp"
+#include "rigid/bodies/inlined_product.hpp"
 
 #include <algorithm>
 #include <stdexcept>

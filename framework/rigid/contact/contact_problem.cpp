@@ -5,6 +5,8 @@
 #include "rigid/contact/contact_problem.hpp"
 
 #include "rigid/bodies/height_order.hpp"
+#include "rigid/bodies/inlined_product.hpp"
+#include "rigid/bodies/optimised_forms.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -95,6 +97,14 @@ std::vector<Body> ContactProblem::bodies_of(const Island& island) const
     return copies;
 }
 
+Vector3d ContactProblem::velocity_between(std::span<const Body> states, const Contact& contact,
+                                          const Vector3d& x) const
+{
+    const Body &body1 = states[contact.body1], &body2 = states[contact.body2];
+    return optimised ? optimised::relative_velocity(body1, body2, x)
+                     : relative_velocity(body1, body2, x);
+}
+
 Matrix3d ContactProblem::impulse_matrix_at(const ContactConstraint& c, const Vector3d& x) const
 {
     Matrix3d K = Matrix3d::Zero();
@@ -133,15 +143,17 @@ void ContactProblem::reset_drives()
 
 void ContactProblem::apply(const ContactConstraint& c, const Vector3d& x, const Vector3d& j)
 {
-    const auto push = [&](Body& body, const Vector3d& impulse) {
-        if (body.is_static()) return;
-        if (optimised)
-            optimised::apply_impulse(body, x, impulse);
-        else
-            body = apply_impulse(body, x, impulse);
-    };
-    push(bodies[c.body1], j);
-    push(bodies[c.body2], -j);
+    push(bodies[c.body1], x, j);
+    push(bodies[c.body2], x, -j);
+}
+
+void ContactProblem::push(Body& body, const Vector3d& x, const Vector3d& j) const
+{
+    if (body.is_static()) return;
+    if (optimised)
+        optimised::apply_impulse(body, x, j);
+    else
+        body = apply_impulse(body, x, j);
 }
 
 } // namespace rigor

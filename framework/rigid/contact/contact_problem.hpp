@@ -5,7 +5,6 @@
 #include "formulas/collision.hpp"
 #include "rigid/bodies/counters.hpp"
 #include "rigid/bodies/drive.hpp"
-#include "rigid/bodies/optimised_forms.hpp"
 #include "rigid/bodies/settings.hpp"
 #include "rigid/detection/contact.hpp"
 #include "rigid/parallel/uninitialized_vector.hpp"
@@ -114,12 +113,7 @@ struct ContactProblem {
     }
     /// v₁ - v₂ at a point, for other states of the bodies [m/s].
     Vector3d velocity_between(std::span<const Body> states, const Contact& contact,
-                              const Vector3d& x) const
-    {
-        const Body &body1 = states[contact.body1], &body2 = states[contact.body2];
-        if (optimised) return optimised::relative_velocity(body1, body2, x);
-        return relative_velocity(body1, body2, x);
-    }
+                              const Vector3d& x) const;
     /// K₁ + K₂ at a point [1/kg].
     Matrix3d impulse_matrix_at(const ContactConstraint& contact, const Vector3d& x) const;
     /// Computes K of a contact and the numbers that follow from it.
@@ -132,6 +126,8 @@ struct ContactProblem {
     void reset_drives();
     /// Applies j to body 1 and -j to body 2.
     void apply(const ContactConstraint& contact, const Vector3d& x, const Vector3d& j);
+    /// Applies j at x to one body, a copy of one of this problem's. A static body stays as it is.
+    void push(Body& body, const Vector3d& x, const Vector3d& j) const;
 };
 
 } // namespace rigor

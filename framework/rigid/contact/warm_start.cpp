@@ -5,7 +5,7 @@
 #include "rigid/contact/warm_start.hpp"
 
 #include "geometry/shapes/pose.hpp"
-#include "rigid/bodies/optimised_forms.hpp"
+#include "rigid/bodies/inlined_product.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The engine's part of a worker. It is linked beforehand, and only the names below are visible
-// outside. So an implementation can neither replace a function of the engine nor call one to get
-// the right answer.
+// The engine's part of a worker. It is linked beforehand, with local names, and so is the main
+// function's part: an implementation can neither replace a function of the engine nor call one.
 #pragma once
 
 #include "worker/engine/answers.hpp"

@@ -6,7 +6,7 @@
 // closest points of the two edges.
 #include "rigid/detection/shapes/box_box.hpp"
 
-#include "rigid/bodies/optimised_forms.hpp"
+#include "rigid/bodies/inlined_product.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "formulas/types.hpp"
+
+namespace rigor::optimised {
+
+/// A x as a sum over columns, since Eigen's own product is not inlined.
+[[gnu::always_inline]] inline Vector3d product(const Matrix3d& A, const Vector3d& x)
+{
+    return x.x() * A.col(0) + x.y() * A.col(1) + x.z() * A.col(2);
+}
+
+} // namespace rigor::optimised
