@@ -87,6 +87,7 @@ private:
     /// See Limits::all_calls: the time of all calls, and of those after the free part, here and by
     /// the oracle.
     Seconds all_calls_{}, paid_calls_{}, paid_by_oracle_{};
+    Seconds all_scenes_{}; // see Limits::all_scenes
 };
 
 } // namespace rigor

@@ -44,6 +44,8 @@ struct Limits {
     /// Time for all calls of formulas together. The first part is free; after it, the oracle is
     /// asked the same, and the rest may take `multiple` times as long as the oracle.
     std::chrono::duration<double> all_calls{30 * patience};
+    /// Time for all scenes together. After it, a scene's floor is a tenth of what it was.
+    std::chrono::duration<double> all_scenes{120 * patience};
     std::size_t memory = std::size_t{2} << 30; // address space [bytes]; unlimited under a sanitizer
     std::size_t output = std::size_t{1} << 20; // what a request may print [bytes]
     std::size_t trajectory = std::size_t{1} << 30; // what a scene may stream [bytes]

@@ -84,7 +84,10 @@ Bytes SceneAnswers::await_part(FormulaIndex formula)
     try {
         Bytes part = worker_.session_->next_part(allowance);
         waited_ += allowance.waited;
-        if (waited_ > limits.scene && waited_ > limits.multiple * reference_time())
+        worker_.all_scenes_ += allowance.waited;
+        const Seconds floor =
+            worker_.all_scenes_ > limits.all_scenes ? limits.scene / 10 : limits.scene;
+        if (waited_ > floor && waited_ > limits.multiple * reference_time())
             throw Broken{
                 WorkerFailure::timed_out,
                 fmt::format("did not return: the scene takes more than {:.3g} s", waited_.count())};
