@@ -13,6 +13,7 @@
 #include "cli/commands/simulate.hpp"
 #include "cli/commands/test.hpp"
 #include "cli/instructor/grade.hpp"
+#include "cli/instructor/grade_chunk.hpp"
 #include "cli/instructor/release.hpp"
 
 namespace rigor {
@@ -25,6 +26,7 @@ std::span<const CommandEntry> commands()
         {"list", "Show assignments, tasks, points and scenes", declare_list},
         {"check", "Grade your own files: the loop to live in", declare_check},
         {"grade", "Grade a class: folders and archives", declare_grade},
+        {"grade-chunk", "Grade a part of a class (Slurm starts this)", declare_grade_chunk},
         {"release", "Make what students, Gradescope or GitHub get", declare_release},
         {"hint", "Give a hint for a task, and the next one each time", declare_hint},
         {"simulate", "Run a scene and store its trajectory", declare_simulate},

@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: MIT
 #include "cli/instructor/grade.hpp"
 
+#include "cli/instructor/class_work.hpp"
 #include "cli/options.hpp"
-#include "cli/prepare.hpp"
 #include "cli/progress.hpp"
 #include "cli/secret.hpp"
 #include "errors/input_error.hpp"
 #include "errors/quotes.hpp"
 #include "grading/class/class_folder.hpp"
 #include "grading/class/grade_class.hpp"
+#include "grading/class/local_engine.hpp"
+#include "grading/class/slurm/slurm_engine.hpp"
 #include "grading/intake/found_submissions.hpp"
 #include "grading/places.hpp"
-#include "grading/selection.hpp"
 #include "report/exports/gradebook.hpp"
 #include "report/exports/learning_systems.hpp"
 #include "report/write_whole.hpp"
-#include "sandbox/tier.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -30,24 +30,14 @@ namespace {
 namespace fs = std::filesystem;
 
 struct GradeOptions {
-    std::string assignment, out, secret;
+    std::string assignment, out, secret, engine = "local";
     std::vector<std::string> submissions;
-    std::uint32_t jobs = 0, seed = 0;
+    std::uint32_t jobs = 0, seed = 0, chunk = 0;
 };
 
 // The names of the files that are written beside the submissions' folders.
 constexpr const char *gradebook_file = "gradebook.csv", *summary_file = "summary.txt",
                      *canvas_file = "canvas.csv", *moodle_file = "moodle.csv";
-
-Selection whole_assignment(const std::string& word)
-{
-    const std::vector<Selection> found =
-        select_tasks(load_assignments(places().assignments()), {word});
-    if (found.size() != 1 || found[0].tags.size() != found[0].assignment.tasks.size())
-        throw InputError("expected an assignment, such as a4 or collision, found " +
-                         in_quotes(word) + ", which is a part of one");
-    return found[0];
-}
 
 unsigned jobs_of(const GradeOptions& options)
 {
@@ -92,23 +82,27 @@ class ClassProgress {
 public:
     explicit ClassProgress(const std::string& title) : bar_(title) {}
 
-    void update(std::size_t done, std::size_t total, const std::string& doing)
+    void update(std::size_t done, std::size_t total, const std::string& doing,
+                const std::string& detail)
     {
         const Clock::time_point now = Clock::now();
         if (doing != doing_) {
             doing_ = doing;
             start_ = now;
+            done_at_start_ = done;
         }
-        const double seconds = std::chrono::duration<double>(now - start_).count();
-        std::string text = fmt::format("{} of {}", done, total);
-        if (done > 0)
-            text +=
-                ", " +
-                in_words(seconds / static_cast<double>(done) * static_cast<double>(total - done)) +
-                " left";
-        bar_.update(static_cast<double>(done) /
-                        static_cast<double>(std::max<std::size_t>(total, 1)),
-                    total > 1 ? text : doing);
+        std::string text = doing;
+        if (doing == "grading" && total > 0) {
+            text = fmt::format("{} of {}", done, total);
+            const double seconds = std::chrono::duration<double>(now - start_).count();
+            if (done > done_at_start_)
+                text += fmt::format(", {} left",
+                                    in_words(seconds / static_cast<double>(done - done_at_start_) *
+                                             static_cast<double>(total - done)));
+        }
+        if (!detail.empty()) text += ", " + detail;
+        bar_.update(
+            static_cast<double>(done) / static_cast<double>(std::max<std::size_t>(total, 1)), text);
     }
     void clear() { bar_.clear(); }
 
@@ -117,6 +111,7 @@ private:
     Progress bar_;
     std::string doing_;
     Clock::time_point start_;
+    std::size_t done_at_start_ = 0;
 };
 
 void write_class_files(const fs::path& out, const std::vector<Row>& rows,
@@ -157,37 +152,50 @@ int tell(const ClassOutcome& outcome, std::vector<std::string> changes, const st
     return has_fault ? exit_fault : exit_done;
 }
 
-ClassRun prepared_class_run(const Selection& selection, const GradeOptions& options)
+bool is_for_slurm(const GradeOptions& options)
 {
-    ClassRun run;
-    run.selection = selection;
-    run.jobs = jobs_of(options);
-    run.run = prepared_grading_run();
-    run.run.seed = options.seed;
-    run.run.secret = secret_in(options.secret);
-    if (places().has_reference()) run.reference = prepared_implementation("reference");
-    prepare_submissions();
-    fmt::print(stderr, "walls around the submissions: {}\n", description(usual_tier()));
-    if (has_too_weak_walls())
-        fmt::print(stderr, "no walls are possible here: hidden tests are left out; with "
-                           "RIGOR_TIER=C they run all the same\n");
-    if (run.run.secret.empty())
-        fmt::print(stderr, "random cases: the same for all, since there is no --secret: a student "
-                           "can know them\n");
-    if (!run.reference)
-        fmt::print(stderr, "this tree has no reference/: no control must get every point\n");
-    return run;
+    if (options.engine == "slurm") return true;
+    if (options.engine != "local")
+        throw InputError("--engine: expected local or slurm, found " + in_quotes(options.engine));
+    if (options.chunk > 0) throw InputError("--chunk goes with --engine slurm");
+    return false;
+}
+
+// @param on_note  called for what the user should know while Slurm works
+std::unique_ptr<Engine> engine_for(const GradeOptions& options,
+                                   const std::function<void(const std::string&)>& on_note)
+{
+    if (!is_for_slurm(options)) return std::make_unique<LocalEngine>(jobs_of(options));
+    SlurmOptions slurm;
+    slurm.task_command = {places().program("rigor").string(), "grade-chunk"};
+    if (!options.secret.empty()) slurm.secret_file = fs::canonical(options.secret).string();
+    if (options.chunk > 0) slurm.chunk = options.chunk;
+    slurm.at_once = options.jobs;
+    slurm.on_note = on_note;
+    return std::make_unique<SlurmEngine>(slurm);
+}
+
+// @throws InputError for what is wrong with the options, before anything is done
+void check_usage(const GradeOptions& options)
+{
+    if (options.submissions.empty())
+        throw InputError("expected submissions: folders, archives, or a folder of them");
+    if (options.out.empty()) throw InputError("expected --out DIR, the folder for the results");
+    jobs_of(options);
+    is_for_slurm(options);
+    secret_in(options.secret);
+    require_outside(options.out, options.submissions);
 }
 
 int grade(const GradeOptions& options)
 {
     const Selection selection = whole_assignment(options.assignment);
-    if (options.submissions.empty())
-        throw InputError("expected submissions: folders, archives, or a folder of them");
-    if (options.out.empty()) throw InputError("expected --out DIR, the folder for the results");
-    jobs_of(options); // a wrong number is reported before anything is done
-    secret_in(options.secret);
-    require_outside(options.out, options.submissions);
+    check_usage(options);
+    ClassProgress progress("grading " + selection.assignment.label());
+    const auto engine = engine_for(options, [&](const std::string& text) {
+        progress.clear();
+        fmt::print(stderr, "{}\n", text);
+    });
     const FoundSubmissions found =
         find_submissions(options.submissions, selection.assignment.topic + ".cpp",
                          {gradebook_file, summary_file, canvas_file, moodle_file, ".rigor"});
@@ -195,16 +203,18 @@ int grade(const GradeOptions& options)
         fmt::print(stderr, "{}\n", note);
     const ClassFolder folder(options.out, selection.assignment.name, names_of(found.submissions));
 
-    ClassRun run = prepared_class_run(selection, options);
-    ClassProgress progress("grading " + selection.assignment.label());
+    ClassWork work = prepared_class_work(selection, options.seed, options.secret);
+    work.submissions = found.submissions;
     std::vector<std::string> changes;
-    run.on_progress = [&](std::size_t done, std::size_t total, const std::string& doing) {
-        progress.update(done, total, doing);
+    ClassListener listener;
+    listener.on_progress = [&](std::size_t done, std::size_t total, const std::string& doing,
+                               const std::string& detail) {
+        progress.update(done, total, doing, detail);
     };
-    run.on_row = [&](const Row& row, const std::optional<Row>& before) {
+    listener.on_row = [&](const Row& row, const std::optional<Row>& before) {
         note_change(row, before, changes);
     };
-    const ClassOutcome outcome = grade_class(run, found.submissions, folder);
+    const ClassOutcome outcome = grade_class(std::move(work), folder, *engine, listener);
     progress.clear();
     if (!outcome.control_fault.empty()) {
         fmt::print(stderr, "{}: the results of this run are not kept\n", outcome.control_fault);
@@ -227,14 +237,20 @@ Action declare_grade(Options& options)
                    "Folder for the results: empty, new, or that of an earlier run, of which what "
                    "has not changed is kept");
     options.option("--jobs", "N", chosen->jobs,
-                   "Submissions that are graded at the same time (as many as processors)");
+                   "Submissions that are graded at the same time (as many as processors; with "
+                   "Slurm as many as it gives)");
+    options.option("--engine", "local|slurm", chosen->engine,
+                   "Where: on this machine (local), or on the nodes of a Slurm cluster");
+    options.option("--chunk", "N", chosen->chunk,
+                   "With Slurm: submissions in each task of its job array (8)");
     options.option("--seed", "N", chosen->seed, "First seed of the random cases (0)");
     options.option("--secret", "FILE", chosen->secret,
                    "File with a secret, which draws other random cases for each submission");
     options.examples(
         {"grade a4 submissions --out grades       a folder of folders and archives",
          "grade a4 alice.zip bob/ --out grades    two submissions",
-         "grade a4 submissions --out grades       again: only what is new or has changed"});
+         "grade a4 submissions --out grades       again: only what is new or has changed",
+         "grade a4 submissions --out grades --engine slurm   on a cluster"});
     return [chosen] { return grade(*chosen); };
 }
 

@@ -3,6 +3,7 @@
 
 #include "errors/input_error.hpp"
 #include "errors/quotes.hpp"
+#include "report/exports/row.hpp"
 #include "report/write_whole.hpp"
 
 #include <algorithm>
@@ -13,6 +14,8 @@
 #include <fmt/format.h>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <set>
 #include <sys/file.h>
 #include <thread>
 #include <unistd.h>
@@ -36,6 +39,25 @@ void make_folder(const fs::path& folder)
     const bool is_other = fs::exists(fs::symlink_status(folder));
     throw InputError("--out: expected a folder, found " + folder.string() +
                      (is_other ? ", which is none" : ", which cannot be made: " + error.message()));
+}
+
+// Names of submissions with the fingerprints of results. A submission may have several.
+std::set<std::pair<std::string, std::string>> unconfirmed(const fs::path& file)
+{
+    std::ifstream in(file);
+    if (!in) return {};
+    try {
+        return Json::parse(in).get<std::set<std::pair<std::string, std::string>>>();
+    } catch (const Json::exception&) {
+        throw InputError(file.string() + ": expected names and fingerprints, found another text: "
+                                         "remove it, and the results that are younger than it");
+    }
+}
+
+std::optional<Row> row_in(const fs::path& file)
+{
+    std::ifstream in(file, std::ios::binary);
+    return read_row({std::istreambuf_iterator<char>(in), {}});
 }
 
 } // namespace
@@ -110,9 +132,12 @@ bool ClassFolder::has_unconfirmed() const
     return fs::exists(state_ / unconfirmed_file);
 }
 
-void ClassFolder::begin_unconfirmed() const
+void ClassFolder::begin_unconfirmed(const std::map<std::string, std::string>& fingerprints) const
 {
-    if (!has_unconfirmed()) write_whole(state_ / unconfirmed_file, "");
+    std::set<std::pair<std::string, std::string>> all = unconfirmed(state_ / unconfirmed_file);
+    all.insert(fingerprints.begin(), fingerprints.end());
+    write_whole(state_ / unconfirmed_file,
+                Json(all).dump(0, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 void ClassFolder::confirm() const
@@ -120,14 +145,12 @@ void ClassFolder::confirm() const
     fs::remove(state_ / unconfirmed_file);
 }
 
-void ClassFolder::drop_unconfirmed(const std::vector<std::string>& submissions) const
+void ClassFolder::drop_unconfirmed() const
 {
-    if (!has_unconfirmed()) return;
-    const auto since = fs::last_write_time(state_ / unconfirmed_file);
-    for (const std::string& submission : submissions) {
+    for (const auto& [submission, fingerprint] : unconfirmed(state_ / unconfirmed_file)) {
+        const std::optional<Row> row = row_in(result_of(submission));
         std::error_code error;
-        const auto written = fs::last_write_time(result_of(submission), error);
-        if (!error && written >= since) fs::remove(result_of(submission), error);
+        if (row && row->fingerprint == fingerprint) fs::remove(result_of(submission), error);
     }
 }
 

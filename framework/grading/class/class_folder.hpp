@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -27,11 +28,13 @@ public:
 
     /// Whether there are results that no control has confirmed: their run was broken off.
     bool has_unconfirmed() const;
-    /// Results from now on are not confirmed.
-    void begin_unconfirmed() const;
+    /// Results with these fingerprints are not confirmed, nor are those that were not before.
+    /// @param fingerprints  by the name of the submission
+    void begin_unconfirmed(const std::map<std::string, std::string>& fingerprints) const;
     void confirm() const;
-    /// Removes the results that no control has confirmed.
-    void drop_unconfirmed(const std::vector<std::string>& submissions) const;
+    /// Removes the results that no control has confirmed. They are known by their fingerprints:
+    /// the clocks of machines may differ, and jump.
+    void drop_unconfirmed() const;
 
 private:
     void lock();

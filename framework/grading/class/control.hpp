@@ -2,8 +2,11 @@
 // Controls are submissions whose points are known. They show that the machine and the tests work.
 #pragma once
 
+#include "grading/class/engine.hpp"
+#include "grading/class/work_folders.hpp"
 #include "grading/result.hpp"
 
+#include <functional>
 #include <string>
 
 namespace rigor {
@@ -11,5 +14,11 @@ namespace rigor {
 /// What is wrong with the result of a control; empty if nothing is.
 /// @param is_complete  whether it must get every point; otherwise it must get none
 std::string fault_of_control(const Result& result, bool is_complete);
+
+/// Grades the reference, if there is one, and a file without formulas, as submissions are graded.
+/// @param when  "before the first submission", for the message
+/// @return what is wrong with one of them; empty if nothing is
+std::string fault_of_controls(const ClassWork& work, const WorkFolders& folders, unsigned jobs,
+                              const std::string& when, const std::function<void()>& on_wait);
 
 } // namespace rigor

@@ -3,25 +3,22 @@
 #pragma once
 
 #include "grading/class/class_folder.hpp"
-#include "grading/intake/found_submissions.hpp"
-#include "grading/run_tests.hpp"
-#include "grading/selection.hpp"
+#include "grading/class/engine.hpp"
 #include "report/exports/row.hpp"
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace rigor {
 
-struct ClassRun {
-    Selection selection;
-    GradingRun run;
-    unsigned jobs = 1;
-    /// The worker of the reference, which must get every point; nothing if there is none.
-    std::optional<Implementation> reference;
-    /// Called from time to time. @param doing  what is being done
-    std::function<void(std::size_t done, std::size_t total, const std::string& doing)> on_progress;
+/// What the run tells while it goes on.
+struct ClassListener {
+    /// Called from time to time. @param doing  what is being done  @param detail  by whom
+    std::function<void(std::size_t done, std::size_t total, const std::string& doing,
+                       const std::string& detail)>
+        on_progress;
     /// Called for each submission that was graded. @param before  its old result, if there is one
     std::function<void(const Row& row, const std::optional<Row>& before)> on_row;
 };
@@ -40,8 +37,9 @@ struct ClassOutcome {
 ///
 /// The submissions are graded in an order that the run's seed draws, so that a slow hour does not
 /// always meet the same students.
+/// @param work  the class, of which the fingerprints and `out` are still open
 /// @throws InputError if a result cannot be written
-ClassOutcome grade_class(const ClassRun& run, const std::vector<Submission>& submissions,
-                         const ClassFolder& folder);
+ClassOutcome grade_class(ClassWork work, const ClassFolder& folder, Engine& engine,
+                         const ClassListener& listener);
 
 } // namespace rigor

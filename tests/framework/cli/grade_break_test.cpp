@@ -3,13 +3,13 @@
 // next run makes the same gradebook bit for bit.
 #include "class/made_class.hpp"
 #include "command.hpp"
+#include "graded_class.hpp"
 #include "support/catch.hpp"
 #include "support/temporary_folder.hpp"
 
 #include <chrono>
 #include <csignal>
 #include <fcntl.h>
-#include <map>
 #include <random>
 #include <set>
 #include <sys/mount.h>
@@ -46,32 +46,6 @@ pid_t started(const fs::path& submissions, const fs::path& out)
     return process;
 }
 
-// The files for the whole class, which do not depend on the time.
-std::map<std::string, std::string> class_files(const fs::path& out)
-{
-    std::map<std::string, std::string> files;
-    for (const char* name : {"gradebook.csv", "summary.txt", "canvas.csv", "moodle.csv"}) {
-        std::ifstream in(out / name, std::ios::binary);
-        files[name] = {std::istreambuf_iterator<char>(in), {}};
-    }
-    return files;
-}
-
-// No file that was begun and not finished.
-bool has_drafts(const fs::path& out)
-{
-    for (const auto& entry : fs::recursive_directory_iterator(out))
-        if (entry.path().extension() == ".new") return true;
-    return false;
-}
-
-fs::path small_class(const TemporaryFolder& folder, int count)
-{
-    write_class(made_class(RIGOR_SOURCE_DIR, "pipeline", count, 3), "pipeline",
-                folder.path() / "class");
-    return folder.path() / "class";
-}
-
 // A file system in memory, mounted while this object lives, where this user may mount one.
 class MemoryDisk {
 public:
@@ -96,13 +70,6 @@ private:
     fs::path place_;
     bool is_mounted_ = false;
 };
-
-bool is_one_line(const std::string& text, const std::string& part)
-{
-    const std::size_t at = text.find("rigor: ");
-    return at != std::string::npos && text.find('\n', at) == text.size() - 1 &&
-           text.find(part, at) != std::string::npos;
-}
 
 } // namespace
 

@@ -2,6 +2,7 @@
 // `rigor grade`, run as an instructor runs it: a small class of assignment A0.
 #include "../grading/intake/written_archive.hpp"
 #include "command.hpp"
+#include "graded_class.hpp"
 #include "support/catch.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -20,15 +21,9 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-std::string content_of(const fs::path& file)
-{
-    std::ifstream in(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-}
-
 std::string source(const std::string& name)
 {
-    return content_of(fs::path(RIGOR_SOURCE_DIR) / name);
+    return text_in(fs::path(RIGOR_SOURCE_DIR) / name);
 }
 
 // Five submissions, of which two are good, one has nothing, and two cannot be graded.
@@ -54,11 +49,6 @@ const std::string gradebook = "submission,status,points,max,A0.1\r\n"
 Run grade(const fs::path& submissions, const fs::path& out, const std::string& jobs)
 {
     return rigor({"grade", "a0", submissions.string(), "--out", out.string(), "--jobs", jobs});
-}
-
-bool contains(const std::string& text, const std::string& part)
-{
-    return text.find(part) != std::string::npos;
 }
 
 // Starts a run and kills it when the first result is there.
@@ -98,15 +88,15 @@ TEST_CASE("grade: a class gets a gradebook that does not depend on how it was ma
     const Run first = grade(submissions.path(), out, "2");
     CAPTURE(first.output);
     REQUIRE(first.status == 0);
-    REQUIRE(content_of(out / "gradebook.csv") == gradebook);
+    REQUIRE(text_in(out / "gradebook.csv") == gradebook);
     CHECK(contains(first.output, "dave: rejected: expected one pipeline.cpp, found 2"));
     CHECK(contains(first.output, "eve: rejected: expected a whole .zip or .tar archive"));
-    CHECK(contains(content_of(out / "alice/report.txt"), "ignored: \"a0/report.pdf\""));
-    const json result = json::parse(content_of(out / "alice/result.json"));
+    CHECK(contains(text_in(out / "alice/report.txt"), "ignored: \"a0/report.pdf\""));
+    const json result = json::parse(text_in(out / "alice/result.json"));
     CHECK(result["status"] == "graded");
     CHECK(result["submission"] == "alice");
-    CHECK(json::parse(content_of(out / "alice/gradescope.json"))["score"] == 1);
-    CHECK(contains(content_of(out / "alice/junit.xml"), "failures=\"0\""));
+    CHECK(json::parse(text_in(out / "alice/gradescope.json"))["score"] == 1);
+    CHECK(contains(text_in(out / "alice/junit.xml"), "failures=\"0\""));
 
     start_and_kill(submissions.path(), killed);
     CHECK(!fs::exists(killed / "gradebook.csv"));
@@ -114,8 +104,8 @@ TEST_CASE("grade: a class gets a gradebook that does not depend on how it was ma
     CAPTURE(resumed.output);
     REQUIRE(resumed.status == 0);
     CHECK(!contains(resumed.output, "5 graded now"));
-    REQUIRE(content_of(killed / "gradebook.csv") == gradebook);
-    CHECK(content_of(killed / "summary.txt") == content_of(out / "summary.txt"));
+    REQUIRE(text_in(killed / "gradebook.csv") == gradebook);
+    CHECK(text_in(killed / "summary.txt") == text_in(out / "summary.txt"));
 
     const Run again = grade(submissions.path(), out, "2");
     CHECK(contains(again.output, "0 graded now, 5 as before"));
@@ -142,8 +132,8 @@ TEST_CASE("grade: a secret makes it worthless to know the cases", "[cli][class]"
         CAPTURE(run.output);
         REQUIRE(run.status == 0);
         REQUIRE(contains(run.output, "a student can know them") == options.empty());
-        REQUIRE(json::parse(content_of(results.path() / out / "alice/result.json"))["score"] == 1);
-        return json::parse(content_of(results.path() / out / "mallory/result.json"));
+        REQUIRE(json::parse(text_in(results.path() / out / "alice/result.json"))["score"] == 1);
+        return json::parse(text_in(results.path() / out / "mallory/result.json"));
     };
     const json known = result_of("known", {}), first = result_of("first", {"--secret", secret}),
                again = result_of("again", {"--secret", secret});

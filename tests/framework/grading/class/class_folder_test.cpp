@@ -54,21 +54,33 @@ TEST_CASE("class folder: only one run at a time writes there", "[class]")
     CHECK(contains(refusal_of(folder.path(), "a4-collision", {"alice"}), "another rigor"));
 }
 
-TEST_CASE("class folder: results that no control has confirmed can be dropped", "[class]")
+TEST_CASE("class folder: results that no control has confirmed are dropped whatever the clock says",
+          "[class]")
 {
     const TemporaryFolder folder;
-    const ClassFolder opened(folder.path(), "a4-collision", {"alice", "bob"});
-    folder.write("alice/result.json", "{}");
-    std::filesystem::last_write_time(opened.result_of("alice"),
-                                     std::filesystem::file_time_type::clock::now() -
-                                         std::chrono::hours(1));
+    const ClassFolder opened(folder.path(), "a4-collision", {"alice", "bob", "carol"});
+    const auto write = [&](const std::string& name, const std::string& fingerprint) {
+        folder.write(name + "/result.json",
+                     R"({"submission": ")" + name + R"(", "assignment": "a4-collision",)" +
+                         R"( "status": "graded", "fingerprint": ")" + fingerprint +
+                         R"(", "score": 1, "max_score": 1, "tests": [{"tag": "A4.1", "name": "",)" +
+                         R"( "status": "passed", "score": 1, "max_score": 1}]})");
+        // a clock that was set back by a day, or forth
+        const auto day = std::chrono::hours(name == "alice" ? 24 : -24);
+        std::filesystem::last_write_time(opened.result_of(name),
+                                         std::filesystem::file_time_type::clock::now() + day);
+    };
+    write("alice", "1111");
+    write("carol", "2222");
     CHECK(!opened.has_unconfirmed());
-    opened.begin_unconfirmed();
+    opened.begin_unconfirmed({{"bob", "3333"}});
+    opened.begin_unconfirmed({{"carol", "4444"}}); // the first run was broken off
     CHECK(opened.has_unconfirmed());
-    folder.write("bob/result.json", "{}");
-    opened.drop_unconfirmed({"alice", "bob"});
+    write("bob", "3333");
+    opened.drop_unconfirmed();
     CHECK(std::filesystem::exists(opened.result_of("alice")));
     CHECK(!std::filesystem::exists(opened.result_of("bob")));
+    CHECK(std::filesystem::exists(opened.result_of("carol"))); // that of a run before
     opened.confirm();
     CHECK(!opened.has_unconfirmed());
 }

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#include "cli/instructor/class_work.hpp"
+
+#include "cli/prepare.hpp"
+#include "cli/secret.hpp"
+#include "errors/input_error.hpp"
+#include "errors/quotes.hpp"
+#include "grading/places.hpp"
+#include "sandbox/tier.hpp"
+
+#include <cstdio>
+#include <fmt/format.h>
+
+namespace rigor {
+
+Selection whole_assignment(const std::string& word)
+{
+    const std::vector<Selection> found =
+        select_tasks(load_assignments(places().assignments()), {word});
+    if (found.size() != 1 || found[0].tags.size() != found[0].assignment.tasks.size())
+        throw InputError("expected an assignment, such as a4 or collision, found " +
+                         in_quotes(word) + ", which is a part of one");
+    return found[0];
+}
+
+ClassWork prepared_class_work(const Selection& selection, std::uint32_t seed,
+                              const std::string& secret_file)
+{
+    ClassWork work;
+    work.selection = selection;
+    work.run = prepared_grading_run();
+    work.run.seed = seed;
+    work.run.secret = secret_in(secret_file);
+    if (places().has_reference()) work.reference = prepared_implementation("reference");
+    prepare_submissions();
+    fmt::print(stderr, "walls around the submissions: {}\n", description(usual_tier()));
+    if (has_too_weak_walls())
+        fmt::print(stderr, "no walls are possible here: hidden tests are left out; with "
+                           "RIGOR_TIER=C they run all the same\n");
+    if (work.run.secret.empty())
+        fmt::print(stderr, "random cases: the same for all, since there is no --secret: a student "
+                           "can know them\n");
+    if (!work.reference)
+        fmt::print(stderr, "this tree has no reference/: no control must get every point\n");
+    return work;
+}
+
+} // namespace rigor

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// What the commands that grade a class share.
+#pragma once
+
+#include "grading/class/engine.hpp"
+
+#include <cstdint>
+#include <string>
+
+namespace rigor {
+
+/// All tasks of an assignment. @throws InputError if the word names something else
+Selection whole_assignment(const std::string& word);
+
+/// The tests, the reference and what all submissions share, built with a progress bar; the
+/// submissions are still open. Says on stderr which walls there are, and what is left out.
+/// @param secret_file  the file of the course's secret; empty: none
+ClassWork prepared_class_work(const Selection& selection, std::uint32_t seed,
+                              const std::string& secret_file);
+
+} // namespace rigor

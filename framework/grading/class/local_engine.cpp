@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#include "grading/class/local_engine.hpp"
+
+#include "grading/class/control.hpp"
+#include "grading/class/isolated.hpp"
+#include "grading/class/work_folders.hpp"
+
+#include <algorithm>
+#include <chrono>
+
+namespace rigor {
+
+namespace {
+
+// The compiler, each call and each scene have limits of their own, so that only a fault of the
+// framework takes this long: hours at the most, and not for ever. The controls were just graded, at
+// this machine's speed and under its load.
+std::chrono::duration<double> longest_grading(std::chrono::duration<double> controls)
+{
+    constexpr double multiple = 100;
+    constexpr std::chrono::minutes least(30); // compilers that run into their limits
+    return std::max<std::chrono::duration<double>>(least, multiple * controls);
+}
+
+ResultFiles files_of(const ClassWork& work, const Submission& submission, const WorkDone& ended)
+{
+    if (ended.text) return unpacked(*ended.text);
+    const std::string fault = ended.fault + (ended.was_tried_twice ? " (tried twice)" : "");
+    return faulty_submission(work.selection, submission, work.run, fault);
+}
+
+} // namespace
+
+std::string LocalEngine::grade(const ClassWork& work, const std::vector<std::size_t>& numbers,
+                               const OnGraded& on_graded, const OnWait& on_wait)
+{
+    const WorkFolders folders(work.out, part_);
+    const auto controls = [&](const std::string& when) {
+        return fault_of_controls(work, folders, jobs_, when, [&] { on_wait("controls", ""); });
+    };
+    const auto start = std::chrono::steady_clock::now();
+    if (std::string fault = controls("before the first submission"); !fault.empty()) return fault;
+    const auto longest = longest_grading(std::chrono::steady_clock::now() - start);
+
+    const auto text_about = [&](std::size_t k) {
+        const std::size_t i = numbers[k];
+        return packed(graded_submission(work.selection, work.submissions[i], work.run,
+                                        folders.make(std::to_string(i)), work.fingerprints[i]));
+    };
+    const auto on_done = [&](const WorkDone& ended) {
+        const std::size_t i = numbers[ended.index];
+        folders.remove(std::to_string(i));
+        on_graded(i, files_of(work, work.submissions[i], ended));
+    };
+    run_isolated(
+        numbers.size(), jobs_, text_about, on_done, [&] { on_wait("grading", ""); }, longest);
+    return controls("after the last submission");
+}
+
+} // namespace rigor

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+// The folder through which the machine that grades a class and the nodes of a cluster talk, inside
+// the results' folder. Every file is written whole, so a reader finds all of it or nothing:
+//
+//     plan_1.json     what the tasks of the first job are to grade, and how
+//     job             the number of the job that runs now
+//     graded/NAME     the texts about a submission; the name is its fingerprint
+//     ended/1.3       task 3 of the first job has ended, and its controls were right
+//     control_fault   what was wrong with a control
+//     log/1_3.txt     what the task printed
+//     run.sh          the script of the jobs
+#pragma once
+
+#include "grading/class/engine.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace rigor::slurm {
+
+/// What a job array is to grade.
+struct Plan {
+    unsigned round = 1; // the first job, or the one after what was lost
+    std::string assignment, out;
+    std::uint32_t seed = 0;
+    std::string secret_file;                      // absolute path; empty: no secret
+    std::uint64_t fingerprint = 0;                // all but the submissions
+    std::vector<Submission> submissions;          // those of this job
+    std::vector<std::string> fingerprints;        // theirs
+    std::vector<std::vector<std::size_t>> chunks; // for each task, numbers in `submissions`
+};
+
+class SharedFolder {
+public:
+    /// @param out  the results' folder, absolute
+    explicit SharedFolder(const std::filesystem::path& out);
+
+    /// Makes the folder and its script. @throws InputError if it cannot be written
+    void make() const;
+    void remove() const;
+
+    /// @return the plan's file
+    std::filesystem::path write_plan(const Plan& plan) const;
+
+    /// The number of the job that runs; empty if none does.
+    std::string job() const;
+    void write_job(const std::string& job) const;
+
+    /// The texts about a submission, if a task has written them.
+    std::optional<ResultFiles> graded(const std::string& fingerprint) const;
+    /// The fingerprints of all submissions that tasks have written texts about.
+    std::set<std::string> all_graded() const;
+    void write_graded(const std::string& fingerprint, const ResultFiles& files) const;
+    void remove_graded(const std::string& fingerprint) const;
+
+    void write_ended(unsigned round, std::size_t task) const;
+    /// The tasks of a job that have ended with controls that were right.
+    std::set<std::size_t> ended(unsigned round) const;
+
+    void write_control_fault(const std::string& fault) const;
+    std::string control_fault() const;
+
+    /// The pattern of the names of log files, for sbatch.
+    std::filesystem::path log_pattern(unsigned round) const;
+    /// Whether a task of a job has printed anything here, or at least tried to.
+    bool has_log(unsigned round) const;
+    /// The last line that a task printed; empty if there is none.
+    std::string last_words(unsigned round, std::size_t task) const;
+
+    std::filesystem::path script() const { return folder_ / "run.sh"; }
+
+private:
+    std::filesystem::path folder_;
+};
+
+/// @throws InputError if the file is no plan
+Plan read_plan(const std::filesystem::path& file);
+
+} // namespace rigor::slurm

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "grading/class/engine.hpp"
+
+namespace rigor {
+
+struct SlurmOptions {
+    std::vector<std::string> task_command; // the program that grades a chunk; a plan's file follows
+    std::string secret_file;               // absolute path of the course's secret; empty: none
+    std::size_t chunk = 8;                 // submissions in a task; more for a huge class
+    unsigned at_once = 0;                  // most tasks that run at the same time; 0: no limit
+    std::function<void(const std::string&)> on_note; // called for what the user should know
+};
+
+/// Grades on a cluster, by job arrays of Slurm. Each task grades a chunk of the submissions between
+/// two controls, as a LocalEngine does, and writes what it has to say into the results' folder.
+/// All nodes must see this folder, the submissions and this tree. Slurm runs the tasks of a lost
+/// node again; what is still missing at the end is submitted again, in up to three jobs.
+///
+/// @throws InputError if Slurm takes no job or does not answer, if the nodes do not see the folder,
+///     or if somebody has cancelled the job. SIGINT and SIGTERM cancel it and then end this process.
+class SlurmEngine : public Engine {
+public:
+    /// @throws InputError if Slurm is not installed
+    explicit SlurmEngine(SlurmOptions options);
+
+    std::string grade(const ClassWork& work, const std::vector<std::size_t>& numbers,
+                      const OnGraded& on_graded, const OnWait& on_wait) override;
+
+private:
+    SlurmOptions options_;
+};
+
+} // namespace rigor

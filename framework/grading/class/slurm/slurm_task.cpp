@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#include "grading/class/slurm/slurm_task.hpp"
+
+#include "errors/input_error.hpp"
+#include "grading/class/fingerprint.hpp"
+#include "grading/class/local_engine.hpp"
+
+#include <cstdlib>
+#include <fmt/format.h>
+
+namespace rigor {
+
+namespace {
+
+std::string variable(const char* name)
+{
+    const char* value = std::getenv(name);
+    return value ? value : "";
+}
+
+std::string node()
+{
+    const std::string name = variable("SLURMD_NODENAME");
+    return name.empty() ? "this node" : "node " + name;
+}
+
+// A node with another compiler or weaker walls could give other points.
+void require_same_framework(const slurm::Plan& plan, const ClassWork& work)
+{
+    if (work.fingerprint == plan.fingerprint) return;
+    throw InputError(node() +
+                     ": expected the tree, the programs and the walls of the machine that "
+                     "submitted the job, found others: " +
+                     work.run.test_program.string());
+}
+
+// Why a submission is not the one that the plan means; empty if it is.
+std::string difference(const slurm::Plan& plan, std::size_t i, const ClassWork& work)
+{
+    if (fingerprint_of(plan.submissions[i], work.fingerprint) == plan.fingerprints[i]) return "";
+    return fmt::format("{}: expected the submission as it was when the run began, found another or "
+                       "none: {}",
+                       node(), plan.submissions[i].path.string());
+}
+
+} // namespace
+
+std::string run_slurm_task(const slurm::Plan& plan, std::size_t task, ClassWork work)
+{
+    if (task >= plan.chunks.size())
+        throw InputError(
+            fmt::format("expected a task below {}, found {}", plan.chunks.size(), task));
+    const slurm::SharedFolder shared(plan.out);
+    work.out = plan.out;
+    work.submissions = plan.submissions;
+    work.fingerprints = plan.fingerprints;
+    work.fingerprint = fingerprint_of(work.selection, work.run);
+    require_same_framework(plan, work);
+    const auto write = [&](std::size_t i, const ResultFiles& files) {
+        shared.write_graded(plan.fingerprints[i], files);
+    };
+    std::vector<std::size_t> numbers; // those that this task did not grade before its node was lost
+    for (const std::size_t i : plan.chunks[task]) {
+        if (shared.graded(plan.fingerprints[i])) continue;
+        const std::string other = difference(plan, i, work);
+        if (other.empty())
+            numbers.push_back(i);
+        else
+            write(i, faulty_submission(work.selection, plan.submissions[i], work.run, other));
+    }
+    LocalEngine engine(
+        1, fmt::format("{}_{}", variable("SLURM_JOB_ID"), variable("SLURM_RESTART_COUNT")));
+    std::string fault =
+        engine.grade(work, numbers, write, [](const std::string&, const std::string&) {});
+    if (fault.empty())
+        shared.write_ended(plan.round, task);
+    else
+        shared.write_control_fault(node() + ": " + fault);
+    return fault;
+}
+
+} // namespace rigor

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace rigor {
+
+/// The folders that the submissions of a class are unpacked in. They and what was built from them
+/// are removed again, also those of a run that was killed.
+class WorkFolders {
+public:
+    /// @param out  the results' folder, which tells the runs apart
+    /// @param part  a part of the run whose folders are its own; empty: all of the run
+    explicit WorkFolders(const std::filesystem::path& out, const std::string& part = {});
+    ~WorkFolders();
+    WorkFolders(const WorkFolders&) = delete;
+    WorkFolders& operator=(const WorkFolders&) = delete;
+
+    std::filesystem::path make(const std::string& name) const;
+    void remove(const std::string& name) const;
+
+private:
+    void clear() const;
+
+    std::filesystem::path folder_;
+    std::string prefix_; // begins the names of this part's folders
+};
+
+} // namespace rigor

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#include "grading/class/slurm/shared_folder.hpp"
+
+#include "errors/input_error.hpp"
+#include "support/catch.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace rigor::testing {
+
+TEST_CASE("slurm: a plan comes back as it was written", "[class][slurm]")
+{
+    const TemporaryFolder folder;
+    const slurm::SharedFolder shared(folder.path());
+    shared.make();
+    slurm::Plan plan;
+    plan.round = 2;
+    plan.assignment = "a4-collision";
+    plan.out = folder.path().string();
+    plan.secret_file = "/home/course/secret";
+    plan.seed = 4000000000u;
+    plan.fingerprint = 0xfedcba9876543210u;
+    plan.submissions = {{"alice", "/in/alice.zip", ""}, {"bob \"b\"", "/in/bob", "found two"}};
+    plan.fingerprints = {"0001", "0002"};
+    plan.chunks = {{1}, {0}};
+    const slurm::Plan read = slurm::read_plan(shared.write_plan(plan));
+    CHECK(read.round == plan.round);
+    CHECK(read.assignment == plan.assignment);
+    CHECK(read.out == plan.out);
+    CHECK(read.secret_file == plan.secret_file);
+    CHECK(read.seed == plan.seed);
+    CHECK(read.fingerprint == plan.fingerprint);
+    REQUIRE(read.submissions.size() == 2);
+    CHECK(read.submissions[1].name == plan.submissions[1].name);
+    CHECK(read.submissions[1].path == plan.submissions[1].path);
+    CHECK(read.submissions[1].refusal == plan.submissions[1].refusal);
+    CHECK(read.fingerprints == plan.fingerprints);
+    CHECK(read.chunks == plan.chunks);
+}
+
+TEST_CASE("slurm: what is no plan is one clear error", "[class][slurm]")
+{
+    const TemporaryFolder folder;
+    for (const char* text : {"", "{}", "[1, 2]", "{\"round\": 1"})
+        CHECK_THROWS_AS(slurm::read_plan(folder.write("plan", text)), InputError);
+    CHECK_THROWS_AS(slurm::read_plan(folder.path() / "none"), InputError);
+    // a chunk with a submission that the plan lacks
+    CHECK_THROWS_AS(
+        slurm::read_plan(folder.write(
+            "plan", R"({"round": 1, "assignment": "a0", "out": "/", "seed": 0, "secret_file": "",
+                        "fingerprint": 1, "submissions": [], "chunks": [[0]]})")),
+        InputError);
+}
+
+TEST_CASE("slurm: results and ends of tasks are seen whole or not at all", "[class][slurm]")
+{
+    const TemporaryFolder folder;
+    const slurm::SharedFolder shared(folder.path());
+    shared.make();
+    CHECK(!shared.graded("00ff"));
+    shared.write_graded("00ff", {{"result.json", "{}"}, {"report.txt", "half"}});
+    shared.write_graded("00ff", {{"result.json", "{}"}, {"report.txt", "whole"}});
+    folder.write(".rigor/slurm/graded/00aa.7__n1.new", "{");
+    CHECK(shared.all_graded() == std::set<std::string>{"00ff"});
+    REQUIRE(shared.graded("00ff"));
+    CHECK(shared.graded("00ff")->at("report.txt") == "whole");
+    shared.write_ended(1, 11);
+    shared.write_ended(11, 1);
+    CHECK(shared.ended(1) == std::set<std::size_t>{11});
+    shared.make(); // results stay, since a run that was broken off left them
+    CHECK(shared.ended(1).empty());
+    CHECK(shared.graded("00ff"));
+    shared.remove();
+    CHECK(!std::filesystem::exists(folder.path() / ".rigor/slurm"));
+}
+
+} // namespace rigor::testing
