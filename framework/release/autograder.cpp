@@ -36,7 +36,8 @@ mkdir -p "$work/class" "$home/results"
 rm -f "$home/results/results.json"
 cp -rP "$home/submission" "$work/class/submission"
 "$home/source/rigor/rigor" grade ASSIGNMENT "$work/class" --out "$work/grades" --jobs 1
-cp "$work/grades/submission/gradescope.json" "$home/results/results.json"
+cp "$work/grades/submission/gradescope.json" "$home/results/results.json.new"
+mv "$home/results/results.json.new" "$home/results/results.json" # whole or not at all
 )sh";
 
 std::string script(std::string_view text, const Assignment& assignment)

@@ -3,11 +3,14 @@
 
 #include "grading/intake/intake.hpp"
 #include "grading/intake/refused.hpp"
+#include "report/exports/classroom50.hpp"
 #include "report/exports/gradescope.hpp"
 #include "report/exports/junit.hpp"
 #include "report/result_json.hpp"
 #include "report/table.hpp"
 
+#include <cstdlib>
+#include <ctime>
 #include <fmt/format.h>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -29,6 +32,22 @@ void write_files(const Intake& intake, const fs::path& place)
     }
 }
 
+std::string variable(const char* name)
+{
+    const char* value = std::getenv(name);
+    return value ? value : "";
+}
+
+std::string time_now()
+{
+    const std::time_t now = std::time(nullptr);
+    std::tm utc = {};
+    gmtime_r(&now, &utc);
+    char text[32] = {};
+    std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc);
+    return text;
+}
+
 ResultFiles files_about(const Result& result, const Implementation& implementation)
 {
     std::string report = result.submission + "\n" + points_table(result, implementation, false);
@@ -37,6 +56,7 @@ ResultFiles files_about(const Result& result, const Implementation& implementati
     return {{"result.json", to_json({result})},
             {"report.txt", report},
             {"junit.xml", junit_xml(result)},
+            {"classroom50.json", classroom50_json(result, variable, time_now())},
             {"gradescope.json", gradescope_json(result)}};
 }
 

@@ -48,6 +48,16 @@ std::string output_of(const Result& result)
     return text;
 }
 
+// Everybody sees the leaderboard, so hidden tasks are no part of it.
+Json leaderboard_of(const Result& result)
+{
+    double points = 0;
+    for (const TaskResult& task : result.tasks)
+        if (!task.task.is_hidden) points += task.score;
+    return {{{"name", "points of visible tasks"}, {"value", points}},
+            {{"name", "time of the tests [s]"}, {"value", result.test_seconds}, {"order", "asc"}}};
+}
+
 } // namespace
 
 std::string gradescope_json(const Result& result)
@@ -56,14 +66,15 @@ std::string gradescope_json(const Result& result)
     Json tests = Json::array();
     for (const TaskResult& task : result.tasks)
         if (task.max_score > 0) tests.push_back(test_of(task));
-    const Json json = {{"score", result.score()},
-                       {"execution_time", result.build_seconds + result.test_seconds},
-                       {"output", output_of(result)},
-                       {"output_format", "text"},
-                       {"test_output_format", "text"},
-                       {"visibility", "visible"},
-                       {"stdout_visibility", "hidden"},
-                       {"tests", tests}};
+    Json json = {{"score", result.score()},
+                 {"execution_time", result.build_seconds + result.test_seconds},
+                 {"output", output_of(result)},
+                 {"output_format", "text"},
+                 {"test_output_format", "text"},
+                 {"visibility", "visible"},
+                 {"stdout_visibility", "hidden"},
+                 {"tests", tests}};
+    if (result.status == SubmissionStatus::graded) json["leaderboard"] = leaderboard_of(result);
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -19,9 +19,7 @@
 #include <thread>
 #include <unistd.h>
 
-namespace rigor::testing {
-
-namespace grade_slurm_test {
+namespace rigor::testing::grade_slurm_test {
 
 namespace {
 
@@ -93,10 +91,6 @@ std::string job_of(const fs::path& out)
 }
 
 } // namespace
-
-} // namespace grade_slurm_test
-
-using namespace grade_slurm_test;
 
 TEST_CASE("slurm: a class whose node is lost has the gradebook of one machine bit for bit",
           "[.long][class][slurm]")
@@ -233,4 +227,4 @@ TEST_CASE("slurm: without Slurm the command says so in one line", "[cli][class][
     CHECK(is_one_line(outside.output, "SLURM_ARRAY_TASK_ID is not set"));
 }
 
-} // namespace rigor::testing
+} // namespace rigor::testing::grade_slurm_test

@@ -37,6 +37,12 @@ void require_valid(const json& results)
     REQUIRE(formats.count(results.at("output_format")) == 1);
     REQUIRE(visibilities.count(results.at("visibility")) == 1);
     REQUIRE(visibilities.count(results.at("stdout_visibility")) == 1);
+    for (const json& entry : results.value("leaderboard", json::array())) {
+        REQUIRE(has_only(entry, {"name", "value", "order"}));
+        REQUIRE(entry.at("name").is_string());
+        REQUIRE((entry.at("value").is_number() || entry.at("value").is_string()));
+        REQUIRE(Names{"asc", "desc"}.count(entry.value("order", "desc")) == 1);
+    }
     double sum = 0;
     for (const json& test : results.at("tests")) {
         REQUIRE(has_only(test, {"score", "max_score", "status", "name", "name_format", "number",
@@ -56,6 +62,8 @@ TEST_CASE("gradescope: a result keeps the published rules", "[report]")
 {
     const json results = json::parse(gradescope_json(some_result()));
     require_valid(results);
+    REQUIRE(results["leaderboard"].size() == 2);
+    REQUIRE(results["leaderboard"][0]["value"] == 2);
     REQUIRE(results["tests"].size() == 4);
     REQUIRE(results["tests"][0]["status"] == "passed");
     REQUIRE(results["tests"][1]["number"] == "A2.2");
@@ -67,10 +75,11 @@ TEST_CASE("gradescope: a result keeps the published rules", "[report]")
 TEST_CASE("gradescope: a hidden task is not shown before grades are published", "[report]")
 {
     Result result = some_result();
-    result.tasks[1].task.is_hidden = true;
+    result.tasks[0].task.is_hidden = result.tasks[1].task.is_hidden = true;
     const json results = json::parse(gradescope_json(result));
     REQUIRE(results["tests"][1]["visibility"] == "after_published");
-    REQUIRE(results["tests"][0]["visibility"] == "visible");
+    REQUIRE(results["tests"][2]["visibility"] == "visible");
+    REQUIRE(results["leaderboard"][0]["value"] == 0); // nor are its points
 }
 
 TEST_CASE("gradescope: a rejected submission has no points and a fault of ours no result",

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#include "report/exports/classroom50.hpp"
+
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace rigor {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Field {
+    const char *name, *variable;
+};
+
+// The runner sets these for every submission.
+constexpr std::array<Field, 5> required = {{{"classroom", "CLASSROOM"},
+                                            {"assignment", "ASSIGNMENT"},
+                                            {"submission", "SUBMISSION_TAG"},
+                                            {"commit", "COMMIT_URL"},
+                                            {"release", "RELEASE_URL"}}};
+
+Json points_of(const TaskResult& task)
+{
+    return {{"test-name", task.task.tag + " " + task.task.name()},
+            {"passed", task.status == Status::passed},
+            {"score", static_cast<int>(std::floor(task.score))},
+            {"max-score", static_cast<int>(std::floor(task.max_score))}};
+}
+
+} // namespace
+
+std::string classroom50_json(const Result& result, const Variable& variable, const std::string& now)
+{
+    if (result.status == SubmissionStatus::internal_error) return "";
+    Json json = {{"schema", "classroom50/result/v1"}};
+    for (const Field& field : required) {
+        const std::string value = variable(field.variable);
+        if (value.empty()) return "";
+        json[field.name] = value;
+    }
+    const std::string review = variable("REVIEW_URL");
+    json["review"] = review.empty() ? json["commit"].get<std::string>() : review;
+    for (const Field& field :
+         {Field{"owner", "OWNER"}, Field{"assignment_type", "ASSIGNMENT_TYPE"}})
+        if (const std::string value = variable(field.variable); !value.empty())
+            json[field.name] = value;
+    json["datetime"] = now;
+    int score = 0, max_score = 0;
+    Json tests = Json::array();
+    for (const TaskResult& task : result.tasks) {
+        if (task.max_score <= 0) continue;
+        tests.push_back(points_of(task));
+        score += tests.back()["score"].get<int>();
+        max_score += tests.back()["max-score"].get<int>();
+    }
+    json["score"] = score;
+    json["max-score"] = max_score;
+    json["tests"] = tests;
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+} // namespace rigor
