@@ -22,9 +22,11 @@ namespace {
 // What both trees have: files, and folders that end with a slash. Whatever is not named here is
 // left out, so a new folder of the project is not handed out by accident.
 constexpr std::string_view shared_parts[] = {
-    ".clang-format", ".editorconfig",  ".gitignore",          "CMakeLists.txt", "CMakePresets.json",
-    "LICENSE",       "assignments/",   "framework/",          "rigor",          "student/",
-    "tests/graded/", "tests/support/", "tests/CMakeLists.txt"};
+    ".clang-format",  ".editorconfig",       ".gitignore",
+    "CMakeLists.txt", "CMakePresets.json",   "LICENSE",
+    "assignments/",   "framework/",          "rigor",
+    "student/",       "tests/graded/",       "tests/diagnosis/",
+    "tests/support/", "tests/CMakeLists.txt"};
 // What only the tree that grades has.
 constexpr std::string_view grading_parts[] = {"reference/", "tests/graded/hidden/",
                                               "framework/release/students/",

@@ -4,6 +4,7 @@
 #include "release/tree.hpp"
 
 #include "errors/input_error.hpp"
+#include "grading/process.hpp"
 #include "release/withheld.hpp"
 #include "support/catch.hpp"
 #include "support/temporary_folder.hpp"
@@ -221,6 +222,24 @@ TEST_CASE("release: a solved formula in student/ is not handed out", "[release]"
         message = error.what();
     }
     CHECK(message.find("student/pipeline.cpp: expected the untouched stub of A0.1") == 0);
+}
+
+// A folder of tests that the build needs and the tree lacks is found here within seconds, and not
+// only when somebody releases.
+TEST_CASE("release: both trees have all that their build needs", "[release]")
+{
+    for (const ReleasedTree& tree : {students(), grading_tree(RIGOR_SOURCE_DIR)}) {
+        const TemporaryFolder folder;
+        write_tree(tree, folder.path());
+        Command command;
+        command.arguments = {"cmake", "--preset", "release"};
+        command.folder = folder.path();
+        std::string output;
+        const Ended ended =
+            run(command, [&](std::string_view line) { output += std::string(line) + "\n"; });
+        CAPTURE(output);
+        CHECK(ended.ok());
+    }
 }
 
 } // namespace rigor::testing
