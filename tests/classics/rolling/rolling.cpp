@@ -2,9 +2,7 @@
 // Bodies that roll: down an incline, down a groove, after a push with backspin, and to and fro with
 // a weight in them. The contact does no work while they roll, so energy and accelerations follow
 // from the moment of inertia alone.
-#include "framework/rigid/worlds.hpp"
-
-#include "support/catch.hpp"
+#include "classics/problems.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -16,18 +14,9 @@ using namespace rigor::testing;
 
 namespace {
 
-using std::numbers::pi;
-
 Vector3d gravity_on_incline(double angle)
 {
     return {g * std::sin(angle), -g * std::cos(angle), 0};
-}
-
-World solved(std::vector<RigidBody> bodies, const Vector3d& gravity = {0, -g, 0})
-{
-    World world = world_of(std::move(bodies), gravity);
-    world.settings.formulas_are_reference = true;
-    return world;
 }
 
 } // namespace

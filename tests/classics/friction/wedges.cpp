@@ -4,9 +4,7 @@
 // g sin α cos α / (M/m + sin² α) (Lamb 1914, "Dynamics"; Goldstein, "Classical mechanics"). Nothing
 // but gravity changes with time, so velocities and places are those of even accelerations, up to
 // the tolerance of the solver.
-#include "framework/rigid/worlds.hpp"
-
-#include "support/catch.hpp"
+#include "classics/problems.hpp"
 
 #include <cmath>
 #include <numbers>

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Where contact ends: a ladder leaves its wall, a ball the sphere it rolls down. The force of the
 // contact vanishes at a height that energy decides.
-#include "framework/rigid/worlds.hpp"
-
-#include "support/catch.hpp"
+#include "classics/problems.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -12,8 +10,6 @@ using namespace rigor;
 using namespace rigor::testing;
 
 namespace {
-
-using std::numbers::pi;
 
 // The height of a body at the last moment before it leaves another one, between two steps [m].
 double leaves_at(World& world, int body, int from, double h)

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Bodies on tables, belts and rollers that move as they are told: the answers are those of
 // textbooks, and the carried bodies must neither creep nor gain.
-#include "framework/rigid/worlds.hpp"
-
-#include "support/catch.hpp"
+#include "classics/problems.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -14,49 +12,6 @@ using namespace rigor;
 using namespace rigor::testing;
 
 namespace {
-
-using std::numbers::pi;
-
-RigidBody driven(const Shape& shape, const Material& material, const Vector3d& X, Drive drive,
-                 const Quaternion& q = {})
-{
-    RigidBody body = fixed(shape, material, X, q);
-    drive.first_position = X;
-    drive.first_orientation = q;
-    body.drive = std::make_shared<const Drive>(drive);
-    body.state = driven_state(drive, 0);
-    return body;
-}
-
-Drive turning(const Vector3d& omega)
-{
-    Drive drive;
-    drive.angular_velocity = omega;
-    return drive;
-}
-
-Drive moving(const Vector3d& velocity)
-{
-    Drive drive;
-    drive.velocity = velocity;
-    return drive;
-}
-
-Drive shaking(const Vector3d& amplitude, double frequency, double phase = 0)
-{
-    Drive drive;
-    drive.amplitude = amplitude;
-    drive.frequency = frequency;
-    drive.phase = phase;
-    return drive;
-}
-
-World solved(std::vector<RigidBody> bodies, const Vector3d& gravity = {0, -g, 0})
-{
-    World world = world_of(std::move(bodies), gravity);
-    world.settings.formulas_are_reference = true;
-    return world;
-}
 
 const Box table{{20, 1, 20}};
 const Vector3d under(0, -0.5, 0); // where the table's top is at y = 0

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Forces and torques that turn with a body or change with time, and ropes, which only pull. Each
 // motion has a closed form.
-#include "framework/rigid/worlds.hpp"
-
-#include "support/catch.hpp"
+#include "classics/problems.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -12,8 +10,6 @@ using namespace rigor;
 using namespace rigor::testing;
 
 namespace {
-
-using std::numbers::pi;
 
 // A world with one force on its last body.
 World with_force(std::vector<RigidBody> bodies, AppliedForce force, const Vector3d& gravity)

@@ -1,26 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Where balance ends: a little below the critical value everything stands still, a little above it
 // falls. The critical values are those of statics, and none depends on the step.
-#include "framework/rigid/worlds.hpp"
-
-#include "support/catch.hpp"
+#include "classics/problems.hpp"
 
 #include <cmath>
 #include <numbers>
 
 using namespace rigor;
 using namespace rigor::testing;
-
-namespace {
-
-World solved(std::vector<RigidBody> bodies, const Vector3d& gravity = {0, -g, 0})
-{
-    World world = world_of(std::move(bodies), gravity);
-    world.settings.formulas_are_reference = true;
-    return world;
-}
-
-} // namespace
 
 // Bricks of length L lean out by L/2, L/4, L/6 … from the top down (Phear 1850, "Elementary
 // mechanics"; Hall 2005, "Overhang", American Scientist 93).
