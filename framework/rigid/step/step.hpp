@@ -3,26 +3,41 @@
 // rigid bodies with stacking", ACM Trans. Graph. 22). Each stage is a call or two in step.cpp:
 //
 // stage                 reads                     writes               where
+//   a lone body         its state, gravity        its state            step/lone_body: no stages
+//   wake up             forces, springs           sleeping bodies      step/sleep, `wake_pulled`
 // 1 free flight         states, forces            flown states         motion/free_flight
 // 2 find contacts       states, flown states      contact candidates   detection/contact_candidates
 //   broad, narrow phase bounds, then shapes       pairs, then points   detection/broad_phase,
 //                                                                      detection/narrow_phase
-//   make the problem    candidates, memory        contacts in islands  contact/make_problem
+//   wake up             candidates                sleeping bodies      step/sleep, `wake`; if any
+//                                                                      wakes, 1 and 2 run again
+//   no candidates: the states after free flight are final, and the step ends here
+//   make the problem    candidates                contacts in islands  contact/make_problem
+//   warm start          memory                    initial impulses     contact/warm_start
 // 3 collisions          velocities before forces  velocities           contact/collisions
-// 4 velocities          flown states              velocities           here, `apply_forces`
+// 4 velocities          flown states              velocities           step/step, `apply_forces`
 // 5 contact, friction   velocities, gaps          velocities, impulses contact/resting_contact
+//   choose contacts     gaps, impulse matrices    target speeds        contact/active_contacts
+//   load estimate       weights; if none is warm  initial impulses     contact/load_estimate
+//   solve               initial impulses          velocities, impulses contact/solvers/ or
+//                                                                      contact/one_at_a_time
 // 6 position correction gaps, velocities          displacements        contact/position_correction
 // 7 positions           velocities, displacements states               step/position_update
 // 8 refine              states, contacts          states, records      step/impact,
 //                                                                      step/adaptive_substeps
+//   collect contacts    impulses                  records, memory      step/step_result
 // 9 sleep               states, islands           memory, states       step/sleep
 //   finish the step     states, records           world                step/step_result
+//
+// The normal and the friction part of an impulse are found together, so there is no file of
+// friction. Its law stands in contact/solvers/: optimised_sweeps and collision_law_sweeps for one
+// contact, newton_row for Newton's method; simultaneous_sweeps and contact/one_at_a_time call the
+// formulas of topic `contact`. Stage 3 has friction in the formula `collision_impulse`.
 //
 // Papers of the stages: 1 Buss (2000), Blanes and Moan (2002), Munthe-Kaas (1999), see
 // free_flight.hpp; 2 Verlet (1967) for the pair cache, Gottschalk et al. (1996) for boxes, the 2003
 // paper for level sets; 3 the 2003 paper; 5 the 2003 paper, Silcowitz-Hansen et al. (2010), Alart
-// and Curnier (1991); 6 Catto (2009). Stages 7 to 9 are Rigor's. Before stage 3, sleeping bodies
-// that another may touch wake up (step/sleep), and stages 1 and 2 run again.
+// and Curnier (1991); 6 Catto (2009). Stages 7 to 9 are Rigor's.
 #pragma once
 
 #include "rigid/bodies/world.hpp"
