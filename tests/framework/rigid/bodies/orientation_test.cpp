@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "rigid/bodies/orientation.hpp"
 
+#include "framework/rigid/integrators.hpp"
 #include "framework/rigid/worlds.hpp"
 
 using namespace rigor;
@@ -31,7 +32,7 @@ TEST_CASE("orientation: the distance is half the angle and none between q and -q
 
 TEST_CASE("orientation: the angular velocity is that of the inertia in world space", "[rigid]")
 {
-    for (Integrator integrator : {Integrator::matrix, Integrator::runge_kutta}) {
+    for (const Integrator integrator : all_integrators) {
         Random random(3);
         RigidBody body = free_box({1, 2, 3});
         body.state.orientation = random.quaternion();

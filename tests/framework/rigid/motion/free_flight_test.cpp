@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "framework/rigid/integrators.hpp"
 #include "framework/rigid/worlds.hpp"
 #include "rigid/step/step.hpp"
 #include "support/free_rotor.hpp"
@@ -76,9 +77,8 @@ TEST_CASE("flight: an isotropic body takes one exact step of any size", "[rigid]
 
 TEST_CASE("flight: without the isotropic shortcut the motion is the same", "[rigid]")
 {
-    for (const Integrator integrator :
-         {Integrator::matrix, Integrator::linear, Integrator::exponential, Integrator::buss,
-          Integrator::runge_kutta}) {
+    for (const Integrator integrator : all_integrators) {
+        CAPTURE(static_cast<int>(integrator));
         World world = world_of({body_of(Box{{1, 1, 1}}, {0, 0, 0}, {}, turn({1, 2, 3}, 1))});
         world.settings.integrator = integrator;
         spin(world.bodies[0], {1, -2, 0.5});

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "framework/rigid/integrators.hpp"
 #include "framework/rigid/worlds.hpp"
 #include "rigid/step/step.hpp"
 
@@ -18,8 +19,7 @@ TEST_CASE("lone body: a body that is alone flies as it does far from others", "[
     RigidBody body = body_of(Box{{1, 2, 3}}, {0, 5, 0});
     body.state.velocity = {1, 2, 3};
     body.state.angular_momentum = 4000 * Vector3d(3, 1, 2);
-    for (Integrator integrator : {Integrator::matrix, Integrator::linear, Integrator::exponential,
-                                  Integrator::buss, Integrator::runge_kutta}) {
+    for (const Integrator integrator : all_integrators) {
         CAPTURE(static_cast<int>(integrator));
         World alone = world_of({body}), two = world_of({body, fixed(Box{{1, 1, 1}}, {0, 0.5})});
         two.bodies[1].state.position = {1000, 0, 0};
