@@ -26,7 +26,7 @@ std::string source(const std::string& name)
     return text_in(fs::path(RIGOR_SOURCE_DIR) / name);
 }
 
-// Five submissions, of which two are good, one has nothing, and two cannot be graded.
+// Nine submissions, of which two are good, one has nothing, and six cannot be graded.
 void write_class(const TemporaryFolder& folder)
 {
     const std::string solved = source("tests/alternatives/pipeline.cpp");
@@ -37,6 +37,13 @@ void write_class(const TemporaryFolder& folder)
     folder.write("dave/a/pipeline.cpp", solved);
     folder.write("dave/b/pipeline.cpp", solved);
     folder.write("eve.tar.gz", "this is no archive");
+    // the copy of an archive that was broken off
+    const std::string whole = text_in(folder.path() / "alice.zip");
+    folder.write("frank.zip", whole.substr(0, whole.size() / 2));
+    folder.write("grace/collision.cpp", source("student/collision.cpp")); // for another assignment
+    folder.write("heidi/pipeline.cpp", solved);
+    write_archive(folder.path() / "heidi.zip", ArchiveFormat::zip, {{"pipeline.cpp", solved}});
+    folder.write("ivan/notes.txt", "no file of the topic");
 }
 
 const std::string gradebook = "submission,status,points,max,A0.1\r\n"
@@ -44,7 +51,11 @@ const std::string gradebook = "submission,status,points,max,A0.1\r\n"
                               "alice,graded,1,1,1\r\n"
                               "carol,graded,0,1,0\r\n"
                               "dave,rejected,0,1,0\r\n"
-                              "eve,rejected,0,1,0\r\n";
+                              "eve,rejected,0,1,0\r\n"
+                              "frank,rejected,0,1,0\r\n"
+                              "grace,rejected,0,1,0\r\n"
+                              "heidi,rejected,0,1,0\r\n"
+                              "ivan,rejected,0,1,0\r\n";
 
 Run grade(const fs::path& submissions, const fs::path& out, const std::string& jobs)
 {
@@ -91,6 +102,11 @@ TEST_CASE("grade: a class gets a gradebook that does not depend on how it was ma
     REQUIRE(text_in(out / "gradebook.csv") == gradebook);
     CHECK(contains(first.output, "dave: rejected: expected one pipeline.cpp, found 2"));
     CHECK(contains(first.output, "eve: rejected: expected a whole .zip or .tar archive"));
+    CHECK(contains(first.output, "frank: rejected: expected a whole .zip or .tar archive"));
+    CHECK(
+        contains(first.output, "grace: rejected: expected pipeline.cpp, found \"collision.cpp\""));
+    CHECK(contains(first.output, "heidi: rejected: expected one submission of this name, found 2"));
+    CHECK(contains(first.output, "ivan: rejected: expected pipeline.cpp, found \"notes.txt\""));
     CHECK(contains(text_in(out / "alice/report.txt"), "ignored: \"a0/report.pdf\""));
     const json result = json::parse(text_in(out / "alice/result.json"));
     CHECK(result["status"] == "graded");
@@ -103,16 +119,16 @@ TEST_CASE("grade: a class gets a gradebook that does not depend on how it was ma
     const Run resumed = grade(submissions.path(), killed, "1");
     CAPTURE(resumed.output);
     REQUIRE(resumed.status == 0);
-    CHECK(!contains(resumed.output, "5 graded now"));
+    CHECK(!contains(resumed.output, "9 graded now"));
     REQUIRE(text_in(killed / "gradebook.csv") == gradebook);
     CHECK(text_in(killed / "summary.txt") == text_in(out / "summary.txt"));
 
     const Run again = grade(submissions.path(), out, "2");
-    CHECK(contains(again.output, "0 graded now, 5 as before"));
+    CHECK(contains(again.output, "0 graded now, 9 as before"));
     submissions.write("carol/pipeline.cpp", source("tests/alternatives/pipeline.cpp"));
     const Run changed = grade(submissions.path(), out, "2");
     CAPTURE(changed.output);
-    CHECK(contains(changed.output, "1 graded now, 4 as before"));
+    CHECK(contains(changed.output, "1 graded now, 8 as before"));
     CHECK(contains(changed.output, "carol: graded, 1/1 points; before: graded, 0/1 points"));
 }
 

@@ -19,7 +19,8 @@ struct SlurmOptions {
 /// node again; what is still missing at the end is submitted again, in up to three jobs.
 ///
 /// @throws InputError if Slurm takes no job or does not answer, if the nodes do not see the folder,
-///     or if somebody has cancelled the job. SIGINT and SIGTERM cancel it and then end this process.
+///     or if somebody has cancelled the job. SIGINT and SIGTERM cancel it, and then end this
+///     process.
 class SlurmEngine : public Engine {
 public:
     /// @throws InputError if Slurm is not installed
