@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 
 namespace rigor::slurm {
 
@@ -121,7 +122,7 @@ Plan read_plan(const fs::path& file)
         }
         for (const auto& chunk : plan.chunks)
             for (const std::size_t i : chunk)
-                plan.submissions.at(i);
+                if (i >= plan.submissions.size()) throw std::out_of_range("a chunk");
         return plan;
     } catch (const std::exception&) {
         throw InputError("expected the plan of a job that `grade --engine slurm` wrote, found " +
