@@ -116,7 +116,9 @@ void ClassFolder::check_owner(const std::string& assignment,
                                      "{} in {}",
                                      assignment, run["assignment"].dump(), folder_.string()));
     for (const Json& name : run["submissions"])
-        if (std::find(submissions.begin(), submissions.end(), name) == submissions.end())
+        if (std::find(submissions.begin(), submissions.end(),
+                      name.is_string() ? name.get<std::string>() : name.dump()) ==
+            submissions.end())
             throw InputError(fmt::format("--out: {} has a result of {}, which this run does not "
                                          "name: name all submissions, or another folder",
                                          folder_.string(), name.dump()));
