@@ -51,7 +51,8 @@ void add_spins(Suite& suite)
         {"matrix", Integrator::matrix},
         {"buss", Integrator::buss},
         {"exponential", Integrator::exponential},
-        {"linear", Integrator::linear}};
+        {"linear", Integrator::linear},
+        {"exact", Integrator::exact}};
     for (const auto& [name, integrator] : integrators) {
         suite.push_back({"1e6 steps of a spin", std::string("box 1 x 2 x 3, ") + name, false,
                          [kind = integrator](Record& record) {

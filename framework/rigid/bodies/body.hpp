@@ -44,6 +44,9 @@ struct RigidBody {
     double mass = 0;                    // [kg]; 0 if static
     Matrix3d inertia = Matrix3d::Zero(); // I_body, about the center of mass [kg m²]
     BodyInertia inverse;       // computed once, through the principal axes; zero if static
+    // The principal axes Q as columns and the inverse moments along them, I_body⁻¹ = Q diag(J) Qᵀ.
+    Matrix3d principal_axes = Matrix3d::Identity();
+    Vector3d inverse_moments = Vector3d::Zero(); // J [1/(kg m²)]
     bool is_isotropic = false; // whether I_body = i δ, and so I(t)⁻¹ = I_body⁻¹
     // Symmetry axis a of a body of revolution: a unit vector in object space with I_body⁻¹ = i δ +
     // k a aᵀ. Zero if the body has no such axis.

@@ -120,12 +120,16 @@ void invert_inertia(RigidBody& body)
     body.symmetry_axis.setZero();
     if (body.is_isotropic) {
         const double i = body.inertia.trace() / 3;
+        body.principal_axes.setIdentity();
+        body.inverse_moments.setConstant(i > 0 ? 1 / i : 0.0);
         body.inverse.inverse_inertia = (i > 0 ? 1 / i : 0.0) * Matrix3d::Identity();
         return;
     }
     const PrincipalAxes axes = principal_axes(body.inertia);
     const Matrix3d& Q = axes.rotation;
-    body.inverse.inverse_inertia = Q * invert_moments(axes.moments).asDiagonal() * Q.transpose();
+    body.principal_axes = Q;
+    body.inverse_moments = invert_moments(axes.moments);
+    body.inverse.inverse_inertia = Q * body.inverse_moments.asDiagonal() * Q.transpose();
     body.symmetry_axis = symmetry_axis_of(axes);
 }
 
@@ -152,6 +156,8 @@ void set_mass(RigidBody& body, double mass, const Matrix3d& inertia)
         body.mass = 0;
         body.inertia.setZero();
         body.inverse = {};
+        body.principal_axes.setIdentity();
+        body.inverse_moments.setZero();
         body.is_isotropic = false;
         body.symmetry_axis.setZero();
         return;

@@ -13,9 +13,12 @@ enum class Integrator {
     linear, ///< `step_symplectic_euler`
     exponential,  ///< symplectic Euler with `advance_exact`
     buss,         ///< `step_buss`
-    runge_kutta,  ///< fourth order on (X, q, V, L), the default
+    runge_kutta,  ///< fourth order on (X, q, V, L)
     gram_schmidt, ///< symplectic Euler with `advance_matrix` and `gram_schmidt`, to watch its bias
     euler_angles, ///< symplectic Euler with `euler_rates`, to watch it at gimbal lock
+    /// The default: a body that only gravity acts on flies exactly, by Jacobi's solution for the
+    /// free rotor. A body that springs, forces or contacts act on takes `runge_kutta`.
+    exact,
 };
 
 /// How the contact stage of a step resolves contacts.
@@ -43,10 +46,16 @@ struct Optimisations {
 
 struct Settings {
     Vector3d gravity = Vector3d::Zero(); // g [m/s²]
-    Integrator integrator = Integrator::runge_kutta;
+    Integrator integrator = Integrator::exact;
     ContactMethod contact_method = ContactMethod::built_in;
     Optimisations optimisations;
     bool formulas_are_reference = false; // whether the linked formulas are the reference's
+
+    /// The integrator of a body that springs, forces or contacts act on.
+    Integrator integrator_when_held() const
+    {
+        return integrator == Integrator::exact ? Integrator::runge_kutta : integrator;
+    }
 
     /// Whether the engine may run its faster forms of the formulas.
     bool uses_optimised_formulas() const

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 // One step under a constant wrench, by Buss's augmented fourth-order method (2000). It computes ω
-// and its derivatives, then the mean angular velocity Ω, and then one rotation by Ω h.
+// and its derivatives, then the mean angular velocity Ω, and then one rotation by Ω h. The exact Ω of
+// a body without torque can take the place of the series.
 #include "rigid/motion/constant_wrench_step.hpp"
 
 #include "formulas/rotation.hpp"
 #include "rigid/bodies/orientation.hpp"
+#include "rigid/motion/free_rotation.hpp"
 
 namespace rigor {
 
@@ -43,10 +45,26 @@ Quaternion turned_symmetric(const RigidBody& body, const RigidState& state, doub
     return advance_exact(advance_exact(state.orientation, k * L.dot(a) * a, h), i * L, h);
 }
 
+// The exact Ω of a body without torque.
+Vector3d mean_of_free_rotation(const RigidBody& body, const RigidState& state, double h)
+{
+    const Matrix3d axes = body_rotation(Integrator::exact, state) * body.principal_axes;
+    return axes * mean_free_angular_velocity(body.inverse_moments,
+                                             axes.transpose() * state.angular_momentum, h);
+}
+
+// Whether the series for Ω is exact to rounding: the first term that it leaves out is some
+// thousandths of (|I⁻¹| |L| h)⁵.
+bool is_series_exact(const RigidBody& body, const RigidState& state, double h)
+{
+    constexpr double most = 1e-3; // [rad]
+    return body.inverse.inverse_inertia.norm() * state.angular_momentum.norm() * h < most;
+}
+
 } // namespace
 
 RigidState constant_wrench_step(const RigidBody& body, const RigidState& state,
-                                const Wrench& wrench, double time_step)
+                                const Wrench& wrench, double time_step, FreeRotation free_rotation)
 {
     const double h = time_step;
     const Vector3d A = body.inverse.inverse_mass * wrench.force;
@@ -59,6 +77,12 @@ RigidState constant_wrench_step(const RigidBody& body, const RigidState& state,
     const bool is_free = wrench.torque.isZero(0);
     if (body.is_body_of_revolution() && is_free) {
         next.orientation = turned_symmetric(body, state, h);
+        return next;
+    }
+    if (is_free && free_rotation == FreeRotation::exact && !body.is_isotropic &&
+        !is_series_exact(body, state, h)) {
+        next.orientation =
+            advance_exact(state.orientation, mean_of_free_rotation(body, state, h), h);
         return next;
     }
     const Matrix3d J = inverse_inertia(Integrator::runge_kutta, body, state);

@@ -62,6 +62,8 @@ RigidState one_step(Integrator integrator, const RigidBody& body, const RigidSta
         return step_buss(state, body.inverse, wrench, h);
     case Integrator::runge_kutta:
         return constant_wrench_step(body, state, wrench, h);
+    case Integrator::exact:
+        return constant_wrench_step(body, state, wrench, h, FreeRotation::exact);
     }
     throw std::logic_error("an integrator without a step");
 }
@@ -89,7 +91,7 @@ int substeps_for(Integrator integrator, const RigidBody& body, const RigidState&
 int substeps_for_forces(const World& world, double h)
 {
     if (world.springs.empty() && world.forces.empty()) return 1;
-    if (world.settings.integrator != Integrator::runge_kutta) return 1;
+    if (world.settings.integrator_when_held() != Integrator::runge_kutta) return 1;
     constexpr double most_phase = 0.5; // [rad]
     const double needed = std::ceil(fastest_force_rate(world) * h / most_phase);
     if (needed > most_substeps)
@@ -173,16 +175,17 @@ void fly_by_splitting(const World& world, AppliedWrenches& wrenches, std::span<c
 void fly_pulled(const World& world, AppliedWrenches& wrenches, std::span<const int> together,
                 std::vector<RigidState>& states, double h, const StepTimes& times)
 {
-    if (world.settings.integrator == Integrator::matrix)
+    const Integrator integrator = world.settings.integrator_when_held();
+    if (integrator == Integrator::matrix)
         return fly_by_runge_kutta<MatrixScheme>(world, wrenches, together, states, h, times);
-    if (world.settings.integrator == Integrator::runge_kutta && wrenches.any_spring_damps())
+    if (integrator == Integrator::runge_kutta && wrenches.any_spring_damps())
         return fly_by_runge_kutta<LieScheme>(world, wrenches, together, states, h, times);
-    if (world.settings.integrator == Integrator::runge_kutta)
+    if (integrator == Integrator::runge_kutta)
         return fly_by_splitting(world, wrenches, together, states, h, times);
     const std::vector<Wrench>& net = wrenches.at(states, times.middle, times.middle);
     for (std::size_t k = 0; k < together.size(); ++k) {
         const int i = together[k];
-        states[i] = one_step(world.settings.integrator, world.bodies[i], states[i], net[k], h);
+        states[i] = one_step(integrator, world.bodies[i], states[i], net[k], h);
     }
 }
 
@@ -191,8 +194,11 @@ void fly_pulled(const World& world, AppliedWrenches& wrenches, std::span<const i
 RigidState fly(const Settings& settings, const RigidBody& body, RigidState state, double time_step,
                Counters& counters, Gravity gravity)
 {
-    const Integrator integrator = settings.integrator;
-    const bool is_exact = body.is_body_of_revolution() && integrator == Integrator::runge_kutta;
+    const Integrator integrator =
+        gravity == Gravity::acts ? settings.integrator : settings.integrator_when_held();
+    const bool is_exact =
+        integrator == Integrator::exact ||
+        (integrator == Integrator::runge_kutta && body.is_body_of_revolution());
     const int n =
         is_exact ? 1 : count_substeps(substeps_for(integrator, body, state, time_step), counters);
     if (body.is_isotropic) ++counters.isotropic_shortcuts;
@@ -217,7 +223,7 @@ std::vector<RigidState> fly_all(World& world, const std::vector<bool>& pulled, d
         if (body.rest.is_asleep()) ++counters.bodies_asleep;
         if (!pulled[i] || body.is_still()) continue;
         together.push_back(static_cast<int>(i));
-        n = std::max(n, substeps_for(world.settings.integrator, body, body.state, time_step));
+        n = std::max(n, substeps_for(world.settings.integrator_when_held(), body, body.state, time_step));
         if (body.is_isotropic) ++counters.isotropic_shortcuts;
     }
     fly_in_parallel(

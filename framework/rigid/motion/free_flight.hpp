@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Free flight: how bodies move between contacts, by the world's integrator.
 //
-// The default integrator, `runge_kutta`, has three methods of fourth order. A body that gravity
-// alone acts on takes the method of constant_wrench_step.hpp.
+// The default integrator, `exact`, is exact for a body that gravity alone acts on: a parabola and
+// the free rotor of free_rotation.hpp. All other bodies take `runge_kutta`.
+//
+// The integrator `runge_kutta` has three methods of fourth order. A body that gravity alone acts on
+// takes the method of constant_wrench_step.hpp.
 //
 // Bodies on which springs or applied forces pull take kicks and free flights in turns: the
 // symplectic Runge–Kutta–Nyström method SRKN6b of Blanes and Moan (2002, "Practical symplectic
@@ -41,9 +44,12 @@ enum class Gravity { acts, left_out };
 /// The state of one body after a time step in which gravity alone or nothing acts on it.
 ///
 /// If a body would rotate by more than a quarter turn, the step is divided into equal substeps of
-/// at most a quarter turn (`max_time_step`). Three kinds of flight need no substeps: an isotropic
-/// body with any integrator but `linear`, a body of revolution with the default
-/// integrator, and the integrator `matrix`, whose assignment comes before that formula's.
+/// at most a quarter turn (`max_time_step`). Four kinds of flight need no substeps: any body with
+/// the integrator `exact`, an isotropic body with any integrator but `linear`, a body of revolution
+/// with `runge_kutta`, and the integrator `matrix`, whose assignment comes before that formula's.
+///
+/// @param gravity  `left_out` for a body that contacts hold, which moves by
+///                 `Settings::integrator_when_held`
 RigidState fly(const Settings& settings, const RigidBody& body, RigidState state, double time_step,
                Counters& counters, Gravity gravity = Gravity::acts);
 

@@ -37,9 +37,10 @@ void displace(RigidState& state, const Displacement& by)
 
 // Whether positions after free flight converge with an order above the first. Then bodies held by
 // contacts should converge as fast.
-bool is_of_higher_order(Integrator integrator)
+bool is_of_higher_order(Integrator integrator_when_held)
 {
-    return integrator == Integrator::runge_kutta || integrator == Integrator::matrix;
+    return integrator_when_held == Integrator::runge_kutta ||
+           integrator_when_held == Integrator::matrix;
 }
 
 // Whether the contacts of an island act along the same normals during the whole step, as on an
@@ -104,7 +105,7 @@ void update_positions(World& world, const ContactProblem& problem, const std::ve
         if (is_displaced) displace(states[i], displacements[i]);
     };
     for (const Island& island : problem.islands) {
-        const bool by_mean_velocity = is_of_higher_order(world.settings.integrator) &&
+        const bool by_mean_velocity = is_of_higher_order(world.settings.integrator_when_held()) &&
                                       holds_along_fixed_normals(problem, island, after_collisions);
         fly_in_parallel(*problem.pool, island.bodies.size(), counters,
                         [&](std::size_t first, std::size_t last, Counters& counted) {

@@ -35,8 +35,8 @@ struct SceneDraft {
                 *frames_per_second = nullptr;
 };
 
-constexpr std::string_view integrators[] = {"matrix",      "linear",       "exponential", "buss",
-                                            "runge_kutta", "gram_schmidt", "euler_angles"};
+constexpr std::string_view integrators[] = {"matrix",      "linear",       "exponential",  "buss",
+                                            "runge_kutta", "gram_schmidt", "euler_angles", "exact"};
 
 constexpr std::string_view contact_methods[] = {"built_in", "one_at_a_time", "shock_propagation",
                                                 "simultaneous"};
@@ -71,7 +71,7 @@ constexpr Key<SceneDraft> scene_keys[] = {
      [](SceneDraft& d, const Value& v) { d.frames_per_second = &v; }},
     {"integrator",
      "of free flight: \"matrix\", \"linear\", \"exponential\", \"buss\", \"runge_kutta\", "
-     "\"gram_schmidt\" or \"euler_angles\", default \"runge_kutta\"",
+     "\"gram_schmidt\", \"euler_angles\" or \"exact\", default \"exact\"",
      [](SceneDraft& d, const Value& v) {
          d.scene.settings.integrator = static_cast<Integrator>(one_of(v, integrators));
      }},

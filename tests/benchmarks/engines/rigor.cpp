@@ -120,7 +120,8 @@ std::vector<Contestant> flight_contestants()
                                    rigor_contestant("matrix", Integrator::matrix, any),
                                    rigor_contestant("buss", Integrator::buss, any),
                                    rigor_contestant("exponential", Integrator::exponential, any),
-                                   rigor_contestant("linear", Integrator::linear, any)};
+                                   rigor_contestant("linear", Integrator::linear, any),
+                                   rigor_contestant("exact", Integrator::exact, any)};
     add_bullet(all);
     add_ode(all, false);
     return all;

@@ -7,7 +7,7 @@
 namespace rigor::testing {
 
 inline constexpr Integrator all_integrators[] = {
-    Integrator::matrix,      Integrator::linear,       Integrator::exponential, Integrator::buss,
-    Integrator::runge_kutta, Integrator::gram_schmidt, Integrator::euler_angles};
+    Integrator::matrix,      Integrator::linear,       Integrator::exponential,  Integrator::buss,
+    Integrator::runge_kutta, Integrator::gram_schmidt, Integrator::euler_angles, Integrator::exact};
 
 } // namespace rigor::testing

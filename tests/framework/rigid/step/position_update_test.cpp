@@ -51,7 +51,8 @@ struct Balls {
 constexpr double dt = 0.01; // the time step [s]
 constexpr Integrator first_order[] = {Integrator::linear, Integrator::exponential, Integrator::buss,
                                       Integrator::gram_schmidt, Integrator::euler_angles};
-constexpr Integrator higher_order[] = {Integrator::runge_kutta, Integrator::matrix};
+constexpr Integrator higher_order[] = {Integrator::runge_kutta, Integrator::matrix,
+                                       Integrator::exact};
 const Vector3d push(0, 1, 0); // any impulse [N s]
 
 } // namespace

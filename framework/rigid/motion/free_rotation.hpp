@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// The exact rotation of a body that no torque acts on.
+#pragma once
+
+#include "formulas/types.hpp"
+
+namespace rigor {
+
+/// The constant angular velocity Ω that gives the same rotation over a time h as the free motion of
+/// the body, in its principal frame at the start [rad/s].
+///
+/// The angular momentum M in the body follows Euler's equations, whose solution is Jacobi's (1849;
+/// Landau and Lifshitz, "Mechanics", § 37). With the inverse moments J₁ > J₂ > J₃ or J₁ < J₂ < J₃,
+/// so that M circles about axis 3:
+///
+///     M₁ = A₁ cn u    M₂ = A₂ sn u    M₃ = A₃ dn u    u̇ = ±|M| √((J₂ - J₃) r)
+///
+/// The body turns about the fixed L by the angle that axis 3 sweeps out (van Zon and Schofield
+/// 2007, "Numerical implementation of the exact dynamics of free rigid bodies", J. Comput. Phys.
+/// 225; they sum a theta series, here it is an integral of Carlson's):
+///
+///     φ̇ = |L| (J₂ + (J₁ - J₂) M₁² / (M₁² + M₂²))
+///
+/// The error is that of rounding the arguments, for a time of any length and moments that are equal,
+/// nearly equal or far apart.
+///
+/// @param inverse_moments  J, in any order [1/(kg m²)]
+/// @param momentum         M, the angular momentum along the principal axes [kg m²/s]
+/// @param time             h, not 0 [s]
+Vector3d mean_free_angular_velocity(const Vector3d& inverse_moments, const Vector3d& momentum,
+                                    double time);
+
+} // namespace rigor
