@@ -55,4 +55,17 @@ private:
     const LevelSet* grid_ = nullptr; // level set of the mesh
 };
 
+/// The deepest of some points in a distance field, in the frame of the field.
+struct DeepestPoint {
+    Vector3d point = Vector3d::Zero();
+    double gap = 0; // not negative: no point was inside [m]
+
+    void consider(const Vector3d& p, double distance)
+    {
+        if (distance >= gap) return;
+        point = p;
+        gap = distance;
+    }
+};
+
 } // namespace rigor

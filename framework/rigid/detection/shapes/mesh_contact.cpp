@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Contacts of a mesh with another solid shape. The surface points of each shape are tested in the
 // distance field of the other (Guendelman, Bridson and Fedkiw 2003), where a bounding tree skips
-// points that are far away. Contacts of sharp edges are added, and the result is reduced to a few
-// contacts.
+// points that are far away. Contacts of sharp edges are added. If the shapes overlap and no contact
+// says so, for example because a thin bar has pierced a wall, the deepest point becomes a contact.
+// The result is reduced to a few contacts.
 #include "rigid/detection/shapes/mesh_contact.hpp"
 
 #include "geometry/shapes/shape_bounds.hpp"
@@ -12,6 +13,7 @@
 #include "rigid/detection/shapes/reduce_contacts.hpp"
 #include "rigid/detection/shapes/smooth_contact.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace rigor {
@@ -39,13 +41,18 @@ public:
     }
 
     // Appends contacts in the frame of the field, with normals out of the field's shape.
-    void find(std::vector<Contact>& contacts) const { descend(0, contacts); }
+    // @return the deepest point that was looked at, whether it is a contact or not
+    DeepestPoint find(std::vector<Contact>& contacts)
+    {
+        descend(0, contacts);
+        return deepest_;
+    }
 
 private:
     // All points of a node have about the distance of its middle. If that is large for the size of
     // the node, one of the points represents all. In a node of the size of one or two cells, the
     // nearest point represents all.
-    void descend(int index, std::vector<Contact>& contacts) const
+    void descend(int index, std::vector<Contact>& contacts)
     {
         const BoundingTree::Node& node = surface_.point_tree().nodes()[index];
         const Vector3d middle = pose_ * ((node.bounds.low + node.bounds.high) / 2);
@@ -62,7 +69,7 @@ private:
         descend(node.right, contacts);
     }
 
-    void add_nearest(int first, int last, std::vector<Contact>& contacts) const
+    void add_nearest(int first, int last, std::vector<Contact>& contacts)
     {
         const double as_near = equally_near * surface_.spacing();
         int nearest = -1;
@@ -82,9 +89,10 @@ private:
         if (nearest >= 0) add(surface_.points()[nearest], least, contacts);
     }
 
-    void add(const SurfacePoint& sample, double gap, std::vector<Contact>& contacts) const
+    void add(const SurfacePoint& sample, double gap, std::vector<Contact>& contacts)
     {
         const Vector3d p = pose_ * sample.point;
+        deepest_.consider(p, gap);
         const Vector3d gradient = field_.normal(p);
         const Vector3d own =
             surface_.nearest_normal(sample.cone, -(pose_.R.transpose() * gradient));
@@ -97,6 +105,7 @@ private:
     const Pose& pose_;
     const DistanceField& field_;
     double reach_;
+    DeepestPoint deepest_;
 };
 
 Pose inverse(const Pose& pose)
@@ -104,17 +113,40 @@ Pose inverse(const Pose& pose)
     return {pose.R.transpose(), -(pose.R.transpose() * pose.X)};
 }
 
+// The contact of a point that lies in a field's shape, in the frame of the field. The normal leads
+// the nearest way out.
+Contact contact_of_deepest(const DeepestPoint& deepest, const DistanceField& field)
+{
+    const Vector3d n = field.normal(deepest.point);
+    return {deepest.point - deepest.gap / 2 * n, n, deepest.gap};
+}
+
+// A contact in the frame of shape 1, with a normal from 1 to 2, in the frame of shape 2 with a
+// normal from 2 to 1.
+Contact seen_from_2(const Contact& contact, const Pose& from_1)
+{
+    return {from_1 * contact.point, -(from_1.R * contact.normal), contact.gap};
+}
+
+bool any_overlaps(const std::vector<Contact>& contacts)
+{
+    return std::any_of(contacts.begin(), contacts.end(),
+                       [](const Contact& c) { return c.gap < 0; });
+}
+
 // Appends the points of mesh 2 near shape 1, in the frame of the mesh, with normals from 2 to 1.
 // @param from_1  pose of shape 1 in the frame of the mesh
-void add_points(const Shape& shape1, const Pose& from_1, const SolidMesh& mesh2, double reach,
-                Counters& counters, std::vector<Contact>& found)
+// @return the deepest point that was looked at, in the frame of shape 1
+DeepestPoint add_points(const Shape& shape1, const Pose& from_1, const SolidMesh& mesh2,
+                        double reach, Counters& counters, std::vector<Contact>& found)
 {
     const DistanceField field1(shape1, counters);
     const Pose from_2 = inverse(from_1);
     const std::size_t first = found.size();
-    PointsInField(mesh2.surface(), from_2, field1, reach).find(found);
+    const DeepestPoint deepest = PointsInField(mesh2.surface(), from_2, field1, reach).find(found);
     for (std::size_t i = first; i < found.size(); ++i)
-        found[i] = {from_1 * found[i].point, -(from_1.R * found[i].normal), found[i].gap};
+        found[i] = seen_from_2(found[i], from_1);
+    return deepest;
 }
 
 } // namespace
@@ -142,14 +174,19 @@ void find_mesh_contacts(const Shape& shape1, const Pose& pose1, const Shape& sha
         return;
 
     std::vector<Contact> found; // in the frame of shape 2, normals from 2 to 1
-    add_points(shape1, from_1, mesh2, reach, counters, found);
+    const DeepestPoint of_2 = add_points(shape1, from_1, mesh2, reach, counters, found);
     const DistanceField field2(shape2, counters);
-    if (const Mesh* mesh1 = std::get_if<Mesh>(&shape1))
-        PointsInField(mesh1->solid->surface(), from_1, field2, reach).find(found);
-    else
-        find_smooth_contacts(shape1, from_1, field2, reach, found);
+    const Mesh* mesh1 = std::get_if<Mesh>(&shape1);
+    const DeepestPoint of_1 =
+        mesh1 ? PointsInField(mesh1->solid->surface(), from_1, field2, reach).find(found)
+              : find_smooth_contacts(shape1, from_1, field2, reach, found);
     find_edge_contacts(shape1, from_1, mesh2.surface(), reach, found);
-
+    const bool is_missed = !any_overlaps(found);
+    if (is_missed && of_1.gap < 0 && of_1.gap <= of_2.gap)
+        found.push_back(contact_of_deepest(of_1, field2));
+    else if (is_missed && of_2.gap < 0)
+        found.push_back(
+            seen_from_2(contact_of_deepest(of_2, DistanceField(shape1, counters)), from_1));
     reduce_contacts(found, 0, reach);
     for (const Contact& t : found)
         contacts.push_back({pose2 * t.point, pose2.R * t.normal, t.gap});

@@ -118,14 +118,18 @@ public:
     {
     }
 
-    void find()
+    DeepestPoint find()
     {
         const std::vector<Vector3d> points = seeds(shape_);
         double spacing = 0; // estimate of the largest distance from a surface point to a seed
         for (const Vector3d& p : points)
             spacing = std::max(spacing, p.norm() / 2);
-        for (const Vector3d& p : points)
-            if (field_.distance(pose_ * p) < reach_ + spacing) start(p);
+        for (const Vector3d& p : points) {
+            const double distance = field_.distance(pose_ * p);
+            deepest_.consider(pose_ * p, distance);
+            if (distance < reach_ + spacing) start(p);
+        }
+        return deepest_;
     }
 
 private:
@@ -177,6 +181,7 @@ private:
     {
         const Vector3d x = pose_ * p;
         const double gap = field_.distance(x);
+        deepest_.consider(x, gap);
         if (gap >= reach_) return;
         const Vector3d against = -gradient(p);
         const Vector3d own = std::visit(NormalAt{p, against}, shape_);
@@ -190,15 +195,16 @@ private:
     const DistanceField& field_;
     double reach_;
     std::vector<Contact>& contacts_;
+    DeepestPoint deepest_;
     std::vector<Vector3d> starts_, ends_; // directions at the start and at the end of iterations
 };
 
 } // namespace
 
-void find_smooth_contacts(const Shape& shape, const Pose& pose, const DistanceField& field,
-                          double reach, std::vector<Contact>& contacts)
+DeepestPoint find_smooth_contacts(const Shape& shape, const Pose& pose, const DistanceField& field,
+                                  double reach, std::vector<Contact>& contacts)
 {
-    OnSurface(shape, pose, field, reach, contacts).find();
+    return OnSurface(shape, pose, field, reach, contacts).find();
 }
 
 } // namespace rigor

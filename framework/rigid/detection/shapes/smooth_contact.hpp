@@ -19,7 +19,8 @@ namespace rigor {
 /// @param shape  a box, a cylinder, a cone or an ellipsoid
 /// @param pose   pose of the shape in the frame of the field; the contacts are in this frame too,
 ///               with normals out of the field's shape
-void find_smooth_contacts(const Shape& shape, const Pose& pose, const DistanceField& field,
-                          double reach, std::vector<Contact>& contacts);
+/// @return       the deepest point that was looked at, whether it is a contact or not
+DeepestPoint find_smooth_contacts(const Shape& shape, const Pose& pose, const DistanceField& field,
+                                  double reach, std::vector<Contact>& contacts);
 
 } // namespace rigor
