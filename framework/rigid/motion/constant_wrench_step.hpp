@@ -28,9 +28,9 @@ enum class FreeRotation { fourth_order, exact };
 ///
 ///     q' = exp(h i L) exp(h k (L·a) a) q
 ///
-/// If FreeRotation is `exact`, any other body without torque takes the Ω of free_rotation.hpp, which
-/// costs about three times as much as the series. Where |I⁻¹| |L| h is below 1e-3, the series is
-/// exact to rounding and is taken.
+/// If FreeRotation is `exact`, any other body without torque takes the Ω of free_rotation.hpp,
+/// which costs more than the series. Where |I⁻¹| |L| h is below 1e-3, the series is exact to
+/// rounding and is taken.
 RigidState constant_wrench_step(const RigidBody& body, const RigidState& state,
                                 const Wrench& wrench, double time_step,
                                 FreeRotation free_rotation = FreeRotation::fourth_order);

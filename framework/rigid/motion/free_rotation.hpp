@@ -21,8 +21,8 @@ namespace rigor {
 ///
 ///     φ̇ = |L| (J₂ + (J₁ - J₂) M₁² / (M₁² + M₂²))
 ///
-/// The error is that of rounding the arguments, for a time of any length and moments that are equal,
-/// nearly equal or far apart.
+/// The error is that of rounding the arguments, for a time of any length and for moments that are
+/// equal, nearly equal or far apart.
 ///
 /// @param inverse_moments  J, in any order [1/(kg m²)]
 /// @param momentum         M, the angular momentum along the principal axes [kg m²/s]

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The closed solution against a Taylor series of order 22 in extended precision, over strata of
-// moments, angular velocities and times. The bound is the effect of rounding the arguments, found by
-// moving them: near the unstable axis a small change grows with each flip.
+// moments, angular velocities and times. The bound is the effect of rounding the arguments, found
+// by moving them: near the unstable axis a small change grows with each flip.
 #include "rigid/motion/free_rotation.hpp"
 
 #include "framework/rigid/worlds.hpp"
