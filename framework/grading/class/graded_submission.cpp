@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "grading/class/graded_submission.hpp"
 
+#include "grading/class/environment.hpp"
 #include "grading/intake/intake.hpp"
 #include "grading/intake/refused.hpp"
 #include "report/exports/classroom50.hpp"
@@ -9,7 +10,6 @@
 #include "report/result_json.hpp"
 #include "report/table.hpp"
 
-#include <cstdlib>
 #include <ctime>
 #include <fmt/format.h>
 #include <fstream>
@@ -32,12 +32,6 @@ void write_files(const Intake& intake, const fs::path& place)
     }
 }
 
-std::string variable(const char* name)
-{
-    const char* value = std::getenv(name);
-    return value ? value : "";
-}
-
 std::string time_now()
 {
     const std::time_t now = std::time(nullptr);
@@ -56,7 +50,7 @@ ResultFiles files_about(const Result& result, const Implementation& implementati
     return {{"result.json", to_json({result})},
             {"report.txt", report},
             {"junit.xml", junit_xml(result)},
-            {"classroom50.json", classroom50_json(result, variable, time_now())},
+            {"classroom50.json", classroom50_json(result, environment_variable, time_now())},
             {"gradescope.json", gradescope_json(result)}};
 }
 

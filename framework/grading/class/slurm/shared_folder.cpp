@@ -4,6 +4,7 @@
 #include "errors/input_error.hpp"
 #include "errors/printable.hpp"
 #include "errors/quotes.hpp"
+#include "grading/class/environment.hpp"
 #include "report/write_whole.hpp"
 
 #include <fmt/format.h>
@@ -40,12 +41,9 @@ std::set<std::string> names_in(const fs::path& folder)
 // So each writes to a place of its own first.
 void write_by_task(const fs::path& file, const std::string& text)
 {
-    const auto variable = [](const char* name) {
-        const char* value = std::getenv(name);
-        return std::string(value ? value : "");
-    };
-    const fs::path own = fmt::format("{}.{}_{}_{}.new", file.string(), variable("SLURM_JOB_ID"),
-                                     variable("SLURM_RESTART_COUNT"), variable("SLURMD_NODENAME"));
+    const fs::path own = fmt::format(
+        "{}.{}_{}_{}.new", file.string(), environment_variable("SLURM_JOB_ID"),
+        environment_variable("SLURM_RESTART_COUNT"), environment_variable("SLURMD_NODENAME"));
     write_whole(own, text);
     fs::rename(own, file);
 }

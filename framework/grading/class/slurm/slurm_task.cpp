@@ -2,25 +2,19 @@
 #include "grading/class/slurm/slurm_task.hpp"
 
 #include "errors/input_error.hpp"
+#include "grading/class/environment.hpp"
 #include "grading/class/fingerprint.hpp"
 #include "grading/class/local_engine.hpp"
 
-#include <cstdlib>
 #include <fmt/format.h>
 
 namespace rigor {
 
 namespace {
 
-std::string variable(const char* name)
-{
-    const char* value = std::getenv(name);
-    return value ? value : "";
-}
-
 std::string node()
 {
-    const std::string name = variable("SLURMD_NODENAME");
+    const std::string name = environment_variable("SLURMD_NODENAME");
     return name.empty() ? "this node" : "node " + name;
 }
 
@@ -68,8 +62,8 @@ std::string run_slurm_task(const slurm::Plan& plan, std::size_t task, ClassWork 
         else
             write(i, faulty_submission(work.selection, plan.submissions[i], work.run, other));
     }
-    LocalEngine engine(
-        1, fmt::format("{}_{}", variable("SLURM_JOB_ID"), variable("SLURM_RESTART_COUNT")));
+    LocalEngine engine(1, fmt::format("{}_{}", environment_variable("SLURM_JOB_ID"),
+                                      environment_variable("SLURM_RESTART_COUNT")));
     std::string fault =
         engine.grade(work, numbers, write, [](const std::string&, const std::string&) {});
     if (fault.empty())
