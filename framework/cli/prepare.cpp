@@ -75,6 +75,12 @@ int run_program(const std::vector<std::string>& arguments)
     throw std::runtime_error(fmt::format("{} was ended by signal {}", arguments[0], ended.signal));
 }
 
+std::string program_failed(const std::string& name, int status)
+{
+    return fmt::format("a fault of the framework: {} ended with status {}; run {} by itself", name,
+                       status, places().program(name.c_str()).string());
+}
+
 void require_folder(const std::string& out, const std::string& content)
 {
     if (out.empty()) throw InputError("expected --out DIR, the folder for " + content);

@@ -33,6 +33,10 @@ void prepare_submissions();
 /// @throws std::runtime_error if it crashed
 int run_program(const std::vector<std::string>& arguments);
 
+/// What to say of such a program that ended with a status that it should not have: a fault of the
+/// framework, and how to see it.
+std::string program_failed(const std::string& name, int status);
+
 /// Makes the folder that --out names, if it is missing.
 /// @param content  what will be written there: "the figures"
 /// @throws InputError if it cannot be written

@@ -35,7 +35,7 @@ const std::string& known_name(const std::string& name, const std::vector<std::st
 }
 
 // The benchmarks that write plots.
-constexpr std::array<std::string_view, 2> with_plots = {"accuracy", "plasticity"};
+constexpr std::array<std::string_view, 3> with_plots = {"accuracy", "deformable", "plasticity"};
 
 bool draws(const std::string& name)
 {
@@ -68,14 +68,16 @@ void run_benchmark(const std::string& name, const BenchOptions& options)
     if (draws(name)) arguments.insert(arguments.end(), {"--out", plots_of(name, options)});
     if (options.json) arguments.emplace_back("--json");
     const int status = run_program(arguments);
-    if (status != 0)
-        throw std::runtime_error(fmt::format("bench {} ended with status {}", name, status));
+    if (status != 0) throw std::runtime_error(program_failed("bench_" + name, status));
 }
 
 int bench(const BenchOptions& options)
 {
     const std::vector<std::string> known = ninja_programs("bench_");
-    if (known.empty()) throw InputError("this build has no benchmarks");
+    if (known.empty())
+        throw InputError(
+            fmt::format("the build {} has no benchmarks; RIGOR_PRESET=release has them",
+                        places().build.filename().string()));
     if (options.list) {
         fmt::print("{}\n", fmt::join(known, "\n"));
         return exit_done;

@@ -142,7 +142,7 @@ void print_points(const std::string& assignment, const std::vector<Result>& resu
 int demo(const DemoOptions& options)
 {
     if (!places().has_reference())
-        throw InputError("this tree has no reference/, and the demo shows it");
+        throw InputError("the demo runs the reference solution, which this tree lacks");
     const fs::path out = options.out;
     DrawOptions draw;
     draw.size = options.size;

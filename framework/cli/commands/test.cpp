@@ -28,8 +28,7 @@ int list_mistakes()
 {
     prepare_targets({"mistakes"});
     const int status = run_program({places().program("check_mistakes").string()});
-    if (status > exit_wrong)
-        throw std::runtime_error(fmt::format("check_mistakes ended with status {}", status));
+    if (status > exit_wrong) throw std::runtime_error(program_failed("check_mistakes", status));
     return status;
 }
 
@@ -44,8 +43,7 @@ int stress(const TestOptions& options)
     if (options.json) arguments.emplace_back("--json");
     if (!options.out.empty()) arguments.insert(arguments.end(), {"--out", options.out});
     const int status = run_program(arguments);
-    if (status > exit_input)
-        throw std::runtime_error(fmt::format("stress_tests ended with status {}", status));
+    if (status > exit_input) throw std::runtime_error(program_failed("stress_tests", status));
     return status;
 }
 

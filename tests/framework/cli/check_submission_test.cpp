@@ -74,14 +74,18 @@ TEST_CASE("submission: an error in an earlier assignment is paid for there alone
           "[cli][submission]")
 {
     if (!std::filesystem::is_directory(std::string(RIGOR_SOURCE_DIR) + "/reference")) return;
-    const TemporaryFolder folder; // with a stub, and with a wrong formula of assignment A1
+    const TemporaryFolder folder;
     std::filesystem::copy_file(sample("complete") / "inertia.cpp", folder.path() / "inertia.cpp");
-    for (const char* earlier :
-         {"", "#include \"formulas/kinematics.hpp\"\nnamespace rigor {\n"
-              "Vector3d point_velocity(const Vector3d& V, const Vector3d&, "
-              "const Vector3d&, const Vector3d&)\n{\n    return V;\n}\n}\n"}) {
+    const std::string wrong = "#include \"formulas/kinematics.hpp\"\nnamespace rigor {\n"
+                              "Vector3d point_velocity(const Vector3d& V, const Vector3d&, "
+                              "const Vector3d&, const Vector3d&)\n{\n    return V;\n}\n}\n";
+    // The whole assignment with stubs of A1; a formula and a short scene with a wrong formula of
+    // A1.
+    const std::vector<std::pair<std::string, std::vector<std::string>>> cases = {
+        {"", {"a2-inertia"}}, {wrong, {"A2.3", "A2.16"}}};
+    for (const auto& [earlier, what] : cases) {
         folder.write("kinematics.cpp", earlier);
-        const Checked checked = check({"a2-inertia"}, folder.path());
+        const Checked checked = check(what, folder.path());
         CAPTURE(checked.said);
         REQUIRE(not_passed(checked.result) == Statuses());
         REQUIRE(checked.result["score"] == checked.result["max_score"]);
@@ -107,7 +111,7 @@ TEST_CASE("submission: the reference answers in place of others, and never for t
             "inertia.cpp",
             "#include \"formulas/kinematics.hpp\"\n" +
                 std::regex_replace(whole, returned, "return " + before + "R * (I_body_inverse"));
-        const Checked checked = check({"A2.3", "A2.15"}, folder.path());
+        const Checked checked = check({"A2.3", "A2.16"}, folder.path());
         CAPTURE(before, checked.said);
         REQUIRE(checked.result["status"] == "graded");
         REQUIRE(checked.result["tests"][0]["score"] == 0);

@@ -8,7 +8,9 @@
 #include <nlohmann/json.hpp>
 
 #include <chrono>
+#include <fstream>
 #include <optional>
+#include <set>
 #include <thread>
 
 namespace rigor::testing {
@@ -49,7 +51,6 @@ TEST_CASE("command line: bad usage is one line and status 2", "[cli]")
         "WIDTHxHEIGHT");
     require_one_line({"bench", "spim"}, "no benchmark \"spim\"; did you mean \"spin\"?");
     require_one_line({"bench", "accuracy", "--out", "/dev/null"}, "expected a folder for plots");
-    require_one_line({"bench", "spin", "--out", "plots"}, "expected a benchmark that draws");
     require_one_line({"hint"}, "TAG");
     require_one_line({"hint", "A4.88"}, "did you mean \"A4.8\"?");
     require_one_line({"hint", "friction"}, "expected the tag of a task, found \"friction\"");
@@ -63,6 +64,23 @@ TEST_CASE("command line: bad usage is one line and status 2", "[cli]")
     require_one_line({"test", "--quick"}, "go with --stress");
     require_one_line({"test", "--all", "--stress"}, "expected one of");
     require_one_line({"demo", "--size", "big"}, "WIDTHxHEIGHT");
+}
+
+TEST_CASE("command line: every benchmark that writes plots takes a folder for them", "[cli]")
+{
+    std::set<std::string> drawing;
+    for (const auto& entry :
+         std::filesystem::directory_iterator(RIGOR_SOURCE_DIR "/tests/benchmarks")) {
+        std::ifstream in(entry.path() / "main.cpp");
+        const std::string text{std::istreambuf_iterator<char>(in), {}};
+        if (text.find("plot_folder(") != std::string::npos) drawing.insert(entry.path().filename());
+    }
+    REQUIRE_FALSE(drawing.empty());
+    std::string list;
+    for (const std::string& name : drawing)
+        list += (list.empty() ? "" : ", ") + name;
+    require_one_line({"bench", "spin", "--out", "plots"},
+                     "expected a benchmark that draws (" + list + "), found spin");
 }
 
 TEST_CASE("command line: an unknown build is one line and status 2 and leaves no folder", "[cli]")
