@@ -75,8 +75,8 @@ private:
     {
         const auto found = std::lower_bound(tags_.begin(), tags_.end(), std::pair(tag, 0));
         if (found == tags_.end() || found->first != tag)
-            throw MeshError(line, "expected vertices that the text has, found number " +
-                                      std::to_string(tag));
+            throw MeshError(line, "expected the number of a vertex of this file, found " +
+                                      std::to_string(tag) + " in an element");
         return found->second;
     }
 

@@ -128,10 +128,9 @@ private:
                                                       " at the one " + place(e));
             if (e.is_upward == edges[first + 1].is_upward)
                 throw MeshError(line(edges[first + 1].triangle),
-                                "expected faces that all turn the same way, found the edge " +
-                                    place(e) + " run through twice in one direction: turn " +
-                                    face(edges[first + 1].triangle) + " or " + face(e.triangle) +
-                                    " around");
+                                "expected a consistent winding, found the edge " + place(e) +
+                                    " traversed twice in one direction: flip " +
+                                    face(edges[first + 1].triangle) + " or " + face(e.triangle));
         }
     }
 
@@ -145,7 +144,7 @@ private:
             throw MeshError(0,
                             "expected faces that turn counter-clockwise seen from outside, found "
                             "a volume of " +
-                                number_text(volume) + " m³: turn the faces around");
+                                number_text(volume) + " m³: flip all faces");
     }
 
     // Refuses two faces at an edge that are folded onto each other: their normals are opposite.

@@ -24,11 +24,12 @@ NonFiniteState::NonFiniteState(std::string body_name, std::string quantity_name,
 
 void require_finite(const RigidBody& body, const RigidState& state, double time)
 {
-    if (!state.position.allFinite()) throw NonFiniteState(body.name, "X", time);
+    if (!state.position.allFinite()) throw NonFiniteState(body.name, "position X", time);
     if (!std::isfinite(state.orientation.s) || !state.orientation.v.allFinite())
-        throw NonFiniteState(body.name, "q", time);
-    if (!state.velocity.allFinite()) throw NonFiniteState(body.name, "V", time);
-    if (!state.angular_momentum.allFinite()) throw NonFiniteState(body.name, "L", time);
+        throw NonFiniteState(body.name, "orientation q", time);
+    if (!state.velocity.allFinite()) throw NonFiniteState(body.name, "velocity V", time);
+    if (!state.angular_momentum.allFinite())
+        throw NonFiniteState(body.name, "angular momentum L", time);
 }
 
 } // namespace rigor

@@ -13,7 +13,7 @@ namespace rigor {
 struct NonFiniteState : std::runtime_error {
     NonFiniteState(std::string body_name, std::string quantity_name, double at_time);
 
-    std::string body, quantity; // for example "V" or "inertia"
+    std::string body, quantity; // for example "velocity V" or "inertia"
     double time = 0;            // [s]
 };
 

@@ -59,7 +59,7 @@ std::vector<bool> pulled_bodies(const World& world, double time_step)
     return pulled;
 }
 
-double fastest_force_rate(const World& world)
+ForceRate fastest_force_rate(const World& world)
 {
     const auto compliance = [&](int body, const Vector3d& r) -> double {
         if (body < 0 || world.bodies[body].is_static) return 0;
@@ -76,12 +76,15 @@ double fastest_force_rate(const World& world)
             damping[body] += std::abs(spring.damping) * K;
         }
     }
-    double rate = 0;
+    ForceRate fastest;
+    const auto consider = [&](double rate, int body) {
+        if (rate > fastest.rate) fastest = {rate, body};
+    };
     for (const AppliedForce& force : world.forces)
-        rate = std::max(rate, 2 * std::numbers::pi * force.frequency);
+        consider(2 * std::numbers::pi * force.frequency, force.body);
     for (std::size_t i = 0; i < stiffness.size(); ++i)
-        rate = std::max({rate, std::sqrt(stiffness[i]), damping[i]});
-    return rate;
+        consider(std::max(std::sqrt(stiffness[i]), damping[i]), static_cast<int>(i));
+    return fastest;
 }
 
 Wrench gravity_on(const Settings& settings, const RigidBody& body, const Vector3d& X)

@@ -20,11 +20,17 @@ struct Motion {
 /// False for static bodies.
 std::vector<bool> pulled_bodies(const World& world, double time_step);
 
+/// A rate and the body that has it; -1 if no body has any.
+struct ForceRate {
+    double rate = 0; // [1/s]
+    int body = -1;
+};
+
 /// A bound on the fastest rate at which springs, dampers and forces change the motion of a body:
-/// the highest angular frequency of a vibration or rate of a decay [1/s]. With K = 1/M + r² |I⁻¹|
+/// the highest angular frequency of a vibration or rate of a decay. With K = 1/M + r² |I⁻¹|
 /// at each end of a spring, no ω² exceeds the largest Σ k (K₁ + K₂) over the springs of one body,
 /// and no rate of decay the largest Σ c (K₁ + K₂). A force adds its own ω = 2π f.
-double fastest_force_rate(const World& world);
+ForceRate fastest_force_rate(const World& world);
 
 /// The wrench of gravity alone. For the integrator `matrix` it is a point force at the center of
 /// mass, through `net_wrench`; for the others it is `gravity_wrench`. Without gravity no formula is

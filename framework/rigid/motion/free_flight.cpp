@@ -14,7 +14,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <numbers>
+#include <sstream>
 #include <stdexcept>
 
 namespace rigor {
@@ -93,13 +95,16 @@ int substeps_for_forces(const World& world, double h)
     if (world.springs.empty() && world.forces.empty()) return 1;
     if (world.settings.integrator_when_held() != Integrator::runge_kutta) return 1;
     constexpr double most_phase = 0.5; // [rad]
-    const double needed = std::ceil(fastest_force_rate(world) * h / most_phase);
-    if (needed > most_substeps)
-        throw std::domain_error(
-            "a spring or damper is too stiff or a force too fast for the step: expected "
-            "sqrt(k/M) h, c h/M and 2 pi f h up to " +
-            std::to_string(static_cast<int>(most_substeps * most_phase)) + ", found " +
-            std::to_string(needed));
+    const auto [rate, body] = fastest_force_rate(world);
+    const double needed = std::ceil(rate * h / most_phase);
+    if (needed > most_substeps) {
+        std::ostringstream text;
+        text << "body '" << world.bodies[body].name
+             << "': a spring or damper is too stiff or a force too fast for the step: expected "
+                "sqrt(k/M) h, c h/M and 2 pi f h up to "
+             << most_substeps * most_phase << ", found " << std::setprecision(4) << rate * h;
+        throw std::domain_error(text.str());
+    }
     return needed > 1 ? static_cast<int>(needed) : 1; // a NaN is reported at the end of the step
 }
 

@@ -58,7 +58,7 @@ RigidState fly(const Settings& settings, const RigidBody& body, RigidState state
 template <class Work>
 void fly_in_parallel(ThreadPool& pool, std::size_t count, Counters& counters, const Work& work)
 {
-    constexpr std::size_t grain_size = 64; // bodies
+    constexpr std::size_t grain_size = 64; // bodies of a range, see `ThreadPool::for_each_range`
     const int ranges = pool.range_count(count, grain_size);
     if (ranges < 2) return work(std::size_t{0}, count, counters);
     std::vector<Counters> counted(ranges);
@@ -72,8 +72,7 @@ void fly_in_parallel(ThreadPool& pool, std::size_t count, Counters& counters, co
 
 /// The states of all bodies after a time step without contacts. Bodies on which springs or applied
 /// forces pull fly together, all others one by one. Static bodies keep their state, unless they are
-/// driven. Only the
-/// counters of the world are changed.
+/// driven. Only the counters of the world are changed.
 ///
 /// @param pulled  see `pulled_bodies`
 std::vector<RigidState> fly_all(World& world, const std::vector<bool>& pulled, double time_step,

@@ -120,7 +120,8 @@ void read_times(SceneDraft& draft)
     scene.frames_per_second = std::min(scene.frames_per_second, one_a_step);
     if (!draft.frames_per_second) return;
     scene.frames_per_second = positive(*draft.frames_per_second, "a number of frames per second");
-    if (scene.frames_per_second > one_a_step * (1 + 1e-9))
+    constexpr double rounding = 1e-9; // in the quotient 1/h
+    if (scene.frames_per_second > one_a_step * (1 + rounding))
         expected(fmt::format("at most one frame a step ({:.6g} per second)", one_a_step),
                  *draft.frames_per_second);
 }
@@ -133,9 +134,9 @@ void read_bodies(const Value& value, MeshLibrary& meshes, std::vector<BodyDescri
         for (; done < bodies.size(); ++done)
             shapes += bodies[done].parts.size();
         if (bodies.size() > most_bodies || shapes > most_shapes)
-            throw Mistake{item.line, fmt::format("expected at most {} bodies of {} shapes, found "
-                                                 "more",
-                                                 most_bodies, most_shapes)};
+            throw Mistake{item.line, fmt::format("expected at most {} bodies and {} shapes in "
+                                                 "all, found {} and {}",
+                                                 most_bodies, most_shapes, bodies.size(), shapes)};
     }
 }
 

@@ -26,8 +26,8 @@ const Value& MeshLibrary::text_of(const Value& file) const
     const auto text = texts_.find(file.text);
     if (text == texts_.end())
         throw Mistake{file.line,
-                      fmt::format("expected the text of the mesh {} among the scene's \"meshes\", "
-                                  "found none",
+                      fmt::format("expected the text of the mesh {} in \"meshes\", found none: "
+                                  "load the scene from its file, which reads the mesh files",
                                   in_quotes(file.text))};
     return *text->second;
 }

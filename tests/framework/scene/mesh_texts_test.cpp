@@ -49,9 +49,9 @@ TEST_CASE("solids: a file of tetrahedra travels inside the scene that names it")
         CHECK(scene->solids.at(1).mesh->vertices.at(4) == Vector3d(2, 2, 2));
     }
     CHECK(sent.text == loaded.text);
-    CHECK(
-        refusal_of([&] { parse_scene(named, "s"); }) ==
-        "s:2: expected the text of the mesh \"two.mesh\" among the scene's \"meshes\", found none");
+    CHECK(refusal_of([&] { parse_scene(named, "s"); }) ==
+          "s:2: expected the text of the mesh \"two.mesh\" in \"meshes\", found none: load the "
+          "scene from its file, which reads the mesh files");
 }
 
 TEST_CASE("solids: a file that is no solid is refused with its place")

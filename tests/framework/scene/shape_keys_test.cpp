@@ -156,8 +156,8 @@ TEST_CASE("shapes: a mesh file travels inside the scene that names it")
     CHECK(sent.text == loaded.text);
     CHECK(load_scene(folder.write("again.json", loaded.text)).text == loaded.text);
     CHECK(refusal([&] { parse_scene(text, "s"); }) ==
-          "s:2: expected the text of the mesh \"tetra.obj\" among the scene's \"meshes\", found "
-          "none");
+          "s:2: expected the text of the mesh \"tetra.obj\" in \"meshes\", found none: load the "
+          "scene from its file, which reads the mesh files");
     // Line numbers are those of the file.
     CHECK(refusal([&] {
               load_scene(folder.write("s.json", bodies_of({R"({"mesh": {"file": "tetra.obj"}})",
@@ -185,7 +185,7 @@ TEST_CASE("shapes: a bad mesh file is refused with its place")
           "face only");
     CHECK(load_mesh("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 4 2\nf 1 3 4\nf 2 4 3\n") ==
           "m.obj: expected faces that turn counter-clockwise seen from outside, found a volume of "
-          "-0.166667 m³: turn the faces around");
+          "-0.166667 m³: flip all faces");
     CHECK(load_mesh("v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n") ==
           "m.obj:4: expected a face with an area, found none at (0, 0, 0)");
     std::string crossing = tetrahedron;

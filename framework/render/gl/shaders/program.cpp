@@ -16,7 +16,12 @@ layout(std140) uniform View {
 };
 )";
 
-void attach(GLuint program, GLenum stage, const std::string& text)
+// The names of the looks, in their order.
+constexpr const char* look_names[] = {"box",        "ball",   "model", "overlay", "ground",
+                                      "background", "shadow", "text",  "patch"};
+static_assert(std::size(look_names) == static_cast<std::size_t>(Look::count));
+
+void attach(GLuint program, GLenum stage, const std::string& text, Look look)
 {
     const GLuint shader = glCreateShader(stage);
     const char* lines = text.c_str();
@@ -29,7 +34,10 @@ void attach(GLuint program, GLenum stage, const std::string& text)
     glAttachShader(program, shader);
     glDeleteShader(shader); // deleted together with the program
     if (!compiled)
-        throw std::runtime_error("a shader does not compile: " + std::string(words.data()));
+        throw std::runtime_error(
+            std::string(stage == GL_VERTEX_SHADER ? "the vertex" : "the fragment") +
+            " shader of look " + look_names[static_cast<int>(look)] +
+            " does not compile: " + words.data());
 }
 
 } // namespace
@@ -38,12 +46,14 @@ Program::Program(Look look, const std::string& definitions) : program_(glCreateP
 {
     const std::string start = "#version 330 core\n" + definitions + shared;
     const ShaderSource text = source(look);
-    attach(program_, GL_VERTEX_SHADER, start + text.vertex);
-    attach(program_, GL_FRAGMENT_SHADER, start + text.fragment);
+    attach(program_, GL_VERTEX_SHADER, start + text.vertex, look);
+    attach(program_, GL_FRAGMENT_SHADER, start + text.fragment, look);
     glLinkProgram(program_);
     GLint linked = 0;
     glGetProgramiv(program_, GL_LINK_STATUS, &linked);
-    if (!linked) throw std::runtime_error("shaders do not link");
+    if (!linked)
+        throw std::runtime_error(std::string("the shaders of look ") +
+                                 look_names[static_cast<int>(look)] + " do not link");
     const GLuint block = glGetUniformBlockIndex(program_, "View");
     if (block != GL_INVALID_INDEX) glUniformBlockBinding(program_, block, 0);
 }

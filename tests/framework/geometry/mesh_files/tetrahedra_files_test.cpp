@@ -82,7 +82,7 @@ TEST_CASE("tetrahedra: a text that is no mesh is refused where it goes wrong", "
     CHECK(refusal(replaced(msh2, "1e0", "nan")) ==
           "14: expected a coordinate of at most 1e12 in size, found \"nan\"");
     CHECK(refusal(replaced(msh2, "7 4\n$End", "7 5\n$End")) ==
-          "20: expected vertices that the text has, found number 5");
+          "20: expected the number of a vertex of this file, found 5 in an element");
     CHECK(refusal(replaced(msh2, "7 0 1", "1 0 1")) ==
           "0: expected each vertex once, found number 1 twice");
     CHECK(refusal(replaced(msh2, "3 4 2", "3 11 2")) ==

@@ -73,11 +73,11 @@ TEST_CASE("mesh check: faces that turn the wrong way are refused", "[geometry]")
 {
     CHECK(refusal(turned_around(cube)) ==
           "expected faces that turn counter-clockwise seen from outside, found a volume of -1 m³: "
-          "turn the faces around");
+          "flip all faces");
     TriangleMesh one = cube;
     std::swap(one.triangles[5][0], one.triangles[5][1]);
     const std::string message = refusal(one);
-    CHECK(begins(message, "expected faces that all turn the same way, found the edge from"));
+    CHECK(begins(message, "expected a consistent winding, found the edge from"));
     CHECK(message.find("face 6") != std::string::npos);
 }
 

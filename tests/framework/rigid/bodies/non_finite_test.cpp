@@ -49,21 +49,21 @@ std::vector<double*> numbers_of(RigidState& s)
 
 TEST_CASE("non finite: each number of a state is checked and named by its quantity", "[rigid]")
 {
-    const std::string quantities = "XXXqqqqVVVLLL";
+    const std::string quantities = "XXXqqqqVVVLLL"; // the letter that the name ends with
     for (std::size_t i = 0; i < quantities.size(); ++i)
         for (const double bad : {not_a_number, infinite, -infinite}) {
             CAPTURE(i, bad);
             RigidState state;
             REQUIRE(numbers_of(state).size() == quantities.size());
             *numbers_of(state)[i] = bad;
-            CHECK(found_in(state) == std::string(1, quantities[i]));
+            CHECK(found_in(state).value().back() == quantities[i]);
         }
 }
 
 TEST_CASE("non finite: of several quantities the first is named", "[rigid]")
 {
     RigidState state;
-    const char* names[] = {"L", "V", "q", "X"};
+    const char* names[] = {"angular momentum L", "velocity V", "orientation q", "position X"};
     Vector3d* const vectors[] = {&state.angular_momentum, &state.velocity, &state.orientation.v,
                                  &state.position};
     for (int k = 0; k < 4; ++k) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Bodies on which springs and applied forces pull.
+#include "framework/rigid/integrators.hpp"
 #include "framework/rigid/worlds.hpp"
 #include "rigid/step/step.hpp"
 #include "support/free_rotor.hpp"
@@ -164,14 +165,27 @@ TEST_CASE("pulled: a spring too stiff for the step is refused in words", "[rigid
 {
     World world = oscillator(12e12);
     CHECK_THROWS_WITH(step(world, 0.01), Catch::Contains("spring or damper is too stiff"));
+    // the limit and what was found are the same quantity: √(k/M) h = 2000 · 0.3 at the second body
+    world = oscillator(12);
+    world.bodies.push_back(free_box());
+    world.bodies[1].name = "fast";
+    world.springs.push_back({1, -1, {0, 0, 0}, {0, 0, 0}, 12 * 4e6, 0, 0});
+    CHECK_THROWS_WITH(step(world, 0.3),
+                      Catch::Contains("body 'fast'") && Catch::Contains("up to 500, found 600"));
+    CHECK_NOTHROW(step(world, 0.2499));
+    world.springs.clear();
+    world.forces.push_back({1, {1, 0, 0}, {0, 0, 0}, 0, 100, {0, 0, 0}, false, 1000});
+    CHECK_THROWS_WITH(step(world, 0.1),
+                      Catch::Contains("body 'fast'") && Catch::Contains("up to 500, found 628.3"));
+    world = oscillator(12e12);
     world.springs[0].stiffness = std::numeric_limits<double>::quiet_NaN();
     CHECK_THROWS(step(world, 0.01));
 }
 
 TEST_CASE("pulled: a force from one step's start to another's gives its whole impulse", "[rigid]")
 {
-    for (const Integrator integrator : {Integrator::matrix, Integrator::linear, Integrator::buss,
-                                        Integrator::exponential, Integrator::runge_kutta}) {
+    for (const Integrator integrator : all_integrators) {
+        CAPTURE(static_cast<int>(integrator));
         World world = world_of({free_box()}, {0, 0, 0});
         world.settings.integrator = integrator;
         world.forces.push_back({0, {6, 0, 0}, {0, 0, 0}, 0.25, 0.75});

@@ -184,7 +184,7 @@ TEST_CASE("position update: a velocity that is none is named with its body and t
         FAIL("no exception");
     } catch (const NonFiniteState& error) {
         CHECK(error.body == "ball");
-        CHECK(error.quantity == "V");
+        CHECK(error.quantity == "velocity V");
         CHECK(error.time == 3 + dt);
     }
 }

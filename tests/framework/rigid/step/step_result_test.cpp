@@ -136,7 +136,7 @@ TEST_CASE("step result: a state that is not finite is named at the end of the st
         FAIL("no exception");
     } catch (const NonFiniteState& error) {
         CHECK(error.body == "second");
-        CHECK(error.quantity == "q");
+        CHECK(error.quantity == "orientation q");
         CHECK(error.time == 3 + end.problem.time_step);
     }
 }

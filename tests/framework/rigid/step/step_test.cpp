@@ -185,16 +185,16 @@ TEST_CASE("step: what is not a number is reported by body quantity and time", "[
     CHECK(quantity_of(state) == "nothing");
     RigidState bad = state;
     bad.position.x() = nan;
-    CHECK(quantity_of(bad) == "X");
+    CHECK(quantity_of(bad) == "position X");
     bad = state;
     bad.orientation.s = nan;
-    CHECK(quantity_of(bad) == "q");
+    CHECK(quantity_of(bad) == "orientation q");
     bad = state;
     bad.angular_momentum.y() = nan;
-    CHECK(quantity_of(bad) == "q"); // q is rotated by L before L itself is checked
+    CHECK(quantity_of(bad) == "orientation q"); // q is rotated by L before L itself is checked
     bad = state;
     bad.velocity.z() = std::numeric_limits<double>::infinity();
-    CHECK(quantity_of(bad) == "X"); // V has changed the position by the end of the step
+    CHECK(quantity_of(bad) == "position X"); // V has changed the position by the end of the step
 }
 
 TEST_CASE("step: an empty world takes its steps", "[rigid]")
