@@ -44,8 +44,10 @@ private:
                        const SolidFrame& expected, const SolidFrame& actual) const;
 
     Trajectory expected_;
-    double length_ = 0, speed_ = 0, spin_ = 0; // largest |X|, |V|, |L| in the run
-    double stress_ = 0, plastic_strain_ = 0;   // largest values in the run
+    // The scales of the allowed differences: the largest values in the expected run.
+    double length_ = 0, speed_ = 0, spin_ = 0; // |X| [m], |V| [m/s], |L| [kg m²/s]
+    double stress_ = 0;                        // [Pa]
+    double plastic_strain_ = 0;                // no unit
 };
 
 } // namespace rigor

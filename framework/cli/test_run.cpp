@@ -47,7 +47,8 @@ public:
     void take(std::string_view line)
     {
         lines_.emplace_back(line);
-        if (lines_.size() > 60) lines_.erase(lines_.begin());
+        constexpr std::size_t most_lines = 60; // a few screens about a failed suite
+        if (lines_.size() > most_lines) lines_.erase(lines_.begin());
     }
     void print() const
     {
@@ -168,13 +169,15 @@ SuiteResult check_format()
     command.arguments = {"clang-format", "--dry-run", "--Werror"};
     for (const fs::path& source : sources())
         command.arguments.push_back(source.string());
+    constexpr std::size_t longest_line = 200, most_lines = 10; // shown to the reader
     std::vector<std::string> wrong;
     const Ended ended = run(command, [&](std::string_view line) {
-        if (line.find("error: ") != std::string::npos) wrong.emplace_back(line.substr(0, 200));
+        if (line.find("error: ") != std::string::npos)
+            wrong.emplace_back(line.substr(0, longest_line));
     });
     tell("format", ended.ok() ? SuiteResult::passed : SuiteResult::failed,
          fmt::format("{:.1f} s", ended.seconds));
-    for (std::size_t i = 0; i < wrong.size() && i < 10; ++i)
+    for (std::size_t i = 0; i < wrong.size() && i < most_lines; ++i)
         fmt::print("    {}\n", wrong[i]);
     return {"format", ended.ok() ? SuiteResult::passed : SuiteResult::failed};
 }

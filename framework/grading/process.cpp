@@ -86,7 +86,7 @@ private:
              from = end + 1)
             on_line_(std::string_view(pending_).substr(from, end - from));
         pending_.erase(0, from);
-        constexpr std::size_t longest_line = 1 << 20;
+        constexpr std::size_t longest_line = 1 << 20; // [bytes], a bound for the memory
         if (pending_.size() < longest_line) return;
         on_line_(pending_);
         pending_.clear();

@@ -102,7 +102,8 @@ void add_springs(Picture& picture, const Frame& frame, const std::vector<Spring>
         const Vector3d from = end(spring.body1, spring.point1),
                        to = end(spring.body2, spring.point2);
         const Vector3d way = to - from;
-        if (!(way.norm() > 1e-9) || !in_sight(from) || !in_sight(to)) continue;
+        constexpr double shortest = 1e-9; // a spring that is shorter has no direction [m]
+        if (!(way.norm() > shortest) || !in_sight(from) || !in_sight(to)) continue;
         const Vector3d u = way.unitOrthogonal(), v = way.normalized().cross(u);
         Vector3d last = from;
         for (int i = 1; i <= corners; ++i) {

@@ -76,9 +76,10 @@ SolidVisualizer::color_range(const std::vector<std::vector<float>>& values) cons
     for (const std::vector<float>& of_solid : values)
         for (const float value : of_solid)
             largest = std::max<double>(largest, value);
-    // A lower limit of the range, so that rounding errors around zero are not
-    // drawn in bright colors.
-    const double least = is_stress ? 1 : 1e-3;
+    // A lower limit of the range, so that rounding errors around zero are not drawn in bright
+    // colors.
+    constexpr double least_stress = 1, least_strain = 1e-3; // [Pa], no unit
+    const double least = is_stress ? least_stress : least_strain;
     return {0, rounded_up(std::max(largest, least))};
 }
 

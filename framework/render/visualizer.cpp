@@ -32,13 +32,15 @@ bool share_plane(const Part& part1, const Vector3d& size1, const Part& part2, co
                  int axis)
 {
     const Matrix3d R1 = rotation_matrix(part1.orientation), R2 = rotation_matrix(part2.orientation);
+    constexpr double parallel_rounding = 1e-9; // in 1 - cosine
+    constexpr double same_plane = 1e-6;        // distance of two planes, in sizes of the box
     const Vector3d n = R2.col(axis);
     const double apart = n.dot(part2.position - part1.position);
     for (int i = 0; i < 3; ++i) {
-        if (std::abs(std::abs(n.dot(R1.col(i))) - 1) > 1e-9) continue;
+        if (std::abs(std::abs(n.dot(R1.col(i))) - 1) > parallel_rounding) continue;
         const double thicker = (size2[axis] - size1[i]) / 2;
         const double nearest = std::min(std::abs(thicker + apart), std::abs(thicker - apart));
-        if (nearest < 1e-6 * size2[axis]) return true;
+        if (nearest < same_plane * size2[axis]) return true;
     }
     return false;
 }
@@ -47,6 +49,8 @@ bool share_plane(const Part& part1, const Vector3d& size1, const Part& part2, co
 /// Otherwise the visible face, and its edges, would change from pixel to pixel.
 void part_planes(std::vector<Part>& parts)
 {
+    // In sizes of the box. Chosen by trial: too little to be seen.
+    constexpr double thinner = 4e-4;
     for (std::size_t j = 0; j < parts.size(); ++j)
         for (std::size_t i = 0; i < j; ++i) {
             const auto* earlier = std::get_if<Box>(&parts[i].shape);
@@ -54,7 +58,7 @@ void part_planes(std::vector<Part>& parts)
             if (!earlier || !later) continue;
             for (int axis = 0; axis < 3; ++axis)
                 if (share_plane(parts[i], earlier->size, parts[j], later->size, axis))
-                    later->size[axis] *= 1 - 4e-4;
+                    later->size[axis] *= 1 - thinner;
         }
 }
 

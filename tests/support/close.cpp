@@ -166,22 +166,26 @@ std::string RotationMatcher::describe() const
 void check_order(const std::vector<double>& errors, double order)
 {
     REQUIRE(errors.size() >= 2);
+    // The error of a finite step has terms of higher order too. With the step sizes of our tests
+    // they change the order by less than this; a method of another order is off by 1.
+    constexpr double below = 0.2, above = 0.3;
+    constexpr double rounding = 1e3 * eps; // an error that rounding makes shows no order
     int pairs = 0;
     CAPTURE(order);
     for (std::size_t i = 0; i + 1 < errors.size(); ++i) {
         CAPTURE(errors[i], errors[i + 1]);
         REQUIRE(std::isfinite(errors[i]));
         REQUIRE(std::isfinite(errors[i + 1]));
-        if (errors[i + 1] <= 1e3 * eps) break;
+        if (errors[i + 1] <= rounding) break;
         const double found = std::log2(errors[i] / errors[i + 1]);
-        if (!(found >= order - 0.2))
-            note("failed", fmt::format("order {}, at least {:.1f}", order, order - 0.2),
-                 fmt::format("order {:.3f}", found), "O", {true, "", order - found, 0.2});
-        if (!(found <= order + 0.3))
-            note("failed", fmt::format("order {}, at most {:.1f}", order, order + 0.3),
-                 fmt::format("order {:.3f}", found), "O", {true, "", found - order, 0.3});
-        REQUIRE(found >= order - 0.2);
-        REQUIRE(found <= order + 0.3);
+        if (!(found >= order - below))
+            note("failed", fmt::format("order {}, at least {:.1f}", order, order - below),
+                 fmt::format("order {:.3f}", found), "O", {true, "", order - found, below});
+        if (!(found <= order + above))
+            note("failed", fmt::format("order {}, at most {:.1f}", order, order + above),
+                 fmt::format("order {:.3f}", found), "O", {true, "", found - order, above});
+        REQUIRE(found >= order - below);
+        REQUIRE(found <= order + above);
         ++pairs;
     }
     INFO("no error is above rounding: the order cannot be seen");

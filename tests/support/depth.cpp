@@ -82,8 +82,9 @@ double box_separation(const Box& box1, const Pose& pose1, const Box& box2, const
         most = std::max({most, along(A.col(i)), along(B.col(i))});
         for (int j = 0; j < 3; ++j) {
             const Vector3d l = A.col(i).cross(B.col(j));
-            const double length = l.norm(); // parallel edges give no axis
-            if (length > 1e-6) most = std::max(most, along(l / length));
+            constexpr double parallel = 1e-6; // sine of an angle; such edges give no axis
+            const double length = l.norm();
+            if (length > parallel) most = std::max(most, along(l / length));
         }
     }
     return most;

@@ -34,7 +34,8 @@ Jacobi jacobi(double u, double m)
         c[n + 1] = (a[n] - b) / 2;
         a[n + 1] = (a[n] + b) / 2;
         b = std::sqrt(a[n] * b);
-        if (std::abs(c[n + 1]) < 1e-17) break;
+        constexpr double negligible = 1e-17; // beside 1, in double
+        if (std::abs(c[n + 1]) < negligible) break;
     }
     n = std::min(n + 1, 15);
     double phi = std::ldexp(a[n] * u, n);
@@ -53,7 +54,8 @@ std::array<std::pair<double, double>, nodes> gauss_legendre()
     std::array<std::pair<double, double>, nodes> rule;
     for (int i = 0; i < nodes; ++i) {
         double x = std::cos(std::numbers::pi * (i + 0.75) / (nodes + 0.5)), slope = 1;
-        for (int iteration = 0; iteration < 8; ++iteration) {
+        constexpr int iterations = 8; // more than Newton's method needs from there
+        for (int iteration = 0; iteration < iterations; ++iteration) {
             const double p = std::legendre(nodes, x), before = std::legendre(nodes - 1, x);
             slope = nodes * (before - x * p) / (1 - x * x);
             x -= p / slope;
@@ -134,7 +136,8 @@ double FreeRotor::precession(double t) const
     double coarse = quadrature(panels);
     for (int doubling = 0; doubling < 10; ++doubling) {
         const double fine = quadrature(panels *= 2);
-        const bool converged = std::abs(fine - coarse) <= 4e-15 * (1 + std::abs(fine));
+        constexpr double rounding = 4e-15; // relative, in a sum of that many terms
+        const bool converged = std::abs(fine - coarse) <= rounding * (1 + std::abs(fine));
         coarse = fine;
         if (converged) break;
     }

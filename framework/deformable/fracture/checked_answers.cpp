@@ -11,7 +11,7 @@ namespace rigor {
 
 namespace {
 
-// What a formula returned, and its name for the message if that is wrong.
+// Checks what the formula of this name returned; the messages begin with the name.
 class Answer {
 public:
     explicit Answer(const char* formula) : formula_(formula) {}
@@ -28,7 +28,7 @@ public:
             throw std::out_of_range(formula_ + " returned the index " + std::to_string(index) +
                                     " of " + what + ", of which there are " + std::to_string(size));
     }
-    void point_into(const char* what, const std::vector<int>& indices, std::size_t size) const
+    void all_point_into(const char* what, const std::vector<int>& indices, std::size_t size) const
     {
         for (const int index : indices)
             points_into(what, index, size);
@@ -64,7 +64,7 @@ SplitMesh checked_split(SplitMesh split, const TetrahedralMesh& before, const ch
     answer.is_mesh(split.mesh);
     answer.has("origins", split.origins.size(), split.mesh.vertices.size());
     answer.has("parents", split.parents.size(), split.mesh.tetrahedra.size());
-    answer.point_into("a parent", split.parents, before.tetrahedra.size());
+    answer.all_point_into("a parent", split.parents, before.tetrahedra.size());
     for (const VertexOrigin& origin : split.origins)
         for (const int vertex : {origin.first, origin.second})
             answer.points_into("an origin", vertex, before.vertices.size());
@@ -87,8 +87,8 @@ EmbeddedMesh checked_embedding(EmbeddedMesh embedded, const TetrahedralMesh& bef
     answer.has("parents", embedded.parents.size(), elements);
     answer.has("corners", embedded.real.size(), elements);
     answer.has("fractions", embedded.fractions.size(), elements);
-    answer.point_into("a parent", embedded.parents, before.tetrahedra.size());
-    answer.point_into("a parent", embedded.vertex_parents, before.vertices.size());
+    answer.all_point_into("a parent", embedded.parents, before.tetrahedra.size());
+    answer.all_point_into("a parent", embedded.vertex_parents, before.vertices.size());
     for (const std::array<int, 4>& real : embedded.real)
         if (std::find(real.begin(), real.end(), 1) == real.end())
             throw std::out_of_range("virtual_nodes returned an element without a real corner");

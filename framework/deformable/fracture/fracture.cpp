@@ -214,7 +214,8 @@ int crack_elements(Deformable& solid, const std::vector<Candidate>& found)
 // Cracks elements with virtual nodes. @return the number of cracks
 int crack_with_virtual_nodes(Deformable& solid, const std::vector<Candidate>& found)
 {
-    constexpr int most_in_element = 3; // cracks; each one may double the copies of the element
+    // Cracks of an element; each one may double its copies. Chosen by trial.
+    constexpr int most_in_element = 3;
     if (solid.uncracked.tetrahedra.empty()) solid.uncracked = solid.rest;
     std::vector<int> count(solid.uncracked.tetrahedra.size(), 0);
     for (const ElementCrack& crack : solid.cracks)

@@ -16,7 +16,7 @@ namespace rigor {
 void fracture(Deformable& solid, const ElementWorkspace& work, World& world);
 
 /// The largest number of cracks in a step. A crack changes the stress around it, but only the next
-/// step can take this into account; more cracks at once would splinter the solid.
+/// step can take this into account; more cracks at once would splinter the solid. Chosen by trial.
 inline constexpr int most_cracks = 64;
 
 } // namespace rigor

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Finds all pairs of boxes that overlap. A tree is compared with itself, node by node from the root
 // (Ericson 2005, "Real-time collision detection", 6.3). A pair of nodes whose boxes overlap is
-// divided until both are leaves, and then four boxes are compared at once, first rounded and then
-// exactly.
+// divided until both are leaves, and then four boxes are compared at once: first in float, where a
+// monotone rounding misses no pair, and what remains in double.
 #include "geometry/bounds/overlap_tree.hpp"
 
 #include <algorithm>

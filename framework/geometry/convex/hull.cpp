@@ -191,15 +191,12 @@ Vector3d Hull::support(const Vector3d& direction) const
 
 Feature Hull::feature_towards(const Vector3d& d) const
 {
-    // Cosine and sine of about 25 degrees: the largest angle between the direction and the normal
-    // of a face, and the largest deviation of an edge from perpendicular to the direction.
-    constexpr double facing_cosine = 0.9, across = 0.436;
     const auto facing =
         std::max_element(faces_.begin(), faces_.end(), [&](const Face& a, const Face& b) {
             return a.normal.dot(d) < b.normal.dot(d);
         });
     Feature feature;
-    if (facing->normal.dot(d) > facing_cosine) {
+    if (facing->normal.dot(d) > Feature::facing_cosine) {
         const std::size_t n = facing->corners.size();
         const std::size_t kept = std::min<std::size_t>(n, Feature::most);
         for (std::size_t i = 0; i < kept; ++i)
@@ -208,7 +205,7 @@ Feature Hull::feature_towards(const Vector3d& d) const
     }
     const int corner = farthest(d);
     int other = -1;
-    double flattest = across;
+    double flattest = Feature::facing_sine;
     for (const int neighbour : neighbours_[corner]) {
         const double slope =
             std::abs(d.dot((vertices_[neighbour] - vertices_[corner]).normalized()));

@@ -15,10 +15,6 @@ namespace rigor {
 
 namespace {
 
-// Cosine of 25 degrees. A face whose normal is nearer to the direction than this angle is in
-// contact as a whole face.
-constexpr double facing_cosine = 0.9;
-
 // The unit vector away from the y axis; along x for a direction on the axis.
 Vector3d outward(const Vector3d& d)
 {
@@ -100,7 +96,7 @@ struct FeatureAlong {
         Vector3d corner = SupportAlong{d}(b);
         int k = 0;
         const double most = d.cwiseAbs().maxCoeff(&k), least = d.cwiseAbs().minCoeff();
-        if (most > facing_cosine) {
+        if (most > Feature::facing_cosine) {
             const int u = (k + 1) % 3, v = (k + 2) % 3;
             Feature face;
             for (int i = 0; i < 4; ++i) {
@@ -110,7 +106,8 @@ struct FeatureAlong {
             }
             return face;
         }
-        if (least > std::sqrt(1 - facing_cosine * facing_cosine)) return point(corner);
+        if (least > std::sqrt(1 - Feature::facing_cosine * Feature::facing_cosine))
+            return point(corner);
         d.cwiseAbs().minCoeff(&k);
         Feature edge = point(corner);
         corner[k] = -corner[k];
@@ -120,19 +117,20 @@ struct FeatureAlong {
     Feature operator()(const Cylinder& c) const
     {
         const double half = c.height / 2;
-        if (std::abs(d.y()) > facing_cosine) return circle(c.radius, d.y() < 0 ? -half : half, d);
+        if (std::abs(d.y()) > Feature::facing_cosine)
+            return circle(c.radius, d.y() < 0 ? -half : half, d);
         const Vector3d out = c.radius * outward(d);
         Feature side = point(out + Vector3d(0, d.y() < 0 ? -half : half, 0));
-        if (outward(d).dot(d) > facing_cosine)
+        if (outward(d).dot(d) > Feature::facing_cosine)
             side.add(out - Vector3d(0, d.y() < 0 ? -half : half, 0));
         return side;
     }
     Feature operator()(const Cone& c) const
     {
-        if (d.y() < -facing_cosine) return circle(c.radius, -0.25 * c.height, d);
+        if (d.y() < -Feature::facing_cosine) return circle(c.radius, -0.25 * c.height, d);
         const Vector3d out = outward(d), tip(0, 0.75 * c.height, 0);
         const Vector3d slope = (c.height * out + Vector3d(0, c.radius, 0)).normalized();
-        if (slope.dot(d) <= facing_cosine) return point(SupportAlong{d}(c));
+        if (slope.dot(d) <= Feature::facing_cosine) return point(SupportAlong{d}(c));
         Feature side = point(c.radius * out - Vector3d(0, 0.25 * c.height, 0));
         side.add(tip);
         return side;

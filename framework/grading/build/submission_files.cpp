@@ -76,7 +76,7 @@ bool is_printable(const std::string& name)
     return std::all_of(name.begin(), name.end(), [](char c) { return c >= ' ' && c <= '~'; });
 }
 
-// Whether a file that is not a topic's may be included by one.
+// Whether a file, by its ending, may be included by the file of a topic.
 bool is_source(const fs::path& file)
 {
     static const std::set<std::string> endings = {".hpp", ".h",   ".hh",  ".hxx", ".inl",

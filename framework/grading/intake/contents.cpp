@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::size_t longest_name = 1024; // [bytes]
+constexpr std::size_t longest_name = 1024; // [bytes], more than any name has in practice
 
 bool has_drive(std::string_view name)
 {

@@ -56,7 +56,8 @@ struct RigidBody {
 
     bool is_body_of_revolution() const { return !symmetry_axis.isZero(0); }
 
-    /// Whether the body is static or asleep, so that nothing moves it in this step.
+    /// Whether the body is static or asleep, so that its pose stays the same in this step. A belt
+    /// is still, although it carries others.
     bool is_still() const { return (is_static && !changes_place()) || rest.is_asleep(); }
 
     /// Whether the body is driven along a path. A belt stays where it is.

@@ -1,4 +1,21 @@
 // SPDX-License-Identifier: MIT
+// Counts of a run, and the one list of the work that a scene does not need and that is therefore
+// left out ("skips" in messages and benchmarks). `rigor bench skips` measures what each saves.
+//
+// counter               switch in a scene     decided by
+// isotropic_shortcuts                         motion/free_flight, `fly`: no substeps, a constant ω
+//                                             step/lone_body, `is_lone_body`: no stages
+// static_skipped                              motion/free_flight, `fly_all`
+// bodies_asleep         sleep                 step/sleep, `fall_asleep`
+// pairs_tested                                detection/broad_phase: of pairs_possible
+// pair_searches_saved                         detection/broad_phase, `is_valid`: fat bounds
+// islands               islands               contact/islands, `islands_of`
+// warm_starts           warm_start            contact/make_problem, `find_islands`
+// early_exits           early_exit            contact/solvers/run_sweeps
+//                       optimised_formulas    bodies/settings, `uses_optimised_formulas`
+// level_sets_built                            detection/shapes/distance_field: when first needed
+// flow_skipped                                deformable/elasticity/flow
+// eigenvalues_skipped   stress_bound          deformable/fracture/fracture
 #pragma once
 
 #include <array>
@@ -11,7 +28,8 @@ namespace rigor {
 /// Counts of the work that was done since the start, and of the work that was skipped because the
 /// scene did not need it.
 struct Counters {
-    std::uint64_t steps = 0, substeps = 0;
+    std::uint64_t steps = 0;
+    std::uint64_t substeps = 0; // in free flight, without those of step/adaptive_substeps
     std::uint64_t pairs_possible = 0, pairs_tested = 0, pair_searches_saved = 0, contacts = 0;
     std::uint64_t collision_impulses = 0, contact_impulses = 0;
     std::uint64_t isotropic_shortcuts = 0, free_flights = 0, static_skipped = 0;

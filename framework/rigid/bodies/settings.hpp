@@ -33,6 +33,7 @@ enum class ContactMethod {
 
 /// Optimisations that leave out work that a scene does not need. Each is used if true, and can be
 /// turned off to check that the result stays the same and to measure the time it saves.
+/// counters.hpp lists all work that is left out, also what cannot be turned off.
 struct Optimisations {
     bool islands = true;      ///< solves each group of touching bodies on its own
     bool sleep = true;        ///< skips bodies that have come to rest

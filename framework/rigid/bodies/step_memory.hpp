@@ -10,12 +10,13 @@
 
 namespace rigor {
 
-/// The impulse that held a contact in the previous step, from which the sweeps of the next step
-/// start.
+/// What held a contact in the previous step, from which the sweeps of the next step start.
+/// `warm_contacts` (contact/warm_start) makes it when a step ends, `start_warm` reads it when the
+/// contact problem of the next step is made.
 struct WarmContact {
     int body1 = 0, body2 = 0;
-    Vector3d point = Vector3d::Zero();   // in object space of body 1 [m]
-    Vector3d impulse = Vector3d::Zero(); // on body 1, divided by the time step [N]
+    Vector3d point = Vector3d::Zero();      // in object space of body 1 [m]
+    Vector3d mean_force = Vector3d::Zero(); // impulse on body 1, divided by the time step [N]
 };
 
 /// A resolved contact of a step.
@@ -27,6 +28,8 @@ struct ContactRecord {
     Vector3d impulse = Vector3d::Zero(); // on body 1, summed over the step [N s]
 };
 
+/// `finish_step` (step/step_result) writes the warm contacts, step/sleep the sleeping ones,
+/// detection/broad_phase the pairs.
 struct StepMemory {
     std::vector<WarmContact> warm_contacts;       // sorted by their bodies
     std::vector<ContactRecord> sleeping_contacts; // contacts that hold the sleeping bodies

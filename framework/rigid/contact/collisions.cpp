@@ -28,7 +28,8 @@ constexpr double same_normal = 1e-9; // largest 1 - n·n' of two points on one f
 // rest of its approach speed is ignored below this share of that part, because the rotation of a
 // step predicts the speed only to first order.
 constexpr double negligible_share = 0.1;
-// The same where rounding alone makes a speed differ from zero.
+// The same where rounding alone makes a speed differ from zero: a billionth of that share, far
+// above the rounding error of a speed and far below any speed that matters.
 constexpr double rounding_share = negligible_share * 1e-9;
 
 // The points of a pair at which a collision may happen now.
@@ -39,7 +40,8 @@ struct Candidates {
 };
 
 // Whether a contact approaches only by a rotation that does not close it, as at the front of a
-// rolling wheel. What gravity adds is left to the contact stage.
+// rolling wheel. What gravity adds is left to the contact stage: a bounce at the speed `others`
+// would be over within the step if others ≥ force_speed/2 (see `is_over_in_the_step`).
 bool only_turns(const ContactConstraint& c, double v_n)
 {
     const double others = v_n - c.turning_speed;
@@ -86,7 +88,7 @@ int checked(int index, std::size_t size)
 Vector3d without_energy_gain(const Matrix3d& K, const Vector3d& v, const Vector3d& j)
 {
     const double work = j.dot(v), stored = j.dot(optimised::product(K, j)) / 2;
-    constexpr double rounding = 1e-12;                  // as a fraction of the energy
+    constexpr double rounding = 1e-12; // in ½ jᵀKj: a few thousand rounding errors
     if (!(work + stored > rounding * stored)) return j; // a NaN is reported later
     return std::max(0.0, -work / stored) * j;
 }

@@ -36,8 +36,12 @@ struct ContactConstraint : Contact {
     Vector3d initial_impulse = Vector3d::Zero();
 };
 
-/// A gap up to this fraction of a contact's radius counts as touching.
+/// A gap up to this fraction of a contact's radius counts as touching, where poses are exact up to
+/// rounding. It is far above the rounding error of a position near the origin.
 inline constexpr double touching_gap = 1e-10;
+/// The same where an iteration that need not have converged has placed the bodies: the solver of
+/// the last step, or the search for the time of an impact.
+inline constexpr double nearly_touching_gap = 1e-6;
 
 /// The contacts [first, last) of one pair of bodies, from the lowest up.
 struct ContactPair {
@@ -63,7 +67,8 @@ struct Island {
 
 std::size_t contact_count(std::span<const ContactPair> pairs);
 
-/// An island of up to this many bodies is always cheap enough to be solved like a stack.
+/// An island of up to this many bodies is always cheap enough to be solved like a stack: Newton's
+/// method then has at most 48 unknowns.
 inline constexpr std::size_t few_bodies = 8;
 
 /// Whether the island is a heap rather than a stack: many bodies with many contacts between them.

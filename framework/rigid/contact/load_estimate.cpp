@@ -11,8 +11,6 @@ namespace rigor {
 
 namespace {
 
-constexpr double touching = 1e-6; // largest gap of touching bodies, in radii; allows for rounding
-
 // A body, the body that it rests on, and the contact between them.
 struct Support {
     int upper = 0, lower = 0, contact = 0;
@@ -26,7 +24,8 @@ std::vector<Support> supports_of(const ContactProblem& problem, std::span<const 
         const ContactConstraint& c = problem.contacts[i];
         const double lift = c.normal.dot(up);
         const double v_n = problem.velocity_at(c, c.point).dot(c.normal);
-        if (std::abs(lift) < least_lift || problem.predicted_gap(c, v_n) > touching * c.radius)
+        if (std::abs(lift) < least_lift ||
+            problem.predicted_gap(c, v_n) > nearly_touching_gap * c.radius)
             continue;
         const Support support =
             lift > 0 ? Support{c.body1, c.body2, i} : Support{c.body2, c.body1, i};
@@ -35,8 +34,8 @@ std::vector<Support> supports_of(const ContactProblem& problem, std::span<const 
     return supports;
 }
 
-// Sets the initial impulse of a contact to a push on the upper body, without its tangential part if
-// friction cannot hold that.
+// Sets the initial impulse of a contact to a push on the upper body; only the normal part of the
+// push, if it lies outside the friction cone.
 void support(ContactProblem& problem, const Support& by, const Vector3d& push)
 {
     ContactConstraint& c = problem.contacts[by.contact];

@@ -15,7 +15,9 @@ namespace rigor {
 
 namespace {
 
-constexpr int iterations = 10; // for each of the two formulas, as in the paper
+// For each of the formulas `resolve_contacts` and `shock_propagation`, as in the paper (Guendelman,
+// Bridson and Fedkiw 2003).
+constexpr int iterations = 10;
 // The load of a heavy body passes through a light one in small parts. Before shock propagation the
 // number of iterations is therefore multiplied by `growth` until contacts approach at no more than
 // `enough_share` of their first speed, as long as no more than `most_visits` contacts are visited.

@@ -2,7 +2,8 @@
 // Position correction by pseudo velocities (Catto 2009; also known as split impulses): projected
 // Gauss–Seidel on displacements, with the impulse matrices of the step. For each island it makes a
 // row for each contact that penetrates or could come to penetrate. It then sweeps over the rows as
-// the contact solver does, with displacements in place of velocities.
+// the contact solver does, with displacements in place of velocities. Without gravity a speed
+// corrects penetration instead (Baumgarte 1972); the contact stage asks for it.
 #include "rigid/contact/position_correction.hpp"
 
 #include "rigid/bodies/two_bodies.hpp"
@@ -17,8 +18,9 @@ namespace rigor {
 namespace {
 
 // The share of the excess overlap that a step removes, and a limit of the speed of this correction,
-// in radii of the smaller body per second [1/s]. Larger values remove penetration sooner, but
-// heaps jitter and bodies that overlap deeply jump apart.
+// in radii of the smaller body per second [1/s]. Larger values remove penetration sooner, but heaps
+// jitter and bodies that overlap deeply jump apart. A fifth is the usual share in engines (0.2 in
+// Box2D, Bullet and ODE); the rate was chosen by trial.
 constexpr double corrected_fraction = 0.2;
 constexpr double correction_rate = 1;
 // Overlap that is left, as a fraction of the radius. In a stack it has the size of rounding errors;
@@ -26,7 +28,8 @@ constexpr double correction_rate = 1;
 constexpr double rounding_slop = 1e-6, heap_slop = resting_overlap;
 constexpr double weightless_slop = 1e-3; // without gravity, where a correction adds energy
 // There are as many sweeps, within these bounds, as visit about `most_visits` rows in all. More of
-// them take more time; fewer leave more of the overlap of a large island to the next steps.
+// them take more time; fewer leave more of the overlap of a large island to the next steps. Chosen
+// by trial; `bench pile` shows the time and the overlap.
 constexpr int most_visits = 2000, fewest_sweeps = 4, most_sweeps = 20;
 
 using namespace optimised;

@@ -97,7 +97,7 @@ std::uint64_t start_pair_warm(std::span<const WarmContact> before, const std::ve
             }))
             continue;
         ContactConstraint& c = contacts[match.contact];
-        c.initial_impulse = projected_to_cone(c, time_step * before[match.before].impulse);
+        c.initial_impulse = projected_to_cone(c, time_step * before[match.before].mean_force);
         *made++ = match;
     }
     return static_cast<std::uint64_t>(made - matches.begin());

@@ -21,7 +21,8 @@ std::uint64_t start_warm(std::span<const WarmContact> before, const std::vector<
                          std::span<ContactConstraint> contacts);
 
 /// The impulses of this step's contacts, from which the next step can start; none after a step that
-/// took no time.
+/// took no time. `collect_contacts` (step/step_result) calls it, and `finish_step` stores the
+/// result in `StepMemory::warm_contacts`.
 ///
 /// @param contacts  grouped by pairs of bodies, in ascending order
 std::vector<WarmContact> warm_contacts(const std::vector<Pose>& poses,

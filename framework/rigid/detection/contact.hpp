@@ -5,13 +5,18 @@
 
 namespace rigor {
 
-/// Overlap that the position correction leaves where bodies rest in a heap, relative to the size of
-/// the smaller body. Detection counts it as apart.
+/// Penetration slop: the overlap that the position correction leaves uncorrected in heaps, in radii
+/// of the smaller body. Detection treats bodies that overlap by less as separated where it looks
+/// ahead to the end of the step. With a much smaller slop a heap would never come to rest, see
+/// `position_corrections`.
 inline constexpr double resting_overlap = 1e-4;
 
-/// A contact: a pair of close points of two shapes, or of two bodies of a world.
+/// A contact: a pair of close points of two shapes, or of two bodies of a world. Its point lies in
+/// the middle between the two. Only against a plane, and where a sphere, a capsule or a torus is
+/// tested by its core, it lies on the surface of shape 1, half a gap away (plane_contact.hpp,
+/// core_contact.hpp, and a sphere on a box in narrow_phase.cpp).
 struct Contact {
-    Vector3d point = Vector3d::Zero();   // in the middle between them [m]
+    Vector3d point = Vector3d::Zero();   // [m]
     Vector3d normal = Vector3d::UnitY(); // unit, from shape 2 to shape 1
     double gap = 0;                      // distance along the normal; negative if they overlap [m]
     int body1 = -1, body2 = -1;          // indices in the world; -1 for shapes without a body

@@ -21,7 +21,6 @@ namespace rigor {
 namespace {
 
 constexpr int most_iterations = 8; // secant method; it converges in three or four
-constexpr double met = 1e-6; // largest gap at the end of the iteration, as a fraction of the radius
 
 // The two bodies alone, at some time of the step.
 struct PairWorld {
@@ -123,7 +122,7 @@ std::optional<PairWorld> pair_at_impact(const World& world, const ContactConstra
         if (time == before) break;
         pair = pair_at(world, c, time, reach);
     }
-    if (std::abs(pair.gap) > met * c.radius) return std::nullopt;
+    if (std::abs(pair.gap) > nearly_touching_gap * c.radius) return std::nullopt;
     return pair;
 }
 

@@ -15,7 +15,7 @@ inline constexpr unsigned no_core = 1; // [bytes]
 /// parents have died. If the grader dies, it gets SIGTERM.
 void become_warden();
 
-/// In a child of the warden: signals are as usual again.
+/// To be called in a child of the warden: unblocks the signals that the warden waits for.
 void leave_warden();
 
 /// Waits until the program ends or until SIGTERM comes, ends every other descendant, and then ends

@@ -100,8 +100,8 @@ struct Scene {
     std::vector<SolidDescription> solids;
     std::vector<Spring> springs;             // points in the bodies' frames, as in the file
     std::vector<AppliedForce> forces;        // points in the bodies' frames, as in the file
+    std::vector<int> world_forces;           // indices of forces whose points are in world space
     std::vector<PairLaw> pairs;              // sorted by their bodies
-    std::vector<int> world_forces;           // those of them whose points are still in world space
     Settings settings = settings_on_earth(); // copied whole into the world
     double time_step = 0.01;                 // [s]
     double end = 1;                          // [s]

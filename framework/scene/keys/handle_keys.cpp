@@ -87,7 +87,7 @@ Vector3d rotation_vector(const Value& value)
     if (!rotation.axis || !rotation.degrees)
         expected("an \"axis\" and \"degrees\" in the rotation", value);
     const Vector3d axis = vector3(*rotation.axis, "an axis [x, y, z]");
-    if (!(axis.norm() >= 1e-12)) expected("an axis of length > 0", *rotation.axis);
+    if (!(axis.norm() >= smallest_number)) expected("an axis of length > 0", *rotation.axis);
     return number(*rotation.degrees, "an angle") * std::numbers::pi / 180 * axis.normalized();
 }
 

@@ -63,7 +63,8 @@ Camera read_camera(const Value& value)
 {
     Camera camera;
     read_object<Camera>(value, "a camera {\"position\": …, \"target\": …}", camera_keys, camera);
-    if (!((camera.position - camera.target).norm() > 1e-9))
+    constexpr double least_distance = 1e-9; // nearer, rounding decides the direction [m]
+    if (!((camera.position - camera.target).norm() > least_distance))
         expected("a camera whose position is not its target", value);
     return camera;
 }

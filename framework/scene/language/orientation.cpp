@@ -46,7 +46,8 @@ Quaternion quaternion(const Value& value)
     Eigen::Vector4d q;
     for (int i = 0; i < 4; ++i)
         q[i] = number(value.items[i]);
-    if (std::abs(q.norm() - 1) > 1e-6)
+    constexpr double rounding = 1e-6; // so that seven digits of each number are enough
+    if (std::abs(q.norm() - 1) > rounding)
         throw Mistake{value.line,
                       fmt::format("expected {}, found one of length {:.6g}", what, q.norm())};
     return plain({q[0], q[1], q[2], q[3]});

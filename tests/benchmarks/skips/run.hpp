@@ -29,7 +29,7 @@ struct SkipCase {
 /// @param counter  the counter to report, summed over the steps
 SkipRun run_steps(const World& world, int steps, std::uint64_t Counters::*counter);
 
-/// The skips of World::skips, each turned off by itself.
+/// The skips that a scene can turn off (`Optimisations` in settings.hpp), each by itself.
 std::vector<SkipCase> switchable_skips();
 /// The skips that a scene cannot turn off. Each is compared with a scene that means the same, or
 /// with the same work done in the direct way.

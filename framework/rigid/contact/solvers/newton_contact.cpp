@@ -36,7 +36,9 @@ constexpr int most_rounds = 14, most_steps = 40, most_bisections = 30;
 // this share of |J| on its diagonal: a moment of inertia so large that the axis does not turn. For
 // a point mass, J = 0, 1/(M m²) takes the place of |J|.
 constexpr double singular_determinant = 1e-12, least_inverse_inertia = 1e-9;
-constexpr double point_area = 1;  // [m²]; at a lever of 100 m, 1e-5 of the compliance is rotation
+// The m² in 1/(M m²), which gives 1/M the unit of an inverse inertia. It is so large that a point
+// mass hardly turns: at a lever of 100 m, 1e-5 of the compliance of a contact is rotation.
+constexpr double point_area = 1;  // [m²]
 constexpr double settled = 1e-13; // a change of the impulses, relative to their size
 // A round must reduce the change by this factor, or more rounds do not help.
 constexpr double gain = 0.5;
@@ -44,7 +46,7 @@ constexpr double gain = 0.5;
 // larger one more steps of Newton's method.
 constexpr double flat = 0.1;
 constexpr double converged = 1e-13; // a Newton step, relative to the size of the velocities
-// Rounding error of a velocity, relative to the fastest body; for λ - ρ u, `weight` times that.
+// Rounding error of a velocity, relative to the fastest body; for j - ρ u, `weight` times that.
 constexpr double u_rounding = 1e-15;
 
 // Indices in `island.bodies`, sorted by the height of the bodies. The order does not depend on how
@@ -111,7 +113,7 @@ public:
             row.s = c.target_speed * c.normal + surface_velocity(problem, c);
             row.friction = c.friction;
             row.normal_K = c.normal_K;
-            row.lambda = impulses[k];
+            row.j = impulses[k];
             rows_.push_back(row);
         }
         v_ = v_free_ + momentum_change();
@@ -124,15 +126,15 @@ public:
         for (int round = 0; round < most_rounds; ++round) {
             for (NewtonRow& row : rows_) {
                 row.rho = weight / row.normal_K;
-                row.limit = row.friction * std::max(0.0, row.lambda.dot(row.n));
+                row.limit = row.friction * std::max(0.0, row.j.dot(row.n));
             }
             if (!minimise()) return round > 0;
             double change = 0, total = 0, speed = 0;
             for (NewtonRow& row : rows_) {
-                const Vector3d last = row.lambda;
-                row.lambda = projected(row, row.lambda - row.rho * u(row, v_, row.s));
-                change = std::max(change, row.normal_K * (row.lambda - last).norm());
-                total = std::max(total, row.normal_K * row.lambda.norm());
+                const Vector3d last = row.j;
+                row.j = projected(row, row.j - row.rho * u(row, v_, row.s));
+                change = std::max(change, row.normal_K * (row.j - last).norm());
+                total = std::max(total, row.normal_K * row.j.norm());
                 speed = std::max({speed, velocity(v_, row.body1, row.r1).norm(),
                                   velocity(v_, row.body2, row.r2).norm()});
             }
@@ -161,7 +163,7 @@ private:
         return most_mass * most_K;
     }
 
-    // M⁻¹ Jᵀ λ
+    // M⁻¹ Jᵀ j
     VectorXd momentum_change() const
     {
         VectorXd change = VectorXd::Zero(v_free_.size());
@@ -171,13 +173,13 @@ private:
                 change.segment<3>(6 * body) += bodies_[body]->inverse_mass * j;
                 change.segment<3>(6 * body + 3) += bodies_[body]->inverse_inertia * r.cross(j);
             };
-            push(row.body1, row.r1, row.lambda);
-            push(row.body2, row.r2, -row.lambda);
+            push(row.body1, row.r1, row.j);
+            push(row.body2, row.r2, -row.j);
         }
         return change;
     }
 
-    // Line search for the minimum of Φ(v) = ½ (v - v_free)ᵀ M (v - v_free) + Σ φ(λ - ρ u(v)) along
+    // Line search for the minimum of Φ(v) = ½ (v - v_free)ᵀ M (v - v_free) + Σ φ(j - ρ u(v)) along
     // dv. Its slope at v + t dv,
     //
     //     dvᵀ M (v + t dv - v_free) - Σ P(y - t ρ du)·du,   du = J dv
@@ -196,7 +198,7 @@ private:
         }
         std::vector<Vector3d> y, du;
         for (const NewtonRow& row : rows_) {
-            y.push_back(row.lambda - row.rho * u(row, v_, row.s));
+            y.push_back(row.j - row.rho * u(row, v_, row.s));
             du.push_back(u(row, dv, Vector3d::Zero()));
         }
         const auto slope = [&](double t) {
@@ -234,7 +236,7 @@ private:
         for (std::size_t k = 0; k < rows_.size(); ++k) {
             const NewtonRow& row = rows_[k];
             const auto [body1, body2] = std::pair(row.body1, row.body2);
-            const Vector3d y = row.lambda - row.rho * u(row, v_, row.s);
+            const Vector3d y = row.j - row.rho * u(row, v_, row.s);
             const Vector3d p = projected(row, y);
             const Matrix3d D = row.rho * slope(row, y);
             if (body1 >= 0) {
@@ -328,9 +330,9 @@ bool newton_impulses(const ContactProblem& problem, const Island& island,
     Newton newton(problem, island, free, active, impulses);
     if (!newton.solve()) return false;
     for (std::size_t k = 0; k < impulses.size(); ++k) {
-        const Vector3d& lambda = newton.rows()[k].lambda;
-        if (!lambda.allFinite()) return false;
-        impulses[k] = lambda;
+        const Vector3d& j = newton.rows()[k].j;
+        if (!j.allFinite()) return false;
+        impulses[k] = j;
     }
     return true;
 }

@@ -8,12 +8,12 @@ namespace rigor {
 /// Computes the impulses of a whole island at once, where sweeps converge too slowly: tall stacks,
 /// heavy bodies on light ones, friction at its limit. The method is the augmented Lagrangian method
 /// (Alart and Curnier 1991, "A mixed formulation for frictional contact problems prone to Newton
-/// like solution methods", Comput. Methods Appl. Mech. Eng. 92). With u = J v - s and a penalty ρ
-/// for each contact it iterates
+/// like solution methods", Comput. Methods Appl. Mech. Eng. 92). With u = J v - s, the impulse j
+/// and a penalty ρ for each contact it iterates
 ///
-///     λ ← P(λ - ρ u(v))   where   M (v - v_free) = Jᵀ P(λ - ρ u(v))
+///     j ← P(j - ρ u(v))   where   M (v - v_free) = Jᵀ P(j - ρ u(v))
 ///
-/// where P makes the normal part non-negative and shortens the tangential part to μ λₙ. As long as
+/// where P makes the normal part non-negative and shortens the tangential part to μ jₙ. As long as
 /// the friction limit is held fixed, the equation for v is the minimum of a convex function, which
 /// Newton's method with a line search finds. Its linear system is sparse with 6 unknowns for each
 /// body; long chains of bodies and large mass ratios do not make it harder. Whatever the result is,

@@ -12,10 +12,13 @@ namespace rigor::newton {
 // static.
 struct NewtonRow {
     int body1 = -1, body2 = -1;
-    Vector3d n, r1, r2, s; // s: target velocity, target speed times n
-    double friction = 0, normal_K = 0, rho = 0;
-    double limit = 0; // friction limit μ λₙ, held fixed during a round
-    Vector3d lambda = Vector3d::Zero();
+    Vector3d n, r1, r2; // normal; lever arms [m]
+    Vector3d s;         // target velocity, target speed times n [m/s]
+    double friction = 0;
+    double normal_K = 0;           // nᵀKn [1/kg]
+    double rho = 0;                // penalty ρ [kg]
+    double limit = 0;              // friction limit μ jₙ, held fixed during a round [N s]
+    Vector3d j = Vector3d::Zero(); // impulse j on body 1 [N s]
 };
 
 struct Split {

@@ -18,11 +18,13 @@ using namespace optimised;
 
 // Everything that a sweep needs for one contact.
 struct SweepRow {
-    TwoVectors r; // lever arms x - Xᵢ [m]
-    Vector3d n;   // normal
-    Vector3d j;   // total impulse on body 1 [N s]
-    double normal_K = 0, inverse_normal_K = 0, inverse_tangential_K = 0; // nᵀKn, 1/(nᵀKn), 1/λ
-    double target_speed = 0, friction = 0;
+    TwoVectors r;                                          // lever arms x - Xᵢ [m]
+    Vector3d n;                                            // normal
+    Vector3d j;                                            // total impulse on body 1 [N s]
+    double normal_K = 0;                                   // nᵀKn [1/kg]
+    double inverse_normal_K = 0, inverse_tangential_K = 0; // 1/(nᵀKn), 1/λ [kg]
+    double target_speed = 0;                               // s [m/s]
+    double friction = 0;                                   // μ
 };
 
 // The rows [first, last) of one pair of bodies.
@@ -32,7 +34,7 @@ struct PairRows {
 };
 
 // The new impulse of a contact: jₙ ← max(0, jₙ - (v·n - s)/(nᵀKn)), j_T ← j_T - v_T/λ, shortened to
-// |j_T| = μ jₙ if it is longer.
+// |j_T| = μ jₙ if it is longer. λ is the larger eigenvalue of K in the tangent plane.
 // @return the change of the impulse
 [[gnu::always_inline]] inline Vector3d contact_law(const SweepRow& row, const Vector3d& v)
 {

@@ -19,7 +19,8 @@ namespace rigor {
 namespace {
 
 // Samples along a segment and around a circle: the ends of 16 intervals, and one every 7.5°. A
-// minimum is found if no other one is within an interval of it.
+// minimum is found if no other one is within an interval of it. More samples take more time; the
+// numbers were chosen by trial.
 constexpr int segment_samples = 17, circle_samples = 48;
 constexpr int golden_steps = 42; // shorten an interval by 0.618⁴² = 2e-9
 // A minimum between samples is a contact of its own if its gap is smaller by more than this, in
@@ -203,7 +204,7 @@ void find_ball_mesh_contacts(const Core& core, const SolidMesh& mesh, const Dist
     std::vector<Vector3d> known;
     for (const TriangleTree::Found& found : mesh.triangles().local_minima(c, core.radius + reach)) {
         const Vector3d d = (found.point - c).normalized();
-        constexpr double alike = 0.9; // cosine of 25°; a nearer direction is the same contact
+        constexpr double alike = 0.9; // cosine of 26°; a nearer direction is the same contact
         const bool is_new = std::all_of(known.begin(), known.end(),
                                         [&](const Vector3d& k) { return k.dot(d) < alike; });
         if (!is_new || known.size() >= most_contacts) continue;

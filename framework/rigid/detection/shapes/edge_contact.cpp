@@ -15,10 +15,12 @@ namespace {
 
 // Sine of the smallest angle between two edges, about 3°. Below it, their end points are in
 // contact, because the closest points of almost parallel lines move far if a body rotates a little.
+// Chosen by trial.
 constexpr double parallel = 0.05;
 constexpr double rounding = 1e-6; // relative rounding error of a direction
 // Deepest overlap that makes a contact of edges, relative to the longest side of the mesh's bounds.
 // Deeper overlaps are left to the surface points, where the level set gives the nearest way out.
+// Chosen by trial.
 constexpr double deepest_share = 0.05;
 
 std::vector<SharpEdge> box_edges(const Box& box)

@@ -20,9 +20,6 @@ namespace rigor {
 
 namespace {
 
-// The smallest cosine between a contact normal and the gradient of the other shape's distance.
-// Below it, the point belongs to the far side of a thin wall.
-constexpr double opposite = 0.3;
 // At a larger distance, in radii of a node, one point represents all points of the node. A smaller
 // value tests fewer points, but the represented points may be nearer by more.
 constexpr double far = 6;
@@ -97,7 +94,7 @@ private:
         const Vector3d own =
             surface_.nearest_normal(sample.cone, -(pose_.R.transpose() * gradient));
         const Vector3d n = -(pose_.R * own);
-        if (n.dot(gradient) < opposite) return;
+        if (n.dot(gradient) < least_opposition) return;
         contacts.push_back({p - gap / 2 * n, n, gap});
     }
 

@@ -15,8 +15,8 @@ namespace rigor {
 namespace {
 
 constexpr double as_deep = 1e-5; // in extents; the size of rounding and solver errors
-// Distances that differ by less count as equal, relative to them; then the first contact is taken,
-// so that rounding does not decide.
+// Two distances tie if they differ by less than this fraction. Then the first contact is taken, so
+// that rounding does not decide.
 constexpr double equal_distance = 1e-9;
 // Weight of the squared difference of two normals against the squared distance of two points in
 // extents: opposite normals count as much as points at opposite ends.

@@ -18,9 +18,6 @@ constexpr double alike = 0.98; // least cosine of directions that count as the s
 constexpr int most_steps = 4;  // limits an iteration whose gradient goes on turning
 // Largest 1 - cosine of two gradients between which the iteration has converged.
 constexpr double converged = 1e-12;
-// Least cosine between a contact normal and the direction against the gradient, 73°. Below it, the
-// point belongs to the far side of the shape.
-constexpr double least_opposition = 0.3;
 constexpr double zero_length = 1e-9; // a shorter sum of parts of unit vectors is rounding
 
 // The outward normal of a convex shape at a point p of its surface that is closest to the direction

@@ -8,6 +8,10 @@
 
 namespace rigor {
 
+/// Least cosine between a contact normal and the gradient of the other shape's distance, 73°. Below
+/// it, a point belongs to the far side of the shape or of a thin wall. Chosen by trial.
+inline constexpr double least_opposition = 0.3;
+
 /// Appends the contacts where the surface of a convex shape is closer than `reach` to the shape of
 /// a distance field.
 ///

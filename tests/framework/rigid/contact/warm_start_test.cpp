@@ -51,7 +51,7 @@ TEST_CASE("warm start: a step that took no time leaves no impulses behind", "[ri
     const std::vector<WarmContact> warm = warm_contacts(poses, contacts, 0.5);
     REQUIRE(warm.size() == 1);
     CHECK(warm[0].point == Vector3d(0, 0.5, 0));
-    CHECK(warm[0].impulse == Vector3d(0, 6, 0));
+    CHECK(warm[0].mean_force == Vector3d(0, 6, 0));
     CHECK(warm_contacts(poses, contacts, 0).empty());
 }
 
