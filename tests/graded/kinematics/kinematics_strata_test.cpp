@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+// A1: lists with equal elements, and points that are very near the center of mass.
+#include "formulas/kinematics.hpp"
+#include "support/close.hpp"
+#include "support/random.hpp"
+#include "support/seeds.hpp"
+
+#include <cmath>
+
+namespace kinematics_strata_test {
+
+using namespace rigor;
+using namespace rigor::testing;
+
+namespace {
+
+// So many equal elements that each sum is a power of two times one of them, up to rounding.
+constexpr std::size_t many = 1 << 14;
+
+Tolerance of_many(double scale)
+{
+    return Rounding(many, static_cast<double>(many) * scale);
+}
+
+} // namespace
+
+TEST_CASE("kinematics: equal particles count each time", "[A1.7][kinematics]")
+{
+    for (Random random : seeds(2)) {
+        const Vector3d X = random.vector();
+        const std::vector<Particle> one = random.particles(1);
+        const Matrix6d alone = generalized_mass(one, X);
+        REQUIRE_THAT(generalized_mass({many, one[0]}, X),
+                     IsClose(Matrix6d(many * alone), of_many(alone.norm())));
+    }
+}
+
+TEST_CASE("kinematics: equal forces count each time", "[A1.8][kinematics]")
+{
+    for (Random random : seeds(2)) {
+        const Vector3d X = random.vector();
+        const PointForce one = {random.vector(), random.vector()};
+        const Wrench alone = net_wrench({one}, X), all = net_wrench({many, one}, X);
+        REQUIRE_THAT(all.force, IsClose(Vector3d(many * alone.force), of_many(2)));
+        REQUIRE_THAT(all.torque, IsClose(Vector3d(many * alone.torque), of_many(6)));
+    }
+}
+
+TEST_CASE("kinematics: equal particles pull equally", "[A1.13][kinematics]")
+{
+    for (Random random : seeds(2)) {
+        const Vector3d X = random.vector(), V = random.vector(), w = random.vector();
+        const std::vector<Particle> one = random.particles(1);
+        const Wrench alone = inertial_wrench(one, X, V, w),
+                     all = inertial_wrench({many, one[0]}, X, V, w);
+        const double scale = 50 * one[0].mass; // lengths and rates are less than 4
+        REQUIRE_THAT(all.force, IsClose(Vector3d(many * alone.force), of_many(scale)));
+        REQUIRE_THAT(all.torque, IsClose(Vector3d(many * alone.torque), of_many(scale)));
+    }
+}
+
+TEST_CASE("kinematics: the shortest lever turns the velocity", "[A1.5][kinematics]")
+{
+    for (Random random : seeds(5)) {
+        const Vector3d X = random.vector(), w = random.vector(), direction = random.vector();
+        for (int power = 1; power <= 39; ++power) {
+            CAPTURE(power);
+            const Vector3d x = X + std::ldexp(1, -power) * direction;
+            REQUIRE_THAT(point_velocity({0, 0, 0}, w, X, x),
+                         IsClose(Vector3d(w.cross(x - X)), Rounding(32, 2)));
+        }
+    }
+}
+
+TEST_CASE("kinematics: a force with a short lever still turns", "[A1.8][kinematics]")
+{
+    for (Random random : seeds(5)) {
+        const Vector3d X = random.vector(), f = random.vector(), direction = random.vector();
+        const PointForce far = {random.vector(), random.vector()};
+        for (int power = 1; power <= 39; ++power) {
+            CAPTURE(power);
+            const PointForce near = {f, X + std::ldexp(1, -power) * direction};
+            const Vector3d torque = (far.point - X).cross(far.force) + (near.point - X).cross(f);
+            REQUIRE_THAT(net_wrench({far, near}, X).torque, IsClose(torque, Rounding(64, 8)));
+        }
+    }
+}
+
+TEST_CASE("kinematics: near the center of mass there is still a force", "[A1.13][kinematics]")
+{
+    // F = M ω × (ω × d), where d leads from X to the center of mass
+    for (Random random : seeds(5)) {
+        const Vector3d a = random.vector(), w = random.vector(), direction = random.vector();
+        const Vector3d center = random.vector();
+        const std::vector<Particle> two = {{1, center + a}, {1, center - a}};
+        for (int power = 1; power <= 36; ++power) {
+            CAPTURE(power);
+            const Vector3d X = center + std::ldexp(1, -power) * direction;
+            const Vector3d d = (two[0].position - X + (two[1].position - X)) / 2;
+            REQUIRE_THAT(inertial_wrench(two, X, {0, 0, 0}, w).force,
+                         IsClose(Vector3d(2 * w.cross(w.cross(d))), Rounding(64, 24)));
+        }
+    }
+}
+
+} // namespace kinematics_strata_test
