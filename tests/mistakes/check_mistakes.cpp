@@ -3,9 +3,11 @@
 // mistakes and the tests that caught them.
 //
 //     check_mistakes [TAG or FORMULA]
+//     check_mistakes --matrix FOLDER [TAG or FORMULA]    also writes which law catches which one
 //     check_mistakes --sample SEED TOPIC/FORMULA/MISTAKE...    some of them; SEED is only printed
 #include "formulas/table.hpp"
 #include "grading/run_tests.hpp"
+#include "mistakes/kill_matrix.hpp"
 #include "support/judge_all.hpp"
 
 #include <fmt/format.h>
@@ -25,8 +27,9 @@ struct Mistake {
     std::string name;        // "transpose_forgotten"
     std::string explanation; // the second line of its file
     fs::path worker;
-    std::string caught_by; // the name of the test case; empty if none caught it
-    std::string fault;     // why it could not be judged; empty if it was
+    std::string caught_by;                // the name of the test case; empty if none caught it
+    std::string fault;                    // why it could not be judged; empty if it was
+    std::vector<std::string> laws, kills; // the test cases that ran, and those that caught it
 };
 
 const Formula& formula_of(const fs::path& file)
@@ -45,6 +48,7 @@ struct Wanted {
     std::string formula;             // tag or name; empty for all
     std::string seed;                // the seed that drew the sample
     std::vector<std::string> sample; // TOPIC/FORMULA/MISTAKE; empty for all
+    std::string matrix;              // the folder of the kill matrix; empty for none
 
     bool is_all() const { return formula.empty() && sample.empty(); }
 };
@@ -52,10 +56,13 @@ struct Wanted {
 Wanted wanted_of(const std::vector<std::string>& arguments)
 {
     if (arguments.empty()) return {};
-    if (arguments[0] != "--sample" && arguments.size() == 1) return {arguments[0], "", {}};
+    if (arguments[0] == "--matrix" && arguments.size() >= 2 && arguments.size() <= 3)
+        return {arguments.size() == 3 ? arguments[2] : "", "", {}, arguments[1]};
+    if (arguments[0] != "--sample" && arguments.size() == 1) return {arguments[0], "", {}, ""};
     if (arguments[0] != "--sample" || arguments.size() < 3)
-        throw std::invalid_argument("expected a tag or formula, or --sample SEED MISTAKE...");
-    return {"", arguments[1], {arguments.begin() + 2, arguments.end()}};
+        throw std::invalid_argument("expected a tag or formula, --matrix FOLDER, or --sample SEED "
+                                    "MISTAKE...");
+    return {"", arguments[1], {arguments.begin() + 2, arguments.end()}, ""};
 }
 
 std::vector<Mistake> find_mistakes()
@@ -69,8 +76,12 @@ std::vector<Mistake> find_mistakes()
         const fs::path worker =
             fs::path(RIGOR_MISTAKE_WORKERS) /
             fmt::format("worker_mistake_{}.{}.{}", formula.topic, formula.name, name);
-        mistakes.push_back(
-            {&formula, name, testing::second_line(file, "explains the mistake"), worker, "", ""});
+        Mistake mistake;
+        mistake.formula = &formula;
+        mistake.name = name;
+        mistake.explanation = testing::second_line(file, "explains the mistake");
+        mistake.worker = worker;
+        mistakes.push_back(mistake);
     }
     std::sort(mistakes.begin(), mistakes.end(), [](const Mistake& a, const Mistake& b) {
         return std::pair(a.formula, a.name) < std::pair(b.formula, b.name);
@@ -122,9 +133,12 @@ void judge(Mistake& mistake, const std::vector<Assignment>& assignments, const G
         const Result result = grade({assignment, {tag}}, implementation, run);
         if (result.status != SubmissionStatus::graded) mistake.fault = result.message;
         for (const TaskResult& task : result.tasks)
-            for (const TestCase& test : task.tests)
-                if (mistake.caught_by.empty() && catches(test.status))
-                    mistake.caught_by = test.name;
+            for (const TestCase& test : task.tests) {
+                mistake.laws.push_back(test.name);
+                if (!catches(test.status)) continue;
+                mistake.kills.push_back(test.name);
+                if (mistake.caught_by.empty()) mistake.caught_by = test.name;
+            }
     }
 }
 
@@ -157,6 +171,16 @@ int report(const std::vector<Mistake>& mistakes, bool all)
     return failed == 0 && passed > 0 ? 0 : 1;
 }
 
+void write_matrix(const std::string& folder, const std::vector<Mistake>& mistakes)
+{
+    std::vector<KillRow> rows;
+    for (const Mistake& mistake : mistakes)
+        rows.push_back(
+            {mistake.formula, mistake.name, mistake.explanation, mistake.laws, mistake.kills});
+    write_kill_matrix(folder, rows);
+    fmt::print("the kill matrix is in {}/kill_matrix.html and kill_matrix.json\n", folder);
+}
+
 int run(const Wanted& wanted)
 {
     const std::vector<Mistake> all = find_mistakes();
@@ -167,6 +191,7 @@ int run(const Wanted& wanted)
 
     testing::judge_all(mistakes, [&](Mistake& mistake) { judge(mistake, assignments, grading); });
     const int status = report(mistakes, wanted.is_all());
+    if (!wanted.matrix.empty()) write_matrix(wanted.matrix, mistakes);
     if (!wanted.sample.empty())
         fmt::print("a sample: {} of {}, seed {}\n", mistakes.size(), all.size(), wanted.seed);
     return status;

@@ -125,6 +125,8 @@ struct ElementRules {
     double nearest_to_an_end = 0;    // the least distance of a new vertex from an end of its edge
     bool swaps_corners = false;      // in one of the two halves
     double snap_distance = 0.05;     // relative to the longest edge
+    bool snaps_at_the_limit = false; // also a vertex exactly at the snap distance
+    bool by_own_edges = false;       // the longest edge of the tetrahedra that have the vertex
     bool asks_for_both_sides = true; // otherwise it splits even if no vertex is above, or below
     // The side of a tetrahedron on the plane, from the height of its center: positive for above, 0
     // for neither.
@@ -138,20 +140,26 @@ inline bool has(const Tetrahedron& t, int vertex)
 
 /// The heights above the plane [m] of all vertices of the tetrahedra at `vertex`. A vertex closer
 /// to the plane than the snap distance gets height 0.
-inline std::map<int, double> heights_at(const TetrahedralMesh& mesh, int vertex, const Vector3d& n,
-                                        double snap_distance)
+inline std::map<int, double> heights_at(const ElementRules& rules, const TetrahedralMesh& mesh,
+                                        int vertex, const Vector3d& n)
 {
-    std::map<int, double> heights;
+    std::map<int, double> heights, longest_own;
     double longest = 0;
     for (const Tetrahedron& t : mesh.tetrahedra)
         for (int a : t)
             for (int b : t)
                 if (has(t, vertex)) {
+                    const double length = (mesh.vertices[a] - mesh.vertices[b]).norm();
                     heights[a] = n.dot(mesh.vertices[a] - mesh.vertices[vertex]);
-                    longest = std::max(longest, (mesh.vertices[a] - mesh.vertices[b]).norm());
+                    longest = std::max(longest, length);
+                    for (int c : t)
+                        longest_own[c] = std::max(longest_own[c], length);
                 }
-    for (auto& [v, h] : heights)
-        if (v == vertex || std::abs(h) < snap_distance * longest) h = 0;
+    for (auto& [v, h] : heights) {
+        const double limit = rules.snap_distance * (rules.by_own_edges ? longest_own[v] : longest);
+        const bool is_at_limit = rules.snaps_at_the_limit && std::abs(h) == limit;
+        if (v == vertex || is_at_limit || std::abs(h) < limit) h = 0;
+    }
     return heights;
 }
 
@@ -159,7 +167,7 @@ inline SplitMesh split_by(const ElementRules& rules, const TetrahedralMesh& mesh
                           const Vector3d& n)
 {
     SplitMesh split = split_along_faces(mesh, {});
-    std::map<int, double> heights = heights_at(mesh, vertex, n, rules.snap_distance);
+    std::map<int, double> heights = heights_at(rules, mesh, vertex, n);
     std::vector<Tetrahedron>& tetrahedra = split.mesh.tetrahedra;
     std::vector<Vector3d>& x = split.mesh.vertices;
     const auto some = [&](auto is_there) {

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// An impulse within a millionth of the distance from the origin does not turn the body.
+#include "formulas/collision.hpp"
+
+namespace rigor {
+
+Body apply_impulse(const Body& body, const Vector3d& x, const Vector3d& j)
+{
+    if (body.is_static()) return body;
+    Body after = body;
+    after.velocity += body.inverse_mass * j;
+    if (x.isApprox(body.position, 1e-6)) return after;
+    const Vector3d torque = (x - body.position).cross(j);
+    after.angular_momentum += torque;
+    after.angular_velocity += body.inverse_inertia * torque;
+    return after;
+}
+
+} // namespace rigor
