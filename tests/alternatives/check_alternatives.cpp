@@ -3,7 +3,10 @@
 // Prints each alternative with its points, and the failures of one that lost some. A solution of
 // topic `contact` also runs with each solution of `collision`, whose formulas it calls.
 //
-//     check_alternatives [NAME [SEEDS]]    NAME `all` for all; SEEDS: how many first seeds
+//     check_alternatives [--seeds N] [--compiled] [NAME or TOPIC]...
+//
+// Without a name it checks all. N is the number of first seeds. With --compiled it checks each one
+// as both compilers made it at -O0, -O2 and -O3, which the target `compiled_alternatives` builds.
 #include "formulas/table.hpp"
 #include "grading/run_tests.hpp"
 #include "grading/selection.hpp"
@@ -27,7 +30,7 @@ struct Alternative {
     double points = 0, max_points = 0; // at the last seed
     std::string fault;                 // what lost points or went wrong, and at which seed
 
-    std::string topic() const { return name.substr(0, name.find_first_of("_+")); }
+    std::string topic() const { return name.substr(0, name.find_first_of("_+.")); }
 };
 
 Alternative alternative(const std::string& name, const std::string& explanation)
@@ -101,21 +104,56 @@ int report(const std::vector<Alternative>& alternatives)
     return failed == 0 && !alternatives.empty() ? 0 : 1;
 }
 
-int run(const std::string& wanted, unsigned seeds)
+struct Wanted {
+    std::vector<std::string> names; // alternatives or topics; empty for all
+    unsigned seeds = 1;
+    bool is_compiled = false;
+};
+
+Wanted wanted_of(const std::vector<std::string>& arguments)
+{
+    Wanted wanted;
+    for (std::size_t i = 0; i < arguments.size(); ++i) {
+        if (arguments[i] == "--compiled")
+            wanted.is_compiled = true;
+        else if (arguments[i] == "--seeds" && i + 1 < arguments.size())
+            wanted.seeds = static_cast<unsigned>(std::stoul(arguments[++i]));
+        else
+            wanted.names.push_back(arguments[i]);
+    }
+    return wanted;
+}
+
+// Each alternative by each compiler and level.
+std::vector<Alternative> as_compiled(const std::vector<Alternative>& alternatives)
+{
+    std::vector<Alternative> result;
+    for (const Alternative& each : alternatives)
+        if (each.name.find('+') == std::string::npos) // pairs have no workers of their own here
+            for (const char* way :
+                 {"gxx-o0", "gxx-o2", "gxx-o3", "clangxx-o0", "clangxx-o2", "clangxx-o3"})
+                result.push_back(alternative(each.name + "." + way, each.explanation));
+    return result;
+}
+
+int run(const Wanted& wanted)
 {
     const std::vector<Assignment> assignments = load_assignments(RIGOR_ASSIGNMENTS_DIR);
     std::vector<Alternative> alternatives = find_alternatives();
-    if (wanted != "all")
-        std::erase_if(alternatives, [&](const Alternative& alternative) {
-            return alternative.name != wanted && alternative.topic() != wanted;
+    if (!wanted.names.empty())
+        std::erase_if(alternatives, [&](const Alternative& each) {
+            return std::none_of(
+                wanted.names.begin(), wanted.names.end(),
+                [&](const std::string& name) { return name == each.name || name == each.topic(); });
         });
-    testing::judge_all(alternatives, [&](Alternative& alternative) {
-        for (unsigned i = 0; i < seeds; ++i) {
+    if (wanted.is_compiled) alternatives = as_compiled(alternatives);
+    testing::judge_all(alternatives, [&](Alternative& each) {
+        for (unsigned i = 0; i < wanted.seeds; ++i) {
             GradingRun grading;
             grading.test_program = RIGOR_GRADED_TESTS;
             grading.oracle = RIGOR_ORACLE;
             grading.seed = 1000 * i; // no property draws as many cases
-            judge(alternative, assignments, grading);
+            judge(each, assignments, grading);
         }
     });
     return report(alternatives);
@@ -126,8 +164,7 @@ int run(const std::string& wanted, unsigned seeds)
 int main(int count, char** arguments)
 {
     try {
-        return run(count > 1 ? arguments[1] : "all",
-                   count > 2 ? static_cast<unsigned>(std::stoul(arguments[2])) : 1);
+        return run(wanted_of({arguments + 1, arguments + count}));
     } catch (const std::exception& error) {
         std::fprintf(stderr, "check_alternatives: %s\n", error.what());
         return 2;
