@@ -181,6 +181,14 @@ using StrataCounts = std::array<int, stratum_count>;
 template <class T>
 void redraw(T& value, const Quantity& q, Random& random, StrataCounts* counts = nullptr)
 {
+    if constexpr (std::is_same_v<T, Quaternion>)
+        if (q.kind == Kind::orientation) { // its parts alone would not be unit
+            draw(value, q, random);
+            const std::size_t stratum = random.bits() % stratum_count;
+            const bool is_special = draw_special(value, q, static_cast<Stratum>(stratum), random);
+            if (counts) ++(*counts)[is_special ? stratum : 0];
+            return;
+        }
     T ordinary = value;
     if constexpr (!requires { value.resize(1); }) draw(ordinary, q, random);
     each_pair(value, ordinary, q, true, [&](auto& leaf, const auto& other, const Quantity& of) {
