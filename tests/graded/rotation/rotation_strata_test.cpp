@@ -42,6 +42,20 @@ TEST_CASE("rotation: two turns in a row turn a vector as one", "[A3.8][rotation]
         }
 }
 
+TEST_CASE("rotation: what is nearly along the axis turns too", "[A3.8][rotation]")
+{
+    for (Random random : seeds(5)) {
+        const Vector3d axis = random.unit_vector(), d = random.vector();
+        const Eigen::Quaterniond q = turn(random.uniform(0.5, 3) * axis);
+        for (int power = 1; power <= 40; ++power) {
+            CAPTURE(power);
+            const double small = std::ldexp(1, -power);
+            REQUIRE_THAT(rotate(plain(q), axis + small * d),
+                         IsClose(Vector3d(axis + small * (q * d)), Rounding(64, 2)));
+        }
+    }
+}
+
 TEST_CASE("rotation: the matrices of two turns multiply", "[A3.9][rotation]")
 {
     for (Random random : seeds(5))
