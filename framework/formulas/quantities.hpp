@@ -4,6 +4,7 @@
 // graded tests follow from this table.
 #pragma once
 
+#include "formulas/dimension.hpp"
 #include "formulas/fields.hpp"
 #include "formulas/table.hpp"
 
@@ -12,16 +13,6 @@
 #include <iterator>
 
 namespace rigor {
-
-/// massᵐ lengthˡ timeᵗ
-struct Dimension {
-    int mass = 0, length = 0, time = 0;
-    constexpr bool operator==(const Dimension&) const = default;
-    constexpr Dimension operator*(const Dimension& d) const
-    {
-        return {mass + d.mass, length + d.length, time + d.time};
-    }
-};
 
 /// The set that a quantity belongs to, and what becomes of it when all of world space and all of
 /// object space are turned by a rotation Q and moved by d.
@@ -133,6 +124,13 @@ RIGOR_FIELD_QUANTITIES(VertexOrigin, integer, integer, ratio)
 RIGOR_FIELD_QUANTITIES(SplitMesh, fields, fields, integer)
 RIGOR_FIELD_QUANTITIES(ElementCrack, integer, point, unit)
 RIGOR_FIELD_QUANTITIES(EmbeddedMesh, fields, integer, integer, integer, ratio)
+RIGOR_FIELD_QUANTITIES(Dimension, integer, integer, integer)
+// The numbers of a formula under test stand for quantities of any kind.
+RIGOR_FIELD_QUANTITIES(KnownCall, along_axes, along_axes)
+RIGOR_FIELD_QUANTITIES(Judgement, integer, integer, along_axes)
+template <class Result, class... Argument> struct FieldQuantities<UnderTest<Result, Argument...>> {
+    static constexpr Quantity of[] = {quantities::along_axes};
+};
 
 // FORMULA(function, result, arguments …), in the order of the table of formulas. Where a formula
 // works in any unit, as `normalize` does, one is given here.
@@ -211,7 +209,12 @@ RIGOR_FIELD_QUANTITIES(EmbeddedMesh, fields, integer, integer, integer, ratio)
     FORMULA(closest_face, integer, point, unit)                                             \
     FORMULA(split_along_faces, fields, fields, fields)                                      \
     FORMULA(split_element, fields, fields, integer, unit)                                   \
-    FORMULA(virtual_nodes, fields, fields, fields)
+    FORMULA(virtual_nodes, fields, fields, fields)                                          \
+    FORMULA(test_line_collision, fields, along_axes)                                        \
+    FORMULA(test_spring_force, fields, along_axes)                                          \
+    FORMULA(test_tangent, fields, along_axes)                                               \
+    FORMULA(test_oscillator_step, fields, along_axes)                                       \
+    FORMULA(test_units, fields, along_axes, along_axes, integer, integer)
 // clang-format on
 
 /// The quantities of a formula: its result, and its arguments in their order.

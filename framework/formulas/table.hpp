@@ -12,6 +12,7 @@
 #include "formulas/pipeline.hpp"
 #include "formulas/plasticity.hpp"
 #include "formulas/rotation.hpp"
+#include "formulas/validation.hpp"
 
 #include <string>
 #include <string_view>
@@ -91,7 +92,12 @@
     FORMULA(A7.4,  fracture,   closest_face, tetrahedron, normal)                                  \
     FORMULA(A7.5,  fracture,   split_along_faces, mesh, faces)                                     \
     FORMULA(A7.6,  fracture,   split_element, mesh, vertex, normal)                                \
-    FORMULA(A7.7,  fracture,   virtual_nodes, mesh, cracks)
+    FORMULA(A7.7,  fracture,   virtual_nodes, mesh, cracks)                                        \
+    FORMULA(A8.1,  validation, test_line_collision, collide)                                       \
+    FORMULA(A8.2,  validation, test_spring_force, force)                                           \
+    FORMULA(A8.3,  validation, test_tangent, tangent)                                              \
+    FORMULA(A8.4,  validation, test_oscillator_step, step)                                         \
+    FORMULA(A8.5,  validation, test_units, formula, example, arguments, result)
 // clang-format on
 
 namespace rigor {

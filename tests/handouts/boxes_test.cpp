@@ -58,7 +58,7 @@ std::string box_of(const Handout& handout)
 TEST_CASE("boxes: each handout has one that is as long as a paragraph", "[boxes]")
 {
     for (const Handout& handout : all_handouts()) {
-        if (handout.label == "A0") continue;
+        if (!has_scenes(handout)) continue; // the engine has no part in it
         CAPTURE(handout.label);
         CHECK(box_of(handout).size() > 200);
     }

@@ -148,6 +148,11 @@ std::string content(const fs::path& file)
     return text.str();
 }
 
+bool has_scenes(const Handout& handout)
+{
+    return fs::exists(assignments() / handout.name / "scenes");
+}
+
 std::vector<Handout> all_handouts()
 {
     std::vector<Handout> handouts;

@@ -18,6 +18,10 @@ struct Handout {
 std::filesystem::path assignments();
 std::string content(const std::filesystem::path& file);
 
+/// Whether the assignment has scenes to watch. The first one, which is about the working loop, and
+/// the last one, which is about tests, have none.
+bool has_scenes(const Handout& handout);
+
 /// All handouts, in the order of their labels. Throws if there are none.
 std::vector<Handout> all_handouts();
 

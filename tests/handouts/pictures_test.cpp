@@ -157,7 +157,7 @@ TEST_CASE("pictures: each of a wrong run names the mistake and the scene that ma
 TEST_CASE("pictures: each handout shows a wrong run where it says what to look for", "[pictures]")
 {
     for (const Handout& handout : all_handouts()) {
-        if (handout.label == "A0") continue;
+        if (!has_scenes(handout)) continue;
         CAPTURE(handout.label);
         const std::size_t section = handout.text.find("\n## If you see this\n");
         REQUIRE(section != std::string::npos);

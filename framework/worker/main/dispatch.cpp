@@ -10,6 +10,16 @@ namespace rigor {
 
 namespace {
 
+// What a test says of its formula, or the question that it is left with.
+template <class Test> Judgement judgement(const Test& test)
+{
+    try {
+        return test();
+    } catch (const UnknownCall& call) {
+        return {0, call.calls_before, call.arguments};
+    }
+}
+
 template <class Result, class... Argument>
 wire::Bytes answer(Result (*function)(Argument...), std::span<const std::byte> encoded)
 {
@@ -18,7 +28,11 @@ wire::Bytes answer(Result (*function)(Argument...), std::span<const std::byte> e
     std::apply([&](auto&... argument) { (wire::decode(reader, argument), ...); }, arguments);
     reader.end();
     wire::Bytes result;
-    wire::encode(result, std::apply(function, arguments));
+    const auto call = [&] { return std::apply(function, arguments); };
+    if constexpr (std::is_same_v<Result, Judgement>)
+        wire::encode(result, judgement(call));
+    else
+        wire::encode(result, call());
     return result;
 }
 

@@ -46,5 +46,5 @@ TEST_CASE("quantities: every field has a quantity", "[formulas]")
                           DensitySample, TriangleMesh, MatrixState, MatrixStateRate, RigidState,
                           BodyInertia, Body, ContactPoint, BodyContact, ContactResult, LevelSet,
                           TetrahedralMesh, MeshFace, PrincipalStress, VertexOrigin, SplitMesh,
-                          ElementCrack, EmbeddedMesh>());
+                          ElementCrack, EmbeddedMesh, Dimension, KnownCall, Judgement, Tangent>());
 }

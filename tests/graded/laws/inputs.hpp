@@ -136,6 +136,8 @@ template <FormulaIndex f, auto& formula> Arguments<formula> random_arguments(uns
         std::get<0>(arguments) = grid;
         std::get<1>(arguments) = grid.origin + 0.5 * random.vector();
     }
+    if constexpr (f == F::test_units)
+        std::get<2>(arguments).resize(std::get<1>(arguments).size()); // a dimension for each number
     if constexpr (f == F::contact_restitution)
         arguments = {random_index(random, 10), random_index(random, 12)};
     if constexpr (f == F::contact_levels) {

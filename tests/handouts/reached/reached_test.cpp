@@ -17,8 +17,12 @@ using namespace rigor::handouts;
 
 namespace {
 
-// The warm-up has no scene of its own. A formula that a scene reaches must leave the list.
-const std::set<std::string> only_in_tests = {"A0.1"};
+// The formulas of an assignment without scenes are called by tests alone: the warm-up, and the
+// tests of A8, which are no formulas of the engine. Any other formula needs a scene.
+bool only_in_tests(const Formula& formula)
+{
+    return formula.topic == "pipeline" || formula.topic == "validation";
+}
 
 // Long enough for every method to be at work [s].
 constexpr double longest = 1;
@@ -96,7 +100,7 @@ TEST_CASE("scenes: each formula is reached by a shipped scene", "[reached]")
         const std::string tag(formula.tag);
         INFO(tag << " " << formula.name << " is called by "
                  << (reached.count(tag) ? "a scene" : "no scene"));
-        CHECK(reached.count(tag) + only_in_tests.count(tag) == 1);
+        CHECK((reached.count(tag) == 1) != only_in_tests(formula));
     }
 }
 

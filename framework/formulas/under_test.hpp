@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+// A formula that a test of topic `validation` is given, and what the test says of it.
+//
+// The formula itself stays with the grader, on the other side of the pipe, so that a test can learn
+// nothing about it but its results. A test is a function of the results that are known so far.
+// Where it needs one that is not known, it is left with the question, the grader answers it, and
+// the test begins again with one more known result. So a test must make the same calls whenever it
+// gets the same results.
+#pragma once
+
+#include "formulas/fields.hpp"
+
+#include <cmath>
+#include <stdexcept>
+#include <type_traits>
+#include <vector>
+
+namespace rigor {
+
+/// One call of a formula under test. All numbers of the arguments and of the result are in their
+/// order, vectors by their components.
+struct KnownCall {
+    std::vector<double> arguments, result;
+};
+
+/// The question of a test that needs a result which is not known yet. It is not for the test to
+/// catch.
+struct UnknownCall {
+    int calls_before = 0;
+    std::vector<double> arguments;
+};
+
+/// What a test says of the formula that it was given. See `accepted` and `rejected`.
+struct Judgement {
+    int rejected_in = 0; // the line of the test that rejected the formula, 0 if it was accepted
+    // The question that is still open, where the test has not come to its end.
+    int calls_before = 0;
+    std::vector<double> question;
+};
+
+/// The formula keeps all laws that the test knows: `return accepted();`
+inline Judgement accepted()
+{
+    return {};
+}
+
+/// The formula breaks a law: `return rejected(); // the momentum changes`. The report names the
+/// line if the formula is right.
+inline Judgement rejected(int line = __builtin_LINE())
+{
+    return {line, 0, {}};
+}
+
+namespace numbers {
+
+/// Appends the numbers of a value.
+template <class T> void append(std::vector<double>& to, const T& value)
+{
+    if constexpr (std::is_same_v<T, double>)
+        to.push_back(value);
+    else if constexpr (Plain<T>)
+        Fields<T>::each(value, [&](std::string_view, const auto& field) { append(to, field); });
+    else
+        to.insert(to.end(), value.data(), value.data() + value.size());
+}
+
+/// Takes the numbers of a value, beginning at index `at`, which moves behind them. A list takes all
+/// that are left.
+template <class T> void take(T& value, const std::vector<double>& from, std::size_t& at)
+{
+    if constexpr (std::is_same_v<T, double>) {
+        value = from.at(at++);
+    } else if constexpr (Plain<T>) {
+        Fields<T>::each(value, [&](std::string_view, auto& field) { take(field, from, at); });
+    } else if constexpr (std::is_same_v<T, std::vector<double>>) {
+        value.assign(from.begin() + static_cast<std::ptrdiff_t>(at), from.end());
+        at = from.size();
+    } else {
+        for (int i = 0; i < static_cast<int>(value.size()); ++i)
+            value[i] = from.at(at++);
+    }
+}
+
+template <class T> T taken(const std::vector<double>& from)
+{
+    T value{};
+    std::size_t at = 0;
+    take(value, from, at);
+    return value;
+}
+
+} // namespace numbers
+
+/// A formula under test. It is called like a function, with finite arguments.
+template <class Result, class... Argument> class UnderTest {
+public:
+    std::vector<KnownCall> known; // in the order in which the test makes the calls
+
+    Result operator()(const Argument&... argument) const
+    {
+        std::vector<double> arguments;
+        (numbers::append(arguments, argument), ...);
+        for (const double number : arguments)
+            if (!std::isfinite(number))
+                throw std::invalid_argument("the test calls the formula with a number that is "
+                                            "not finite");
+        if (calls_ == known.size() || known[calls_].arguments != arguments)
+            throw UnknownCall{static_cast<int>(calls_), arguments};
+        return numbers::taken<Result>(known[calls_++].result);
+    }
+
+private:
+    mutable std::size_t calls_ = 0;
+};
+
+RIGOR_FIELDS(KnownCall, arguments, result)
+RIGOR_FIELDS(Judgement, rejected_in, calls_before, question)
+template <class Result, class... Argument> struct Fields<UnderTest<Result, Argument...>> {
+    using listed = void;
+    template <class Value, class Visit> static void each(Value& value, Visit&& visit)
+    {
+        RIGOR_FIELD(known)
+    }
+};
+
+} // namespace rigor

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+// Topic `validation`, assignment A8: tests that tell right formulas from wrong ones.
+// Each task describes a formula and asks for a test of it. The test gets an implementation of the
+// formula, calls it as often as it likes (up to 1000 times), and says whether it keeps the laws.
+// Conventions: types.hpp; what a test may do: under_test.hpp.
+//
+// A right implementation keeps the description to within rounding: what it computes may differ from
+// what another right one computes by 1e-12 times the largest term. It may be written in any way.
+// Arguments of a size between 1e-9 and 1e9 are fine.
+#pragma once
+
+#include "formulas/dimension.hpp"
+#include "formulas/not_implemented.hpp"
+#include "formulas/types.hpp"
+#include "formulas/under_test.hpp"
+
+namespace rigor {
+
+/// The velocities of two bodies on a line [m/s].
+struct LineVelocities {
+    double v1 = 0, v2 = 0;
+};
+
+/// The formula (m₁, m₂, v₁, v₂, ε) → the velocities after a collision on a line. Body 1 touches
+/// body 2 from the left; the positive direction is to the right.
+///
+///     v₁ ≤ v₂, they do not approach: the velocities stay as they are
+///     otherwise  v₁' - v₂' = -ε (v₁ - v₂)   and   m₁ v₁' + m₂ v₂' = m₁ v₁ + m₂ v₂
+///
+/// with the masses m₁, m₂ > 0 [kg] and the restitution 0 ≤ ε ≤ 1.
+using LineCollision = UnderTest<LineVelocities, double, double, double, double, double>;
+
+/// The formula (x₁, x₂, k, L) → the force of a spring on its end x₁ [N].
+///
+///     f = k (|x₂ - x₁| - L) (x₂ - x₁) / |x₂ - x₁|        x₁ = x₂: 0, the force has no direction
+///
+/// with the ends x₁, x₂ [m], the stiffness k ≥ 0 [N/m] and the rest length L ≥ 0 [m]. A spring that
+/// is too short pushes.
+using SpringForce = UnderTest<Vector3d, Vector3d, Vector3d, double, double>;
+
+/// The formula n → a unit vector t perpendicular to the unit vector n. Which one is left open.
+using Tangent = UnderTest<Vector3d, Vector3d>;
+
+/// Position and velocity of an oscillator.
+struct OscillatorState {
+    double x = 0; // [m]
+    double v = 0; // [m/s]
+};
+
+/// The formula (state, ω, h) → the state of the oscillator ẍ = -ω² x after a time step h, by a
+/// method of second order or higher.
+///
+/// ω > 0 [rad/s], h > 0 [s], and ω h ≤ ½. The method is left open. One step is off by at most
+/// (ω h)³ A, where A = √(x² + v²/ω²) is the amplitude, in the position, and by ω times that in the
+/// velocity.
+using OscillatorStep = UnderTest<OscillatorState, OscillatorState, double, double>;
+
+/// A formula of which nothing is known but the dimensions of its numbers: numbers → numbers.
+using UnknownFormula = UnderTest<std::vector<double>, std::vector<double>>;
+
+/// A8.1 A test of a collision on a line.
+Judgement test_line_collision(const LineCollision& collide);
+
+/// A8.2 A test of the force of a spring.
+Judgement test_spring_force(const SpringForce& force);
+
+/// A8.3 A test of a tangent.
+Judgement test_tangent(const Tangent& tangent);
+
+/// A8.4 A test of a time step of an oscillator.
+Judgement test_oscillator_step(const OscillatorStep& step);
+
+/// A8.5 The law of the units, for any formula: if the unit of mass, length or time is replaced by
+/// another one, each number of the result changes as its dimension says. The formula is accepted
+/// where this holds for each of the three units, from a grain of sand to a planet.
+///
+/// A right formula may take roots, so that a factor whose exponent becomes a fraction is rounded.
+///
+/// @param formula    takes as many numbers as `arguments` has dimensions
+/// @param example    arguments that the formula is made for. They still are if a unit is changed,
+///                   by a factor from 2⁻⁴⁰ to 2⁴⁰
+/// @param arguments  the dimension of each argument
+/// @param result     the dimension of each number of the result
+Judgement test_units(const UnknownFormula& formula, const std::vector<double>& example,
+                     const std::vector<Dimension>& arguments, const std::vector<Dimension>& result);
+
+RIGOR_FIELDS(Dimension, mass, length, time)
+RIGOR_FIELDS(LineVelocities, v1, v2)
+RIGOR_FIELDS(OscillatorState, x, v)
+
+} // namespace rigor

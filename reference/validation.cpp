@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: MIT
+// Solution of assignment A8: tests by laws. Each begins with a case by hand where there is one, goes
+// on with laws for many arguments of every size, and ends with the special cases.
+#include "formulas/validation.hpp"
+
+#include <cmath>
+#include <random>
+
+namespace rigor {
+
+namespace {
+
+constexpr double rounding = 1e-12; // a part of the largest term
+
+// False also if a number is not finite.
+bool is_close(double a, double b, double scale)
+{
+    return std::abs(a - b) <= rounding * scale;
+}
+
+class Numbers {
+public:
+    double uniform(double low, double high)
+    {
+        return low + (high - low) * static_cast<double>(bits_()) * 0x1p-32;
+    }
+    // Of every size between 1e-6 and 1e6.
+    double magnitude() { return std::pow(10, uniform(-6, 6)); }
+    Vector3d vector()
+    {
+        const double x = uniform(-1, 1), y = uniform(-1, 1);
+        return {x, y, uniform(-1, 1)};
+    }
+
+private:
+    std::mt19937 bits_{1};
+};
+
+bool collision_keeps_laws(const LineCollision& collide, double m1, double m2, double v1, double v2,
+                          double e)
+{
+    const auto [u1, u2] = collide(m1, m2, v1, v2, e);
+    if (v1 <= v2) return u1 == v1 && u2 == v2;
+    const double v = std::max(std::abs(v1), std::abs(v2)), P = (m1 + m2) * v;
+    // Rounding may be a part of the speed of a light body, which bounces off a heavy one.
+    return is_close(m1 * u1 + m2 * u2, m1 * v1 + m2 * v2, P) &&
+           is_close(u1 - u2, -e * (v1 - v2), v);
+}
+
+} // namespace
+
+Judgement test_line_collision(const LineCollision& collide)
+{
+    // By hand: 1 kg at 3 m/s meets 2 kg at rest and bounces by half.
+    const auto [u1, u2] = collide(1, 2, 3, 0, 0.5);
+    if (!is_close(u1, 0, 3) || !is_close(u2, 1.5, 3)) return rejected();
+
+    Numbers random;
+    for (int i = 0; i < 200; ++i) {
+        const double size = i % 2 == 0 ? 1 : random.magnitude();
+        const double m1 = random.magnitude(), m2 = i % 3 == 0 ? m1 : random.magnitude();
+        const double v1 = random.uniform(-1, 1) * size, v2 = random.uniform(-1, 1) * size;
+        const double e = i % 5 == 0 ? 0 : i % 5 == 1 ? 1 : std::pow(random.uniform(0, 1), 3);
+        if (!collision_keeps_laws(collide, m1, m2, v1, v2, e)) return rejected();
+        if (!collision_keeps_laws(collide, m1, m2, v2, v1, e)) return rejected();
+    }
+    if (!collision_keeps_laws(collide, 1, 2, 3, 3, 1)) return rejected(); // they move together
+    return accepted();
+}
+
+Judgement test_spring_force(const SpringForce& force)
+{
+    Numbers random;
+    for (int i = 0; i < 200; ++i) {
+        const double size = i % 2 == 0 ? 1 : random.magnitude();
+        const Vector3d x1 = random.vector() * size, d = random.vector() * size;
+        const Vector3d x2 = x1 + d;
+        const double r = (x2 - x1).norm(), k = random.magnitude();
+        // Lengths from much shorter to much longer than the rest length, and very near to it.
+        const double L = i % 3 == 0 ? r * (1 + random.uniform(-1, 1) / random.magnitude())
+                                    : r * std::pow(10, random.uniform(-2, 2));
+        if (L < 0) continue;
+        const Vector3d f = force(x1, x2, k, L), f2 = force(x2, x1, k, L);
+        const double scale = k * (r + L);
+
+        // The force is along the spring and proportional to its extension, and the one on the other
+        // end is its opposite.
+        if (!is_close(f.dot(x2 - x1) / r, k * (r - L), scale)) return rejected();
+        if (!is_close(f.cross(x2 - x1).norm() / r, 0, scale)) return rejected();
+        if (!is_close((f + f2).norm(), 0, scale)) return rejected();
+    }
+    // An end on the other one feels no force, and neither does a spring at its rest length.
+    const Vector3d x = {0.5, -1, 2};
+    if (force(x, x, 3, 1) != Vector3d::Zero()) return rejected();
+    if (force(x, x + Vector3d::UnitY(), 3, 1) != Vector3d::Zero()) return rejected();
+    return accepted();
+}
+
+Judgement test_tangent(const Tangent& tangent)
+{
+    const auto keeps_laws = [&](const Vector3d& n) {
+        const Vector3d t = tangent(n);
+        return is_close(t.norm(), 1, 1) && is_close(t.dot(n), 0, 1);
+    };
+    Numbers random;
+    for (int i = 0; i < 60; ++i)
+        if (!keeps_laws(random.vector().normalized())) return rejected();
+    // On each axis, near it, on each diagonal, and near it, on both sides.
+    for (const double near : {0.0, 1e-9, 1e-6, 1e-3, 0.03, 0.1})
+        for (int x = -1; x <= 1; ++x)
+            for (int y = -1; y <= 1; ++y)
+                for (int z = -1; z <= 1; ++z)
+                    if (x != 0 || y != 0 || z != 0)
+                        if (!keeps_laws((Vector3d(x, y, z) + near * random.vector()).normalized()))
+                            return rejected();
+    return accepted();
+}
+
+Judgement test_oscillator_step(const OscillatorStep& step)
+{
+    Numbers random;
+    for (int i = 0; i < 250; ++i) {
+        const double w = i % 2 == 0 ? random.uniform(0.5, 2) : random.magnitude();
+        const double size = i % 4 < 2 ? 1 : random.magnitude();
+        const double a = std::pow(0.5, random.uniform(1, 10)); // the angle ω h, ½ to 1/1024
+        const double x = i % 5 == 0 ? 0 : random.uniform(-1, 1) * size;
+        const double v = i % 5 == 1 ? 0 : random.uniform(-1, 1) * size * w;
+
+        // x(h) = x cos ωh + v/ω sin ωh, and its derivative
+        const OscillatorState after = step({x, v}, w, a / w);
+        const double A = std::hypot(x, v / w), bound = (a * a * a + rounding) * A;
+        if (!(std::abs(after.x - (x * std::cos(a) + v / w * std::sin(a))) <= bound))
+            return rejected();
+        if (!(std::abs(after.v / w - (v / w * std::cos(a) - x * std::sin(a))) <= bound))
+            return rejected();
+    }
+    return accepted();
+}
+
+Judgement test_units(const UnknownFormula& formula, const std::vector<double>& example,
+                     const std::vector<Dimension>& arguments, const std::vector<Dimension>& result)
+{
+    const std::vector<double> expected = formula(example);
+    if (expected.size() != result.size()) return rejected();
+    double largest = 0;
+    for (const double number : expected)
+        largest = std::max(largest, std::abs(number));
+
+    for (const Dimension unit : {Dimension{1, 0, 0}, Dimension{0, 1, 0}, Dimension{0, 0, 1}})
+        for (int exponent = -40; exponent <= 40; exponent += 8) {
+            // Powers of two: the change itself rounds nothing.
+            const auto factor = [&](const Dimension& of) {
+                return std::ldexp(1, exponent * (unit.mass * of.mass + unit.length * of.length +
+                                                 unit.time * of.time));
+            };
+            std::vector<double> others = example;
+            for (std::size_t i = 0; i < others.size(); ++i)
+                others[i] *= factor(arguments[i]);
+            const std::vector<double> found = formula(others);
+            if (found.size() != expected.size()) return rejected();
+            for (std::size_t i = 0; i < found.size(); ++i)
+                if (!is_close(found[i] / factor(result[i]), expected[i], largest))
+                    return rejected();
+        }
+    return accepted();
+}
+
+} // namespace rigor

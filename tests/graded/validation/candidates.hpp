@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// Implementations of a formula, right and wrong ones, on which a student's test is tried.
+#pragma once
+
+#include "formulas/validation.hpp"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace rigor::testing {
+
+/// The function behind a formula under test.
+template <class Formula> struct FunctionOf;
+template <class Result, class... Argument> struct FunctionOf<UnderTest<Result, Argument...>> {
+    using type = std::function<Result(Argument...)>;
+};
+template <class Formula> using Function = typename FunctionOf<Formula>::type;
+
+/// A wrong implementation.
+template <class Formula> struct WrongFormula {
+    std::string clue; // when it is wrong, for a student whose test accepts it
+    Function<Formula> formula;
+};
+
+/// A formula with its implementations.
+template <class Formula> struct Candidates {
+    using Wrong = std::vector<WrongFormula<Formula>>;
+    std::vector<Function<Formula>> right; // all of them are right, and all are written differently
+    Wrong ordinary;                       // wrong for nearly all arguments
+    Wrong special;                        // wrong for some arguments only
+};
+
+/// A formula on numbers whose dimensions are known.
+struct FormulaWithUnits {
+    std::string clue; // empty for a right formula
+    Function<UnknownFormula> formula;
+    std::vector<double> example;
+    std::vector<Dimension> arguments, result;
+};
+
+const Candidates<LineCollision>& line_collisions();
+const Candidates<SpringForce>& spring_forces();
+const Candidates<Tangent>& tangents();
+const Candidates<OscillatorStep>& oscillator_steps();
+
+/// Formulas of other topics, with dimensions. The wrong ones have a wrong power of a unit or a
+/// hidden constant.
+const std::vector<FormulaWithUnits>& right_units();
+const std::vector<FormulaWithUnits>& wrong_powers();
+/// A threshold, a limit or a small number in them has a unit.
+const std::vector<FormulaWithUnits>& wrong_thresholds();
+
+} // namespace rigor::testing

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: MIT
+#include "candidates.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rigor::testing {
+
+namespace {
+
+using N = std::vector<double>;
+using Formulas = std::vector<FormulaWithUnits>;
+
+namespace dimensions {
+
+constexpr Dimension number = {}, mass = {1, 0, 0}, length = {0, 1, 0}, time = {0, 0, 1},
+                    speed = {0, 1, -1}, rate = {0, 0, -1}, acceleration = {0, 1, -2},
+                    force = {1, 1, -2}, energy = {1, 2, -2}, momentum = {1, 1, -1},
+                    stiffness = {1, 0, -2}, inertia = {1, 2, 0};
+
+} // namespace dimensions
+
+// Whether two numbers are equal but for a part of the larger one.
+bool nearly_equal(double a, double b)
+{
+    return std::abs(a - b) <= 1e-9 * std::max(std::abs(a), std::abs(b));
+}
+
+} // namespace
+
+const Formulas& right_units()
+{
+    using namespace dimensions;
+    static const Formulas all = {
+        {"", [](N a) { return N{a[0] * a[1] * a[1] / 2}; }, {2.5, -3}, {mass, speed}, {energy}},
+        {"",
+         [](N a) { return N{2 * M_PI * std::sqrt(a[0] / a[1])}; },
+         {0.7, 9.81},
+         {length, acceleration},
+         {time}},
+        {"",
+         [](N a) { return N{std::pow(a[0] / a[1], 0.5)}; }, // rounds otherwise than a root
+         {12, 0.3},
+         {stiffness, mass},
+         {rate}},
+        {"",
+         [](N a) {
+             return N{a[1] * a[5] - a[2] * a[4], a[2] * a[3] - a[0] * a[5],
+                      a[0] * a[4] - a[1] * a[3]};
+         },
+         {0.1, -0.4, 0.3, 5, 2, -7},
+         {length, length, length, force, force, force},
+         {energy, energy, energy}},
+        {"",
+         [](N a) { // a threshold that is a part of another number is right
+             return N{nearly_equal(a[1], a[2]) ? 0 : a[0] * (a[1] - a[2]), a[3]};
+         },
+         {3, 2, 2.0000001, 0.25},
+         {mass, speed, speed, number},
+         {momentum, number}},
+        {"",
+         [](N a) {
+             return N{std::cbrt(a[0] / a[1]), a[2] * std::cos(a[3])};
+         },
+         {6.5, 1.2, 0.8, 1.1},
+         {mass, {1, -3, 0}, speed, number},
+         {length, speed}},
+        {"",
+         [](N a) { // divides, unless that would be by zero
+             const double K = 1 / a[0] + a[1] * a[1] / a[2];
+             return N{K == 0 ? 0 : -a[3] / K};
+         },
+         {2, 0.6, 1.4, -3.5},
+         {mass, length, inertia, speed},
+         {momentum}},
+    };
+    return all;
+}
+
+const Formulas& wrong_powers()
+{
+    using namespace dimensions;
+    static const Formulas all = {
+        {"misses a power of a speed",
+         [](N a) { return N{a[0] * a[1] / 2}; },
+         {2.5, 3},
+         {mass, speed},
+         {energy}},
+        {"has a constant inside, which has a unit",
+         [](N a) { return N{9.81 * a[0]}; },
+         {2.5},
+         {mass},
+         {force}},
+        {"is wrong only if the unit of time changes",
+         [](N a) { return N{a[0] + a[1] * a[2] / 60}; },
+         {1.5, 2, 60},
+         {length, length, time},
+         {length}},
+        {"is wrong only if the unit of mass changes",
+         [](N a) { return N{a[0] * a[0] * a[1]}; },
+         {3, 2},
+         {mass, acceleration},
+         {force}},
+        {"is right if mass and length grow by the same factor",
+         [](N a) { return N{a[0] * a[0] / a[1] * a[2]}; },
+         {3, 0.5, 2},
+         {mass, length, speed},
+         {momentum}},
+        {"adds numbers of different dimensions",
+         [](N a) { return N{a[0] + a[1]}; },
+         {0.3, 4},
+         {length, speed},
+         {length}},
+        {"is wrong in its last number only",
+         [](N a) {
+             return N{a[0] * a[1], a[0] * a[2], a[0] * a[0] * a[3]};
+         },
+         {0.5, 1, -2, 3},
+         {mass, speed, speed, speed},
+         {momentum, momentum, momentum}},
+        {"takes a length for an angle",
+         [](N a) { return N{a[0] * std::sin(a[1])}; },
+         {3, 0.4},
+         {speed, length},
+         {speed}},
+    };
+    return all;
+}
+
+const Formulas& wrong_thresholds()
+{
+    using namespace dimensions;
+    static const Formulas all = {
+        {"takes a small number for zero",
+         [](N a) { return N{std::abs(a[1]) < 1e-6 ? 0 : a[0] * a[1]}; },
+         {2, -3},
+         {mass, speed},
+         {momentum}},
+        {"adds a small number, so that it does not divide by zero",
+         [](N a) { return N{a[0] / (a[1] + 1e-6)}; },
+         {1.5, 0.7},
+         {length, time},
+         {speed}},
+        {"limits a number",
+         [](N a) { return N{std::min(a[0] * a[1], 1000.0)}; },
+         {2, 3},
+         {mass, acceleration},
+         {force}},
+        {"takes small masses for zero",
+         [](N a) { return N{a[0] < 1e-3 ? 0 : a[0] * a[1] * a[1]}; },
+         {2, 0.3},
+         {mass, length},
+         {inertia}},
+        {"takes a long time for another one",
+         [](N a) { return N{a[0] * std::min(a[1], 3600.0)}; },
+         {2, 0.01},
+         {speed, time},
+         {length}},
+        {"rounds to a millionth of a unit",
+         [](N a) { return N{std::round(a[0] * a[1] * 1e6) / 1e6}; },
+         {0.75, 0.5},
+         {speed, time},
+         {length}},
+        {"stops its iteration at a difference that has a unit",
+         [](N a) {
+             double x = a[0] / 2 + 1e-9; // the square root, by Newton's method
+             for (int i = 0; i < 200 && std::abs(x * x - a[0]) > 1e-8; ++i)
+                 x = (x + a[0] / x) / 2;
+             return N{x};
+         },
+         {1.7},
+         {{0, 2, 0}},
+         {length}},
+    };
+    return all;
+}
+
+} // namespace rigor::testing
