@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Solution of assignment A8: tests by laws. Each begins with a case by hand where there is one, goes
-// on with laws for many arguments of every size, and ends with the special cases.
+// Solution of assignment A8: tests by laws. Each begins with a case by hand where there is one. It
+// goes on with laws for many arguments of every size, and ends with the special cases.
 #include "formulas/validation.hpp"
 
 #include <cmath>
