@@ -2,25 +2,18 @@
 // Triangle meshes as text, in the OBJ format of Wavefront.
 #pragma once
 
-#include "geometry/meshes/mesh_checks.hpp"
+#include "geometry/mesh_files/surface_text.hpp"
 
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace rigor {
-
-/// A mesh as it was read: its syntax is right, but `check_mesh` has not seen it.
-struct ObjMesh {
-    TriangleMesh mesh;      // without the vertices that no face uses
-    std::vector<int> lines; // for each triangle, the line of its face
-};
 
 /// Reads vertices `v x y z` and faces `f 1 2 3`, `f 1/1/1 2//2 -1 …`, and skips all other lines. A
 /// face of more than three vertices becomes a fan of triangles about its first vertex.
 ///
 /// @throws MeshError  also as soon as there are too many vertices or triangles
-ObjMesh read_obj(std::string_view text);
+SurfaceText read_obj(std::string_view text);
 
 /// The text of a mesh. Reading it again gives exactly the same numbers.
 std::string obj_text(const TriangleMesh& mesh);

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,15 @@ inline Material combined(const Material& a, const Material& b)
     return {std::min(a.restitution, b.restitution), std::sqrt(a.friction * b.friction)};
 }
 
+/// The resistance of a medium: the force -(c + k |V|) V on the center of mass, and the torque -d ω.
+struct Drag {
+    double linear = 0;    // c ≥ 0 [kg/s]
+    double quadratic = 0; // k ≥ 0 [kg/m]
+    double turning = 0;   // d ≥ 0 [N m s]
+
+    bool acts() const { return linear != 0 || quadratic != 0 || turning != 0; }
+};
+
 /// How long a body has been at rest, and whether it sleeps.
 struct Rest {
     double duration = 0; // time since the body came to `place` [s]
@@ -39,6 +49,8 @@ struct RigidBody {
     std::string name;
     std::vector<Part> parts; // in object space
     Material material;
+    Drag drag;
+    int group = 0; // bodies of one group other than 0 pass through each other
     bool is_static = false;
     std::shared_ptr<const Drive> drive; // the given motion of a static body; null if it never moves
     double mass = 0;                    // [kg]; 0 if static
@@ -51,6 +63,9 @@ struct RigidBody {
     // Symmetry axis a of a body of revolution: a unit vector in object space with I_body⁻¹ = i δ +
     // k a aᵀ. Zero if the body has no such axis.
     Vector3d symmetry_axis = Vector3d::Zero();
+    // The only axis that the body turns about, unit and in object space, zero if it never turns. It
+    // is empty if the body turns freely.
+    std::optional<Vector3d> only_axis;
     RigidState state;
     Rest rest;
 

@@ -174,4 +174,25 @@ void set_mass(RigidBody& body, double mass, const Matrix3d& inertia)
         throw NonFiniteState(body.name, "inverse inertia", 0);
 }
 
+void let_turn_about(RigidBody& body, const Vector3d& axis)
+{
+    if (body.is_static) return;
+    const Vector3d a = axis.isZero(0) ? axis : axis.normalized();
+    body.only_axis = body.symmetry_axis = a;
+    body.is_isotropic = false;
+    body.inverse.inverse_inertia.setZero();
+    // I_body⁻¹ = a aᵀ/(aᵀ I a)
+    if (const double i = a.dot(body.inertia * a); i > 0)
+        body.inverse.inverse_inertia = a * a.transpose() / i;
+}
+
+Vector3d own_angular_momentum(const RigidBody& body, const RigidState& state)
+{
+    if (!body.only_axis) return state.angular_momentum;
+    // L = R I_body ω,  ω = I_body⁻¹ Rᵀ L
+    const Matrix3d R = rotation_matrix(state.orientation);
+    return R * (body.inertia *
+                (body.inverse.inverse_inertia * (R.transpose() * state.angular_momentum)));
+}
+
 } // namespace rigor

@@ -33,4 +33,14 @@ Vector3d set_mass_from_parts(RigidBody& body);
 /// @throws NonFiniteState if a formula returned a value that is not finite
 void set_mass(RigidBody& body, double mass, const Matrix3d& inertia);
 
+/// Lets a body turn about one axis a alone, by I_body⁻¹ = a aᵀ/(aᵀ I a), or never, if the axis is
+/// zero. Called after the mass is set.
+///
+/// @param axis  in object space, of any length
+void let_turn_about(RigidBody& body, const Vector3d& axis);
+
+/// The angular momentum that the motion of a body has. If the body turns about one axis only, the
+/// rest of `state.angular_momentum`, which what holds the axis has taken up, is left out.
+Vector3d own_angular_momentum(const RigidBody& body, const RigidState& state);
+
 } // namespace rigor

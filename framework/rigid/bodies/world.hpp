@@ -9,6 +9,7 @@
 #include "rigid/bodies/step_memory.hpp"
 #include "rigid/parallel/thread_pool.hpp"
 
+#include <functional>
 #include <vector>
 
 namespace rigor {
@@ -25,16 +26,17 @@ struct Spring {
 };
 
 /// A force on a point of a body and a torque, from `start` to `end`. With a frequency f, both are
-/// multiplied by sin(2π f t + φ).
+/// multiplied by sin(2π f t + φ), and with a factor by its value at that time.
 struct AppliedForce {
     int body = 0;
-    Vector3d force = Vector3d::Zero();  // [N]
-    Vector3d point = Vector3d::Zero();  // object space [m]
-    double start = 0, end = 1e300;      // [s]
-    Vector3d torque = Vector3d::Zero(); // [N m]
-    bool turns_with_body = false;       // whether force and torque are in object space
-    double frequency = 0;               // f [Hz]; 0: constant
-    double phase = 0;                   // φ [rad]
+    Vector3d force = Vector3d::Zero();         // [N]
+    Vector3d point = Vector3d::Zero();         // object space [m]
+    double start = 0, end = 1e300;             // [s]
+    Vector3d torque = Vector3d::Zero();        // [N m]
+    bool turns_with_body = false;              // whether force and torque are in object space
+    double frequency = 0;                      // f [Hz]; 0: constant
+    double phase = 0;                          // φ [rad]
+    std::function<double(double)> factor = {}; // by the time [s]; empty: 1
 };
 
 /// Everything that a time step reads and changes: state, settings, and the memory of the last step.

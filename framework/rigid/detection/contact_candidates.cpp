@@ -214,6 +214,8 @@ struct NarrowPhaseResult {
 bool never_collide(const World& world, int i, int j)
 {
     if (world.bodies[i].is_static && world.bodies[j].is_static) return true; // one is driven
+    const int group = world.bodies[i].group;
+    if (group != 0 && group == world.bodies[j].group) return true;
     const PairLaw* law = law_of(world.pair_laws, i, j);
     return law && !law->collides;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Wrenches of gravity, springs and applied forces at one time. First it computes the motion of each
+// Wrenches of gravity, springs, applied forces and drag at one time. First it computes the motion of each
 // body and of the points of attachment, then it collects the point forces on each body, and last it
 // adds them up by `net_wrench`.
 #include "rigid/motion/forces.hpp"
@@ -59,6 +59,15 @@ std::vector<bool> pulled_bodies(const World& world, double time_step)
     return pulled;
 }
 
+std::vector<bool> with_dragged_bodies(std::vector<bool> pulled, const World& world)
+{
+    for (std::size_t i = 0; i < world.bodies.size(); ++i)
+        if (world.bodies[i].drag.acts() && !world.bodies[i].is_static &&
+            !world.bodies[i].rest.is_asleep())
+            pulled[i] = true;
+    return pulled;
+}
+
 ForceRate fastest_force_rate(const World& world)
 {
     const auto compliance = [&](int body, const Vector3d& r) -> double {
@@ -82,6 +91,14 @@ ForceRate fastest_force_rate(const World& world)
     };
     for (const AppliedForce& force : world.forces)
         consider(2 * std::numbers::pi * force.frequency, force.body);
+    for (std::size_t i = 0; i < world.bodies.size(); ++i) {
+        const RigidBody& body = world.bodies[i];
+        const auto& [c, k, d] = body.drag;
+        if (!body.drag.acts() || body.is_static) continue;
+        consider(std::max((c + k * body.state.velocity.norm()) * body.inverse.inverse_mass,
+                          d * body.inverse.inverse_inertia.norm()),
+                 static_cast<int>(i));
+    }
     for (std::size_t i = 0; i < stiffness.size(); ++i)
         consider(std::max(std::sqrt(stiffness[i]), damping[i]), static_cast<int>(i));
     return fastest;
@@ -97,8 +114,11 @@ Wrench gravity_on(const Settings& settings, const RigidBody& body, const Vector3
 
 AppliedWrenches::AppliedWrenches(const World& world, std::span<const int> bodies)
     : world_(world), bodies_(bodies),
-      any_spring_damps_(std::any_of(world.springs.begin(), world.springs.end(),
-                                    [](const Spring& spring) { return spring.damping != 0; })),
+      depends_on_velocities_(
+          std::any_of(world.springs.begin(), world.springs.end(),
+                      [](const Spring& spring) { return spring.damping != 0; }) ||
+          std::any_of(bodies.begin(), bodies.end(),
+                      [&](int i) { return world.bodies[i].drag.acts(); })),
       motions_(world.bodies.size()), forces_(world.bodies.size()),
       torques_(world.bodies.size(), Vector3d::Zero()), net_(bodies.size())
 {
@@ -136,12 +156,13 @@ void AppliedWrenches::add_spring(const Spring& spring)
     push(spring.body2, -tension * u, end2.x);
 }
 
-// f(t) = sin(2π f t + φ) f, and the same for the torque.
+// f(t) = factor(t) sin(2π f t + φ) f, and the same for the torque.
 void AppliedWrenches::add_force(const AppliedForce& force, double now)
 {
     const Motion& m = motions_[force.body];
     const double angle = 2 * std::numbers::pi * force.frequency * now + force.phase;
-    const double share = force.frequency == 0 ? 1 : std::sin(angle);
+    double share = force.frequency == 0 ? 1 : std::sin(angle);
+    if (force.factor) share *= force.factor(now);
     const auto in_world = [&](const Vector3d& v) -> Vector3d {
         if (force.turns_with_body) return share * (m.R * v);
         return share * v;
@@ -155,8 +176,8 @@ const std::vector<Wrench>& AppliedWrenches::at(std::span<const RigidState> state
                                                double now)
 {
     for (int i : bodies_) {
-        motions_[i] =
-            motion_of(world_.settings.integrator, world_.bodies[i], states[i], any_spring_damps_);
+        motions_[i] = motion_of(world_.settings.integrator, world_.bodies[i], states[i],
+                                depends_on_velocities_);
         forces_[i].clear();
         torques_[i].setZero();
     }
@@ -175,6 +196,12 @@ const std::vector<Wrench>& AppliedWrenches::at(std::span<const RigidState> state
         const Vector3d& X = motions_[i].X;
         net_[k] = gravity_on(world_.settings, world_.bodies[i], X);
         net_[k].torque += torques_[i];
+        if (const Drag& drag = world_.bodies[i].drag; drag.acts()) {
+            // F = -(c + k |V|) V,  τ = -d ω
+            const Vector3d& V = motions_[i].V;
+            net_[k].force -= (drag.linear + drag.quadratic * V.norm()) * V;
+            net_[k].torque -= drag.turning * motions_[i].omega;
+        }
         if (forces_[i].empty()) continue;
         const Wrench pull = net_wrench(forces_[i], X);
         net_[k].force += pull.force;

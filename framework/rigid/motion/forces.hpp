@@ -20,6 +20,9 @@ struct Motion {
 /// False for static bodies.
 std::vector<bool> pulled_bodies(const World& world, double time_step);
 
+/// The same, with the bodies that a medium brakes and that are awake.
+std::vector<bool> with_dragged_bodies(std::vector<bool> pulled, const World& world);
+
 /// A rate and the body that has it; -1 if no body has any.
 struct ForceRate {
     double rate = 0; // [1/s]
@@ -29,7 +32,8 @@ struct ForceRate {
 /// A bound on the fastest rate at which springs, dampers and forces change the motion of a body:
 /// the highest angular frequency of a vibration or rate of a decay. With K = 1/M + r² |I⁻¹|
 /// at each end of a spring, no ω² exceeds the largest Σ k (K₁ + K₂) over the springs of one body,
-/// and no rate of decay the largest Σ c (K₁ + K₂). A force adds its own ω = 2π f.
+/// and no rate of decay the largest Σ c (K₁ + K₂). A force adds its own ω = 2π f, and a medium the
+/// rates (c + k |V|)/M and d |I⁻¹|.
 ForceRate fastest_force_rate(const World& world);
 
 /// The wrench of gravity alone. For the integrator `matrix` it is a point force at the center of
@@ -37,12 +41,12 @@ ForceRate fastest_force_rate(const World& world);
 /// called.
 Wrench gravity_on(const Settings& settings, const RigidBody& body, const Vector3d& X);
 
-/// The wrenches of springs, applied forces and gravity, computed for one time after another. The
+/// The wrenches of springs, applied forces, drag and gravity, computed for one time after another. The
 /// lists are kept between the calls, so a step allocates them only once.
 class AppliedWrenches {
 public:
-    /// @param bodies  indices of the bodies on which springs or applied forces pull, in ascending
-    ///                order
+    /// @param bodies  indices of the bodies on which springs or applied forces pull or which a
+    ///                medium brakes, in ascending order
     AppliedWrenches(const World& world, std::span<const int> bodies);
 
     /// Net force and torque on each of those bodies, in the same order.
@@ -57,8 +61,9 @@ public:
     /// @param now     the time of these states [s]
     const std::vector<Wrench>& at(std::span<const RigidState> states, double middle, double now);
 
-    /// Whether any spring damps. If none does, the wrenches depend on positions alone.
-    bool any_spring_damps() const { return any_spring_damps_; }
+    /// Whether any spring damps or a medium brakes a body. If not, the wrenches depend on positions
+    /// and the time alone.
+    bool depends_on_velocities() const { return depends_on_velocities_; }
 
 private:
     void add_spring(const Spring& spring);
@@ -67,7 +72,7 @@ private:
 
     const World& world_;
     std::span<const int> bodies_;
-    bool any_spring_damps_ = false;
+    bool depends_on_velocities_ = false;
     std::vector<int> driven_;                     // driven bodies with springs
     std::vector<Motion> motions_;                 // one for each body of the world
     std::vector<std::vector<PointForce>> forces_; // one list for each body of the world

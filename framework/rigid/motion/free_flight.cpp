@@ -92,7 +92,9 @@ int substeps_for(Integrator integrator, const RigidBody& body, const RigidState&
 // kicks, 4e-3.
 int substeps_for_forces(const World& world, double h)
 {
-    if (world.springs.empty() && world.forces.empty()) return 1;
+    const bool any_drags = std::any_of(world.bodies.begin(), world.bodies.end(),
+                                       [](const RigidBody& body) { return body.drag.acts(); });
+    if (world.springs.empty() && world.forces.empty() && !any_drags) return 1;
     if (world.settings.integrator_when_held() != Integrator::runge_kutta) return 1;
     constexpr double most_phase = 0.5; // [rad]
     const auto [rate, body] = fastest_force_rate(world);
@@ -183,7 +185,7 @@ void fly_pulled(const World& world, AppliedWrenches& wrenches, std::span<const i
     const Integrator integrator = world.settings.integrator_when_held();
     if (integrator == Integrator::matrix)
         return fly_by_runge_kutta<MatrixScheme>(world, wrenches, together, states, h, times);
-    if (integrator == Integrator::runge_kutta && wrenches.any_spring_damps())
+    if (integrator == Integrator::runge_kutta && wrenches.depends_on_velocities())
         return fly_by_runge_kutta<LieScheme>(world, wrenches, together, states, h, times);
     if (integrator == Integrator::runge_kutta)
         return fly_by_splitting(world, wrenches, together, states, h, times);
@@ -201,9 +203,8 @@ RigidState fly(const Settings& settings, const RigidBody& body, RigidState state
 {
     const Integrator integrator =
         gravity == Gravity::acts ? settings.integrator : settings.integrator_when_held();
-    const bool is_exact =
-        integrator == Integrator::exact ||
-        (integrator == Integrator::runge_kutta && body.is_body_of_revolution());
+    const bool is_exact = integrator == Integrator::exact ||
+                          (integrator == Integrator::runge_kutta && body.is_body_of_revolution());
     const int n =
         is_exact ? 1 : count_substeps(substeps_for(integrator, body, state, time_step), counters);
     if (body.is_isotropic) ++counters.isotropic_shortcuts;
@@ -228,7 +229,8 @@ std::vector<RigidState> fly_all(World& world, const std::vector<bool>& pulled, d
         if (body.rest.is_asleep()) ++counters.bodies_asleep;
         if (!pulled[i] || body.is_still()) continue;
         together.push_back(static_cast<int>(i));
-        n = std::max(n, substeps_for(world.settings.integrator_when_held(), body, body.state, time_step));
+        n = std::max(
+            n, substeps_for(world.settings.integrator_when_held(), body, body.state, time_step));
         if (body.is_isotropic) ++counters.isotropic_shortcuts;
     }
     fly_in_parallel(

@@ -11,7 +11,7 @@ namespace rigor {
 bool is_lone_body(const World& world)
 {
     return world.bodies.size() == 1 && !world.bodies[0].is_static && !world.bodies[0].is_still() &&
-           world.springs.empty() && world.forces.empty();
+           world.springs.empty() && world.forces.empty() && !world.bodies[0].drag.acts();
 }
 
 std::vector<ContactRecord> step_lone_body(World& world, double time_step)

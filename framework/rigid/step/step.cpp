@@ -74,9 +74,10 @@ std::vector<ContactRecord> step(World& world, double time_step, int divisions)
     // Formulas other than the reference's may not be thread-safe and run on one thread.
     ThreadPool alone;
     ThreadPool& pool = world.settings.formulas_are_reference ? world.pool : alone;
-    const std::vector<bool> pulled = pulled_bodies(world, time_step);
-    wake_pulled(world, pulled);
+    const std::vector<bool> forced = pulled_bodies(world, time_step);
+    wake_pulled(world, forced);
 
+    const std::vector<bool> pulled = with_dragged_bodies(forced, world);
     std::vector<RigidState> flown;
     const ContactCandidates candidates = find_contacts(world, pulled, time_step, pool, flown);
     if (candidates.contacts.empty())
@@ -97,7 +98,7 @@ std::vector<ContactRecord> step(World& world, double time_step, int divisions)
         refined = refine_by_substeps(world, problem, pulled, candidates, result.states,
                                      step_of_parts(divisions));
     collect_contacts(world, problem, candidates, refined, result);
-    fall_asleep(world, problem, candidates.radii, pulled, result.states, result.records);
+    fall_asleep(world, problem, candidates.radii, forced, result.states, result.records);
     return finish_step(world, time_step, std::move(result));
 }
 

@@ -3,6 +3,7 @@
 // Then it gives the world its new states and the impulses for the next warm start.
 #include "rigid/step/step_result.hpp"
 
+#include "rigid/bodies/mass.hpp"
 #include "rigid/bodies/non_finite.hpp"
 #include "rigid/contact/warm_start.hpp"
 
@@ -73,8 +74,11 @@ std::vector<ContactRecord> finish_step(World& world, double time_step, StepResul
     std::erase_if(result.records, [&](const ContactRecord& r) {
         return world.bodies[r.body1].rest.is_asleep() || world.bodies[r.body2].rest.is_asleep();
     });
-    for (std::size_t i = 0; i < result.states.size(); ++i)
-        world.bodies[i].state = result.states[i];
+    for (std::size_t i = 0; i < result.states.size(); ++i) {
+        RigidBody& body = world.bodies[i];
+        body.state = result.states[i];
+        if (body.only_axis) body.state.angular_momentum = own_angular_momentum(body, body.state);
+    }
     append(result.records, world.memory.sleeping_contacts);
     world.memory.warm_contacts = std::move(result.warm_contacts);
     world.time += time_step;

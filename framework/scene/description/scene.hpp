@@ -34,6 +34,11 @@ struct BodyDescription {
     std::string name;
     std::vector<Part> parts; // in the body's own frame, as in the file
     Material material;
+    Drag drag;
+    std::string group; // bodies of one group pass through each other; empty: of none
+    // The only axis that the body turns about, world space, zero if it never turns; empty if it
+    // turns freely.
+    std::optional<Vector3d> only_axis;
     bool is_static = false;
     std::optional<Drive> drive; // the given motion of a body that counts as static
     std::optional<double> mass; // given instead of densities [kg]

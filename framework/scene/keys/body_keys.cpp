@@ -38,6 +38,23 @@ constexpr Key<PartDraft> part_keys[] = {
      }},
 };
 
+constexpr Key<Drag> drag_keys[] = {
+    {"linear", "c ≥ 0 of the force -c V, default 0 [kg/s]",
+     [](Drag& d, const Value& v) { d.linear = not_negative(v, "a drag"); }},
+    {"quadratic", "k ≥ 0 of the force -k v V, v the speed, default 0 [kg/m]",
+     [](Drag& d, const Value& v) { d.quadratic = not_negative(v, "a drag"); }},
+    {"turning", "d ≥ 0 of the torque -d ω, default 0 [N m s]",
+     [](Drag& d, const Value& v) { d.turning = not_negative(v, "a drag"); }},
+};
+
+Drag read_drag(const Value& value)
+{
+    Drag drag;
+    read_object<Drag>(value, "a drag {\"linear\": …}", drag_keys, drag);
+    if (!drag.acts()) expected("a \"linear\", \"quadratic\" or \"turning\" drag > 0", value);
+    return drag;
+}
+
 constexpr std::string_view mass_methods[] = {"exact",   "particles",    "grid",
                                              "samples", "bounding_box", "thin_rod"};
 
@@ -73,7 +90,8 @@ struct BodyDraft {
     BodyDescription body;
     const Value *shape = nullptr, *parts = nullptr, *density = nullptr, *mass = nullptr,
                 *inertia = nullptr, *motion = nullptr, *grid = nullptr, *spin = nullptr,
-                *film = nullptr, *method = nullptr, *samples = nullptr, *drive = nullptr;
+                *film = nullptr, *method = nullptr, *samples = nullptr, *drive = nullptr,
+                *drag = nullptr, *turns = nullptr, *axis = nullptr;
     const Value* part_density = nullptr; // the first density that a part gives
 };
 
@@ -129,6 +147,19 @@ constexpr Key<BodyDraft> body_keys[] = {
      [](BodyDraft& d, const Value& v) {
          d.body.material.friction = not_negative(v, "a friction");
      }},
+    {"drag", "resistance of air or water, default none",
+     [](BodyDraft& d, const Value& v) {
+         d.body.drag = read_drag(v);
+         d.drag = &v;
+     }},
+    {"turns", "false for a body that never turns, default true",
+     [](BodyDraft& d, const Value& v) {
+         if (!boolean(v)) d.turns = &v;
+     }},
+    {"turns_about", "the only axis that the body turns about, in world space, of any length > 0",
+     [](BodyDraft& d, const Value& v) { d.axis = &v; }},
+    {"group", "bodies of one group pass through each other: its name, default none",
+     [](BodyDraft& d, const Value& v) { d.body.group = line_of_text(v, "the name of a group"); }},
     {"static", "true for a body that never moves, default false",
      [](BodyDraft& d, const Value& v) { d.body.is_static = boolean(v); }},
     {"driven", "instead of `static`: a motion that nothing can change, of a body without mass",
@@ -283,6 +314,40 @@ void read_driven(BodyDraft& draft)
     body.is_static = true;
 }
 
+// Which axes the body turns about, if not all. What it turns with at first must fit.
+void read_turning(BodyDraft& draft)
+{
+    const Value* value = draft.axis ? draft.axis : draft.turns;
+    if (!value) return;
+    if (draft.axis && draft.turns)
+        throw Mistake{draft.axis->line, "expected either \"turns\": false or \"turns_about\", "
+                                        "found both"};
+    const Vector3d a = draft.axis ? vector3(*draft.axis) : Vector3d(0, 0, 0);
+    if (draft.axis && a.isZero(0)) expected("an axis that is not zero", *value);
+    if (draft.film)
+        throw Mistake{draft.film->line,
+                      fmt::format("expected no \"filmed\" beside \"{}\", found one", value->key)};
+    const Vector3d& w = draft.body.angular_velocity;
+    if (a.cross(w).norm() > 1e-9 * a.norm() * w.norm() || (a.isZero(0) && !w.isZero(0)))
+        throw Mistake{draft.spin->line,
+                      draft.axis ? "expected an angular velocity about \"turns_about\", found "
+                                   "another axis"
+                                 : "expected no angular velocity of a body that never turns, found "
+                                   "one"};
+    draft.body.only_axis = a;
+}
+
+// Refuses what only a body that moves has.
+void check_moving(const BodyDraft& draft)
+{
+    for (const Value* value : {draft.drag, draft.turns, draft.axis})
+        if (value && draft.body.is_static)
+            throw Mistake{value->line,
+                          fmt::format("expected no \"{}\" of a body that is static or driven, "
+                                      "found one",
+                                      value->key)};
+}
+
 void check_static(const BodyDraft& draft, const Value& value)
 {
     const BodyDescription& body = draft.body;
@@ -310,6 +375,8 @@ void read_body(const Value& value, MeshLibrary& meshes, std::vector<BodyDescript
     check_mass_method(draft);
     check_film(draft);
     check_static(draft, value);
+    read_turning(draft);
+    check_moving(draft);
     if (draft.grid)
         read_grid(*draft.grid, draft.body, bodies);
     else
@@ -321,6 +388,7 @@ void body_meanings(std::vector<KeyMeaning>& meanings)
     add_meanings<BodyDraft>("body", body_keys, meanings);
     add_meanings<PartDraft>("part", part_keys, meanings);
     add_meanings<FilmDraft>("filmed", film_keys, meanings);
+    add_meanings<Drag>("drag", drag_keys, meanings);
     drive_meanings(meanings);
     shape_meanings(meanings);
 }

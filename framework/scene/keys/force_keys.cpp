@@ -3,10 +3,12 @@
 
 #include "errors/nearest.hpp"
 #include "errors/quotes.hpp"
+#include "scene/language/expression.hpp"
 #include "scene/language/values.hpp"
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <numbers>
 #include <set>
 
@@ -59,7 +61,8 @@ constexpr std::string_view frame_words[] = {"world", "body"};
 struct ForceDraft {
     AppliedForce force;
     const Value *body = nullptr, *vector = nullptr, *torque = nullptr, *end = nullptr,
-                *point = nullptr, *world_point = nullptr, *frequency = nullptr, *phase = nullptr;
+                *point = nullptr, *factor = nullptr, *world_point = nullptr, *frequency = nullptr,
+                *phase = nullptr;
 };
 
 constexpr Key<ForceDraft> force_keys[] = {
@@ -105,7 +108,22 @@ constexpr Key<ForceDraft> force_keys[] = {
          d.phase = &v;
          d.force.phase = number(v, "a phase") * std::numbers::pi / 180;
      }},
+    {"factor",
+     "an expression of the time t in seconds that force and torque are multiplied by, such as "
+     "\"exp(-t/2)\", default 1",
+     [](ForceDraft& d, const Value& v) { d.factor = &v; }},
 };
+
+// The factor of a force; its value at the start must be a number.
+void read_factor(ForceDraft& draft)
+{
+    if (!draft.factor) return;
+    const Expression factor = expression(*draft.factor);
+    if (!std::isfinite(factor(draft.force.start)))
+        expected(fmt::format("a factor that is finite at t = {}", draft.force.start),
+                 *draft.factor);
+    draft.force.factor = factor;
+}
 
 struct PairDraft {
     PairLaw law;
@@ -164,6 +182,7 @@ ForcesRead read_forces(const Value& value, const std::vector<BodyDescription>& b
         draft.force.body = body_index(*draft.body, bodies);
         if (draft.force.end <= draft.force.start)
             expected(fmt::format("an end > {}", draft.force.start), *draft.end);
+        read_factor(draft);
         if (draft.world_point) read.in_world.push_back(static_cast<int>(read.forces.size()));
         read.forces.push_back(draft.force);
     }

@@ -19,7 +19,8 @@ int whole(const Value& value, std::string_view what, int low, int high)
 // The values of the keys of a mesh. Each kind of mesh reads some of them.
 struct MeshDraft {
     const Value* file = nullptr;
-    double scale = 1;
+    Vector3d scale = Vector3d::Ones();
+    double depth = 0;
     int cells = 0, sides = 48, teeth = 0;
     double radius = 0, inner_radius = 0, outer_radius = 0, height = 0, length = 0, width = 0,
            thickness = 0, bore = 0, degrees = 0;
@@ -39,13 +40,18 @@ constexpr MeshKey sides_key = {
     [](MeshDraft& m, const Value& v) { m.sides = whole(v, "a number of sides", 3, 360); }};
 
 constexpr MeshKey mesh_keys[] = {
-    {"file", "needed: an OBJ file, its path from the scene's",
+    {"file", "needed: an OBJ, OFF or STL file, its path from the scene's",
      [](MeshDraft& m, const Value& v) {
          line_of_text(v, "the name of a mesh file");
          m.file = &v;
      }},
-    {"scale", "> 0, default 1: what the coordinates are multiplied by",
-     [](MeshDraft& m, const Value& v) { m.scale = positive(v, "a scale"); }},
+    {"scale",
+     "> 0, or three of them for x, y, z, default 1: what the coordinates are multiplied by",
+     [](MeshDraft& m, const Value& v) { m.scale = scale3(v, "a scale"); }},
+    {"depth",
+     "of an open mesh, a terrain: how far the ground reaches below its lowest point, along -y, "
+     "> 0 [m]",
+     [](MeshDraft& m, const Value& v) { m.depth = positive(v, "a depth"); }},
     cells_key,
 };
 
@@ -125,7 +131,7 @@ void set_mesh(ShapeDraft& draft, const Value& value, const MeshDraft& m,
 void read_mesh(ShapeDraft& draft, const Value& value)
 {
     const MeshDraft mesh = read_kind<MeshDraft>(value, mesh_keys, {"file"});
-    draft.shape = Mesh{draft.meshes.from_file(*mesh.file, mesh.scale, mesh.cells)};
+    draft.shape = Mesh{draft.meshes.from_file(*mesh.file, mesh.scale, mesh.depth, mesh.cells)};
 }
 
 void read_ring(ShapeDraft& draft, const Value& value)

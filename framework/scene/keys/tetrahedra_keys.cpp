@@ -122,7 +122,9 @@ constexpr Key<TetrahedraDraft> tetrahedra_keys[] = {
          line_of_text(v, "the name of a mesh file");
          t.file = &v;
      }},
-    {"scale", "with `file`: > 0, default 1: what the coordinates are multiplied by",
+    {"scale",
+     "with `file`: > 0, or three of them for x, y, z, default 1: what the coordinates are "
+     "multiplied by",
      [](TetrahedraDraft& t, const Value& v) { t.scale = &v; }},
 };
 
@@ -136,7 +138,8 @@ SharedTetrahedra read_solid_mesh(const Value& value, MeshLibrary& meshes)
     if (draft.scale && !draft.file) expected("\"file\" beside \"scale\"", value);
     if (value.items.size() != (draft.scale ? 2U : 1U)) expected(what, value);
     if (draft.mesh) return draft.mesh;
-    return meshes.tetrahedra(*draft.file, draft.scale ? positive(*draft.scale, "a scale") : 1.0);
+    return meshes.tetrahedra(*draft.file,
+                             draft.scale ? scale3(*draft.scale, "a scale") : Vector3d(1, 1, 1));
 }
 
 void tetrahedra_meanings(std::vector<KeyMeaning>& meanings)

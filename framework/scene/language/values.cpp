@@ -100,6 +100,12 @@ Vector3d positive3(const Value& value, std::string_view what)
     return v;
 }
 
+Vector3d scale3(const Value& value, std::string_view what)
+{
+    if (value.kind == Value::Kind::array) return positive3(value, what);
+    return Vector3d::Constant(positive(value, what));
+}
+
 Vector3d color(const Value& value)
 {
     if (array(value, "a color [red, green, blue]").size() != 3)

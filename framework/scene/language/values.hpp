@@ -29,6 +29,8 @@ bool boolean(const Value& value);
 std::string line_of_text(const Value& value, std::string_view what);
 Vector3d vector3(const Value& value, std::string_view what = "three numbers");
 Vector3d positive3(const Value& value, std::string_view what);
+/// A number > 0, which stands for all three, or three of them.
+Vector3d scale3(const Value& value, std::string_view what);
 Vector3d color(const Value& value);
 const std::vector<Value>& array(const Value& value, std::string_view what);
 

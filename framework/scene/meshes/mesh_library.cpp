@@ -5,6 +5,7 @@
 #include "geometry/mesh_files/obj.hpp"
 #include "geometry/mesh_files/tetrahedra_files.hpp"
 #include "geometry/meshes/mesh_checks.hpp"
+#include "geometry/meshes/terrain.hpp"
 #include "geometry/tetrahedra/tetrahedra_checks.hpp"
 
 #include <fmt/format.h>
@@ -32,16 +33,21 @@ const Value& MeshLibrary::text_of(const Value& file) const
     return *text->second;
 }
 
-SharedMesh MeshLibrary::from_file(const Value& file, double scale, int cells)
+SharedMesh MeshLibrary::from_file(const Value& file, const Vector3d& scale, double depth, int cells)
 {
     const std::string& name = file.text;
     const Value& text = text_of(file);
-    SharedMesh& mesh = known_[fmt::format("{} {} {}", name, scale, cells)];
+    SharedMesh& mesh = known_[fmt::format("{} {} {} {} {} {}", name, scale.x(), scale.y(),
+                                          scale.z(), depth, cells)];
     if (mesh) return mesh;
     try {
-        ObjMesh read = read_obj(text.text);
+        SurfaceText read = read_obj(text.text);
         for (Vector3d& v : read.mesh.vertices)
-            v *= scale;
+            v = v.cwiseProduct(scale);
+        if (depth > 0) {
+            read.mesh = solid_below(read.mesh, depth, read.lines);
+            read.lines.resize(read.mesh.triangles.size(), 0); // new faces have no line
+        }
         check_mesh(read.mesh, read.lines);
         mesh = std::make_shared<SolidMesh>(std::move(read.mesh), name, cells);
     } catch (const MeshError& error) {
@@ -51,13 +57,14 @@ SharedMesh MeshLibrary::from_file(const Value& file, double scale, int cells)
     return mesh;
 }
 
-std::shared_ptr<const TetrahedralMesh> MeshLibrary::tetrahedra(const Value& file, double scale)
+std::shared_ptr<const TetrahedralMesh> MeshLibrary::tetrahedra(const Value& file,
+                                                               const Vector3d& scale)
 {
     const Value& text = text_of(file);
     try {
         TetrahedraText read = read_tetrahedra(text.text);
         for (Vector3d& v : read.mesh.vertices)
-            v *= scale;
+            v = v.cwiseProduct(scale);
         check_mesh(read.mesh, read.lines);
         return std::make_shared<TetrahedralMesh>(std::move(read.mesh));
     } catch (const MeshError& error) {

@@ -20,14 +20,16 @@ public:
     /// @throws Mistake
     void read_texts(const Value& value);
 
-    /// The mesh of a file, read from its text in "meshes" and multiplied by `scale`.
+    /// The mesh of a file, read from its OBJ text in "meshes" and multiplied by `scale` along x, y
+    /// and z. A mesh with a depth is the solid below it, see geometry/meshes/terrain.hpp.
+    /// @param depth  [m]; 0: the mesh is closed
     /// @param file  the value in the scene that holds the file name
     /// @throws Mistake
-    SharedMesh from_file(const Value& file, double scale, int cells);
+    SharedMesh from_file(const Value& file, const Vector3d& scale, double depth, int cells);
 
     /// The tetrahedral mesh of a file, read and scaled in the same way.
     /// @throws Mistake
-    std::shared_ptr<const TetrahedralMesh> tetrahedra(const Value& file, double scale);
+    std::shared_ptr<const TetrahedralMesh> tetrahedra(const Value& file, const Vector3d& scale);
 
     /// The mesh of this key. It is made by `make` at the first call with the key.
     /// @param key    names the kind of mesh and every parameter

@@ -6,6 +6,7 @@
 #include "errors/input_error.hpp"
 #include "errors/quotes.hpp"
 #include "geometry/mesh_files/obj.hpp"
+#include "geometry/mesh_files/surface_files.hpp"
 #include "geometry/mesh_files/tetrahedra_files.hpp"
 #include "geometry/meshes/mesh_checks.hpp"
 #include "geometry/tetrahedra/tetrahedra_checks.hpp"
@@ -29,6 +30,7 @@ constexpr std::uintmax_t most_mesh_bytes = 64'000'000, most_scene_bytes = 16'000
 struct NamedFile {
     const Value* name;
     bool is_solid; // whether it is a mesh of tetrahedra
+    bool is_open;  // whether it is a surface that gets a depth, which is checked with that
 };
 
 // Collects the names of mesh files below a value, {"mesh": {"file": …}}.
@@ -36,21 +38,22 @@ void find_files(const Value& value, bool in_solids, std::vector<NamedFile>& file
 {
     for (const Value& item : value.items) {
         const Value* file = item.key == "mesh" ? find(item, "file") : nullptr;
-        if (file && file->kind == Value::Kind::string) files.push_back({file, in_solids});
+        if (file && file->kind == Value::Kind::string)
+            files.push_back({file, in_solids, find(item, "depth") != nullptr});
         find_files(item, in_solids || item.key == "solids", files);
     }
 }
 
 // The shortest text of the same mesh, after the mesh was checked.
-std::string checked_text(std::string_view text, bool is_solid)
+std::string checked_text(std::string_view text, const NamedFile& file)
 {
-    if (is_solid) {
+    if (file.is_solid) {
         const TetrahedraText read = read_tetrahedra(text);
         check_mesh(read.mesh, read.lines);
         return medit_text(read.mesh);
     }
-    const ObjMesh read = read_obj(text);
-    check_mesh(read.mesh, read.lines);
+    const SurfaceText read = read_surface(text, file.name->text);
+    if (!file.is_open) check_mesh(read.mesh, read.lines);
     return obj_text(read.mesh);
 }
 
@@ -76,7 +79,7 @@ std::string mesh_text(const NamedFile& file, const std::filesystem::path& scene_
     const std::string text{std::istreambuf_iterator<char>(stream), {}};
     if (!stream) refuse(0, "expected a readable file, found it unreadable");
     try {
-        return checked_text(text, file.is_solid);
+        return checked_text(text, file);
     } catch (const MeshError& mistake) {
         refuse(mistake.line, mistake.what());
     }

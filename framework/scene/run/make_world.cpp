@@ -105,12 +105,17 @@ RecordedWorld make_recorded_world(const Scene& scene, const RunSettings& setting
     world.forces = scene.forces;
     world.pair_laws = scene.pairs;
     OwnMeshes meshes;
+    std::map<std::string, int> groups; // numbers by name, from 1
     for (const BodyDescription& described : scene.bodies) {
         RigidBody& body = world.bodies.emplace_back();
         body.name = described.name;
         body.parts = described.parts;
         meshes.take(body.parts);
         body.material = described.material;
+        body.drag = described.drag;
+        if (!described.group.empty())
+            body.group = groups.try_emplace(described.group, static_cast<int>(groups.size()) + 1)
+                             .first->second;
         body.is_static = described.is_static;
         Vector3d center = Vector3d::Zero();
         if (body.is_static) {
@@ -121,6 +126,7 @@ RecordedWorld make_recorded_world(const Scene& scene, const RunSettings& setting
             center = set_mass_by(described, body);
         }
         const Matrix3d R = rotation_matrix(described.orientation);
+        if (described.only_axis) let_turn_about(body, R.transpose() * *described.only_axis);
         // L = I(t) ω,  I(t) = R I_body Rᵀ
         const Vector3d w = angular_velocity_of(described);
         body.state = {described.position + R * center, described.orientation, described.velocity,

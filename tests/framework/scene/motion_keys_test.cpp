@@ -140,6 +140,24 @@ TEST_CASE("driven: a body pushes a deformable solid in front of it")
     CHECK(mean > 0.45);
 }
 
+TEST_CASE("force: a factor is an expression of the time")
+{
+    const Scene scene = parse_scene(
+        scene_with("", R"("forces": [{"body": "b", "force": [2, 0, 0], "factor": "3*t^2"}])"), "s");
+    World world = make_world(scene);
+    CHECK(world.forces.at(0).factor(2) == 12);
+    for (std::int64_t i = 0; i < step_count(scene); ++i)
+        step(world, scene.time_step);
+    const RigidBody& b = world.bodies.at(1); // V = F t³/M
+    CHECK(std::abs(b.state.velocity.x() - 2 * 8 / b.mass) < 1e-9);
+    CHECK(refusal("", R"("forces": [{"body": "b", "force": [1, 0, 0], "factor": 2}])") ==
+          "s:4: expected an expression of t in quotes, found 2");
+    CHECK(refusal("", R"("forces": [{"body": "b", "force": [1, 0, 0], "factor": "2*"}])")
+              .rfind("s:4: expected a number", 0) == 0);
+    CHECK(refusal("", R"("forces": [{"body": "b", "force": [1, 0, 0], "factor": "1/t"}])") ==
+          "s:4: expected a factor that is finite at t = 0, found \"1/t\"");
+}
+
 TEST_CASE("force: torque, frame and frequency are read")
 {
     const World world = world_with("", R"("forces": [{"body": "b", "torque": [1, 2, 3],

@@ -31,7 +31,7 @@ TEST_CASE("obj: every way to write a face names the same vertices", "[geometry]"
          {"f 1 2 3 4", "f 1/1 2/1 3/1 4/1", "f 1//7 2//7 3//7 4//7", "f 1/1/1 2/2/2 3/3/3 4/4/4",
           "f -4 -3 -2 -1", "f -4//1 2/5/6 -2/1 4", "  f\t1  2 3 \t4 \r"}) {
         CAPTURE(face);
-        const ObjMesh read = read_obj(square + face + "\n");
+        const SurfaceText read = read_obj(square + face + "\n");
         REQUIRE(read.mesh.triangles == fan);
         CHECK(read.lines == std::vector<int>{5, 5});
         CHECK(read.mesh.vertices.at(2) == Vector3d(1, 1, 0));
@@ -40,7 +40,7 @@ TEST_CASE("obj: every way to write a face names the same vertices", "[geometry]"
 
 TEST_CASE("obj: what is no vertex or face is skipped", "[geometry]")
 {
-    const ObjMesh read = read_obj("# a comment\nmtllib a.mtl\no name\nvn 0 0 1\nvt 0 0\n"
+    const SurfaceText read = read_obj("# a comment\nmtllib a.mtl\no name\nvn 0 0 1\nvt 0 0\n"
                                   "v +1e-3 0 0 1\nv 1 0 0 0.5 0.5 0.5\nv 9 9 9\nv 0 1 0\ng f\n"
                                   "usemtl m\ns off\nl 1 2\nf 1 2 4\n\n");
     REQUIRE(read.mesh.vertices.size() == 3); // the vertex that no face uses is removed

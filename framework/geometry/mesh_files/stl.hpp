@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// Triangle meshes in the STL format of stereolithography, as text or binary.
+#pragma once
+
+#include "geometry/mesh_files/surface_text.hpp"
+
+namespace rigor {
+
+/// Reads the triangles of an STL file. Corners with the same coordinates become one vertex, since
+/// the format does not say which triangles hang together. Normals in the file are skipped: the
+/// order of the corners says where the outside is.
+///
+/// A binary file is recognised by its length, 84 bytes and 50 for each of the triangles that it
+/// says it has; a text begins with `solid`.
+///
+/// @throws MeshError
+SurfaceText read_stl(std::string_view bytes);
+
+} // namespace rigor

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+// Triangle meshes of files in any of the known formats.
+#pragma once
+
+#include "geometry/mesh_files/surface_text.hpp"
+
+namespace rigor {
+
+/// Reads a mesh in the format that the end of the file's name says: OFF for `.off`, STL for `.stl`,
+/// otherwise OBJ.
+///
+/// @throws MeshError
+SurfaceText read_surface(std::string_view bytes, std::string_view file_name);
+
+} // namespace rigor

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// Formulas of one variable, the time t, in the text of a scene.
+#pragma once
+
+#include "scene/language/json.hpp"
+
+#include <vector>
+
+namespace rigor {
+
+/// An expression of t, as a program for a machine with a stack: each instruction takes its
+/// arguments from the top of the stack and puts its result there.
+class Expression {
+public:
+    /// Two arguments at most; those that an instruction lacks are left alone.
+    struct Instruction {
+        int arguments = 0;
+        double (*function)(double a, double b) = nullptr; // null: puts `number` or t on the stack
+        double number = 0;
+        bool is_time = false;
+    };
+
+    explicit Expression(std::vector<Instruction> program) : program_(std::move(program)) {}
+
+    /// The value at a time [s]. It is infinite or no number where the expression has no value.
+    double operator()(double t) const;
+
+private:
+    std::vector<Instruction> program_;
+};
+
+/// Reads an expression of t. It has numbers, `t`, `pi`, + - * / ^, parentheses, and the functions
+/// sin, cos, tan, exp, log, sqrt, abs, step (0 before 0, else 1), min and max. The power binds
+/// strongest and from the right; a sign binds weaker than a power.
+///
+/// @throws Mistake  with the place in the text
+Expression expression(const Value& value);
+
+} // namespace rigor
