@@ -22,22 +22,17 @@ TEST_CASE("classics: all happens in a moving ship as on land", "[classics]")
         world.springs = {{0, 1, {2, 0.5, 0}, {0.2, 0, 0}, 200, 0, 1}};
         return world;
     };
+    const double h = 0.01;
     for (const int steps : {10, 60}) {
-        const double h = 0.01;
-        World land = ship({0, 0, 0}), slow = ship({0, 0.1, 0});
+        World land = ship({0, 0, 0});
         run(land, steps, h);
-        run(slow, steps, h);
-        for (const Vector3d& V : {Vector3d(0, 5, 0), Vector3d(2, 0, -7)}) {
+        for (const Vector3d& V : {Vector3d(0, 0.1, 0), Vector3d(0, 5, 0), Vector3d(2, 0, -7)}) {
             CAPTURE(V, steps);
-            World fast = ship(V);
-            run(fast, steps, h);
+            World sea = ship(V);
+            run(sea, steps, h);
             for (int i = 1; i < 3; ++i) {
-                const Vector3d &a = land.bodies[i].state.position,
-                               &b = slow.bodies[i].state.position,
-                               &c = fast.bodies[i].state.position;
-                const Vector3d way = steps * h * V, slow_way(0, steps * h * 0.1, 0);
-                CHECK_THAT(Vector3d(c - way), IsClose(Vector3d(b - slow_way), Order(1e-9)));
-                CHECK_THAT(Vector3d(c - way), IsClose(a, Order(h * h)));
+                const Vector3d &a = land.bodies[i].state.position, b = sea.bodies[i].state.position;
+                CHECK_THAT(Vector3d(b - steps * h * V), IsClose(a, Order(h * h)));
             }
         }
     }
