@@ -14,7 +14,7 @@ class Lines {
 public:
     explicit Lines(std::string_view text) : rest_(text) {}
 
-    int number() const { return number_; } // of the line returned last, from 1
+    int number() const { return number_; } // line returned last, from 1
 
     /// @param what  what the line should hold, for the error at the end of the text
     std::string_view next(const char* what)

@@ -47,7 +47,7 @@ private:
     }
 
     SurfaceText read_;
-    std::map<std::array<double, 3>, int> numbers_; // of the vertices, by their coordinates
+    std::map<std::array<double, 3>, int> numbers_; // vertex of each position
 };
 
 // A little-endian number of four bytes.

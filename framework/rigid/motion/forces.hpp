@@ -41,8 +41,8 @@ ForceRate fastest_force_rate(const World& world);
 /// called.
 Wrench gravity_on(const Settings& settings, const RigidBody& body, const Vector3d& X);
 
-/// The wrenches of springs, applied forces, drag and gravity, computed for one time after another. The
-/// lists are kept between the calls, so a step allocates them only once.
+/// The wrenches of springs, applied forces, drag and gravity, computed for one time after another.
+/// The lists are kept between the calls, so a step allocates them only once.
 class AppliedWrenches {
 public:
     /// @param bodies  indices of the bodies on which springs or applied forces pull or which a

@@ -23,9 +23,10 @@
 // no spring vibrates or decays by more than half a unit of its phase. The other integrators take
 // the step as it is, to watch where they become unstable.
 //
-// If any spring damps or a medium brakes a body, all pulled bodies take the Runge–Kutta method of Munthe-Kaas (1999, "High
-// order Runge–Kutta methods on manifolds", Appl. Numer. Math. 29) with the two commutators of
-// Munthe-Kaas and Owren (1999, "Computations in a free Lie algebra", Phil. Trans. R. Soc. A 357).
+// If any spring damps or a medium brakes a body, all pulled bodies take the Runge–Kutta method of
+// Munthe-Kaas (1999, "High order Runge–Kutta methods on manifolds", Appl. Numer. Math. 29) with the
+// two commutators of Munthe-Kaas and Owren (1999, "Computations in a free Lie algebra", Phil.
+// Trans. R. Soc. A 357).
 // The orientation changes by `advance_exact` alone, so it stays a rotation, and a steady spin is
 // exact. With ωᵢ at stage i and exp(u) = advance_exact(q, u, h):
 //

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A block on a belt, held by a spring (Den Hartog 1934, "Mechanical vibrations"): with friction that
-// does not depend on speed it sticks until the spring pulls with μ M g, and then swings for ever
-// about μ M g/k with the amplitude u/ω.
+// A block on a belt, held by a spring (Den Hartog 1934, "Mechanical vibrations"): with friction
+// that does not depend on speed it sticks until the spring pulls with μ M g, and then swings for
+// ever about μ M g/k with the amplitude u/ω.
 #include "classics/problems.hpp"
 
 using namespace rigor;

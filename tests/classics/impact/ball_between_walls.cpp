@@ -9,7 +9,7 @@ using namespace rigor::testing;
 
 TEST_CASE("classics: a ball between walls goes along a straight line in the mirrors", "[classics]")
 {
-    const double R = 0.1, room = 1.37; // of the center [m]
+    const double R = 0.1, room = 1.37; // radius, and room of the center [m]
     const Material elastic{1, 0};
     const double wall = room / 2 + R + 0.5;
     for (const double v : {0.9, 7.3})

@@ -13,7 +13,7 @@ TEST_CASE("classics: a ball stops at the end of a rod four times as heavy", "[cl
     const double v = 3;
     RigidBody rod = body_of(Capsule{0.001, 1}, {0, 0, 0}, elastic);
     for (const double b : {0., 0.3, 0.5})
-        for (const double share : {0.5, 1., 3.}) { // of the mass that the ball feels
+        for (const double share : {0.5, 1., 3.}) { // its mass over the one that it feels
             CAPTURE(b, share);
             const double felt = 1 / (1 / rod.mass + b * b / rod.inertia(2, 2));
             if (b == 0.5) CHECK_THAT(felt, IsClose(rod.mass / 4, Order(0.002 * rod.mass)));

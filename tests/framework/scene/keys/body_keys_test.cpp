@@ -75,7 +75,8 @@ TEST_CASE("drag: a body that rests in a medium sleeps and wakes")
            "drag": {"linear": 5, "turning": 5})";
     const World world = run(scene_with(ball, floor, "[0, -9.81, 0]"), 0.01, 6);
     CHECK(world.bodies[0].rest.is_asleep());
-    // A rolling ball with M V̇ = -c V - F and I V̇/R = -d V/R + F R slows with (c + d/R²)/(M + I/R²).
+    // A rolling ball with M V̇ = -c V - F and I V̇/R = -d V/R + F R slows with
+    // (c + d/R²)/(M + I/R²).
     CHECK(std::abs(world.bodies[0].state.position.x() - 0.3 * 1.4 / (5 + 5 / 0.25)) < 1e-3);
 }
 
