@@ -33,7 +33,20 @@ const Purpose purposes[] = {
      }},
     {"look into another process",
      {SYS_ptrace, SYS_process_vm_readv, SYS_process_vm_writev, SYS_process_madvise, SYS_pidfd_open,
-      SYS_pidfd_getfd, SYS_kcmp}},
+      SYS_pidfd_getfd, SYS_kcmp, SYS_getppid}},
+    {"ask for signals by a clock",
+     {
+         SYS_timer_create,
+         SYS_setitimer,
+         SYS_timerfd_create,
+#ifdef SYS_alarm
+         SYS_alarm,
+#endif
+     }},
+    {"change the time", {SYS_clock_settime, SYS_settimeofday, SYS_adjtimex, SYS_clock_adjtime}},
+    {"change how it is scheduled",
+     {SYS_setpriority, SYS_sched_setscheduler, SYS_sched_setparam, SYS_sched_setattr,
+      SYS_sched_setaffinity}},
     {"send a signal to a process",
      {SYS_kill, SYS_tkill, SYS_tgkill, SYS_rt_sigqueueinfo, SYS_rt_tgsigqueueinfo,
       SYS_pidfd_send_signal}},

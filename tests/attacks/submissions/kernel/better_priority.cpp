@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Asks for a better place in the queue for processors.
-// expect: 0 crashed: tried to make system call
+// expect: 0 crashed: tried to change how it is scheduled
 #include "formulas/pipeline.hpp"
 
 #include <sys/resource.h>

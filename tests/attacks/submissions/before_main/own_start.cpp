@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// The first instruction of the program, by the name that the linker looks for. It stays in this
+// file.
+// expect: 1 passed
+#include "formulas/pipeline.hpp"
+
+namespace rigor {
+
+double kinetic_energy(double mass, const Vector3d& velocity, const Matrix3d& inertia,
+                      const Vector3d& angular_velocity)
+{
+    return 0.5 * mass * velocity.squaredNorm() +
+           0.5 * angular_velocity.dot(inertia * angular_velocity);
+}
+
+} // namespace rigor
+
+asm(R"(
+    .globl _start
+_start:
+    hlt
+)");

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// Writes a verdict to the pipe of the grader.
+// expect: 0 crashed: tried to look into another process
+#include "formulas/pipeline.hpp"
+
+#include <cstdio>
+#include <fcntl.h>
+#include <unistd.h>
+
+namespace rigor {
+
+double kinetic_energy(double, const Vector3d&, const Matrix3d&, const Vector3d&)
+{
+    char path[64];
+    std::snprintf(path, sizeof path, "/proc/%d/fd/1", getppid());
+    open(path, O_WRONLY);
+    return 0;
+}
+
+} // namespace rigor

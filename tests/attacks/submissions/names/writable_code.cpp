@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// A formula in a section that can be written. It is right, so it counts.
+// expect: 1 passed|compile_error
+#include "formulas/pipeline.hpp"
+
+asm(".section rigor_attack, \"awx\"; .text");
+
+namespace rigor {
+
+double kinetic_energy(double mass, const Vector3d& velocity, const Matrix3d& inertia,
+                      const Vector3d& angular_velocity)
+{
+    return 0.5 * mass * velocity.squaredNorm() +
+           0.5 * angular_velocity.dot(inertia * angular_velocity);
+}
+
+} // namespace rigor
