@@ -122,8 +122,9 @@ const std::vector<Slip>& all_slips()
          }},
         {"asks_for_input", Cost::its_task,
          [](P p) {
-             return function(p, "    int n = 0;\n    if (std::scanf(\"%d\", &n) < 1) throw 1;\n" +
-                                    blank);
+             return function(
+                 p,
+                 "    int typed = 0;\n    if (std::scanf(\"%d\", &typed) < 1) throw 1;\n" + blank);
          }},
         {"helper_without_body", Cost::its_task,
          [](P p) {
