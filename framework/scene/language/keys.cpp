@@ -18,8 +18,12 @@ std::string list_of(std::span<const std::string_view> names)
 
 void unknown_key(const Value& value, std::span<const std::string_view> names)
 {
-    const std::string all = names.empty() ? std::string("expected no key here")
-                                          : fmt::format("expected one of {}", list_of(names));
+    constexpr std::size_t most_listed = 12; // more would hide the message
+    std::string all = "expected no key here";
+    if (names.size() > most_listed)
+        all = "assignments/scenes.md lists the keys that are known here";
+    else if (!names.empty())
+        all = fmt::format("expected one of {}", list_of(names));
     throw Mistake{value.line, fmt::format("unknown key {}{}", in_quotes(value.key),
                                           suggestion(value.key, names, all))};
 }
