@@ -100,29 +100,29 @@ Drawing shifted()
     return drawing;
 }
 
-// Moments (13, 10, 5): L on the sphere |L| = 1, with the energy ½ Σ L_i²/J_i.
-constexpr double J1 = 13, J2 = 10, J3 = 5;
+// Moments (5, 10, 13): L on the sphere |L| = 1, with the energy ½ Σ L_i²/J_i.
+constexpr double J1 = 5, J2 = 10, J3 = 13;
 
 // The polhode of this energy, about the axis with the largest or the smallest moment.
 std::vector<Vector3d> polhode(double share, bool about_largest)
 {
-    // Σ L_i² = 1 and Σ L_i²/J_i = 2E, with 2E between 1/J1 and 1/J2, or between 1/J2 and 1/J3
+    // Σ L_i² = 1 and Σ L_i²/J_i = 2E, with 2E between 1/J3 and 1/J2, or between 1/J2 and 1/J1
     const double twice =
-        about_largest ? 1 / J1 + share * (1 / J2 - 1 / J1) : 1 / J3 - share * (1 / J3 - 1 / J2);
+        about_largest ? 1 / J3 + share * (1 / J2 - 1 / J3) : 1 / J1 - share * (1 / J1 - 1 / J2);
     std::vector<Vector3d> points;
     constexpr int steps = 480;
     for (int i = 0; i <= steps; ++i) {
         const double t = 2 * pi * i / steps;
         if (about_largest) {
-            // L_2² (1/J2 - 1/J1) + L_3² (1/J3 - 1/J1) = 2E - 1/J1
-            const double rest = twice - 1 / J1;
-            const double b = std::sqrt(rest / (1 / J2 - 1 / J1)) * std::cos(t);
-            const double c = std::sqrt(rest / (1 / J3 - 1 / J1)) * std::sin(t);
+            // L_2² (1/J2 - 1/J3) + L_1² (1/J1 - 1/J3) = 2E - 1/J3
+            const double rest = twice - 1 / J3;
+            const double b = std::sqrt(rest / (1 / J2 - 1 / J3)) * std::cos(t);
+            const double c = std::sqrt(rest / (1 / J1 - 1 / J3)) * std::sin(t);
             points.emplace_back(std::sqrt(std::max(0.0, 1 - b * b - c * c)), b, c);
         } else {
-            const double rest = 1 / J3 - twice;
-            const double a = std::sqrt(rest / (1 / J3 - 1 / J1)) * std::cos(t);
-            const double b = std::sqrt(rest / (1 / J3 - 1 / J2)) * std::sin(t);
+            const double rest = 1 / J1 - twice;
+            const double a = std::sqrt(rest / (1 / J1 - 1 / J3)) * std::cos(t);
+            const double b = std::sqrt(rest / (1 / J1 - 1 / J2)) * std::sin(t);
             points.emplace_back(a, b, std::sqrt(std::max(0.0, 1 - a * a - b * b)));
         }
     }
@@ -203,8 +203,8 @@ Drawing ellipsoid()
         });
         drawing.curve(ring, "blue");
     }
-    drawing.label({2.1, 2.3}, "slow about x: J₁ = 13", Side::right, "blue");
-    drawing.label({2.1, 1.9}, "fast about z: J₃ = 5", Side::right, "blue");
+    drawing.label({2.1, 2.3}, "slow about x: J₃ = 13", Side::right, "blue");
+    drawing.label({2.1, 1.9}, "fast about z: J₁ = 5", Side::right, "blue");
     return drawing;
 }
 
