@@ -4,7 +4,9 @@
 #include "handouts/handouts.hpp"
 #include "support/catch.hpp"
 
+#include <algorithm>
 #include <set>
+#include <sstream>
 
 using namespace rigor::handouts;
 
@@ -18,7 +20,10 @@ std::vector<Row> coverage()
 {
     std::vector<Row> rows;
     for (const auto& cells : table_rows(content(assignments() / "coverage.md"))) {
-        if (cells.size() < 5 || cells[0] == "slide") continue;
+        if (cells.front() == "slide") continue; // the header
+        CAPTURE(cells);
+        REQUIRE(cells.size() == 5);
+        REQUIRE(std::count(cells.begin(), cells.end(), "") == 0);
         const std::size_t blank = cells[2].find(' ');
         rows.push_back({cells[0], cells[1], cells[2].substr(0, blank), cells[2].substr(blank + 1),
                         cells[3], cells[4]});
@@ -43,6 +48,16 @@ bool has_section(const Handout& handout, const std::string& section)
 }
 
 } // namespace
+
+TEST_CASE("coverage: each line of a table begins and ends with a bar", "[coverage]")
+{
+    std::istringstream lines(content(assignments() / "coverage.md"));
+    for (std::string line; std::getline(lines, line);) {
+        CAPTURE(line);
+        if (line.find('|') != std::string::npos)
+            CHECK((line.size() > 1 && line.front() == '|' && line.back() == '|'));
+    }
+}
 
 TEST_CASE("coverage: each section, task and scene exists", "[coverage]")
 {
