@@ -35,6 +35,33 @@ std::array<Vector3d, 4> corners(const TetrahedralMesh& mesh, std::size_t t)
     return x;
 }
 
+// Where the plane n·x = height cuts a tetrahedron: its corners in order around their middle.
+Points section(const std::array<Vector3d, 4>& x, const Vector3d& n, double height)
+{
+    std::vector<Vector3d> crossings;
+    for (std::size_t i = 0; i < 4; ++i) {
+        const double hi = n.dot(x[i]) - height;
+        if (hi == 0) crossings.push_back(x[i]);
+        for (std::size_t j = i + 1; j < 4; ++j) {
+            const double hj = n.dot(x[j]) - height;
+            if (hi * hj < 0) crossings.emplace_back(x[i] + hi / (hi - hj) * (x[j] - x[i]));
+        }
+    }
+    Vector3d middle = Vector3d::Zero();
+    for (const Vector3d& p : crossings)
+        middle += p / static_cast<double>(crossings.size());
+    const Vector3d t = n.unitOrthogonal(), b = n.cross(t);
+    const auto angle = [&](const Vector3d& p) {
+        return std::atan2(b.dot(p - middle), t.dot(p - middle));
+    };
+    std::sort(crossings.begin(), crossings.end(),
+              [&](const Vector3d& p, const Vector3d& q) { return angle(p) < angle(q); });
+    Points corners;
+    for (const Vector3d& p : crossings)
+        corners.push_back(view(p));
+    return corners;
+}
+
 // A bar of cubes along x, six tetrahedra in each.
 TetrahedralMesh bar(int cubes)
 {
@@ -119,23 +146,8 @@ Drawing crack_plane_figure()
         nearest.push_back(view(x[static_cast<std::size_t>((face + i) % 4)]));
     drawing.polygon(nearest, "green filled");
     draw_tetrahedron(drawing, x, Vector3d::Zero(), "ink");
-    // where the plane through the middle crosses the edges, in order around it
     const Vector3d middle = (x[0] + x[1] + x[2] + x[3]) / 4;
-    const Vector3d t = n.unitOrthogonal(), b = n.cross(t);
-    std::vector<std::pair<double, Vector3d>> crossings;
-    for (std::size_t i = 0; i < 4; ++i)
-        for (std::size_t j = i + 1; j < 4; ++j) {
-            const double hi = n.dot(x[i] - middle), hj = n.dot(x[j] - middle);
-            if (hi * hj >= 0) continue;
-            const Vector3d p = x[i] + hi / (hi - hj) * (x[j] - x[i]);
-            crossings.emplace_back(std::atan2(b.dot(p - middle), t.dot(p - middle)), p);
-        }
-    std::sort(crossings.begin(), crossings.end(),
-              [](const auto& a, const auto& c) { return a.first < c.first; });
-    Points cut;
-    for (const auto& [angle, p] : crossings)
-        cut.push_back(view(p));
-    drawing.polygon(cut, "orange filled");
+    drawing.polygon(section(x, n, n.dot(middle)), "orange filled");
     drawing.arrow(view(middle), view(middle + 0.45 * n), "orange thick");
     drawing.label(view(middle + 0.45 * n), "n", Side::right, "orange");
     drawing.place({0, 0}, 1);
@@ -196,6 +208,7 @@ Drawing through_elements()
     const SplitMesh split = split_element(mesh, 0, n);
     drawing.place({110, 270}, 200);
     draw_tetrahedron(drawing, corners(mesh, 0), Vector3d::Zero(), "ink");
+    drawing.polygon(section(corners(mesh, 0), n, 0), "red filled");
     drawing.dot(view(mesh.vertices[0]), "red");
     drawing.place({390, 270}, 200);
     for (std::size_t t = 0; t < split.mesh.tetrahedra.size(); ++t) {
@@ -205,6 +218,7 @@ Drawing through_elements()
                          height > 0 ? "orange" : "blue");
     }
     drawing.place({0, 0}, 1);
+    drawing.label({25, -60}, "plane of the crack", Side::right, "red");
     drawing.label({520, -60}, std::to_string(split.mesh.tetrahedra.size()) + " tetrahedra",
                   Side::middle, "grey");
     return drawing;
@@ -221,10 +235,13 @@ Drawing with_virtual_nodes()
                      Vector3d(0.1, 0.15, 1)};
     mesh.tetrahedra = {{0, 1, 2, 3}};
     const Vector3d n = Vector3d(0.2, 1, 0.1).normalized();
-    const EmbeddedMesh split = virtual_nodes(mesh, {{0, Vector3d(0, 0.4, 0), n}});
+    const Vector3d on_crack(0, 0.4, 0);
+    const EmbeddedMesh split = virtual_nodes(mesh, {{0, on_crack, n}});
     const Vector2d places[] = {{300, 265}, {525, 225}};
     drawing.place({65, 265}, 155);
     draw_tetrahedron(drawing, corners(mesh, 0), Vector3d::Zero(), "ink");
+    drawing.polygon(section(corners(mesh, 0), n, n.dot(on_crack)), "red filled");
+    drawing.label({0.1, -0.35}, "crack", Side::below, "red");
     for (std::size_t t = 0; t < split.mesh.tetrahedra.size(); ++t) {
         const std::string color = t == 0 ? "blue" : "orange";
         drawing.place(places[t], 155);
@@ -238,7 +255,7 @@ Drawing with_virtual_nodes()
             // the matter reaches from a real corner to the crack, or to another real corner
             for (std::size_t j = 0; j < 4; ++j) {
                 if (i == j || split.real[t][i] == 0) continue;
-                const double hi = n.dot(x[i]) - n.y() * 0.4, hj = n.dot(x[j]) - n.y() * 0.4;
+                const double hi = n.dot(x[i] - on_crack), hj = n.dot(x[j] - on_crack);
                 const double share = hi * hj < 0 ? hi / (hi - hj) : 1;
                 drawing.line(view(x[i]), view(x[i] + share * (x[j] - x[i])), color + " thick");
             }
