@@ -198,7 +198,7 @@ Drawing seesaw()
     drawing.polygon(rectangle({1.85, 0.36}, {0.4, 0.4}), "orange filled");
     const Vector3d pivot(-0.15, 0, 0);
     drawing.dot(pivot.head<2>(), "ink");
-    drawing.label(pivot.head<2>() - Vector2d(0, 0.05), "x_r", Side::below);
+    drawing.label(pivot.head<2>() - Vector2d(0, 0.05), "x_{r}", Side::below);
     const Vector3d big(-1.7, 0.56, 0), small(1.85, 0.36, 0);
     const std::vector<PointForce> weights = {{Vector3d(0, -1.1, 0), big},
                                              {Vector3d(0, -0.28, 0), small}};
@@ -209,7 +209,7 @@ Drawing seesaw()
     drawing.line(pivot.head<2>(), big.head<2>(), "ink dashed");
     drawing.label((pivot + big).head<2>() / 2, "r₁", Side::above);
     drawing.line({big.x(), -0.75}, {pivot.x(), -0.75}, "blue");
-    drawing.label({(big.x() + pivot.x()) / 2, -0.75}, "arm x_r − x₁", Side::below, "blue");
+    drawing.label({(big.x() + pivot.x()) / 2, -0.75}, "arm x_{r} − x₁", Side::below, "blue");
     const double turning = net_wrench(weights, pivot).torque.z();
     drawing.label({0.9, 1.2}, turning > 0 ? "turns to the left" : "turns to the right",
                   Side::above);

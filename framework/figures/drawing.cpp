@@ -8,6 +8,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <numbers>
+#include <regex>
 
 namespace rigor::figures {
 
@@ -40,6 +41,15 @@ text.green { fill: #56d364 } text.red { fill: #ff7b72 }
 )";
 
 constexpr double head_length = 11, head_width = 4.5; // an arrow's head [px]
+
+// The text as markup, with "x_{r}" as an x with the subscript r, and a minus sign before a number.
+std::string markup(const std::string& text)
+{
+    static const std::regex minus(R"((^|[ (])-(\d))"), subscript(R"(_\{([^}]*)\}([^_]*))");
+    return std::regex_replace(
+        std::regex_replace(escaped_markup(text), minus, "$1−$2"), subscript,
+        "<tspan dy=\"4\" font-size=\"11\">$1</tspan><tspan dy=\"-4\">$2</tspan>");
+}
 
 // A number with two digits. Rounding must not give "-0.00".
 std::string number(double value)
@@ -133,7 +143,7 @@ void Drawing::label(const Vector2d& point, const std::string& text, Side side,
     if (side == Side::above) at.y() -= line / 3 + gap;
     if (side == Side::below) at.y() += line * 2 / 3 + gap / 2;
     labels_ += fmt::format("<text class=\"{}\" x=\"{}\" y=\"{}\" text-anchor=\"{}\">{}</text>\n",
-                           style, number(at.x()), number(at.y()), anchor, escaped_markup(text));
+                           style, number(at.x()), number(at.y()), anchor, markup(text));
 }
 
 Points Drawing::sampled(double from, double to, int steps, const std::function<Vector2d(double)>& f)

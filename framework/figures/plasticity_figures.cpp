@@ -62,9 +62,9 @@ Drawing yield_surface()
                     660, 400);
     drawing.place({270, 205}, 140);
     drawing.arrow({-1.45, 0}, {1.6, 0}, "ink thin");
-    drawing.label({1.6, 0}, "σ₁/σ_Y", Side::right);
+    drawing.label({1.6, 0}, "σ₁/σ_{Y}", Side::right);
     drawing.arrow({0, -1.35}, {0, 1.35}, "ink thin");
-    drawing.label({0, 1.35}, "σ₂/σ_Y", Side::right);
+    drawing.label({0, 1.35}, "σ₂/σ_{Y}", Side::right);
     const auto on_surface = [](double t) {
         const double c = std::cos(t), s = std::sin(t);
         return Vector2d(Vector2d(c, s) / von_mises_principal(c, s, 0));
@@ -93,7 +93,7 @@ Drawing stretched()
     drawing.arrow(at(-0.0003, 0), at(0.0056, 0), "ink thin");
     drawing.label(at(0.0056, 0), "e", Side::below);
     drawing.arrow(at(0, -320e6), at(0, 1100e6), "ink thin");
-    drawing.label(at(0, 1100e6), "σ_xx [MPa]", Side::right);
+    drawing.label(at(0, 1100e6), "σ_{xx} [MPa]", Side::right);
     for (const int stress : {250, 500, 1000}) {
         drawing.line(at(0, stress * 1e6) - Vector2d(4, 0), at(0, stress * 1e6), "ink thin");
         drawing.label(at(0, stress * 1e6), std::to_string(stress), Side::left, "grey");

@@ -45,7 +45,7 @@ Drawing drift()
         const Vector2d exact(std::cos((i + 1) * h), std::sin((i + 1) * h));
         drawing.dot(exact, "green");
     }
-    drawing.label(drifting.col(0).head<2>(), "without repair", Side::right, "red");
+    drawing.label(drifting.col(0).head<2>(), "without repair", Side::left, "red");
     drawing.place({0, 0}, 1);
     drawing.label({375, -110}, "by Gram–Schmidt: unit, but behind", Side::right, "blue");
     drawing.label({375, -140}, "exact", Side::right, "green");
@@ -165,7 +165,7 @@ Drawing wrong_inertia()
     drawing.label(view({0, 0, 1}), "start", Side::below);
     drawing.place({425, 150}, 1);
     drawing.label({0, 0}, "I(t) turns with the top", Side::right, "blue");
-    drawing.label({0, -30}, "I_body in place of I(t)", Side::right, "red");
+    drawing.label({0, -30}, "I_{body} in place of I(t)", Side::right, "red");
     return drawing;
 }
 

@@ -59,10 +59,11 @@ std::vector<Label> labels_in(const std::string& svg)
     constexpr double letter = 7.5, above = 11, below = 4; // sizes in a font of 15 px
     std::vector<Label> labels;
     static const std::regex label(
-        R"re(<text class="[^"]*" x="([^"]+)" y="([^"]+)" text-anchor="(\w+)">([^<]*)<)re");
+        R"re(<text class="[^"]*" x="([^"]+)" y="([^"]+)" text-anchor="(\w+)">(.*?)</text>)re");
     for (std::sregex_iterator i(svg.begin(), svg.end(), label), end; i != end; ++i) {
         static const std::regex one_letter("&\\w+;|[\\x00-\\x7f]|[\\xc0-\\xff][\\x80-\\xbf]+");
-        const std::string text = (*i)[4], anchor = (*i)[3];
+        static const std::regex tag("<[^>]*>"); // of a subscript
+        const std::string text = std::regex_replace((*i)[4].str(), tag, ""), anchor = (*i)[3];
         const double x = std::stod((*i)[1]), y = std::stod((*i)[2]);
         const double width =
             letter * static_cast<double>(
