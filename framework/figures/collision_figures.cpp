@@ -126,7 +126,7 @@ Drawing trilinear_cell()
         }
         drawing.line(view(low), view(high), "blue thin dashed");
         drawing.dot(view(between), "orange");
-        const Vector2d above_an_edge(0, k == 0 ? 0.1 : 0); // of the cell, behind which it lies
+        const Vector2d above_an_edge(0, k == 0 ? 0.1 : 0); // the dot lies on an edge of the cell
         drawing.label(view(between) + above_an_edge, value(between), Side::left, "orange");
         for (int j = 0; j < 2; ++j)
             for (int i = 0; i < 2; ++i) {

@@ -62,7 +62,7 @@ std::vector<Label> labels_in(const std::string& svg)
         R"re(<text class="[^"]*" x="([^"]+)" y="([^"]+)" text-anchor="(\w+)">(.*?)</text>)re");
     for (std::sregex_iterator i(svg.begin(), svg.end(), label), end; i != end; ++i) {
         static const std::regex one_letter("&\\w+;|[\\x00-\\x7f]|[\\xc0-\\xff][\\x80-\\xbf]+");
-        static const std::regex tag("<[^>]*>"); // of a subscript
+        static const std::regex tag("<[^>]*>"); // around a subscript
         const std::string text = std::regex_replace((*i)[4].str(), tag, ""), anchor = (*i)[3];
         const double x = std::stod((*i)[1]), y = std::stod((*i)[2]);
         const double width =
