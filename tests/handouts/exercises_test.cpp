@@ -102,8 +102,8 @@ TEST_CASE("exercises: each handout has the same sections", "[exercises]")
              {"The mathematics", "Conventions", "Tasks", "Predict, then run", "Watch",
               "If you see this", "A table of your own", "Find the bug", "A scene of your own",
               "Read on", "What the tests check"}) {
-            const bool is_of_scenes = std::string(section) == "Watch" ||
-                                      std::string(section) == "A scene of your own";
+            const bool is_of_scenes =
+                std::string(section) == "Watch" || std::string(section) == "A scene of your own";
             if (is_of_scenes && !has_scenes(handout)) continue;
             CAPTURE(handout.label, section);
             at = handout.text.find(std::string("\n## ") + section + "\n", at);

@@ -55,7 +55,7 @@ struct RigidBody {
     std::shared_ptr<const Drive> drive; // the given motion of a static body; null if it never moves
     double mass = 0;                    // [kg]; 0 if static
     Matrix3d inertia = Matrix3d::Zero(); // I_body, about the center of mass [kg m²]
-    BodyInertia inverse;       // computed once, through the principal axes; zero if static
+    BodyInertia inverse; // computed once, through the principal axes; zero if static
     // The principal axes Q as columns and the inverse moments along them, I_body⁻¹ = Q diag(J) Qᵀ.
     Matrix3d principal_axes = Matrix3d::Identity();
     Vector3d inverse_moments = Vector3d::Zero(); // J [1/(kg m²)]

@@ -103,11 +103,10 @@ TEST_CASE("scene: an unknown key is refused with the nearest one")
           ":5: unknown key \"zoom\"; expected one of \"position\", \"target\", \"field_of_view\"");
     CHECK(refusal("{\"bodies\": [{\"name\": \"a\",\n\"shape\": {\"sphre\": {}}}]}") ==
           ":2: unknown key \"sphre\"; did you mean \"sphere\"?");
-    CHECK(
-        refused_scene("\"integrator\": \"rungekutta\"") ==
-        ":5: expected one of \"matrix\", \"linear\", \"exponential\", \"buss\", \"runge_kutta\", "
-        "\"gram_schmidt\", \"euler_angles\", \"exact\", found \"rungekutta\"; did you mean "
-        "\"runge_kutta\"?");
+    CHECK(refused_scene("\"integrator\": \"rungekutta\"") ==
+          ":5: expected one of \"matrix\", \"linear\", \"exponential\", \"buss\", \"runge_kutta\", "
+          "\"gram_schmidt\", \"euler_angles\", \"exact\", found \"rungekutta\"; did you mean "
+          "\"runge_kutta\"?");
     CHECK(refused_body("\"mass\": 1, \"mass\": 2") ==
           ":3: expected each key once, found \"mass\" again (first in line 3)");
 }

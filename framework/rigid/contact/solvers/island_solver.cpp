@@ -161,10 +161,8 @@ bool adds_energy(const ContactProblem& problem, const Island& island, std::span<
     const double before = kinetic_energy_of(bodies);
     for (std::size_t k = 0; k < active.size(); ++k) {
         const ContactConstraint& c = problem.contacts[active[k]];
-        if (const int i = places[c.body1]; i >= 0)
-            problem.push(bodies[i], c.point, impulses[k]);
-        if (const int i = places[c.body2]; i >= 0)
-            problem.push(bodies[i], c.point, -impulses[k]);
+        if (const int i = places[c.body1]; i >= 0) problem.push(bodies[i], c.point, impulses[k]);
+        if (const int i = places[c.body2]; i >= 0) problem.push(bodies[i], c.point, -impulses[k]);
     }
     return kinetic_energy_of(bodies) > (1 + least_gain) * before;
 }

@@ -41,8 +41,8 @@ TEST_CASE("obj: every way to write a face names the same vertices", "[geometry]"
 TEST_CASE("obj: what is no vertex or face is skipped", "[geometry]")
 {
     const SurfaceText read = read_obj("# a comment\nmtllib a.mtl\no name\nvn 0 0 1\nvt 0 0\n"
-                                  "v +1e-3 0 0 1\nv 1 0 0 0.5 0.5 0.5\nv 9 9 9\nv 0 1 0\ng f\n"
-                                  "usemtl m\ns off\nl 1 2\nf 1 2 4\n\n");
+                                      "v +1e-3 0 0 1\nv 1 0 0 0.5 0.5 0.5\nv 9 9 9\nv 0 1 0\ng f\n"
+                                      "usemtl m\ns off\nl 1 2\nf 1 2 4\n\n");
     REQUIRE(read.mesh.vertices.size() == 3); // the vertex that no face uses is removed
     CHECK(read.mesh.vertices[0] == Vector3d(1e-3, 0, 0));
     CHECK(read.mesh.vertices[2] == Vector3d(0, 1, 0));
