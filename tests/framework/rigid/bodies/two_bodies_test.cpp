@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "rigid/bodies/two_bodies.hpp"
 
+#include "formulas/collision.hpp"
 #include "framework/rigid/worlds.hpp"
 #include "rigid/bodies/optimised_forms.hpp"
 #include "support/seeds.hpp"
