@@ -43,18 +43,18 @@ Path path_of(const Vector3d& J, const Vector3d& M)
     if (s < 0) std::swap(a[0], a[2]);
 
     Path path{a[0], a[1], a[2], J[a[0]], J[a[1]], J[a[2]]};
-    const double J12 = std::abs(path.J1 - path.J2), J23 = std::abs(path.J2 - path.J3);
-    const double J13 = std::abs(path.J1 - path.J3);
-    const double r = J12 * square(1) + J13 * square(2);
-    path.N = J13 / J23;
+    const double J_12 = std::abs(path.J1 - path.J2), J_23 = std::abs(path.J2 - path.J3);
+    const double J_13 = std::abs(path.J1 - path.J3);
+    const double r = J_12 * square(1) + J_13 * square(2);
+    path.N = J_13 / J_23;
     path.A1 = std::hypot(M[a[0]], M[a[1]] / std::sqrt(path.N));
     path.A2 = std::sqrt(path.N) * path.A1;
-    path.A3 = std::copysign(std::sqrt(r / J13), M[a[2]]);
+    path.A3 = std::copysign(std::sqrt(r / J_13), M[a[2]]);
     path.m1 = std::clamp(path.N * (std::abs(s) / r), least_m1, 1.0);
     // Ṁ₂ = (J₁ - J₃) M₃ M₁ in a right-handed frame
     const bool is_right_handed = (a[1] - a[0] + 3) % 3 == 1;
     const bool is_forward = is_right_handed == ((path.J1 > path.J3) == (path.A3 > 0));
-    path.rate = (is_forward ? 1 : -1) * std::sqrt(J23 * r);
+    path.rate = (is_forward ? 1 : -1) * std::sqrt(J_23 * r);
     return path;
 }
 
