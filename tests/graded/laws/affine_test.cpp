@@ -160,7 +160,7 @@ template <FormulaIndex f> constexpr bool is_affine()
 }
 
 #define RIGOR_ROW(tag, topic, function, ...)                                                       \
-    const bool affine_of_##function = [] {                                                         \
+    [[maybe_unused]] const bool affine_of_##function = [] {                                        \
         if constexpr (is_affine<FormulaIndex::function>())                                         \
             return add_test(&check_all_affine<FormulaIndex::function, rigor::function>,            \
                             #topic ": " #function " adds up small and large parts",                \
