@@ -7,7 +7,7 @@
 #include "rigid/bodies/non_finite.hpp"
 #include "rigid/step/step.hpp"
 #include "support/bench/bench.hpp"
-#include "support/depth.hpp"
+#include "support/shapes/depth.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -23,14 +23,9 @@ double shear_strain2(const Matrix3d& strain)
     return 1.5 * dev.squaredNorm();
 }
 
-// A plastic strain, limited so that the new shape at rest, δ + ε_p, keeps a third of its height. As
-// ε_p has no trace, its lowest eigenvalue is at least -√⅔ ‖ε_p‖, which has to stay above -⅔.
-Matrix3d limited(const Matrix3d& plastic_strain)
-{
-    constexpr double most = 0.8; // √(3/2) ⅔ = 0.816, rounded down
-    const double size = plastic_strain.norm();
-    return size > most ? Matrix3d(most / size * plastic_strain) : plastic_strain;
-}
+// The largest ‖ε_p‖. The new shape at rest, δ + ε_p, keeps a third of its height: as ε_p has no
+// trace, its lowest eigenvalue is at least -√⅔ ‖ε_p‖, which has to stay above -⅔.
+constexpr double most = 0.8; // √(3/2) ⅔ = 0.816, rounded down
 
 // Whether an element yields, by the formula that the solid asks for.
 bool yields(const Deformable& solid, const Matrix3d& strain)
@@ -54,27 +49,43 @@ bool yields(const Deformable& solid, const Matrix3d& strain)
 
 } // namespace
 
-void flow(Deformable& solid, ElementWorkspace& work, World& world)
+FlowRule::FlowRule(const Deformable& solid, const Settings& settings)
+    : solid_(&solid), lambda_(solid.material.lame_lambda()), G_(solid.material.shear_modulus()),
+      yield_stress_(solid.material.yield_stress),
+      is_optimised_(solid.yield_test == YieldTest::strain && settings.uses_optimised_formulas()),
+      bound_(is_optimised_ ? yield_strain(yield_stress_, G_) : 0)
 {
-    const double G = solid.material.shear_modulus(), lambda = solid.material.lame_lambda();
-    const double sigma_Y = solid.material.yield_stress;
-    const bool is_optimised =
-        solid.yield_test == YieldTest::strain && world.settings.uses_optimised_formulas();
-    const double bound = is_optimised ? yield_strain(sigma_Y, G) : 0;
+}
+
+FlowRule::Flowed FlowRule::flowed(const Matrix3d& plastic, const Matrix3d& elastic) const
+{
+    Flowed result;
+    result.flows =
+        is_optimised_ ? shear_strain2(elastic) > bound_ * bound_ : yields(*solid_, elastic);
+    if (result.flows && is_inverted(plastic, elastic)) result.flows = false;
+    if (!result.flows) return result;
+    const Matrix3d stress = isotropic_stress(elastic, lambda_, G_);
+    result.asked = plastic_flow(plastic, stress, yield_stress_, G_);
+    const double size = result.asked.norm();
+    if (size > most) result.share = most / size;
+    result.plastic_strain = result.share * result.asked;
+    return result;
+}
+
+void flow(Deformable& solid, ElementWorkspace& work, const Settings& settings, Counters& counters)
+{
+    const FlowRule rule(solid, settings);
     for (int e = 0; e < work.elements.size(); ++e) {
         Matrix3d& strain = work.strains[e].elastic;
-        const bool flows =
-            is_optimised ? shear_strain2(strain) > bound * bound : yields(solid, strain);
-        if (!flows || is_inverted(solid.plastic_strains[e], strain)) {
-            ++world.counters.flow_skipped;
+        const FlowRule::Flowed flowed = rule.flowed(solid.plastic_strains[e], strain);
+        if (!flowed.flows) {
+            ++counters.flow_skipped;
             continue;
         }
-        const Matrix3d stress = isotropic_stress(strain, lambda, G);
-        const Matrix3d flowed = limited(plastic_flow(solid.plastic_strains[e], stress, sigma_Y, G));
-        strain -= flowed - solid.plastic_strains[e];
-        solid.plastic_strains[e] = flowed;
-        work.elements.set_plastic_strain(e, flowed);
-        ++world.counters.elements_flowed;
+        strain -= flowed.plastic_strain - solid.plastic_strains[e];
+        solid.plastic_strains[e] = flowed.plastic_strain;
+        work.elements.set_plastic_strain(e, flowed.plastic_strain);
+        ++counters.elements_flowed;
     }
 }
 

@@ -5,16 +5,36 @@
 #include "deformable/motion/explicit_motion.hpp"
 
 #include "deformable/contact/node_collisions.hpp"
+#include "deformable/elasticity/flow.hpp"
 #include "deformable/motion/stable_step.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
+#include <sstream>
+#include <stdexcept>
 
 namespace rigor {
 
 namespace {
 
 constexpr double safety = 0.9; // share of the stable step near rest; large deformations need less
+
+// A solid that needs more has an element without thickness: no step of it would end.
+constexpr double most_substeps = 1e6;
+
+int substeps_for(const Deformable& solid, double step, double stable)
+{
+    const double needed = std::ceil(step / (safety * stable));
+    if (needed > most_substeps) {
+        std::ostringstream text;
+        text << "body '" << solid.name
+             << "': an element is too thin or too stiff for the step: expected up to "
+             << most_substeps << " substeps, found " << std::setprecision(3) << needed;
+        throw std::domain_error(text.str());
+    }
+    return needed > 1 ? static_cast<int>(needed) : 1; // a NaN is reported at the end of the step
+}
 
 void accelerate(const NodeMotion& motion, double time, double h)
 {
@@ -36,8 +56,7 @@ void move_explicitly(const NodeMotion& motion)
     Workspace& work = motion.work;
     const double step = motion.time_step;
     if (work.stable_step == 0) work.stable_step = stable_step(solid, work.elements);
-    const int substeps =
-        std::max(1, static_cast<int>(std::ceil(step / (safety * work.stable_step))));
+    const int substeps = substeps_for(solid, step, work.stable_step);
     const double h = step / substeps;
     motion.counters.deformable_substeps += substeps;
     for (int k = 0; k < substeps; ++k) {
@@ -57,6 +76,10 @@ void move_explicitly(const NodeMotion& motion)
         for (std::size_t i = 0; i < solid.positions.size(); ++i)
             solid.positions[i] += h * solid.velocities[i];
         correct_node_positions(solid, work.is_held, work.contacts, h / step, h * motion.radius);
+        if (flows_in_step(solid)) {
+            work.elements.strains(solid.positions, work.strains);
+            flow(solid, work, motion.rigid.world.settings, motion.counters);
+        }
         motion.rigid.advance(h);
         for (const HeldNode& held : work.held)
             work.is_held[held.node] = 0;

@@ -17,6 +17,8 @@ namespace {
 // The largest number of solves of the linear system in one step. Contacts that still change after
 // these rounds stay as they are; the next step begins with a new guess.
 constexpr int most_rounds = 10;
+// The largest number of such solves for the flow of the elements.
+constexpr int most_flow_rounds = 20;
 
 Matrix3d axes_of(const HeldNode& held)
 {
@@ -94,7 +96,6 @@ void solve_with_contacts(const NodeMotion& motion)
 {
     Workspace& work = motion.work;
     VelocitySystem& s = work.velocity_system;
-    work.parts.open_all(s.system.matrix());
     for (int round = 0; round < most_rounds; ++round) {
         const bool with_bodies = open_coupled_parts(work);
         if (!work.parts.collect_nodes()) break;
@@ -105,6 +106,24 @@ void solve_with_contacts(const NodeMotion& motion)
         ++motion.counters.system_solves;
         note_impulses(work);
         revise_contacts(work);
+    }
+}
+
+// Solves, and solves again for the parts in which elements flow otherwise than the solve before has
+// assumed.
+void solve_with_flow(const NodeMotion& motion)
+{
+    Workspace& work = motion.work;
+    work.parts.open_all(work.velocity_system.system.matrix());
+    solve_with_contacts(motion);
+    if (!flows_in_step(motion.solid)) return;
+    FlowInStep& flow = work.flow_in_step;
+    flow.start(motion.solid, work, motion.rigid.world.settings, motion.time_step);
+    for (int round = 0; round < most_flow_rounds && flow.revise(work.velocity_system); ++round) {
+        work.parts.close_all();
+        for (const int e : flow.changed())
+            work.parts.open(work.elements.nodes(e)[0]);
+        solve_with_contacts(motion);
     }
 }
 
@@ -139,7 +158,7 @@ void move_implicitly(const NodeMotion& motion)
     work.bodies.join(motion.rigid, contacts, h);
     work.contact_set.guess({solid, motion.rigid, work.bodies, contacts, work.is_held,
                             motion.gravity, h, motion.radius});
-    solve_with_contacts(motion);
+    solve_with_flow(motion);
     work.velocity_system.restore_momentum(solid, work.held, work.contact_set.tied_by(), h);
 
     push_bodies(motion);

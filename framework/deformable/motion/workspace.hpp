@@ -6,6 +6,7 @@
 #include "deformable/contact/node_contacts.hpp"
 #include "deformable/elasticity/element_workspace.hpp"
 #include "deformable/motion/contact_set.hpp"
+#include "deformable/motion/flow_in_step.hpp"
 #include "deformable/motion/joined_bodies.hpp"
 #include "deformable/motion/open_parts.hpp"
 #include "deformable/motion/velocity_system.hpp"
@@ -32,6 +33,7 @@ struct Workspace : ElementWorkspace {
     JoinedBodies bodies;
     ContactSet contact_set;
     OpenParts parts;
+    FlowInStep flow_in_step;
     std::vector<SystemBody> no_bodies; // always empty
 };
 

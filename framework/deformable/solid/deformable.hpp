@@ -35,6 +35,12 @@ enum class YieldTest {
     principal,    ///< `von_mises_principal`
 };
 
+/// When the elements flow.
+enum class FlowTime {
+    in_step,    ///< within the step: its forces are those of the stress after the flow
+    after_step, ///< once after each step, as in the lecture; the step itself is elastic
+};
+
 /// The way in which a crack changes the mesh.
 enum class FractureMethod {
     faces,         ///< `split_along_faces`, along the face that `closest_face` returns
@@ -94,6 +100,7 @@ struct Deformable {
     NodeIntegrator integrator = NodeIntegrator::implicit_step;
     FractureMethod fracture_method = FractureMethod::faces;
     YieldTest yield_test = YieldTest::strain;
+    FlowTime flow_time = FlowTime::in_step;
 
     TetrahedralMesh rest;             // the mesh without stress, the reference of all strains [m]
     std::vector<Vector3d> positions;  // position of each node, world space [m]
@@ -123,6 +130,12 @@ struct Deformable {
 
     KeptWorkspace workspace; // derived from all members above, so it is not part of the state
 };
+
+/// Whether the elements flow within a step, and not only after it.
+inline bool flows_in_step(const Deformable& solid)
+{
+    return solid.material.yield_stress != never && solid.flow_time == FlowTime::in_step;
+}
 
 /// Whether a solid moves as one rigid body. Then its material plays no part.
 inline bool is_rigid(const Deformable& solid)

@@ -109,6 +109,40 @@ void BlockMatrix::assemble(const Elements& elements, const std::vector<ElementSt
     }
 }
 
+void BlockMatrix::soften(const Elements& elements, const Matrix3d& R, const ElementFlow& flow,
+                         double factor)
+{
+    const auto gradients = elements.gradients(flow.element);
+    const auto t = elements.nodes(flow.element);
+    std::array<Vector3d, 4> g, n, kept; // R ∇N, n R ∇N, k R ∇N
+    for (int i = 0; i < 4; ++i) {
+        g[i] = R * gradients[i];
+        n[i] = R * (flow.along * gradients[i]);
+        kept[i] = R * (flow.kept * gradients[i]);
+    }
+    const double V = factor * elements.volume(flow.element), a = flow.softened;
+    for (int i = 0, k = 0; i < 4; ++i)
+        for (int j = i; j < 4; ++j, ++k) {
+            const Matrix3d outer = g[i] * g[j].transpose();
+            Matrix3d K = 0.5 * outer.transpose() - 1.0 / 3 * outer - kept[i] * kept[j].transpose();
+            K.diagonal().array() += 0.5 * outer.trace();
+            K = V * (a * K + n[i] * n[j].transpose());
+            Matrix3d& block = blocks_[places_[flow.element][k]];
+            if (t[i] <= t[j])
+                block -= K;
+            else
+                block -= K.transpose();
+        }
+}
+
+double BlockMatrix::quadratic_form(const Vectors& x) const
+{
+    double sum = 0;
+    for_each_block(
+        [&](int i, int j, const Matrix3d& A) { sum += (i == j ? 1 : 2) * x[i].dot(A * x[j]); });
+    return sum;
+}
+
 void BlockMatrix::multiply(const std::vector<int>& nodes, const Vectors& x, Vectors& y) const
 {
     for (const int i : nodes)

@@ -2,6 +2,7 @@
 // The matrix of the implicit system of a solid, in 3 × 3 blocks.
 #pragma once
 
+#include "deformable/elasticity/element_flow.hpp"
 #include "deformable/elasticity/elements.hpp"
 
 namespace rigor {
@@ -18,6 +19,17 @@ public:
     void assemble(const Elements& elements, const std::vector<ElementStrain>& strains,
                   const std::vector<double>& masses, const SolidMaterial& material,
                   double time_step);
+
+    /// Takes the flow of an element out of its stiffness:
+    /// A_ij -= c V (a (½ gⱼ gᵢᵀ + ½ gᵢ·gⱼ δ - ⅓ gᵢ gⱼᵀ - (k gᵢ) (k gⱼ)ᵀ) + (n gᵢ) (n gⱼ)ᵀ), with
+    /// g = R ∇N, and k and n in world space.
+    ///
+    /// @param factor  c = 2 G h² [Pa s²]
+    void soften(const Elements& elements, const Matrix3d& R, const ElementFlow& flow,
+                double factor);
+
+    /// xᵀ A x
+    double quadratic_form(const std::vector<Vector3d>& x) const;
 
     /// y ← A x for these nodes, which must be all nodes of some parts.
     void multiply(const std::vector<int>& nodes, const std::vector<Vector3d>& x,

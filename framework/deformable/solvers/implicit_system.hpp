@@ -29,6 +29,11 @@ public:
     {
         matrix_.assemble(elements, strains, masses, material, time_step);
     }
+    /// Takes the flow of an element out of its stiffness, see `BlockMatrix::soften`.
+    void soften(const Elements& elements, const Matrix3d& R, const ElementFlow& flow, double factor)
+    {
+        matrix_.soften(elements, R, flow, factor);
+    }
     const BlockMatrix& matrix() const { return matrix_; }
 
     /// Solves for the velocities of some parts by conjugate gradients, which start from the

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Advances a world by one time step. For each solid it moves the nodes with their contacts, then
-// lets the elements flow, then separates inverted elements or else opens cracks. Last comes the
-// step of the rigid bodies, with the velocities that the solids gave them.
+// lets the elements flow at the places that the nodes have reached, then separates inverted
+// elements or else opens cracks. Last comes the step of the rigid bodies, with the velocities that
+// the solids gave them.
 #include "deformable/step/step.hpp"
 
 #include "deformable/elasticity/flow.hpp"
@@ -35,7 +36,7 @@ void require_finite(const Deformable& solid, double time)
         if (!solid.velocities[i].allFinite()) throw NonFiniteState(solid.name, "v", time);
     }
     for (const Matrix3d& strain : solid.plastic_strains)
-        if (!strain.allFinite()) throw NonFiniteState(solid.name, "ε_p", time);
+        if (!strain.allFinite()) throw NonFiniteState(solid.name, "plastic strain", time);
 }
 
 void move(Deformable& solid, RigidColliders& rigid, World& world, double time_step)
@@ -54,15 +55,18 @@ void move(Deformable& solid, RigidColliders& rigid, World& world, double time_st
     const NodeMotion motion{
         solid,         work, rigid, world.settings.gravity, world.time, time_step, radius_of(solid),
         world.counters};
-    if (solid.integrator == NodeIntegrator::explicit_step)
+    const bool is_explicit = solid.integrator == NodeIntegrator::explicit_step;
+    if (is_explicit)
         move_explicitly(motion);
     else
         move_implicitly(motion);
 
     const SolidMaterial& m = solid.material;
     if (m.yield_stress == never && m.strength == never) return;
-    work.elements.strains(solid.positions, work.strains);
-    if (m.yield_stress != never) flow(solid, work, world);
+    if (!is_explicit || !flows_in_step(solid)) { // explicit substeps let it flow themselves
+        work.elements.strains(solid.positions, work.strains);
+        if (m.yield_stress != never) flow(solid, work, world.settings, world.counters);
+    }
     if (m.strength == never || separate_inverted_elements(solid, work, work.held, world, time_step))
         return;
     fracture(solid, work, world);

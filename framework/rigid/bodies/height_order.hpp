@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace rigor {
 
@@ -19,25 +20,43 @@ inline Vector3d up_direction(const Vector3d& gravity)
     return g > 0 ? Vector3d(-gravity / g) : Vector3d::UnitY();
 }
 
-/// Rounds lengths to 2⁻³⁶ times the power of two below the largest coordinate.
+/// Rounds lengths by the distances between some points. The origin has no meaning, so what stands
+/// or moves far away is rounded as it is near the origin.
 class RoundedLength {
 public:
-    /// @param points  the points whose lengths will be rounded [m]
-    /// @param at      returns the coordinates of one point
+    /// @param points  the points whose lengths will be rounded
+    /// @param at      returns the coordinates of one point [m]
     template <typename Points, typename At> RoundedLength(const Points& points, At at)
     {
-        double largest = 0;
-        for (const auto& p : points)
-            largest = std::max(largest, at(p).cwiseAbs().maxCoeff());
-        shift_ = std::ldexp(1.5, 16 + (std::isnormal(largest) ? std::ilogb(largest) : 0));
+        constexpr double infinity = std::numeric_limits<double>::infinity();
+        Vector3d most = Vector3d::Constant(-infinity);
+        least_.setConstant(infinity);
+        for (const auto& p : points) {
+            least_ = least_.cwiseMin(at(p));
+            most = most.cwiseMax(at(p));
+        }
+        const double extent = (most - least_).maxCoeff();
+        const double farthest = least_.cwiseAbs().cwiseMax(most.cwiseAbs()).maxCoeff();
+        shift_ = std::ldexp(1.5, std::max(16 + exponent_of(extent), 6 + exponent_of(farthest)));
     }
 
-    /// With 2^e the power of two below the largest coordinate, the shift is 1.5 · 2^(e + 16). A sum
-    /// of that size has 52 binary digits after the first one, so digits below 2^(e - 36) are
-    /// rounded away.
+    /// With 2^e the power of two below the largest difference of two coordinates, the shift is
+    /// 1.5 · 2^(e + 16). A sum of that size has 52 binary digits after the first one, so digits
+    /// below 2^(e - 36) are rounded away. Far from the origin coordinates have larger errors. So it
+    /// rounds at least to 2^-46 times the power of two below the largest one, 64 of its errors.
     double operator()(double x) const { return (x + shift_) - shift_; }
 
+    /// The place of x as seen from the least coordinates of all points.
+    Vector3d from_least(const Vector3d& x) const { return x - least_; }
+
 private:
+    static int exponent_of(double x)
+    {
+        constexpr int none = -1000; // far below that of any length
+        return std::isnormal(x) ? std::ilogb(x) : none;
+    }
+
+    Vector3d least_;
     double shift_;
 };
 
@@ -63,7 +82,8 @@ public:
 
     Key operator()(const Vector3d& x) const
     {
-        return {rounded_(up_.dot(x)), rounded_(x.x()), rounded_(x.z())};
+        const Vector3d r = rounded_.from_least(x);
+        return {rounded_(up_.dot(r)), rounded_(r.x()), rounded_(r.z())};
     }
 
 private:

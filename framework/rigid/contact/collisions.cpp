@@ -67,6 +67,9 @@ void collect(const ContactProblem& problem, const ContactPair& pair, Candidates&
         const bool is_over_in_the_step = v_n < 0 && 2 * v_n > c.force_speed;
         if (is_over_in_the_step) continue;
         if (only_turns(c, v_n)) continue;
+        // After a bounce with ε = 0 the formula would choose a point whose speed is rounding again
+        // and again, and the real hits of the pair would not get their turn.
+        if (v_n < 0 && -v_n <= problem.rounding_speed(c)) continue;
         candidates.points.push_back({c.point, c.normal, depth, v});
         candidates.contacts.push_back(i);
         candidates.any_approaches |= v_n < 0;

@@ -10,7 +10,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
+#include <utility>
 
 namespace rigor {
 
@@ -75,23 +77,55 @@ bool is_heap(const Island& island)
            (bodies > many_bodies || static_cast<double>(island.pairs.size()) > most_pairs);
 }
 
-double kinetic_energy_of(const Body& b)
+double kinetic_energy_of(const Body& b, const Vector3d& V)
 {
     const double m = 1 / b.inverse_mass;
-    return (m * b.velocity.squaredNorm() + b.angular_velocity.dot(b.angular_momentum)) / 2;
+    return (m * (b.velocity - V).squaredNorm() + b.angular_velocity.dot(b.angular_momentum)) / 2;
 }
 
-double kinetic_energy_of(std::span<const Body> bodies)
+double kinetic_energy_of(std::span<const Body> bodies, const Vector3d& V)
 {
     double energy = 0;
     for (const Body& body : bodies)
-        energy += kinetic_energy_of(body);
+        energy += kinetic_energy_of(body, V);
     return energy;
 }
 
 Vector3d ContactProblem::up() const
 {
     return up_direction(settings.gravity);
+}
+
+std::vector<Body> ContactProblem::grounds_of(const Island& island) const
+{
+    const auto is_driven = [&](int body) {
+        return std::any_of(driven.begin(), driven.end(),
+                           [&](const DrivenBody& given) { return given.body == body; });
+    };
+    std::vector<int> touched;
+    bool any_fixed = false;
+    for (const ContactPair& pair : island.pairs)
+        for (const int i : {contacts[pair.first].body1, contacts[pair.first].body2}) {
+            if (!bodies[i].is_static()) continue;
+            if (is_driven(i) || !std::exchange(any_fixed, true)) touched.push_back(i);
+        }
+    std::sort(touched.begin(), touched.end());
+    touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
+    std::vector<Body> grounds;
+    grounds.reserve(touched.size());
+    for (const int i : touched)
+        grounds.push_back(bodies[i]);
+    if (!grounds.empty()) return grounds;
+
+    Body center;
+    double M = 0;
+    for (const int i : island.bodies) {
+        const double m = 1 / bodies[i].inverse_mass;
+        M += m;
+        center.velocity += m * bodies[i].velocity;
+    }
+    center.velocity /= M;
+    return {center};
 }
 
 std::vector<Body> ContactProblem::bodies_of(const Island& island) const
@@ -108,6 +142,18 @@ Vector3d ContactProblem::velocity_between(std::span<const Body> states, const Co
     const Body &body1 = states[contact.body1], &body2 = states[contact.body2];
     return optimised ? optimised::relative_velocity(body1, body2, x)
                      : relative_velocity(body1, body2, x);
+}
+
+double ContactProblem::rounding_speed(const ContactConstraint& c) const
+{
+    constexpr double few_errors = 64 * std::numeric_limits<double>::epsilon();
+    double speed = std::abs(c.force_speed); // and that of the point on both bodies
+    for (const int i : {c.body1, c.body2}) {
+        const Body& body = bodies[i];
+        speed += body.velocity.lpNorm<1>() +
+                 body.angular_velocity.lpNorm<1>() * (c.point - body.position).lpNorm<1>();
+    }
+    return few_errors * speed;
 }
 
 Matrix3d ContactProblem::impulse_matrix_at(const ContactConstraint& c, const Vector3d& x) const

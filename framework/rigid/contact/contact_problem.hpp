@@ -84,9 +84,9 @@ struct DrivenBody {
     DriveVelocity mean, last;
 };
 
-/// Kinetic energy of a body or of several bodies [J].
-double kinetic_energy_of(const Body& body);
-double kinetic_energy_of(std::span<const Body> bodies);
+/// Kinetic energy of a body or of several bodies, as seen from a frame with the velocity V [J].
+double kinetic_energy_of(const Body& body, const Vector3d& V);
+double kinetic_energy_of(std::span<const Body> bodies, const Vector3d& V);
 
 /// Everything that the stages of contact work on.
 struct ContactProblem {
@@ -103,6 +103,11 @@ struct ContactProblem {
     /// The unit vector opposite to gravity, or y without gravity.
     Vector3d up() const;
 
+    /// The motions relative to which an island is at rest, slow or fast: those of the static and
+    /// driven bodies that it touches, from the lowest index, what never moves once. If it touches
+    /// none, the motion of its center of mass. A speed in the world has no meaning, since no
+    /// experiment tells whether a ship stands or moves evenly (Galilei 1632).
+    std::vector<Body> grounds_of(const Island& island) const;
     /// Copies of the bodies of an island, in the order of `island.bodies`.
     std::vector<Body> bodies_of(const Island& island) const;
 
@@ -119,6 +124,8 @@ struct ContactProblem {
     /// v₁ - v₂ at a point, for other states of the bodies [m/s].
     Vector3d velocity_between(std::span<const Body> states, const Contact& contact,
                               const Vector3d& x) const;
+    /// The size of rounding errors in v₁ - v₂, which a speed has to exceed to mean anything [m/s].
+    double rounding_speed(const ContactConstraint& contact) const;
     /// K₁ + K₂ at a point [1/kg].
     Matrix3d impulse_matrix_at(const ContactConstraint& contact, const Vector3d& x) const;
     /// Computes K of a contact and the numbers that follow from it.

@@ -77,7 +77,7 @@ Vector3d bend_of_path(const Vector3d& turn, const Vector3d& r)
 // center needs no care: rotation moves none of its contacts along the normal.
 bool rolls(const RigidBody& body)
 {
-    return !body.parts.empty() &&
+    return !body.is_static && !body.parts.empty() &&
            std::all_of(body.parts.begin(), body.parts.end(), [](const Part& part) {
                return std::holds_alternative<Capsule>(part.shape) ||
                       std::holds_alternative<Torus>(part.shape) ||
@@ -87,25 +87,19 @@ bool rolls(const RigidBody& body)
            });
 }
 
-// The rotation of a body in the step if it rolls; 0 for a body with corners, which hits with them.
-Vector3d rolling_turn(const World& world, const ContactProblem& problem, int i)
-{
-    if (world.bodies[i].is_static || !rolls(world.bodies[i])) return Vector3d::Zero();
-    return problem.time_step * problem.bodies[i].angular_velocity;
-}
-
 // Finds the part of v·n with which the rotation of rolling bodies moves a point towards the other
 // body without closing the gap (`turning_speed`, `passes_by`). A point that moves on along a
 // straight line may reach the other body, although on its real path, a circle, it does not.
-void set_turning(const World& world, const ContactProblem& problem, ContactConstraint& c)
+void set_turning(const ContactProblem& problem, bool rolls1, bool rolls2, ContactConstraint& c)
 {
     // Share of the bend by which the circle may come nearer than the computed clearance: the bend
     // holds for a fixed normal, which on a curved surface turns within the step. Chosen by trial;
     // tests/classics has wheels that roll.
     constexpr double bend_tolerance = 0.1;
+    // The rotation in the step; 0 for a body with corners, which hits with them.
     const Body &body1 = problem.bodies[c.body1], &body2 = problem.bodies[c.body2];
-    const Vector3d turn1 = rolling_turn(world, problem, c.body1);
-    const Vector3d turn2 = rolling_turn(world, problem, c.body2);
+    const double h1 = rolls1 ? problem.time_step : 0, h2 = rolls2 ? problem.time_step : 0;
+    const Vector3d turn1 = h1 * body1.angular_velocity, turn2 = h2 * body2.angular_velocity;
     const Vector3d r1 = c.point - body1.position, r2 = c.point - body2.position;
     const double turned = c.normal.dot(Vector3d(turn1.cross(r1) - turn2.cross(r2)));
     if (turned >= 0) return;
@@ -122,6 +116,19 @@ void set_turning(const World& world, const ContactProblem& problem, ContactConst
     c.turning_speed = turned / problem.time_step;
 }
 
+// What all contacts of a pair of bodies share.
+struct PairValues {
+    int body1 = -1, body2 = -1;
+    double margin = 0, radius = 0; // [m]
+    bool rolls1 = false, rolls2 = false;
+    Material material;
+
+    bool is_of(const Contact& contact) const
+    {
+        return contact.body1 == body1 && contact.body2 == body2;
+    }
+};
+
 // Decides which candidates become contacts of the problem.
 struct Filter {
     const World& world;
@@ -129,23 +136,46 @@ struct Filter {
     const ContactCandidates& candidates;
     std::span<const Body> after_forces;
 
+    PairValues pair_values(int body1, int body2) const
+    {
+        const double r1 = candidates.radii[body1], r2 = candidates.radii[body2];
+        return {body1,
+                body2,
+                candidates.margins[body1] + candidates.margins[body2],
+                r1 > 0 && r2 > 0 ? std::min(r1, r2) : std::max(r1, r2),
+                rolls(world.bodies[body1]),
+                rolls(world.bodies[body2]),
+                material_between(world.pair_laws, world.bodies, body1, body2)};
+    }
+
     // Appends the contact if it may close in this step.
-    void take(const Contact& contact, UninitializedVector<ContactConstraint>& taken) const
+    void take(const Contact& contact, const PairValues& pair,
+              UninitializedVector<ContactConstraint>& taken) const
     {
         const Vector3d &n = contact.normal, &x = contact.point;
         const double free_speed = problem.velocity_between(after_forces, contact, x).dot(n);
-        const double margin = candidates.margins[contact.body1] + candidates.margins[contact.body2];
-        if (contact.gap + problem.time_step * free_speed >= margin) return;
+        if (contact.gap + problem.time_step * free_speed >= pair.margin) return;
 
         ContactConstraint& c = taken.emplace_back(ContactConstraint{contact});
-        set_turning(world, problem, c);
+        if (pair.rolls1 || pair.rolls2) set_turning(problem, pair.rolls1, pair.rolls2, c);
         c.free_speed = free_speed;
         c.force_speed = free_speed - problem.velocity_at(c, x).dot(n);
-        const Material material = material_between(world.pair_laws, world.bodies, c.body1, c.body2);
-        c.restitution = material.restitution;
-        c.friction = material.friction;
-        const double r1 = candidates.radii[c.body1], r2 = candidates.radii[c.body2];
-        c.radius = r1 > 0 && r2 > 0 ? std::min(r1, r2) : std::max(r1, r2);
+        c.restitution = pair.material.restitution;
+        c.friction = pair.material.friction;
+        c.radius = pair.radius;
+    }
+
+    // Those of the contacts that may close in this step. The contacts of a pair follow each other.
+    UninitializedVector<ContactConstraint> take(std::span<const Contact> contacts) const
+    {
+        UninitializedVector<ContactConstraint> taken;
+        taken.reserve(contacts.size());
+        PairValues pair;
+        for (const Contact& contact : contacts) {
+            if (!pair.is_of(contact)) pair = pair_values(contact.body1, contact.body2);
+            take(contact, pair, taken);
+        }
+        return taken;
     }
 };
 
@@ -153,14 +183,10 @@ void take_contacts(const Filter& filter, ContactProblem& problem)
 {
     const std::vector<Contact>& contacts = filter.candidates.contacts;
     constexpr std::size_t grain_size = 256; // contacts
-    problem.contacts = concatenate_ranges(*problem.pool, contacts.size(), grain_size,
-                                          [&](std::size_t first, std::size_t last) {
-                                              UninitializedVector<ContactConstraint> taken;
-                                              taken.reserve(last - first);
-                                              for (std::size_t i = first; i < last; ++i)
-                                                  filter.take(contacts[i], taken);
-                                              return taken;
-                                          });
+    problem.contacts = concatenate_ranges(
+        *problem.pool, contacts.size(), grain_size, [&](std::size_t first, std::size_t last) {
+            return filter.take(std::span(contacts).subspan(first, last - first));
+        });
 }
 
 // Finds the islands and, at the same time, the impulses from which iterative methods start.

@@ -34,21 +34,21 @@ void solve(ContactProblem& problem, const Island& island, std::span<const int> a
     solve_island(problem, island, active);
 }
 
-// Kinetic energy of an island, and the part of it that belongs to the motion relative to the center
-// of mass [J].
+// Kinetic energy of an island as seen from its ground, and the part of it that belongs to the
+// motion relative to the center of mass [J].
 struct Energy {
     double all = 0, inner = 0;
 };
 
-Energy kinetic_energy(const ContactProblem& problem, const Island& island)
+Energy kinetic_energy(const ContactProblem& problem, const Island& island, const Vector3d& V)
 {
     double energy = 0, M = 0;
     Vector3d P(0, 0, 0);
     for (int i : island.bodies) {
         const Body& b = problem.bodies[i];
         const double m = 1 / b.inverse_mass;
-        energy += kinetic_energy_of(b);
-        P += m * b.velocity;
+        energy += kinetic_energy_of(b, V);
+        P += m * (b.velocity - V);
         M += m;
     }
     return {energy, energy - P.squaredNorm() / (2 * M)};
@@ -68,9 +68,10 @@ void resolve(ContactProblem& problem, const Island& island)
     // once. Otherwise it is left to a later step.
     constexpr double rounding = 2 * std::numeric_limits<double>::epsilon();
     const std::vector<Body> bodies = problem.bodies_of(island);
-    const Energy before = kinetic_energy(problem, island);
+    const Vector3d V = problem.grounds_of(island).front().velocity;
+    const Energy before = kinetic_energy(problem, island, V);
     solve(problem, island, active);
-    const double gain = kinetic_energy(problem, island).all - before.all;
+    const double gain = kinetic_energy(problem, island, V).all - before.all;
     if (gain <= rounding * before.all || gain > before.inner) return;
     for (std::size_t k = 0; k < bodies.size(); ++k)
         problem.bodies[island.bodies[k]] = bodies[k];

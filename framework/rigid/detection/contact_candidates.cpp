@@ -2,8 +2,9 @@
 // Contact candidates of a step: all pairs of points that may touch before it ends. The bounds of
 // each body are swept over its free flight, and the broad phase finds the pairs whose bounds
 // overlap. Impulses that pass from body to body widen the margins; the narrow phase then looks for
-// contacts within path and margin. It also lists sleeping bodies that another body may touch, since
-// they have to wake before the step goes on.
+// contacts within path and margin. All motion is measured relative to other bodies and never to the
+// origin, so a scene that moves evenly has the same contacts as at rest. It also lists sleeping
+// bodies that another body may touch, since they have to wake before the step goes on.
 #include "rigid/detection/contact_candidates.hpp"
 
 #include "geometry/shapes/shape_bounds.hpp"
@@ -34,16 +35,27 @@ Bounds body_bounds(const RigidBody& body, const Pose& pose)
     return bounds;
 }
 
-// The largest distance that a point of a body moves in the step, along its path or with its last
-// velocity [m].
-double travel(const RigidState& from, const RigidState& to, double radius, double time_step)
+// How a body moves in the step: its center along its path, and with its last velocity, and how far
+// rotation moves its other points in addition [m].
+struct Travel {
+    Vector3d moved = Vector3d::Zero(), at_last_velocity = Vector3d::Zero();
+    double turned = 0;
+};
+
+Travel travel_of(const RigidState& from, const RigidState& to, double radius, double time_step)
 {
     // A rotation by the angle α changes the quaternion by about α/2. The factor 2.5 instead of 2
     // allows for a quarter more than α, which covers the chord and an axis that tumbles.
     constexpr double angle_per_distance = 2.5;
-    const double moved = (to.position - from.position).norm();
-    return std::max(moved, time_step * to.velocity.norm()) +
-           angle_per_distance * orientation_distance(from.orientation, to.orientation) * radius;
+    return {to.position - from.position, time_step * to.velocity,
+            angle_per_distance * orientation_distance(from.orientation, to.orientation) * radius};
+}
+
+// The largest distance that a point of one body moves relative to one of the other [m].
+double path_between(const Travel& a, const Travel& b)
+{
+    return std::max((a.moved - b.moved).norm(), (a.at_last_velocity - b.at_last_velocity).norm()) +
+           a.turned + b.turned;
 }
 
 // A body in the propagation of impulses.
@@ -71,8 +83,9 @@ double speed_transfer(const ImpulseBody& i, const ImpulseBody& j)
 // Data for the search for contacts.
 struct ContactSearch {
     const World& world;
-    std::vector<Bounds> bounds;   // one for each body, swept over the step
-    std::vector<double> travels;  // one for each body [m]
+    std::vector<Travel> motions;  // one for each body
+    std::vector<Bounds> bounds;   // one for each body, swept over the step in the frame
+    std::vector<double> travels;  // one for each body, relative to what is given in the world [m]
     ContactCandidates candidates; // filled in this order: poses and radii, margins, contacts
     double time_step = 0;         // [s]
 };
@@ -228,7 +241,7 @@ NarrowPhaseResult run_narrow_phase(const ContactSearch& search, std::span<const 
         const double margin = search.candidates.margins[i] + search.candidates.margins[j];
         if (!come_near(search, {i, j}, margin)) continue;
         ++found.counters.pairs_tested;
-        const double path = search.travels[i] + search.travels[j];
+        const double path = path_between(search.motions[i], search.motions[j]);
         const std::size_t first = found.contacts.size();
         find_contacts(search.world, search.candidates.poses, i, j, path + margin, found.contacts,
                       found.counters, search.time_step);
@@ -245,15 +258,57 @@ NarrowPhaseResult run_narrow_phase(const ContactSearch& search, std::span<const 
     return found;
 }
 
+// The motions that others are measured by: those of what is still and of driven bodies, each once.
+// In a world without both it is the motion of the center of mass.
+std::vector<Travel> frames_of(const World& world, std::span<const RigidState> flown,
+                              double time_step)
+{
+    std::vector<Travel> frames;
+    Travel center;
+    double mass = 0;
+    for (std::size_t i = 0; i < world.bodies.size(); ++i) {
+        const RigidBody& body = world.bodies[i];
+        Travel motion;
+        if (!body.is_still()) motion = travel_of(body.state, flown[i], 0, time_step);
+        if (!body.is_static && !body.is_still()) {
+            mass += body.mass;
+            center.moved += body.mass * motion.moved;
+            center.at_last_velocity += body.mass * motion.at_last_velocity;
+            continue;
+        }
+        if (std::none_of(frames.begin(), frames.end(), [&](const Travel& known) {
+                return known.moved == motion.moved &&
+                       known.at_last_velocity == motion.at_last_velocity;
+            }))
+            frames.push_back(motion);
+    }
+    if (frames.empty() && mass > 0)
+        frames.push_back({center.moved / mass, center.at_last_velocity / mass, 0});
+    return frames;
+}
+
+// The displacement that the swept bounds leave out: none if anything is still, since what is still
+// has bounds that are not swept.
+Vector3d frame_of_bounds(const World& world, const std::vector<Travel>& frames)
+{
+    const bool any_still = std::any_of(world.bodies.begin(), world.bodies.end(),
+                                       [](const RigidBody& body) { return body.is_still(); });
+    return any_still || frames.empty() ? Vector3d(0, 0, 0) : frames.front().moved;
+}
+
 // The poses, radii, swept bounds and travel of all bodies.
 ContactSearch start_search(const World& world, std::span<const RigidState> flown, double time_step,
                            ThreadPool& pool)
 {
     constexpr std::size_t grain_size = 32; // bodies
     const std::size_t n = flown.size();
-    ContactSearch search{world, std::vector<Bounds>(n), std::vector<double>(n), {}, time_step};
+    ContactSearch search{
+        world,    std::vector<Travel>(n), std::vector<Bounds>(n), std::vector<double>(n), {},
+        time_step};
     search.candidates.poses.resize(n);
     search.candidates.radii.resize(n);
+    const std::vector<Travel> frames = frames_of(world, flown, time_step);
+    const Vector3d frame = frame_of_bounds(world, frames);
     pool.for_each_range(n, grain_size, [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {
             const RigidBody& body = world.bodies[i];
@@ -261,9 +316,14 @@ ContactSearch start_search(const World& world, std::span<const RigidState> flown
             search.bounds[i] = body_bounds(body, search.candidates.poses[i]);
             if (!body.is_static) search.candidates.radii[i] = body_radius(body);
             if (body.is_still()) continue;
-            search.bounds[i].include(body_bounds(body, pose_of(flown[i])));
+            Pose end = pose_of(flown[i]);
+            end.X -= frame;
+            search.bounds[i].include(body_bounds(body, end));
             const double radius = body.is_static ? body_radius(body) : search.candidates.radii[i];
-            search.travels[i] = travel(body.state, flown[i], radius, time_step);
+            search.motions[i] = travel_of(body.state, flown[i], radius, time_step);
+            for (const Travel& given : frames)
+                search.travels[i] =
+                    std::max(search.travels[i], path_between(search.motions[i], given));
         }
     });
     return search;

@@ -17,6 +17,7 @@
 #include "rigid/detection/shapes/plane_contact.hpp"
 
 #include <algorithm>
+#include <span>
 
 namespace rigor {
 
@@ -153,6 +154,15 @@ void find_in_any_order(const Shape& shape1, const Pose& pose1, const Shape& shap
         contacts[i].normal = -contacts[i].normal;
 }
 
+void sort_by_height(const Vector3d& gravity, std::span<Contact> contacts)
+{
+    const HeightOrder key_of(gravity, contacts,
+                             [](const Contact& t) -> const Vector3d& { return t.point; });
+    std::sort(contacts.begin(), contacts.end(), [&](const Contact& a, const Contact& b) {
+        return key_of(a.point) < key_of(b.point);
+    });
+}
+
 Vector3d velocity_of(const RigidBody& body)
 {
     return body.is_still() ? Vector3d(0, 0, 0) : body.state.velocity;
@@ -191,8 +201,7 @@ void find_contacts(const World& world, const std::vector<Pose>& poses, int body1
     const std::vector<Part>& parts1 = world.bodies[body1].parts;
     const std::vector<Part>& parts2 = world.bodies[body2].parts;
     const bool is_compound = parts1.size() * parts2.size() > 1;
-    std::vector<Contact> found;
-    found.reserve(8); // two faces have up to eight
+    const std::size_t first = contacts.size();
     for (const Part& part1 : parts1) {
         const Pose pose1 = part_pose(poses[body1], part1);
         Bounds bounds1;
@@ -203,22 +212,19 @@ void find_contacts(const World& world, const std::vector<Pose>& poses, int body1
             if (is_compound && !bounds1.overlaps(bounds_of(part2.shape, pose2))) continue;
             try {
                 find_in_any_order(part1.shape, pose1, part2.shape, pose2, move, reach, counters,
-                                  found);
+                                  contacts);
             } catch (const NonFiniteLevelSet& e) {
                 throw NonFiniteState(owner(world.bodies[body1], world.bodies[body2], e.shape),
                                      std::string(e.quantity) + " of the level set", world.time);
             }
         }
     }
-    if (found.size() > 1) {
-        const HeightOrder key_of(world.settings.gravity, found,
-                                 [](const Contact& t) -> const Vector3d& { return t.point; });
-        std::sort(found.begin(), found.end(), [&](const Contact& a, const Contact& b) {
-            return key_of(a.point) < key_of(b.point);
-        });
+    const std::span<Contact> found = std::span(contacts).subspan(first);
+    for (Contact& contact : found) {
+        contact.body1 = body1;
+        contact.body2 = body2;
     }
-    for (const Contact& contact : found)
-        contacts.push_back({contact.point, contact.normal, contact.gap, body1, body2});
+    if (found.size() > 1) sort_by_height(world.settings.gravity, found);
 }
 
 } // namespace rigor

@@ -7,25 +7,35 @@
 #include "rigid/bodies/non_finite.hpp"
 #include "rigid/motion/free_flight.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace rigor {
 
 namespace {
 
-// Whether the collision stage and the contact stage gave a body an impulse.
+// Whether the collision stage and the contact stage gave a body an impulse. What changes a velocity
+// by rounding alone, as between bodies that fall together after a hit, holds nothing.
 struct Impulses {
     bool has_bounced = false, has_contact_impulse = false;
 };
 
+bool holds(const ContactProblem& problem, const ContactConstraint& c)
+{
+    if (c.contact_impulse.isZero(0)) return false;
+    const double rounding = problem.rounding_speed(c);
+    return c.normal_K * c.contact_impulse.norm() > rounding || !std::isfinite(rounding);
+}
+
 std::vector<Impulses> impulses_of(const ContactProblem& problem)
 {
     std::vector<Impulses> impulses(problem.bodies.size());
-    for (const ContactConstraint& c : problem.contacts)
-        for (int i : {c.body1, c.body2}) {
-            if (!c.collision_impulse.isZero(0)) impulses[i].has_bounced = true;
-            if (!c.contact_impulse.isZero(0)) impulses[i].has_contact_impulse = true;
-        }
+    for (const ContactConstraint& c : problem.contacts) {
+        Impulses &first = impulses[c.body1], &second = impulses[c.body2];
+        if (!c.collision_impulse.isZero(0)) first.has_bounced = second.has_bounced = true;
+        if (first.has_contact_impulse && second.has_contact_impulse) continue;
+        if (holds(problem, c)) first.has_contact_impulse = second.has_contact_impulse = true;
+    }
     return impulses;
 }
 
@@ -49,20 +59,31 @@ bool is_of_higher_order(Integrator integrator_when_held)
 bool holds_along_fixed_normals(const ContactProblem& problem, const Island& island,
                                const std::vector<Body>& before)
 {
-    // A normal velocity above this fraction of the speed means that the contact opens or closes; a
-    // smaller one is what the sweeps leave, and moves no point by more than 1e-6 of its way. So is
-    // a smaller impulse of the collision stage, between bodies that gravity accelerates alike.
+    // A normal velocity above this fraction of the speed relative to the ground means that the
+    // contact opens or closes; a smaller one is what the sweeps leave, and moves no point by more
+    // than 1e-6 of its way. So is a smaller impulse of the collision stage, between bodies that
+    // gravity accelerates alike.
     constexpr double opens = 1e-6;
+    // Between bodies at rest the sweeps leave a smaller share of what the forces add.
+    constexpr double left_at_rest = 1e-12;
+    const std::vector<Body> grounds = problem.grounds_of(island);
+    const auto speed_of = [&](const Body& body) {
+        double speed = 0;
+        for (const Body& ground : grounds)
+            speed = std::max(speed, (body.velocity - ground.velocity).norm());
+        return speed;
+    };
     for (const ContactPair& pair : island.pairs)
         for (int i = pair.first; i < pair.last; ++i) {
             const ContactConstraint& c = problem.contacts[i];
             const double hit = c.normal_K * c.collision_impulse.norm(); // change of v·n
             if (c.contact_impulse.isZero(0) && hit == 0) continue;
+            const double none =
+                std::max(left_at_rest * std::abs(c.force_speed), problem.rounding_speed(c));
             for (const std::vector<Body>* bodies : {&before, &problem.bodies}) {
                 const double v_n = problem.velocity_between(*bodies, c, c.point).dot(c.normal);
-                const double speed =
-                    (*bodies)[c.body1].velocity.norm() + (*bodies)[c.body2].velocity.norm();
-                if (std::max(hit, std::abs(v_n)) > opens * speed) return false;
+                const double speed = speed_of((*bodies)[c.body1]) + speed_of((*bodies)[c.body2]);
+                if (std::max(hit, std::abs(v_n)) > std::max(opens * speed, none)) return false;
             }
         }
     return true;

@@ -63,6 +63,7 @@ struct SolidDescription {
     NodeIntegrator integrator = NodeIntegrator::implicit_step;
     FractureMethod fracture_method = FractureMethod::faces;
     YieldTest yield_test = YieldTest::strain;
+    FlowTime flow_time = FlowTime::in_step;
     Vector3d position = Vector3d::Zero(); // position of the frame's origin [m]
     Quaternion orientation;
     Vector3d velocity = Vector3d::Zero();         // velocity of the center of mass [m/s]

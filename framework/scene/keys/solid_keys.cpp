@@ -17,6 +17,7 @@ constexpr std::string_view node_integrators[] = {"explicit", "implicit", "veloci
                                                  "matrix"};
 constexpr std::string_view yield_tests[] = {"strain", "yield_strain", "deviator", "frobenius",
                                             "principal"};
+constexpr std::string_view flow_times[] = {"in_step", "after_step"};
 constexpr std::string_view fracture_methods[] = {"faces", "elements", "virtual_nodes"};
 
 // A solid, and the values whose meaning depends on other keys.
@@ -62,6 +63,10 @@ constexpr Key<SolidDraft> solid_keys[] = {
      "\"deviator\", \"frobenius\" or \"principal\", default the first",
      [](SolidDraft& d, const Value& v) {
          d.solid.yield_test = static_cast<YieldTest>(one_of(v, yield_tests));
+     }},
+    {"flow", "when elements flow: \"in_step\" or once \"after_step\", default the first",
+     [](SolidDraft& d, const Value& v) {
+         d.solid.flow_time = static_cast<FlowTime>(one_of(v, flow_times));
      }},
     {"strength", "> 0: the largest principal stress it bears, it cracks beyond, default any [Pa]",
      [](SolidDraft& d, const Value& v) {

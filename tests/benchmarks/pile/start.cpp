@@ -3,8 +3,8 @@
 // sorting along x; their depth comes from the separating-axis test.
 #include "run.hpp"
 
-#include "support/depth.hpp"
 #include "support/random.hpp"
+#include "support/shapes/depth.hpp"
 
 #include <algorithm>
 #include <cmath>

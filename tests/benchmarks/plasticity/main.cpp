@@ -112,7 +112,7 @@ Series loop(const std::string& name, bool is_dashed, double last, double scale,
 Plot loops()
 {
     Plot plot;
-    plot.title = "A steel strained to and fro";
+    plot.title = "Steel, strained back and forth";
     plot.x_label = "strain [%]: stretch, or angle of shear";
     plot.y_label = "stress [MPa]";
     plot.is_linear = true;

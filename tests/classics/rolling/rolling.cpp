@@ -4,6 +4,11 @@
 // from the moment of inertia alone.
 #include "classics/problems.hpp"
 
+#include "geometry/meshes/generators.hpp"
+#include "geometry/shapes/solid_mesh.hpp"
+
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -17,6 +22,29 @@ namespace {
 Vector3d gravity_on_incline(double angle)
 {
     return {g * std::sin(angle), -g * std::cos(angle), 0};
+}
+
+// A box, and the same box as a mesh, also with a dent in its lower side: dented meshes have other
+// contacts than convex ones.
+std::vector<std::pair<const char*, Shape>> level_grounds()
+{
+    const Vector3d size(20, 1, 20);
+    TriangleMesh dented = box_mesh(size);
+    const auto lower = std::find_if(
+        dented.triangles.begin(), dented.triangles.end(), [&](const std::array<int, 3>& t) {
+            return std::all_of(t.begin(), t.end(),
+                               [&](int v) { return dented.vertices[v].y() < 0; });
+        });
+    const auto [i, j, k] = *lower;
+    const Vector3d middle = (dented.vertices[i] + dented.vertices[j] + dented.vertices[k]) / 3;
+    const int n = static_cast<int>(dented.vertices.size());
+    dented.vertices.push_back(middle + Vector3d(0, 0.3, 0));
+    *lower = {i, j, n};
+    dented.triangles.push_back({j, k, n});
+    dented.triangles.push_back({k, i, n});
+    return {{"box", Box{size}},
+            {"mesh", Mesh{std::make_shared<SolidMesh>(box_mesh(size))}},
+            {"dented mesh", Mesh{std::make_shared<SolidMesh>(dented)}}};
 }
 
 } // namespace
@@ -56,6 +84,33 @@ TEST_CASE("classics: what rolls down an incline has the acceleration of its iner
                     CHECK_THAT(s.position,
                                IsClose(Vector3d(R * Vector3d(a * T * T / 2, wheel.radius, 0)),
                                        Order(1e-9)));
+                }
+}
+
+TEST_CASE("classics: on a box or a mesh a wheel rolls down as on a plane", "[classics]")
+{
+    const std::vector<std::pair<const char*, Shape>> wheels = {{"ball", Sphere{0.25}},
+                                                               {"cylinder", Cylinder{0.25, 0.3}},
+                                                               {"capsule", Capsule{0.25, 0.3}},
+                                                               {"torus", Torus{0.2, 0.05}}};
+    constexpr double radius = 0.25, angle = 0.3, T = 1;
+    for (const auto& [ground, shape] : level_grounds())
+        for (const auto& [name, wheel] : wheels)
+            for (const double h : {1 / 50., 1 / 240.})
+                for (const double heading : {0., 0.8}) {
+                    CAPTURE(ground, name, h, heading);
+                    const Quaternion q = turn({0, 1, 0}, heading);
+                    const Matrix3d R = rotation_matrix(q);
+                    const Eigen::Quaterniond lies = eigen(q) * eigen(turn({1, 0, 0}, pi / 2));
+                    RigidBody body =
+                        body_of(wheel, {0, 0.5 + radius, 0}, {0, 2}, {lies.w(), lies.vec()});
+                    const double k = body.inertia(1, 1) / (body.mass * radius * radius);
+                    World world =
+                        solved({fixed(shape, {0, 2}), body}, R * gravity_on_incline(angle));
+                    run(world, static_cast<int>(std::lround(T / h)), h);
+                    const Vector3d V(g * std::sin(angle) / (1 + k) * T, 0, 0);
+                    CHECK_THAT(world.bodies[1].state.velocity,
+                               IsClose(Vector3d(R * V), Order(1e-6)));
                 }
 }
 

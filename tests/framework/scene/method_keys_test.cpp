@@ -171,6 +171,12 @@ TEST_CASE("yield_by: all formulas let a solid flow alike")
         CHECK(std::abs(sum - strains[0]) < 1e-6 * strains[0]);
 }
 
+TEST_CASE("flow: in the step or after it")
+{
+    CHECK(moved(R"("yield_stress": 2e3)").flow_time == FlowTime::in_step);
+    CHECK(moved(R"("yield_stress": 2e3, "flow": "after_step")").flow_time == FlowTime::after_step);
+}
+
 TEST_CASE("methods: what cannot be is refused in its own line")
 {
     const auto body = [](const std::string& keys) {

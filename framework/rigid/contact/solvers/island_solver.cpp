@@ -64,19 +64,17 @@ double largest(const ContactProblem& problem, std::span<const int> active, const
 
 // The highest speed of a body at a contact [m/s]. Velocity differences below its rounding error are
 // noise.
-// @param ground  the body whose motion does not count; null for the speed in the world
+// @param ground  its motion does not count; a body without motion gives the speed in the world
 double fastest(const ContactProblem& problem, const Island& island, std::span<const int> active,
-               const Body* ground = nullptr)
+               const Body& ground)
 {
     std::vector<std::pair<double, double>> speeds(problem.bodies.size()); // |V|, |ω|
     for (int i : island.bodies) {
-        Vector3d V = problem.bodies[i].velocity, w = problem.bodies[i].angular_velocity;
-        if (ground) {
-            V -= ground->velocity +
-                 ground->angular_velocity.cross(problem.bodies[i].position - ground->position);
-            w -= ground->angular_velocity;
-        }
-        speeds[i] = {V.norm(), w.norm()};
+        const Body& body = problem.bodies[i];
+        const Vector3d carried =
+            ground.velocity + ground.angular_velocity.cross(body.position - ground.position);
+        speeds[i] = {(body.velocity - carried).norm(),
+                     (body.angular_velocity - ground.angular_velocity).norm()};
     }
     return largest(problem, active, [&](const ContactConstraint& c) {
         double speed = 0;
@@ -127,17 +125,20 @@ bool is_at_rest(const ContactProblem& problem, double fastest)
     return fastest <= speed_at_rest * problem.settings.gravity.norm() * problem.time_step;
 }
 
-// The same relative to a driven body, such as a lift or a belt, that the island stands on.
-bool rests_on_driven(const ContactProblem& problem, const Island& island,
-                     std::span<const int> active)
+// The same relative to what the island stands on, such as the ground, a lift or a belt. Bodies that
+// fly together stand on nothing.
+// @param speed  `fastest` in the world, which is the speed relative to a ground without motion
+bool rests(const ContactProblem& problem, const Island& island, std::span<const int> active,
+           const std::vector<Body>& grounds, double speed)
 {
-    return std::any_of(problem.driven.begin(), problem.driven.end(), [&](const DrivenBody& driven) {
-        const bool touches = std::any_of(active.begin(), active.end(), [&](int i) {
-            const ContactConstraint& c = problem.contacts[i];
-            return c.body1 == driven.body || c.body2 == driven.body;
+    const bool is_free =
+        std::none_of(island.pairs.begin(), island.pairs.end(), [&](const ContactPair& pair) {
+            const ContactConstraint& c = problem.contacts[pair.first];
+            return problem.bodies[c.body1].is_static() || problem.bodies[c.body2].is_static();
         });
-        const Body* ground = &problem.bodies[driven.body];
-        return touches && is_at_rest(problem, fastest(problem, island, active, ground));
+    return !is_free && std::any_of(grounds.begin(), grounds.end(), [&](const Body& ground) {
+        const bool moves = !ground.velocity.isZero(0) || !ground.angular_velocity.isZero(0);
+        return is_at_rest(problem, moves ? fastest(problem, island, active, ground) : speed);
     });
 }
 
@@ -158,13 +159,14 @@ bool adds_energy(const ContactProblem& problem, const Island& island, std::span<
     std::vector<int> places(problem.bodies.size(), -1);
     for (std::size_t i = 0; i < island.bodies.size(); ++i)
         places[island.bodies[i]] = static_cast<int>(i);
-    const double before = kinetic_energy_of(bodies);
+    const Vector3d V = problem.grounds_of(island).front().velocity;
+    const double before = kinetic_energy_of(bodies, V);
     for (std::size_t k = 0; k < active.size(); ++k) {
         const ContactConstraint& c = problem.contacts[active[k]];
         if (const int i = places[c.body1]; i >= 0) problem.push(bodies[i], c.point, impulses[k]);
         if (const int i = places[c.body2]; i >= 0) problem.push(bodies[i], c.point, -impulses[k]);
     }
-    return kinetic_energy_of(bodies) > (1 + least_gain) * before;
+    return kinetic_energy_of(bodies, V) > (1 + least_gain) * before;
 }
 
 // Where Newton's method starts, and when its result counts.
@@ -199,19 +201,19 @@ struct SolvePlan {
 SolvePlan plan_for(const ContactProblem& problem, const Island& island, std::span<const int> active)
 {
     const int count = static_cast<int>(active.size());
-    const double speed = fastest(problem, island, active);
-    const bool rests = is_at_rest(problem, speed) || rests_on_driven(problem, island, active);
+    const double speed = fastest(problem, island, active, Body());
+    const bool is_resting = rests(problem, island, active, problem.grounds_of(island), speed);
     const std::size_t bodies = island.bodies.size();
     const bool is_on_joint = bodies == 1 && island.pairs.size() > 1; // sweeps converge slowly there
     const bool is_stack = !is_heap(island);
-    const bool may_use_newton = (rests || is_on_joint) && is_stack;
+    const bool may_use_newton = (is_resting || is_on_joint) && is_stack;
     const double approach = fastest_approach(problem, active);
     const bool is_small = count <= few_contacts || (may_use_newton && bodies <= few_bodies);
     const double tolerance = is_small         ? to_rounding
                              : may_use_newton ? for_newton
-                             : rests          ? for_heaps_at_rest
+                             : is_resting     ? for_heaps_at_rest
                                               : for_moving_heaps;
-    const int times = rests && !may_use_newton ? times_at_rest : 1;
+    const int times = is_resting && !may_use_newton ? times_at_rest : 1;
     const int sweeps = std::clamp(times * most_visits / count, times * fewest_sweeps, most_sweeps);
     return {approach,
             {sweeps, rounding * speed + tolerance * approach},

@@ -65,16 +65,17 @@ std::vector<int> from_the_lowest(const ContactProblem& problem, const Island& is
     return indices;
 }
 
-// The part of v₁ - v₂ that no impulse changes: that of driven bodies, which have no unknowns.
-Vector3d surface_velocity(const ContactProblem& problem, const ContactConstraint& c)
+// The part of v₁ - v₂ that no impulse changes: that of static and driven bodies, which have no
+// unknowns. Like all velocities it is relative to V.
+Vector3d surface_velocity(const ContactProblem& problem, const ContactConstraint& c,
+                          const Vector3d& V)
 {
     Vector3d v = Vector3d::Zero();
-    for (const DrivenBody& driven : problem.driven)
-        for (const auto& [i, sign] : {std::pair(c.body1, 1.0), std::pair(c.body2, -1.0)})
-            if (i == driven.body) {
-                const Body& body = problem.bodies[i];
-                v -= sign * (body.velocity + body.angular_velocity.cross(c.point - body.position));
-            }
+    for (const auto& [i, sign] : {std::pair(c.body1, 1.0), std::pair(c.body2, -1.0)}) {
+        const Body& body = problem.bodies[i];
+        if (!body.is_static()) continue;
+        v -= sign * (body.velocity - V + body.angular_velocity.cross(c.point - body.position));
+    }
     return v;
 }
 
@@ -88,10 +89,13 @@ public:
             unknowns[island.bodies[k]] = static_cast<int>(bodies_.size());
             bodies_.push_back(&free[k]);
         }
+        // Velocities are those relative to the ground, so that their sizes, and with them the
+        // errors that are allowed, are the same in a scene that moves as a whole.
+        const Vector3d V = problem.grounds_of(island).front().velocity;
         const auto n = static_cast<Eigen::Index>(6 * bodies_.size());
         v_free_.resize(n);
         for (std::size_t i = 0; i < bodies_.size(); ++i) {
-            v_free_.segment<3>(6 * i) = bodies_[i]->velocity;
+            v_free_.segment<3>(6 * i) = bodies_[i]->velocity - V;
             v_free_.segment<3>(6 * i + 3) = bodies_[i]->angular_velocity;
             // If a body cannot rotate about an axis, its inverse inertia is singular. A tiny value
             // on the diagonal stands for a very large moment of inertia about that axis.
@@ -110,7 +114,7 @@ public:
             row.n = c.normal;
             row.r1 = c.point - problem.bodies[c.body1].position;
             row.r2 = c.point - problem.bodies[c.body2].position;
-            row.s = c.target_speed * c.normal + surface_velocity(problem, c);
+            row.s = c.target_speed * c.normal + surface_velocity(problem, c, V);
             row.friction = c.friction;
             row.normal_K = c.normal_K;
             row.j = impulses[k];

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 namespace rigor {
 
@@ -234,7 +235,11 @@ void find_core_contacts(const Shape& shape1, const Pose& pose1, const Shape& sha
     const std::size_t first = contacts.size();
     AlongCore(core, field, pose2, reach, contacts).find();
     if (!mesh) return;
-    find_point_contacts(shape1, pose1, *mesh->solid, pose2, reach, counters, contacts);
+    std::vector<Contact> points;
+    find_point_contacts(shape1, pose1, *mesh->solid, pose2, reach, counters, points);
+    constexpr double all = 1; // contacts along the core lie on the core's surface
+    remove_points_ahead(points, shape1, pose1, std::span(contacts).subspan(first), all);
+    contacts.insert(contacts.end(), points.begin(), points.end());
     reduce_contacts(contacts, first, reach);
 }
 

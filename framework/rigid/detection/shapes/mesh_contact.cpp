@@ -6,6 +6,7 @@
 // The result is reduced to a few contacts.
 #include "rigid/detection/shapes/mesh_contact.hpp"
 
+#include "geometry/distance/signed_distance.hpp"
 #include "geometry/shapes/shape_bounds.hpp"
 #include "geometry/shapes/solid_mesh.hpp"
 #include "rigid/detection/shapes/distance_field.hpp"
@@ -15,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace rigor {
 
@@ -146,7 +148,40 @@ DeepestPoint add_points(const Shape& shape1, const Pose& from_1, const SolidMesh
     return deepest;
 }
 
+// Whether a point of a flat face is not the one nearest to the shape, although another contact has
+// the same face.
+bool is_ahead_on_face(const Contact& point, const Shape& shape1, const Pose& pose1,
+                      std::span<const Contact> others, double share)
+{
+    constexpr double same = 1e-6;  // 1 - cosine of the angle between two directions
+    constexpr double level = 1e-6; // distance of two planes, in distances between their points
+    if (point.gap <= 0) return false;
+    const Vector3d x = point.point - point.gap / 2 * point.normal; // on the face
+    const Vector3d away =
+        pose1.R * signed_distance(shape1, pose1.R.transpose() * (x - pose1.X)).normal;
+    if (point.normal.dot(away) < -1 + same) return false;
+    return std::any_of(others.begin(), others.end(), [&](const Contact& c) {
+        if (c.gap >= point.gap || c.normal.dot(point.normal) < 1 - same) return false;
+        const Vector3d apart = c.point - share * c.gap * c.normal - x;
+        return std::abs(apart.dot(c.normal)) <= level * apart.norm();
+    });
+}
+
+bool is_round(const Shape& shape)
+{
+    return std::holds_alternative<Cylinder>(shape) || std::holds_alternative<Cone>(shape) ||
+           std::holds_alternative<Ellipsoid>(shape);
+}
+
 } // namespace
+
+void remove_points_ahead(std::vector<Contact>& points, const Shape& shape1, const Pose& pose1,
+                         std::span<const Contact> others, double share)
+{
+    std::erase_if(points, [&](const Contact& point) {
+        return is_ahead_on_face(point, shape1, pose1, others, share);
+    });
+}
 
 void find_point_contacts(const Shape& shape1, const Pose& pose1, const SolidMesh& mesh2,
                          const Pose& pose2, double reach, Counters& counters,
@@ -172,11 +207,14 @@ void find_mesh_contacts(const Shape& shape1, const Pose& pose1, const Shape& sha
 
     std::vector<Contact> found; // in the frame of shape 2, normals from 2 to 1
     const DeepestPoint of_2 = add_points(shape1, from_1, mesh2, reach, counters, found);
+    std::vector<Contact> own; // contacts of points of shape 1, if it is no mesh
     const DistanceField field2(shape2, counters);
     const Mesh* mesh1 = std::get_if<Mesh>(&shape1);
     const DeepestPoint of_1 =
         mesh1 ? PointsInField(mesh1->solid->surface(), from_1, field2, reach).find(found)
-              : find_smooth_contacts(shape1, from_1, field2, reach, found);
+              : find_smooth_contacts(shape1, from_1, field2, reach, own);
+    if (is_round(shape1)) remove_points_ahead(found, shape1, from_1, own, 0.5);
+    found.insert(found.end(), own.begin(), own.end());
     find_edge_contacts(shape1, from_1, mesh2.surface(), reach, found);
     const bool is_missed = !any_overlaps(found);
     if (is_missed && of_1.gap < 0 && of_1.gap <= of_2.gap)

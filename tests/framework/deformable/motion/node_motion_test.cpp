@@ -164,6 +164,15 @@ TEST_CASE("motion: explicit steps are stable up to their limit and not far beyon
     }
 }
 
+TEST_CASE("motion: a step that would take explicit substeps without end is refused", "[deformable]")
+{
+    DeformableWorld world = world_of(tumbling(NodeIntegrator::explicit_step));
+    for (const double time_step : {1e6, 1e12}) { // some 10⁹ substeps, and more than an int holds
+        CAPTURE(time_step);
+        REQUIRE_THROWS_AS(step(world, time_step), std::domain_error);
+    }
+}
+
 TEST_CASE("motion: implicit steps of any length come to rest", "[deformable]")
 {
     for (const double time_step : {0.2, 1.0, 1000.0}) {

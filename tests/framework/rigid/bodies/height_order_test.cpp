@@ -4,6 +4,7 @@
 #include "support/catch.hpp"
 #include "support/random.hpp"
 
+#include <cmath>
 #include <vector>
 
 using namespace rigor;
@@ -39,5 +40,25 @@ TEST_CASE("height order: heights that differ by rounding are equal", "[rigid]")
         const HeightOrder key_of = order_of({x, rounded, {16, 16, 16}}, {0, -9.81, 0});
         REQUIRE(key_of(x) == key_of(rounded));
         REQUIRE(key_of(x) < key_of(x + Vector3d(0, 1e-8, 0)));
+    }
+}
+
+TEST_CASE("height order: it is the same wherever the points are", "[rigid]")
+{
+    const std::vector<Vector3d> corners = {
+        {0, 0, 0}, {1, 1e-13, 0}, {1, 0, 1}, {0, 0.4, 1e-3}, {-1, 2e-9, 0}};
+    for (unsigned seed = 0; seed < 1000; ++seed) {
+        CAPTURE(seed);
+        Random random(seed);
+        const Vector3d X = std::pow(10, random.uniform(-3, 3)) * random.vector();
+        std::vector<Vector3d> moved;
+        for (const Vector3d& x : corners)
+            moved.push_back(x + X);
+        const HeightOrder here = order_of(corners, {0, -9.81, 0}),
+                          there = order_of(moved, {0, -9.81, 0});
+        for (std::size_t i = 0; i < corners.size(); ++i)
+            for (std::size_t j = 0; j < corners.size(); ++j)
+                REQUIRE((here(corners[i]) < here(corners[j])) ==
+                        (there(moved[i]) < there(moved[j])));
     }
 }

@@ -2,7 +2,7 @@
 // Steps for which one normal for each contact is not enough.
 #include "framework/rigid/worlds.hpp"
 #include "rigid/step/step.hpp"
-#include "support/depth.hpp"
+#include "support/shapes/depth.hpp"
 
 namespace adaptive_substeps_test {
 

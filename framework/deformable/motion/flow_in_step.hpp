@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// The plastic flow within an implicit step.
+#pragma once
+
+#include "deformable/elasticity/element_flow.hpp"
+#include "deformable/elasticity/flow.hpp"
+#include "deformable/motion/velocity_system.hpp"
+
+#include <optional>
+
+namespace rigor {
+
+/// Newton's method for the flow within one implicit step. The stress at the end of a step is that
+/// after the flow, so it depends on the velocities that the step solves for. Each round linearises
+/// the flow of each element about the velocities of the latest solve. The plastic strains of the
+/// solid do not change; `flow` changes them once the nodes have moved.
+class FlowInStep {
+public:
+    /// Begins a step, in which no element has flowed yet.
+    ///
+    /// @param work  with the strains at the start of the step
+    void start(const Deformable& solid, const ElementWorkspace& work, const Settings& settings,
+               double time_step);
+
+    /// Compares the flow of each element with that in the latest solve. If any differs, linearises
+    /// the flow again and puts it into the system.
+    ///
+    /// @return whether any differs, so that the system has to be solved again
+    bool revise(VelocitySystem& system);
+
+    /// The elements whose flow differed from that in the latest solve.
+    const std::vector<int>& changed() const { return changed_; }
+
+private:
+    void linearise(const std::vector<Vector3d>& velocities);
+    void note_error(int element, const Matrix3d& error, const Matrix3d& trial, const Matrix3d& d,
+                    const ElementFlow* solved);
+    bool backtrack(VelocitySystem& system);
+    void apply(VelocitySystem& system);
+    Matrix3d relaxed_stress(const Matrix3d& flow) const;
+    Matrix3d strain_in_step(int element, const std::vector<Vector3d>& velocities) const;
+
+    const Deformable* solid_ = nullptr;
+    const ElementWorkspace* work_ = nullptr;
+    std::optional<FlowRule> rule_;
+    double time_step_ = 0, lambda_ = 0, G_ = 0; // h [s], λ, G [Pa]
+    bool is_first_ = true;                      // whether the latest solve was without flow
+    std::vector<Vector3d> elastic_momenta_;     // right-hand side without flow [N s]
+    std::vector<Vector3d> guess_; // the velocities that the flow was linearised about [m/s]
+    std::vector<ElementFlow> flows_, next_; // the linearised flow, elements ascending
+    std::vector<int> changed_;
+    double excess_ = 0;         // the work of the error of the linearisation from the guess on [J]
+    std::vector<Vector3d> way_; // buffer
+};
+
+} // namespace rigor
