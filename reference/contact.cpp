@@ -96,16 +96,18 @@ Edges reversed(const Edges& edges)
     return result;
 }
 
+// A body on the path of a search.
+struct Visit {
+    int body;
+    std::size_t next; // the index of the edge to follow next
+};
+
 // Depth-first search from `first`. Appends to `found` each body that can be reached from `first`
 // and was not seen yet, including `first` itself, after the bodies that the search reached from it.
 // The path is kept in a list, because a tall stack of bodies could exceed the depth of recursion.
 void search(int first, const Edges& edges, std::vector<bool>& is_seen, std::vector<int>& found)
 {
     if (is_seen[first]) return;
-    struct Visit {
-        int body;
-        std::size_t next; // the index of the edge to follow next
-    };
     std::vector<Visit> path = {{first, 0}};
     is_seen[first] = true;
     while (!path.empty()) {
@@ -121,6 +123,11 @@ void search(int first, const Edges& edges, std::vector<bool>& is_seen, std::vect
         path.push_back({to, 0});
     }
 }
+
+// What has one level. The contacts are those whose higher body has it, the deepest first.
+struct Level {
+    std::vector<int> bodies, contacts;
+};
 
 // The larger eigenvalue λ of K perpendicular to n: that of the matrix (a d; d c) of K in two
 // directions perpendicular to n.
@@ -205,10 +212,6 @@ std::vector<int> contact_levels(const Edges& rests_on, const std::vector<bool>& 
 ContactResult shock_propagation(const Bodies& bodies, const Contacts& contacts,
                                 const std::vector<int>& levels, int n)
 {
-    struct Level {
-        // The contacts are those whose higher body has this level, the deepest first.
-        std::vector<int> bodies, contacts;
-    };
     std::map<int, Level> upwards;
     for (std::size_t i = 0; i < bodies.size(); ++i)
         upwards[levels[i]].bodies.push_back(static_cast<int>(i));

@@ -143,7 +143,7 @@ std::vector<Matrix3d> smooth_stress(const std::vector<Matrix3d>& stresses,
             V += is_index(n, volumes.size()) ? volumes[n] : 0;
         if (!(V > 0) || !std::isfinite(V)) continue;
 
-        // σ̄ₑ = (Vₑ σₑ + Σ Vₙ σₙ) / (Vₑ + Σ Vₙ)
+        // σ̄ₑ = (Vₑ σₑ + Σ Vₘ σₘ) / (Vₑ + Σ Vₘ)
         result[e] = volumes[e] / V * stresses[e];
         for (int n : neighbours[e])
             if (is_index(n, volumes.size())) result[e] += volumes[n] / V * stresses[n];

@@ -154,6 +154,12 @@ void divide(std::vector<Part>& parts, const Vector4d& h)
     }
 }
 
+// The part that holds the first corner comes first.
+bool comes_first(const Part& a, const Part& b)
+{
+    return a.real > b.real;
+}
+
 // A part's share of the volume.
 double fraction(const Part& part)
 {
@@ -225,8 +231,7 @@ EmbeddedMesh virtual_nodes(const TetrahedralMesh& mesh, const std::vector<Elemen
         const int parent = static_cast<int>(t);
         std::vector<Part> parts(1);
         if (cracked.contains(parent)) parts = cracked.at(parent);
-        std::sort(parts.begin(), parts.end(),
-                  [](const Part& a, const Part& b) { return a.real > b.real; });
+        std::sort(parts.begin(), parts.end(), comes_first);
         for (const Part& part : parts) {
             for (int c = 0; c < 4; ++c)
                 if (part.real[c] == 1)

@@ -6,7 +6,7 @@
 
 namespace rigor {
 
-// A7.1  σ̄ₑ = (Vₑ σₑ + Σ Vₙ σₙ) / (Vₑ + Σ Vₙ)
+// A7.1  σ̄ₑ = (Vₑ σₑ + Σ Vₘ σₘ) / (Vₑ + Σ Vₘ)
 std::vector<Matrix3d> smooth_stress(const std::vector<Matrix3d>& stresses,
                                     const std::vector<std::vector<int>>& neighbours,
                                     const std::vector<double>& volumes)

@@ -13,8 +13,8 @@ namespace rigor {
 /// A4.1 Signed distance φ(p) [m], negative inside: trilinear interpolation between the nodes of the
 /// grid cell that contains p.
 ///
-/// Outside the grid: the value at the nearest point of the grid's box, plus the distance to that
-/// point.
+/// A point on the last face of the grid belongs to the last cell. Outside the grid: the value at
+/// the nearest point of the grid's box, plus the distance to that point.
 ///
 /// @param grid  at least 2 nodes along each axis
 double sample_level_set(const LevelSet& grid, const Vector3d& p);
@@ -88,7 +88,8 @@ Body apply_impulse(const Body& body, const Vector3d& x, const Vector3d& j);
 /// A4.11 Index of the deepest contact among those whose bodies still approach, v·n < 0.
 /// Lecture: "Rigid collision algorithms".
 ///
-/// No such contact: empty. Equal depths: the first of them.
+/// The depth may also be 0, or negative where the bodies do not touch yet. No such contact: empty.
+/// Equal depths: the first of them.
 std::optional<int> deepest_approaching_point(const std::vector<ContactPoint>& contacts);
 
 } // namespace rigor

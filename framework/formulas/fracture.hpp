@@ -20,10 +20,11 @@ namespace rigor {
 /// A7.1 The stress of each element, averaged with the stresses of its neighbours and weighted by
 /// volume. The average avoids cracks that are only caused by the mesh.
 ///
-///     σ̄ₑ = (Vₑ σₑ + Σ Vₙ σₙ) / (Vₑ + Σ Vₙ)    over the neighbours n of e
+///     σ̄ₑ = (Vₑ σₑ + Σ Vₘ σₘ) / (Vₑ + Σ Vₘ)    over the neighbours m of e
 ///
 /// @param stresses    one for each element [Pa]
-/// @param neighbours  for each element, the indices of its neighbours
+/// @param neighbours  for each element, the indices of its neighbours; each entry counts, also one
+///                    that repeats another or is the element itself
 /// @param volumes     one for each element, ≥ 0 [m³]; where all averaged volumes are 0, σₑ is kept
 std::vector<Matrix3d> smooth_stress(const std::vector<Matrix3d>& stresses,
                                     const std::vector<std::vector<int>>& neighbours,
@@ -69,15 +70,16 @@ SplitMesh split_along_faces(const TetrahedralMesh& mesh, const std::vector<MeshF
 /// crosses the plane. All tetrahedra of the mesh that have this edge are halved there, also those
 /// without the vertex, so that the mesh stays conforming. The edges are processed one after
 /// another, in any order. Then each tetrahedron of the vertex is on one side of the plane: where
-/// its vertices are that do not lie on the plane, or where its center is if all of them do (above,
-/// if the center is exactly on the plane). The mesh splits, as in `split_along_faces`, along the
-/// faces between tetrahedra on different sides.
-/// The volume is conserved and no tetrahedron is inverted.
+/// its vertices are that do not lie on the plane, or where its center is if all of them do. The
+/// height of the center is the mean of the true heights of its vertices, compared with 0 without a
+/// tolerance (above, if it is exactly 0). The mesh splits, as in `split_along_faces`, along the
+/// faces between tetrahedra on different sides. The volume is conserved and no tetrahedron is
+/// inverted. Origins and parents refer to `mesh`.
 ///
 /// @param vertex  index into the vertices
 /// @param normal  unit normal of the plane
 /// @return  tetrahedra and vertices in any order; unchanged if no vertex of these tetrahedra is
-///          above the plane, or none is below
+///          above the plane, or none is below, or if no tetrahedron has the vertex
 SplitMesh split_element(const TetrahedralMesh& mesh, int vertex, const Vector3d& normal);
 
 /// A7.7 Cracked elements are duplicated and the crack is embedded in them (Molino, Bao and Fedkiw

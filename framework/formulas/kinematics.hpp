@@ -77,8 +77,8 @@ Matrix36d velocity_mode_rates(const Vector3d& V, const Vector3d& v);
 /// A1.13 The force and the torque Σ mᵢ Sᵢᵀ Ṡᵢ u, with u = (V, ω), of particles that move as one
 /// rigid body: vᵢ = ω × (xᵢ - X) + V. Lecture: "Constrained dynamics", "Change of S".
 ///
-/// X may be any point that moves with V. About the center of mass the force is 0 and the torque is
-/// ω × I ω. No particle: zero.
+/// X may be any point that moves with V. Only vᵢ - V enters, so the result does not depend on V.
+/// About the center of mass the force is 0 and the torque is ω × I ω. No particle: zero.
 ///
 /// @param particles  in world space
 Wrench inertial_wrench(const std::vector<Particle>& particles, const Vector3d& X, const Vector3d& V,

@@ -3,10 +3,11 @@
 // Prints each alternative with its points, and the failures of one that lost some. A solution of
 // topic `contact` also runs with each solution of `collision`, whose formulas it calls.
 //
-//     check_alternatives [--seeds N] [--compiled] [NAME or TOPIC]...
+//     check_alternatives [--seeds N] [--compiled] [--topic TOPIC]... [NAME]...
 //
-// Without a name it checks all. N is the number of first seeds. With --compiled it checks each one
-// as both compilers made it at -O0, -O2 and -O3, which the target `compiled_alternatives` builds.
+// Without a name or topic it checks all. N is the number of first seeds. With --compiled it checks
+// each one as both compilers made it at -O0, -O2 and -O3, which the target `compiled_alternatives`
+// builds.
 #include "formulas/table.hpp"
 #include "grading/run_tests.hpp"
 #include "grading/selection.hpp"
@@ -17,6 +18,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <stdexcept>
 
 namespace {
 
@@ -105,7 +107,7 @@ int report(const std::vector<Alternative>& alternatives)
 }
 
 struct Wanted {
-    std::vector<std::string> names; // alternatives or topics; empty for all
+    std::vector<std::string> names, topics; // both empty for all
     unsigned seeds = 1;
     bool is_compiled = false;
 };
@@ -118,10 +120,31 @@ Wanted wanted_of(const std::vector<std::string>& arguments)
             wanted.is_compiled = true;
         else if (arguments[i] == "--seeds" && i + 1 < arguments.size())
             wanted.seeds = static_cast<unsigned>(std::stoul(arguments[++i]));
+        else if (arguments[i] == "--topic" && i + 1 < arguments.size())
+            wanted.topics.push_back(arguments[++i]);
         else
             wanted.names.push_back(arguments[i]);
     }
     return wanted;
+}
+
+// Those that have one of the names or topics, all if there is neither.
+std::vector<Alternative> select(const std::vector<Alternative>& all, const Wanted& wanted)
+{
+    if (wanted.names.empty() && wanted.topics.empty()) return all;
+    std::vector<Alternative> selected;
+    const auto add_all = [&](const std::string& word, auto&& word_of) {
+        const std::size_t before = selected.size();
+        for (const Alternative& each : all)
+            if (word_of(each) == word) selected.push_back(each);
+        if (selected.size() == before)
+            throw std::invalid_argument(fmt::format("no alternative or topic {}", word));
+    };
+    for (const std::string& name : wanted.names)
+        add_all(name, [](const Alternative& each) { return each.name; });
+    for (const std::string& topic : wanted.topics)
+        add_all(topic, [](const Alternative& each) { return each.topic(); });
+    return selected;
 }
 
 // Each alternative by each compiler and level.
@@ -139,13 +162,7 @@ std::vector<Alternative> as_compiled(const std::vector<Alternative>& alternative
 int run(const Wanted& wanted)
 {
     const std::vector<Assignment> assignments = load_assignments(RIGOR_ASSIGNMENTS_DIR);
-    std::vector<Alternative> alternatives = find_alternatives();
-    if (!wanted.names.empty())
-        std::erase_if(alternatives, [&](const Alternative& each) {
-            return std::none_of(
-                wanted.names.begin(), wanted.names.end(),
-                [&](const std::string& name) { return name == each.name || name == each.topic(); });
-        });
+    std::vector<Alternative> alternatives = select(find_alternatives(), wanted);
     if (wanted.is_compiled) alternatives = as_compiled(alternatives);
     testing::judge_all(alternatives, [&](Alternative& each) {
         for (unsigned i = 0; i < wanted.seeds; ++i) {

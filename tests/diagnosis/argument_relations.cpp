@@ -125,6 +125,37 @@ std::string argument_added(const Pairs& pairs, const Layout& arguments, bool is_
     return "";
 }
 
+// The right vector with its part along a unit argument, or its part across it, changed.
+std::string part_changed(const Pairs& pairs, const Layout& arguments)
+{
+    struct Change {
+        double along, across; // the factors of the two parts
+        const char* words;
+    };
+    constexpr Change changes[] = {{1, -1, "with the opposite sign of its part across"},
+                                  {-1, 1, "with the opposite sign of its part along"},
+                                  {1, 0, "without its part across"},
+                                  {0, 1, "without its part along"}};
+    if (!pairs.role.is_vector()) return "";
+    for (int i = 0; i < static_cast<int>(arguments.roles.size()); ++i) {
+        const Role& role = arguments.roles[i];
+        if (role.in_list || !role.is_vector() || role.quantity.kind != Kind::unit) continue;
+        for (const Change& change : changes)
+            if (std::all_of(pairs.list.begin(), pairs.list.end(), [&](const Pair& pair) {
+                    const std::vector<Leaf> leaves = arguments.leaves(*pair.arguments, i);
+                    if (leaves.size() != 1) return false;
+                    const Numbers numbers = pair.arguments->of(leaves[0], role);
+                    const Vector3d n(numbers[0], numbers[1], numbers[2]);
+                    const Vector3d j(pair.right[0], pair.right[1], pair.right[2]);
+                    const Vector3d j_n = j.dot(n) * n;
+                    const Vector3d expected = change.along * j_n + change.across * (j - j_n);
+                    return close({expected.data(), 3}, pair.answer, exact_fit, pair.noise);
+                }))
+                return fmt::format("the right one {} `{}`", change.words, role.name);
+    }
+    return "";
+}
+
 // The right number plus a power of a feature.
 std::string feature_added(const Pairs& pairs, const std::vector<Feature>& features)
 {
@@ -163,6 +194,7 @@ std::string relation_to_arguments(const Pairs& pairs, const Layout& arguments,
     if (pairs.list.empty() || pairs.role.form == Form::boolean || pairs.role.form == Form::integer)
         return "";
     std::string words = argument_added(pairs, arguments, false);
+    if (words.empty()) words = part_changed(pairs, arguments);
     if (words.empty()) words = factor_by_feature(pairs, features);
     if (words.empty()) words = feature_added(pairs, features);
     return words;

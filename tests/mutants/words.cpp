@@ -194,12 +194,18 @@ Mutations changed_variables(const Source& source, const Function& function)
     Mutations result;
     const std::vector<Token>& tokens = source.tokens;
     const Variables variables = variables_of(source, function);
+    std::string_view without_value; // the variable that is being declared
     for (std::size_t i = function.open; i < function.close; ++i) {
         const Token& token = tokens[i];
         const std::string_view before = tokens[i - 1].text;
+        const bool has_type = tokens[i - 1].kind == Token::Kind::word || before == "," ||
+                              before == "&" || before == ">";
+        if (has_type && tokens[i + 1].text == "=" && variables.contains(token.text))
+            without_value = token.text;
+        if (token.text == ";") without_value = {};
         if (token.kind == Token::Kind::word && before != "." && before != "::" && before != "->")
             for (const std::string& other : next_of_type(variables, token.text))
-                result.push_back({token.begin, token.end, other});
+                if (other != without_value) result.push_back({token.begin, token.end, other});
 
         const bool is_call = (token.text == "(" || token.text == "{") &&
                              (tokens[i - 1].kind == Token::Kind::word || before == ">") &&

@@ -4,8 +4,11 @@
 // of a test case goes into its verdict.
 #include "support/close.hpp"
 
+#include "support/largest_error.hpp"
+
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -35,6 +38,12 @@ void note(const std::string& status, const std::string& expected, const std::str
     v.place = difference.place;
 }
 
+void note_error(double error, double tolerance)
+{
+    double& largest = largest_error_in_tolerances();
+    if (tolerance > 0) largest = std::max(largest, error / tolerance);
+}
+
 // A value in short, followed by its wrong component in full.
 std::string with_component(const Components& value, const Component& component)
 {
@@ -45,6 +54,12 @@ std::string with_component(const Components& value, const Component& component)
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 } // namespace
+
+double& largest_error_in_tolerances()
+{
+    static double largest = 0;
+    return largest;
+}
 
 Tolerance Rounding(double k, double scale)
 {
@@ -121,7 +136,10 @@ Difference compare(const Components& actual, const Components& expected, const T
             return difference;
         }
         const double error = a == e ? 0 : std::abs(a - e);
-        if (error == 0 || error <= bound) continue; // 0 also for ∞ = ∞, where the bound may be NaN
+        if (error == 0 || error <= bound) { // 0 also for ∞ = ∞, where the bound may be NaN
+            note_error(error, bound);
+            continue;
+        }
         const double excess = bound > 0 ? error / bound : infinity;
         if (worst.any && (excess < worst_excess || error <= worst.error)) continue;
         worst = {true, found[i].place, error, bound};
@@ -205,6 +223,7 @@ void check_bound(const Bounded& bounded, double scale)
     const auto& [value, excess, law] = bounded;
     const double slack = 4 * eps * scale;
     const bool finite = std::isfinite(value), holds = finite && excess <= slack;
+    if (holds) note_error(excess, slack);
     if (!holds)
         note(finite ? "failed" : "not_finite", law, number(value), "I",
              {true, "", finite ? excess : value, slack});

@@ -5,10 +5,14 @@
 namespace rigor::testing {
 
 void prepare(const RunOptions&) {}
-void begin_test_case(const std::string&) {}
+void begin_test_case(const std::string&, const StalledLine&) {}
 std::string last_call_text()
 {
     return "";
+}
+CostSoFar cost_so_far()
+{
+    return {};
 }
 std::string mistake_text(const std::string&)
 {

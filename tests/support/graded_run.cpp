@@ -9,10 +9,14 @@
 #include "support/verdict.hpp"
 #include "worker/failure.hpp"
 #include "worker/protocol/wire.hpp"
+#include "worker/proxy/own_time.hpp"
 #include "worker/proxy/proxy.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <optional>
+#include <sstream>
 #include <stdexcept>
 #include <system_error>
 
@@ -21,6 +25,13 @@ namespace rigor::testing {
 namespace {
 
 bool follows_through = false;
+int verdicts = -1;
+double longest_stall = 0; // [s] on a processor
+
+// The longest time on a processor for a test case with all its scenes [s].
+constexpr double longest_test = 60 * patience;
+std::optional<OwnTimeLimit> limit_of_test;
+bool is_about_formula = false; // the running test case, and not about scenes
 
 // The assignment of a task: "A2" of "A2.14".
 std::string_view assignment_of(std::string_view tag)
@@ -28,17 +39,37 @@ std::string_view assignment_of(std::string_view tag)
     return tag.substr(0, tag.find('.'));
 }
 
+bool has_formula(std::string_view tag)
+{
+    return std::any_of(std::begin(formulas), std::end(formulas),
+                       [&](const Formula& f) { return f.tag == tag; });
+}
+
 // The formulas that are not what a task is about. The task of a formula is about this one alone; a
 // task about scenes is about all formulas of its assignment.
 FormulaSet others_of(std::string_view tag)
 {
-    const bool has_formula = std::any_of(std::begin(formulas), std::end(formulas),
-                                         [&](const Formula& f) { return f.tag == tag; });
+    const bool is_one_formula = has_formula(tag);
     FormulaSet others;
     for (unsigned i = 0; i < formula_count; ++i)
-        others[i] = has_formula ? formulas[i].tag != tag
-                                : assignment_of(formulas[i].tag) != assignment_of(tag);
+        others[i] = is_one_formula ? formulas[i].tag != tag
+                                   : assignment_of(formulas[i].tag) != assignment_of(tag);
     return others;
+}
+
+// What `cost_so_far` of an earlier run says.
+Spent spent_in(const std::string& text)
+{
+    std::istringstream words(text);
+    double calls = 0, scenes = 0;
+    if (!(words >> calls >> scenes))
+        throw std::runtime_error("graded_tests: expected --spent SECONDS SECONDS TAG…, found " +
+                                 text);
+    Spent spent{std::chrono::duration<double>(calls), std::chrono::duration<double>(scenes), {}};
+    for (std::string tag; words >> tag;)
+        for (unsigned i = 0; i < formula_count; ++i)
+            if (formulas[i].tag == tag) spent.given_up.push_back(FormulaIndex{i});
+    return spent;
 }
 
 } // namespace
@@ -57,12 +88,28 @@ void prepare(const RunOptions& options)
     if (!options.others.empty() && (options.others != "reference" || !oracle))
         throw std::runtime_error("graded_tests: expected --others reference with --oracle FILE");
     follows_through = !options.others.empty();
+    verdicts = options.verdicts;
+    longest_stall = options.stall * patience;
+    if (!options.spent.empty()) worker().budget().go_on_from(spent_in(options.spent));
+}
+
+CostSoFar cost_so_far()
+{
+    const Spent spent = worker().budget().spent();
+    std::string text = fmt::format("{} {}", spent.calls.count(), spent.scenes.count());
+    for (const FormulaIndex formula : spent.given_up)
+        text += fmt::format(" {}", formulas[static_cast<unsigned>(formula)].tag);
+    return {text, worker().budget().report()};
 }
 
 /// Starts a new worker process for each test case, so that no test case can affect the next one.
-void begin_test_case(const std::string& tag)
+void begin_test_case(const std::string& tag, const StalledLine& stalled)
 {
     renew_worker();
+    limit_of_test.reset();
+    limit_of_test.emplace("the test", longest_test);
+    if (verdicts >= 0) watch_own_time({verdicts, stalled.before, stalled.after}, longest_stall);
+    is_about_formula = has_formula(tag);
     if (follows_through) replace_by_reference(others_of(tag));
 }
 
@@ -93,7 +140,7 @@ std::string last_call_text()
 {
     constexpr std::size_t longest = 2000;
     const auto& call = last_call();
-    if (!call || call->arguments.size() > longest) return "";
+    if (!is_about_formula || !call || call->arguments.size() > longest) return "";
     return decoders[static_cast<unsigned>(call->formula)](call->arguments);
 }
 

@@ -5,6 +5,7 @@
 #include "support/catch.hpp"
 
 #include "seeds/drawn_seed.hpp"
+#include "support/largest_error.hpp"
 #include "support/run.hpp"
 #include "support/seeds.hpp"
 #include "support/verdict.hpp"
@@ -23,10 +24,15 @@ namespace {
 
 RunOptions options;
 
+std::string text_of(const nlohmann::ordered_json& line)
+{
+    return line.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
 void send(const nlohmann::ordered_json& line)
 {
     if (options.verdicts < 0) return;
-    std::string text = line.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+    const std::string text = text_of(line);
     for (std::size_t sent = 0; sent < text.size();) {
         const ssize_t n = write(options.verdicts, text.data() + sent, text.size() - sent);
         if (n <= 0) std::_Exit(3); // nobody reads the verdicts any more
@@ -60,13 +66,14 @@ public:
     void testCaseStarting(const Catch::TestCaseInfo& info) override
     {
         verdict() = {};
+        largest_error_in_tolerances() = 0;
         message_.clear();
         start_ = std::chrono::steady_clock::now();
         name_ = info.name;
         tags_ = info.tagsAsString();
         draw_first_seed(name_);
         send({{"begin", name_}, {"tag", task_tag(tags_)}});
-        begin_test_case(task_tag(tags_));
+        begin_test_case(task_tag(tags_), stalled());
     }
 
     AssertionDone assertionEnded(const Catch::AssertionStats& stats) override
@@ -87,6 +94,7 @@ public:
         }
         if (v.status.empty()) v.status = "failed";
         const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start_;
+        const CostSoFar cost = cost_so_far();
         send({{"tag", task_tag(tags_)},
               {"name", name_},
               {"status", v.status},
@@ -95,15 +103,39 @@ public:
               {"actual", v.actual},
               {"error", v.error},
               {"tolerance", v.tolerance},
+              {"largest_error", largest_error_in_tolerances()},
               {"class", v.tolerance_class},
               {"place", v.place},
               {"seed", v.seed},
               {"mistake", mistake()},
+              {"spent", cost.spent},
+              {"cost", cost.report},
               {"hidden", tags_.find("[hidden]") != std::string::npos},
               {"seconds", seconds.count()}});
     }
 
 private:
+    // The verdict of the test case that begins, if it computes without end.
+    StalledLine stalled() const
+    {
+        const char* formula = "FORMULA";
+        const CostSoFar cost = cost_so_far();
+        const std::string text = text_of(
+            {{"tag", task_tag(tags_)},
+             {"name", name_},
+             {"status", "timed_out"},
+             {"message", std::string("does not come to its end: the engine computes without end "
+                                     "with the answers; the formula called last was ") +
+                             formula},
+             {"spent", cost.spent},
+             {"cost", cost.report},
+             {"hidden", tags_.find("[hidden]") != std::string::npos},
+             {"seconds", options.stall},
+             {"stalled", true}});
+        const std::size_t at = text.find(formula);
+        return {text.substr(0, at), text.substr(at + std::strlen(formula))};
+    }
+
     // Why the answers are wrong, if they are.
     std::string mistake() const
     {
@@ -123,7 +155,7 @@ private:
             verdict().actual = result.getExpandedExpression();
         for (const Catch::MessageInfo& info : infos)
             if (info.message != message_) message_ += "\n" + info.message;
-        const std::string call = verdict().seed < 0 ? "" : last_call_text();
+        const std::string call = last_call_text();
         if (!call.empty()) message_ += "\nthe last call was " + call;
     }
 
@@ -163,9 +195,11 @@ int main(int count, char** values)
     options.worker = take(arguments, "--worker");
     options.oracle = take(arguments, "--oracle");
     options.others = take(arguments, "--others");
+    options.spent = take(arguments, "--spent");
     const std::string verdicts = take(arguments, "--verdicts");
-    const std::string seed = take(arguments, "--seed");
+    const std::string seed = take(arguments, "--seed"), stall = take(arguments, "--stall");
     if (!verdicts.empty()) options.verdicts = std::atoi(verdicts.c_str());
+    if (!stall.empty()) options.stall = std::atof(stall.c_str());
     if (!seed.empty())
         set_first_seed(static_cast<unsigned>(std::strtoul(seed.c_str(), nullptr, 10)));
     // The key comes by the environment, which other users cannot read, and goes no further.
@@ -179,5 +213,7 @@ int main(int count, char** values)
         std::fprintf(stderr, "%s\n", error.what());
         return 2;
     }
-    return Catch::Session().run(static_cast<int>(arguments.size()), arguments.data());
+    const int failed = Catch::Session().run(static_cast<int>(arguments.size()), arguments.data());
+    send({{"end", true}});
+    return failed;
 }

@@ -13,6 +13,8 @@ struct RunOptions {
     /// --others reference: formulas that a test case calls and that are not its task's own are
     /// answered by the reference.
     std::string others;
+    std::string spent; // --spent: what an earlier run of the same worker cost, as it said
+    double stall = 8;  // --stall: longest time to compute between two calls of formulas [s]
     int verdicts = -1; // --verdicts: a file descriptor for JSON lines about the test cases
 };
 
@@ -20,12 +22,27 @@ struct RunOptions {
 /// @throws std::runtime_error if an option is missing or wrong
 void prepare(const RunOptions& options);
 
+/// A line that is written if a test case computes without end: a text, the formula that answered
+/// last, and another text.
+struct StalledLine {
+    std::string before, after;
+};
+
 /// Called before each test case. @param tag  the tag of its task; empty if it has none
-void begin_test_case(const std::string& tag);
+void begin_test_case(const std::string& tag, const StalledLine& stalled);
 
 /// The last call of a formula in this test case as C++ to paste; empty if there was none or if it
 /// is too long to read.
 std::string last_call_text();
+
+/// What the worker has cost so far, for a later run and for people.
+struct CostSoFar {
+    /// Seconds for calls and for scenes, and the tags of the formulas that are not asked any more,
+    /// with spaces between them.
+    std::string spent;
+    std::string report; // empty while all is within the free time
+};
+CostSoFar cost_so_far();
 
 /// Why the answers to the formula of this task are wrong, in one sentence. Called after one of the
 /// task's test cases failed. Empty if nothing is known.

@@ -61,6 +61,7 @@ Run run_tests(const std::string& stem, int number, const std::string& tag)
     std::string last;
     const auto on_message = [&](std::string_view line) {
         const nlohmann::json message = nlohmann::json::parse(line);
+        if (message.contains("end")) return;
         if (message.contains("begin")) {
             last = message["begin"];
             return;

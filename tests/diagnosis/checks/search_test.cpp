@@ -92,6 +92,12 @@ TEST_CASE("diagnosis: an argument's part in a wrong answer is named", "[diagnosi
                 [](const MadeArguments& f) -> Vector3d { return right(f) * f.v.norm(); });
     check_found("the right one plus `u`",
                 [](const MadeArguments& f) -> Vector3d { return right(f) + f.u; });
+    check_found(
+        "the right one with the opposite sign of its part across `n`",
+        [](const MadeArguments& f) -> Vector3d { return 2 * right(f).dot(f.n) * f.n - right(f); });
+    check_found("the right one without its part along `n`", [](const MadeArguments& f) -> Vector3d {
+        return right(f) - right(f).dot(f.n) * f.n;
+    });
     check_found("Your answer is `u`", [](const MadeArguments& f) { return f.u; });
     check_found("does not depend on `a`", [](const MadeArguments& f) -> Vector3d {
         return f.A * f.u.cwiseAbs2() + f.v.array().sin().matrix();

@@ -218,7 +218,8 @@ Diagnosis concluded(FormulaIndex formula, const Evidence& evidence, const Means&
     if (remembers(evidence, student))
         return {Diagnosis::By::memory, "",
                 "Your answer to the same arguments changes with the calls before it: a variable "
-                "keeps its value between calls."};
+                "keeps its value between calls, or the code reads what lies behind the end of a "
+                "list."};
     const auto found = explain(evidence, std::ref(student));
     // What was refused for lack of time may have been simpler.
     if (!found || budget.used_up()) return {};

@@ -26,7 +26,7 @@ Limits limits_for(Trust trust)
     if (!is_sanitized) limits.trust = trust;
     limits.start = for_a_task;
     limits.call = for_a_call;
-    limits.all_calls = for_a_task / 3; // a client without an oracle allows three times as much
+    limits.all_calls = for_a_task; // without an oracle, one formula may take all of it
     return limits;
 }
 

@@ -3,6 +3,7 @@
 #include "colliding_pair.hpp"
 #include "formulas/collision.hpp"
 #include "support/close.hpp"
+#include "support/in_words.hpp"
 #include "support/random.hpp"
 #include "support/seeds.hpp"
 
@@ -190,8 +191,10 @@ TEST_CASE("collision: friction is a cone and not a pyramid", "[A4.7][collision]"
         for (int angle = 0; angle < 360; angle += 17) { // all around the normal
             CAPTURE(angle);
             const Vector3d T = across(n, angle * degree);
-            REQUIRE(inside_friction_cone(j_n * n + 0.99 * mu * j_n * T, n, mu));
-            REQUIRE_FALSE(inside_friction_cone(j_n * n + 1.01 * mu * j_n * T, n, mu));
+            check_that(inside_friction_cone(j_n * n + 0.99 * mu * j_n * T, n, mu),
+                       "an impulse with |j_T| = 0.99 μ jₙ is inside, in each direction");
+            check_that(!inside_friction_cone(j_n * n + 1.01 * mu * j_n * T, n, mu),
+                       "an impulse with |j_T| = 1.01 μ jₙ is outside, in each direction");
         }
     }
 }
@@ -215,8 +218,8 @@ TEST_CASE("collision: a block rests on an incline up to the angle of friction", 
             const Vector3d n(std::sin(angle * degree), std::cos(angle * degree), 0);
             return inside_friction_cone(up, n, mu);
         };
-        REQUIRE(rests(theta - 0.01));
-        REQUIRE_FALSE(rests(theta + 0.01));
+        check_that(rests(theta - 0.01), "a block rests on an incline of θ − 0.01°, if μ = tan θ");
+        check_that(!rests(theta + 0.01), "a block slides on an incline of θ + 0.01°, if μ = tan θ");
     }
 }
 

@@ -3,6 +3,7 @@
 #include "formulas/collision.hpp"
 #include "sliding_pair.hpp"
 #include "support/close.hpp"
+#include "support/in_words.hpp"
 #include "support/random.hpp"
 #include "support/seeds.hpp"
 
@@ -41,8 +42,8 @@ TEST_CASE("collision: the oblique sphere slides below a friction of 2/7 and stic
         const Vector3d after = v + K * collision_impulse(K, v, up, 0.5, friction);
         return after.x() > 1e-3 * d;
     };
-    REQUIRE(slides_on(2.0 / 7 * (1 - d)));
-    REQUIRE_FALSE(slides_on(2.0 / 7 * (1 + d)));
+    check_that(slides_on(2.0 / 7 * (1 - d)), "the ball slides on, with a little less than 2/7");
+    check_that(!slides_on(2.0 / 7 * (1 + d)), "the ball sticks, with a little more than 2/7");
 }
 
 TEST_CASE("collision: inside the cone it sticks and outside it slides", "[A4.9][collision]")
@@ -68,8 +69,7 @@ TEST_CASE("collision: inside the cone it sticks and outside it slides", "[A4.9][
             check_sliding(pair, friction, j);
         }
     }
-    REQUIRE(stuck > 10);
-    REQUIRE(slid > 10);
+    check_that(stuck > 10 && slid > 10, "more than ten cases of either kind could be judged");
 }
 
 TEST_CASE("collision: an impulse of a collision pushes and stays in the cone", "[A4.9][collision]")
@@ -102,7 +102,7 @@ TEST_CASE("collision: turn the scene 17 degrees about the normal and the result 
         REQUIRE_THAT(collision_impulse(R * K * R.transpose(), R * v, n, restitution, friction),
                      IsClose(Vector3d(R * j), Rounding(64, impulse_scale(pair))));
     }
-    REQUIRE(cases > 20);
+    check_that(cases > 20, "more than 20 random cases could be judged");
 }
 
 TEST_CASE("collision: a sphere never gains energy from the floor", "[A4.9][collision]")

@@ -4,6 +4,7 @@
 #include "formulas/collision.hpp"
 #include "sliding_pair.hpp"
 #include "support/close.hpp"
+#include "support/in_words.hpp"
 #include "support/random.hpp"
 #include "support/seeds.hpp"
 
@@ -84,20 +85,25 @@ TEST_CASE("collision: narrow friction cones have a border", "[A4.7][collision]")
             CAPTURE(friction);
             // rounding moves the edge by some eps/μ, less than 1e-7
             const double off = 1e-6, size = random.mass();
-            REQUIRE(inside_friction_cone(size * (n + (1 - off) * friction * t), n, friction));
-            REQUIRE(!inside_friction_cone(size * (n + (1 + off) * friction * t), n, friction));
+            check_that(inside_friction_cone(size * (n + (1 - off) * friction * t), n, friction),
+                       "an impulse just within the border is inside");
+            check_that(!inside_friction_cone(size * (n + (1 + off) * friction * t), n, friction),
+                       "an impulse just beyond the border is outside");
         }
     }
 }
 
 TEST_CASE("collision: without friction the cone is a line that only pushes", "[A4.7][collision]")
 {
-    REQUIRE(inside_friction_cone(up, up, 0));
+    check_that(inside_friction_cone(up, up, 0), "an impulse along the normal is inside");
     for (const double off : powers(0, -150)) {
         CAPTURE(off);
-        REQUIRE(!inside_friction_cone({off, 1, 0}, up, 0));
-        REQUIRE(!inside_friction_cone({0, -off, 0}, up, 0));
-        REQUIRE(inside_friction_cone({0, off, 0}, up, 0));
+        check_that(!inside_friction_cone({off, 1, 0}, up, 0),
+                   "without friction an impulse (off, 1, 0) is outside, n = (0, 1, 0)");
+        check_that(!inside_friction_cone({0, -off, 0}, up, 0),
+                   "an impulse (0, -off, 0) that pulls is outside");
+        check_that(inside_friction_cone({0, off, 0}, up, 0),
+                   "an impulse (0, off, 0) that pushes is inside");
     }
 }
 

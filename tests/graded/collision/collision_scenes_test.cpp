@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A4.12: scenes of balls that bounce and roll, blocks on inclines, a rod on ice, a pile of boxes.
+#include "support/in_words.hpp"
 #include "support/scene_run.hpp"
 
 #include <algorithm>
@@ -38,7 +39,7 @@ TEST_CASE("collision: a ball bounces to restitution squared times its height",
         for (const double h : {0.004, 0.002, 0.001}) {
             const Trajectory run = run_scene("a4-collision/bouncing_spheres", h);
             const std::vector<double> heights = apexes(run, body_index(run, name));
-            REQUIRE_FALSE(heights.empty());
+            check_that(!heights.empty(), "a ball bounces");
             // the first bounce from 2 m reaches e² 2 m
             errors.push_back(std::abs(heights[0] / (e * e * 2) - 1));
         }
@@ -139,7 +140,7 @@ TEST_CASE("collision: a rod that falls on ice drops straight down", "[A4.12][col
         REQUIRE_THAT(state.position.z(), IsClose(start.position.z(), Rounding(k, 1)));
         turned = turned || state.angular_momentum.norm() > 0.01;
     }
-    REQUIRE(turned); // it has met the floor
+    check_that(turned, "the rod on ice turns, since it has met the floor");
 }
 
 TEST_CASE("collision: colliding balls never gain energy", "[A4.12][collision][scene]")
@@ -154,12 +155,13 @@ TEST_CASE("collision: colliding balls never gain energy", "[A4.12][collision][sc
         check_at_most(now, before, "energy [J]", start * 64);
         before = now;
     }
-    REQUIRE(before < 0.9 * start);
+    check_that(before < 0.9 * start, "the balls lose a tenth of their energy at least");
 }
 
 TEST_CASE("collision: a pile of boxes settles and gains no energy", "[A4.12][collision][scene]")
 {
-    const Trajectory run = run_scene("a4-collision/hundred_boxes");
+    // half a second before the scene's end the pile is at rest already: 95 J of at most 1318 J
+    const Trajectory run = run_scene("a4-collision/hundred_boxes", {}, R"({"end": 2.5})");
     const Statistics statistics(run.scene, run.bodies);
     const double start = statistics.of(run.frames.front()).total_energy();
     double deepest = 0;

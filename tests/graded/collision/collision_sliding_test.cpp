@@ -3,6 +3,7 @@
 #include "formulas/collision.hpp"
 #include "sliding_pair.hpp"
 #include "support/close.hpp"
+#include "support/in_words.hpp"
 #include "support/random.hpp"
 #include "support/seeds.hpp"
 
@@ -62,7 +63,7 @@ TEST_CASE("collision: sliding friction is μ times the normal impulse against th
         check_sliding(pair, friction,
                       sliding_friction_impulse(pair.K, pair.v, pair.n, pair.restitution, friction));
     }
-    REQUIRE(cases > 50);
+    check_that(cases > 50, "more than 50 random cases could be judged");
 }
 
 TEST_CASE("collision: sliding without friction is the frictionless impulse", "[A4.8][collision]")

@@ -3,6 +3,7 @@
 // component of a normal count however small they are, and there is no smallest speed.
 #include "formulas/collision.hpp"
 #include "sliding_pair.hpp"
+#include "support/in_words.hpp"
 #include "support/seeds.hpp"
 
 #include <limits>
@@ -135,8 +136,7 @@ TEST_CASE("collision: a small friction lets a contact slide, a large one holds i
             ++stuck;
         }
     }
-    REQUIRE(slid > 0);
-    REQUIRE(stuck > 0);
+    check_that(slid > 0 && stuck > 0, "cases of either kind could be judged");
 }
 
 namespace {

@@ -3,6 +3,7 @@
 // `contact` uses them, contacts without friction, and level sets far from the surface.
 #include "formulas/collision.hpp"
 #include "sliding_pair.hpp"
+#include "support/in_words.hpp"
 #include "support/seeds.hpp"
 
 namespace collision_strata_test {
@@ -100,8 +101,11 @@ TEST_CASE("collision: an impulse that pulls is outside of the widest cone", "[A4
     for (int power = 1; power <= 44; ++power) {
         CAPTURE(power);
         const double mu = std::ldexp(1, power + 8), pull = std::ldexp(1, -power);
-        REQUIRE(!inside_friction_cone({1, -pull, 0}, {0, 1, 0}, mu));
-        REQUIRE(inside_friction_cone({1, pull, 0}, {0, 1, 0}, mu));
+        CAPTURE(mu, pull);
+        check_that(!inside_friction_cone({1, -pull, 0}, {0, 1, 0}, mu),
+                   "the impulse (1, -pull, 0), which pulls, is outside, n = (0, 1, 0)");
+        check_that(inside_friction_cone({1, pull, 0}, {0, 1, 0}, mu),
+                   "the impulse (1, pull, 0) is inside, n = (0, 1, 0)");
     }
 }
 
@@ -110,8 +114,11 @@ TEST_CASE("collision: the border of a wide cone is sharp", "[A4.7][collision]")
     for (int power = 1; power <= 44; ++power) {
         CAPTURE(power);
         const double mu = std::ldexp(1, power);
-        REQUIRE(!inside_friction_cone({mu * (1 + 0x1p-20), 1, 0}, {0, 1, 0}, mu));
-        REQUIRE(inside_friction_cone({mu * (1 - 0x1p-20), 1, 0}, {0, 1, 0}, mu));
+        CAPTURE(mu);
+        check_that(!inside_friction_cone({mu * (1 + 0x1p-20), 1, 0}, {0, 1, 0}, mu),
+                   "an impulse whose |j_T| is a little more than μ jₙ is outside");
+        check_that(inside_friction_cone({mu * (1 - 0x1p-20), 1, 0}, {0, 1, 0}, mu),
+                   "an impulse whose |j_T| is a little less than μ jₙ is inside");
     }
 }
 

@@ -4,6 +4,7 @@
 
 #include "contact_cases.hpp"
 #include "support/close.hpp"
+#include "support/in_words.hpp"
 
 namespace rigor::testing {
 
@@ -50,8 +51,8 @@ inline double impulse_size(const ContactCase& problem, const ContactResult& resu
 /// Checks that positions, masses and static bodies are exactly as before.
 inline void check_untouched(const ContactCase& problem, const ContactResult& result)
 {
-    REQUIRE(result.bodies.size() == problem.bodies.size());
-    REQUIRE(result.impulses.size() == problem.contacts.size());
+    check_count(result.bodies.size(), problem.bodies.size(), "bodies");
+    check_count(result.impulses.size(), problem.contacts.size(), "impulses, one for each contact");
     for (std::size_t i = 0; i < problem.bodies.size(); ++i) {
         const Body &before = problem.bodies[i], &after = result.bodies[i];
         CAPTURE(i);
@@ -111,7 +112,7 @@ inline void check_momenta(const ContactCase& problem, const ContactResult& resul
 /// Checks that contacts push, and that friction is at most μ times the normal impulse.
 inline void check_cones(const ContactCase& problem, const ContactResult& result, int visits)
 {
-    REQUIRE(result.impulses.size() == problem.contacts.size());
+    check_count(result.impulses.size(), problem.contacts.size(), "impulses, one for each contact");
     const double scale = 16.0 * (1 + visits);
     for (std::size_t i = 0; i < problem.contacts.size(); ++i) {
         const Vector3d &n = problem.contacts[i].normal, &j = result.impulses[i];

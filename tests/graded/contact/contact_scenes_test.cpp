@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A5.6: bodies that must stay, bodies that must fall, and the loads that they carry.
+#include "support/in_words.hpp"
 #include "support/scene_run.hpp"
 
 #include <algorithm>
@@ -30,8 +31,7 @@ double farthest(const Trajectory& run, const std::string& prefix, double until)
             if (frame.time <= until)
                 distance = std::max(distance, (frame.bodies[i].position - start).norm());
     }
-    INFO("bodies called " + prefix);
-    REQUIRE(bodies > 0);
+    check_that(bodies > 0, "the scene has bodies called " + prefix);
     return distance;
 }
 
@@ -157,8 +157,8 @@ TEST_CASE("contact: dominoes fall one after the other", "[A5.6][contact][scene]"
             return uprightness(f, body) < std::cos(std::acos(-1.0) / 6); // leans by 30°
         });
         CAPTURE(k, before);
-        REQUIRE(fallen != run.frames.end());
-        REQUIRE(fallen->time > before);
+        check_that(fallen != run.frames.end(), "domino k falls");
+        check_that(fallen->time > before, "domino k falls later than the one before it");
         before = fallen->time;
     }
 }

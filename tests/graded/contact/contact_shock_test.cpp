@@ -199,8 +199,8 @@ TEST_CASE("contact: shock propagation without iterations or contacts changes not
     }
     const ContactResult untouched = propagated({problem.bodies, {}}, {0, 1, 2, 3});
     REQUIRE_THAT(untouched.bodies, IsExactly(problem.bodies));
-    REQUIRE(untouched.impulses.empty());
-    REQUIRE(propagated({}, {}).bodies.empty());
+    check_count(untouched.impulses.size(), 0, "impulses");
+    check_count(propagated({}, {}).bodies.size(), 0, "bodies");
 }
 
 } // namespace rigor::testing::contact_shock_test

@@ -245,8 +245,8 @@ TEST_CASE("contact: simultaneously without contacts nothing changes", "[A5.5][co
 {
     const Bodies bodies = random_case(1, true).bodies;
     REQUIRE_THAT(resolve_simultaneously(bodies, {}, 10).bodies, IsExactly(bodies));
-    REQUIRE(resolve_simultaneously(bodies, {}, 10).impulses.empty());
-    REQUIRE(resolve_simultaneously({}, {}, 10).bodies.empty());
+    check_count(resolve_simultaneously(bodies, {}, 10).impulses.size(), 0, "impulses");
+    check_count(resolve_simultaneously({}, {}, 10).bodies.size(), 0, "bodies");
 }
 
 } // namespace rigor::testing::contact_simultaneous_test

@@ -72,21 +72,10 @@ TEST_CASE("contact: a heap of many contacts is resolved whole", "[A5.2][contact]
 
 TEST_CASE("contact: each of many iterations has its own restitution", "[A5.2][contact]")
 {
-    // The ends of a rod, left first. An impulse j at one end changes its velocity by 4 j, and that
-    // of the other end by -2 j.
-    const ContactCase problem = {{Body(), rod(-up)},
-                                 {touch(1, 0, 0.02, {-1, 0, 0}), touch(1, 0, 0.01, {1, 0, 0})}};
+    const ContactCase problem = rod_on_both_ends();
     for (const int n : {2, 10, 25, 60, 200}) {
         CAPTURE(n);
-        double v[2] = {-1, -1}, sums[2] = {0, 0};
-        for (int k = 0; k < n; ++k)
-            for (int i = 0; i < 2; ++i)
-                if (v[i] < 0) {
-                    const double j = -(k + 1.0) / n * v[i] / 4;
-                    v[i] += 4 * j;
-                    v[1 - i] -= 2 * j;
-                    sums[i] += j;
-                }
+        const std::array<double, 2> sums = impulses_on_both_ends(n);
         const ContactResult result = resolve_contacts(problem.bodies, problem.contacts, n);
         for (int i = 0; i < 2; ++i)
             REQUIRE_THAT(result.impulses[i],

@@ -33,7 +33,7 @@ ContactResult resolved(const ContactCase& problem, int n)
 // Checks the upward impulses at the two ends of the rod.
 void check_ends(const ContactResult& result, double left, double right)
 {
-    REQUIRE(result.impulses.size() == 2);
+    check_count(result.impulses.size(), 2, "impulses, one for each contact");
     REQUIRE_THAT(result.impulses[0], IsClose(Vector3d(0, left, 0), Rounding(32, 1)));
     REQUIRE_THAT(result.impulses[1], IsClose(Vector3d(0, right, 0), Rounding(32, 1)));
 }
@@ -208,8 +208,8 @@ TEST_CASE("contact: without iterations or contacts nothing changes", "[A5.2][con
                      IsExactly(std::vector<Vector3d>(problem.contacts.size(), {0, 0, 0})));
     }
     REQUIRE_THAT(resolve_contacts(problem.bodies, {}, 10).bodies, IsExactly(problem.bodies));
-    REQUIRE(resolve_contacts(problem.bodies, {}, 10).impulses.empty());
-    REQUIRE(resolve_contacts({}, {}, 10).bodies.empty());
+    check_count(resolve_contacts(problem.bodies, {}, 10).impulses.size(), 0, "impulses");
+    check_count(resolve_contacts({}, {}, 10).bodies.size(), 0, "bodies");
 }
 
 TEST_CASE("contact: between two static bodies nothing happens", "[A5.2][contact]")

@@ -52,14 +52,14 @@ void check_new_vertices(const TetrahedralMesh& mesh, const SplitMesh& result, in
     for (const auto& [first, second, t] : result.origins) {
         if (first == second || t == 0 || t == 1) continue; // an old vertex
         const std::array<int, 2> edge = {std::min(first, second), std::max(first, second)};
-        INFO("a new vertex, on an edge that the plane cuts");
         CAPTURE(edge[0], edge[1]);
-        REQUIRE(expected.contains(edge));
+        check_that(expected.contains(edge), "a new vertex lies on an edge that the plane cuts");
+        INFO("where on its edge a new vertex is");
         REQUIRE_THAT(first < second ? t : 1 - t, IsClose(expected[edge], Rounding(256, 1)));
         found.insert(edge);
     }
-    INFO("edges with a new vertex, and edges that the plane cuts");
-    REQUIRE(found.size() == expected.size());
+    check_count(found.size(), expected.size(),
+                "edges with a new vertex, those that the plane cuts");
 }
 
 // Checks that all matter around each copy of the vertex is on one side of the plane, and that both
@@ -85,14 +85,13 @@ void check_sides(const TetrahedralMesh& mesh, const SplitMesh& result, int verte
         }
     int above = 0, below = 0;
     for (const auto& [copy, side] : sides) {
-        INFO("whether a copy of the vertex has matter above the plane, and below: one of the two");
         CAPTURE(copy);
-        REQUIRE(side[0] != side[1]);
+        check_that(side[0] != side[1],
+                   "all matter around a copy of the vertex is above the plane, or all is below");
         ++(side[0] ? above : below);
     }
-    INFO("copies of the vertex above the plane, and below");
-    REQUIRE(above > 0);
-    REQUIRE(below > 0);
+    check_that(above > 0, "a copy of the vertex has matter above the plane");
+    check_that(below > 0, "a copy of the vertex has matter below the plane");
 }
 
 SplitMesh split(const TetrahedralMesh& mesh, int vertex, const Vector3d& n)
@@ -108,8 +107,8 @@ void check_unchanged(const TetrahedralMesh& mesh, int vertex, const Vector3d& n)
 {
     const SplitMesh result = split_element(mesh, vertex, n);
     check_split(mesh, result);
-    REQUIRE(vertex_count(result.mesh) == vertex_count(mesh));
-    REQUIRE(tetrahedron_count(result.mesh) == tetrahedron_count(mesh));
+    check_count(vertex_count(result.mesh), vertex_count(mesh), "vertices");
+    check_count(tetrahedron_count(result.mesh), tetrahedron_count(mesh), "tetrahedra");
 }
 
 // A vertex with tetrahedra left and right of x = 1, or -1 if there is none.
@@ -133,10 +132,9 @@ TEST_CASE("fracture: a plane through two vertices halves a tetrahedron", "[A7.6]
     for (const double sign : {1.0, -1.0}) {
         const SplitMesh result =
             split(unit_tetrahedron(), 0, sign * Vector3d(1, -1, 0).normalized());
-        REQUIRE(tetrahedron_count(result.mesh) == 2);
-        REQUIRE(vertex_count(result.mesh) == 8);
-        REQUIRE_THAT(piece_volumes(result.mesh),
-                     IsClose(std::vector{1.0 / 12, 1.0 / 12}, Rounding(16, 1)));
+        check_count(tetrahedron_count(result.mesh), 2, "tetrahedra");
+        check_count(vertex_count(result.mesh), 8, "vertices");
+        check_piece_volumes(result.mesh, std::vector{1.0 / 12, 1.0 / 12}, Rounding(16, 1));
     }
 }
 
@@ -145,11 +143,10 @@ TEST_CASE("fracture: a plane through one vertex cuts off a corner", "[A7.6][frac
     // The plane 2x = y + z cuts the edges from 1 to 2 and from 1 to 3 at a third of their length
     // from their other end.
     const SplitMesh result = split(unit_tetrahedron(), 0, Vector3d(2, -1, -1).normalized());
-    REQUIRE(tetrahedron_count(result.mesh) == 3);
-    REQUIRE(vertex_count(result.mesh) == 4 + 5);
+    check_count(tetrahedron_count(result.mesh), 3, "tetrahedra");
+    check_count(vertex_count(result.mesh), 4 + 5, "vertices");
     const double corner = 2.0 / 3 * 2 / 3 / 6;
-    REQUIRE_THAT(piece_volumes(result.mesh),
-                 IsClose(std::vector{corner, 1.0 / 6 - corner}, Rounding(32, 1)));
+    check_piece_volumes(result.mesh, std::vector{corner, 1.0 / 6 - corner}, Rounding(32, 1));
 }
 
 TEST_CASE("fracture: a vertex near the plane counts as on it", "[A7.6][fracture]")
@@ -163,14 +160,14 @@ TEST_CASE("fracture: a vertex near the plane counts as on it", "[A7.6][fracture]
     for (const double near : {0.0499999, -0.0499999, 0.01}) {
         CAPTURE(near);
         const SplitMesh result = split(unit_tetrahedron(), 0, tilted(near));
-        REQUIRE(tetrahedron_count(result.mesh) == 2);
-        REQUIRE(vertex_count(result.mesh) == 8);
+        check_count(tetrahedron_count(result.mesh), 2, "tetrahedra");
+        check_count(vertex_count(result.mesh), 8, "vertices");
     }
     for (const double off : {0.0500001, -0.0500001, 0.1}) {
         CAPTURE(off);
         const SplitMesh result = split(unit_tetrahedron(), 0, tilted(off));
-        REQUIRE(tetrahedron_count(result.mesh) == 3);
-        REQUIRE(vertex_count(result.mesh) == 9);
+        check_count(tetrahedron_count(result.mesh), 3, "tetrahedra");
+        check_count(vertex_count(result.mesh), 9, "vertices");
     }
 }
 
@@ -193,9 +190,9 @@ TEST_CASE("fracture: a neighbour is halved with the edge that it shares", "[A7.6
     // The plane goes through 0, 3 and the middle of the edge 1 2, which the second tetrahedron has
     // too. That one is cut, but does not come apart, since only vertex 0 is doubled.
     const SplitMesh result = split(two_tetrahedra(), 0, Vector3d(1, -1, 0).normalized());
-    REQUIRE(tetrahedron_count(result.mesh) == 4);
-    REQUIRE(vertex_count(result.mesh) == 5 + 1 + 1);
-    REQUIRE(piece_count(result.mesh) == 1);
+    check_count(tetrahedron_count(result.mesh), 4, "tetrahedra");
+    check_count(vertex_count(result.mesh), 5 + 1 + 1, "vertices");
+    check_count(piece_count(result.mesh), 1, "pieces");
     std::vector<int> parents = sorted(result.parents);
     REQUIRE_THAT(parents, IsExactly(std::vector{0, 0, 1, 1}));
 }
@@ -204,10 +201,11 @@ TEST_CASE("fracture: a plane along faces cuts no tetrahedron", "[A7.6][fracture]
 {
     const TetrahedralMesh cube = block(4, 4, 4);
     for (const Vector3d& n : {Vector3d(1, 0, 0), Vector3d(0, 1, 0), Vector3d(0, 0, -1)}) {
-        CAPTURE(n.transpose());
+        CAPTURE(n);
         const SplitMesh result = split(cube, block_vertex(4, 4, 2, 2, 2), n);
-        REQUIRE(tetrahedron_count(result.mesh) == tetrahedron_count(cube));
-        REQUIRE(vertex_count(result.mesh) == vertex_count(cube) + 1); // the rim stays closed
+        check_count(tetrahedron_count(result.mesh), tetrahedron_count(cube), "tetrahedra");
+        check_count(vertex_count(result.mesh), vertex_count(cube) + 1,
+                    "vertices"); // the rim stays closed
     }
 }
 
@@ -215,11 +213,10 @@ TEST_CASE("fracture: every plane through its middle halves an octahedron", "[A7.
 {
     for (const Vector3d& n : {Vector3d(1, 2, 3), Vector3d(-2, 1, 4), Vector3d(1, 1, -1),
                               Vector3d(3, 0, 4), Vector3d(0, 1, 0)}) {
-        CAPTURE(n.transpose());
+        CAPTURE(n);
         const SplitMesh result = split(octahedron(), 0, n.normalized());
-        REQUIRE(piece_count(result.mesh) == 2);
-        REQUIRE_THAT(piece_volumes(result.mesh),
-                     IsClose(std::vector{2.0 / 3, 2.0 / 3}, Rounding(64, 1)));
+        check_count(piece_count(result.mesh), 2, "pieces");
+        check_piece_volumes(result.mesh, std::vector{2.0 / 3, 2.0 / 3}, Rounding(64, 1));
     }
 }
 
@@ -227,7 +224,7 @@ TEST_CASE("fracture: the area of a crack through an octahedron", "[A7.6][fractur
 {
     // the plane x + y + z = 0 meets the edges in their middles: a regular hexagon of side 1/√2
     const SplitMesh result = split(octahedron(), 0, Vector3d(1, 1, 1).normalized());
-    REQUIRE(vertex_count(result.mesh) == 6 + 2 * 7);
+    check_count(vertex_count(result.mesh), 6 + 2 * 7, "vertices");
     const double hexagon = 1.5 * std::numbers::sqrt3 / 2;
     REQUIRE_THAT(surface_areas(result.mesh).cracks, IsClose(2 * hexagon, Rounding(64, 1)));
 }
@@ -240,13 +237,13 @@ TEST_CASE("fracture: cuts at the vertices of a section break a bar there", "[A7.
     bar.mesh = block(2, 1, 1);
     int cuts = 0;
     for (int next = two_sided_vertex(bar.mesh); next >= 0; next = two_sided_vertex(bar.mesh)) {
-        REQUIRE(piece_count(bar.mesh) == 1);
+        check_count(piece_count(bar.mesh), 1, "pieces");
         bar = split(bar.mesh, next, Vector3d::UnitX());
-        REQUIRE(tetrahedron_count(bar.mesh) == 12);
-        REQUIRE(++cuts <= 4);
+        check_count(tetrahedron_count(bar.mesh), 12, "tetrahedra");
+        check_that(++cuts <= 4, "the bar is in two pieces after four cuts at most");
     }
-    REQUIRE(vertex_count(bar.mesh) == 16);
-    REQUIRE_THAT(piece_volumes(bar.mesh), IsClose(std::vector{1.0, 1.0}, Rounding(16, 1)));
+    check_count(vertex_count(bar.mesh), 16, "vertices");
+    check_piece_volumes(bar.mesh, std::vector{1.0, 1.0}, Rounding(16, 1));
 }
 
 TEST_CASE("fracture: a cut keeps volume and center and inverts nothing",
@@ -296,9 +293,9 @@ TEST_CASE("fracture: the way a mesh is numbered does not matter to where it is c
         // the second normal points the other way
         const SplitMesh one = split_element(mesh, vertex, n);
         const SplitMesh two = split_element(other.mesh, other.vertex[vertex], -n);
-        REQUIRE(vertex_count(two.mesh) == vertex_count(one.mesh));
-        REQUIRE(piece_count(two.mesh) == piece_count(one.mesh));
-        REQUIRE_THAT(piece_volumes(two.mesh), IsClose(piece_volumes(one.mesh), Rounding(256, 4)));
+        check_count(vertex_count(two.mesh), vertex_count(one.mesh), "vertices");
+        check_count(piece_count(two.mesh), piece_count(one.mesh), "pieces");
+        check_piece_volumes(two.mesh, piece_volumes(one.mesh), Rounding(256, 4));
         REQUIRE_THAT(surface_areas(two.mesh).cracks,
                      IsClose(surface_areas(one.mesh).cracks, Rounding(256, 4)));
     }
@@ -309,7 +306,8 @@ TEST_CASE("fracture: a large mesh is cut at one vertex", "[A7.6][fracture]")
     const TetrahedralMesh cube = block(16, 16, 16); // 24576 tetrahedra
     const SplitMesh result =
         split_element(cube, block_vertex(16, 16, 8, 8, 8), Vector3d(1, 2, 3).normalized());
-    REQUIRE(vertex_count(result.mesh) > vertex_count(cube) + 1);
+    check_that(vertex_count(result.mesh) > vertex_count(cube) + 1,
+               "new vertices on the edges that the plane cuts");
     REQUIRE_THAT(volume(result.mesh), IsClose(4096.0, Rounding(24576, 4096))); // 24576 summands
 }
 

@@ -13,17 +13,18 @@ using Faces = std::vector<MeshFace>;
 SplitMesh split(const TetrahedralMesh& mesh, const Faces& faces)
 {
     const SplitMesh result = split_along_faces(mesh, faces);
-    REQUIRE(result.mesh.tetrahedra.size() == mesh.tetrahedra.size());
+    check_count(tetrahedron_count(result.mesh), tetrahedron_count(mesh), "tetrahedra");
     check_indices(result.mesh);
     REQUIRE_THAT(corners(result.mesh), IsExactly(corners(mesh)));
-    REQUIRE(result.origins.size() == result.mesh.vertices.size());
-    REQUIRE(result.parents.size() == mesh.tetrahedra.size());
+    check_count(result.origins.size(), vertex_count(result.mesh), "origins, one for each vertex");
+    check_count(result.parents.size(), tetrahedron_count(mesh),
+                "parents, one for each tetrahedron");
     for (int t = 0; t < tetrahedron_count(mesh); ++t) {
-        REQUIRE(result.parents[t] == t);
+        check_that(result.parents[t] == t, "the parent of a tetrahedron is this tetrahedron");
         for (int c = 0; c < 4; ++c) {
             const VertexOrigin& origin = result.origins[result.mesh.tetrahedra[t][c]];
-            REQUIRE(origin.first == mesh.tetrahedra[t][c]);
-            REQUIRE(origin.second == origin.first);
+            check_that(origin.first == mesh.tetrahedra[t][c] && origin.second == origin.first,
+                       "the origin of a corner's vertex names, twice, the vertex before");
             REQUIRE_THAT(origin.fraction, IsExactly(0.0));
         }
     }
@@ -46,21 +47,22 @@ Faces random_faces(const TetrahedralMesh& mesh, Random& random, double chance)
     return result;
 }
 
-// Checks the definition: corners that faces hold together are one vertex, and others are not.
+// Checks that both sides of a face that holds have the same vertices. No other corners have one in
+// common, so there are as many vertices as groups of corners that faces hold together.
 void check_definition(const TetrahedralMesh& mesh, const Faces& faces, const SplitMesh& result)
 {
     std::set<std::array<int, 3>> cut;
     for (const MeshFace& face : faces)
         cut.insert(face_vertices(mesh.tetrahedra[face.tetrahedron], face.face));
     const auto holds = [&](const std::array<int, 3>& face) { return !cut.contains(face); };
-    const std::vector<int> label =
-        groups(4 * mesh.tetrahedra.size(), links_through_faces(mesh, holds));
-
-    std::vector<Tetrahedron> expected = mesh.tetrahedra;
-    for (int t = 0; t < tetrahedron_count(mesh); ++t)
-        for (int c = 0; c < 4; ++c)
-            expected[t][c] = label[4 * t + c];
-    REQUIRE_THAT(canonical(result.mesh.tetrahedra), IsExactly(canonical(expected)));
+    const auto vertex = [&](int corner) { return result.mesh.tetrahedra[corner / 4][corner % 4]; };
+    const auto links = links_through_faces(mesh, holds);
+    for (const auto& [one, other] : links) {
+        check_that(vertex(one) == vertex(other),
+                   "both sides of a face that holds have the same vertices");
+    }
+    check_count(vertex_count(result.mesh), group_count(groups(4 * mesh.tetrahedra.size(), links)),
+                "vertices: corners have one in common only where faces hold them together");
 }
 
 } // namespace
@@ -87,8 +89,8 @@ TEST_CASE("fracture: two tetrahedra part at the face between them", "[A7.5][frac
     for (const Faces& faces :
          {Faces{{0, 0}}, Faces{{1, 0}}, Faces{{0, 0}, {1, 0}}, Faces{{1, 0}, {1, 0}, {0, 2}}}) {
         const SplitMesh result = split(two_tetrahedra(), faces);
-        REQUIRE(vertex_count(result.mesh) == 8);
-        REQUIRE(piece_count(result.mesh) == 2);
+        check_count(vertex_count(result.mesh), 8, "vertices");
+        check_count(piece_count(result.mesh), 2, "pieces");
     }
 }
 
@@ -97,9 +99,9 @@ TEST_CASE("fracture: a bar is cut across", "[A7.5][fracture]")
     const TetrahedralMesh bar = block(3, 1, 1);
     const Faces faces = faces_where(bar, [](const Vector3d& x) { return x.x() == 1; });
     const SplitMesh result = split(bar, faces);
-    REQUIRE(vertex_count(result.mesh) == vertex_count(bar) + 4);
-    REQUIRE(piece_count(result.mesh) == 2);
-    REQUIRE_THAT(piece_volumes(result.mesh), IsClose(std::vector{1.0, 2.0}, Rounding(16, 2)));
+    check_count(vertex_count(result.mesh), vertex_count(bar) + 4, "vertices");
+    check_count(piece_count(result.mesh), 2, "pieces");
+    check_piece_volumes(result.mesh, std::vector{1.0, 2.0}, Rounding(16, 2));
     check_split(bar, result);
 }
 
@@ -109,7 +111,7 @@ TEST_CASE("fracture: one face inside a solid stays closed", "[A7.5][fracture]")
     const Faces inside = faces_where(cube, [](const Vector3d& x) {
         return x.minCoeff() >= 1 && x.maxCoeff() <= 2; // a face of the cell in the middle
     });
-    REQUIRE(inside.size() == 24 + 12);
+    check_count(inside.size(), 24 + 12, "faces of the cell in the middle");
     for (const MeshFace& face : inside)
         check_unchanged(cube, {face});
 }
@@ -126,21 +128,22 @@ TEST_CASE("fracture: the rim of a crack stays closed", "[A7.5][fracture]")
         if (std::count(vertices.begin(), vertices.end(), middle) == 1) disc.push_back(face);
     }
     const SplitMesh opened = split(block_of_32, disc);
-    REQUIRE(vertex_count(opened.mesh) == vertex_count(block_of_32) + 1);
-    REQUIRE(piece_count(opened.mesh) == 1);
+    check_count(vertex_count(opened.mesh), vertex_count(block_of_32) + 1, "vertices");
+    check_count(piece_count(opened.mesh), 1, "pieces");
     check_split(block_of_32, opened);
 
     const TetrahedralMesh cube = block(2, 2, 2);
     // the crack goes from the side y = 0 half way: the three vertices of that side are doubled
     const SplitMesh half =
         split(cube, faces_where(cube, [](const Vector3d& x) { return x.x() == 1 && x.y() <= 1; }));
-    REQUIRE(vertex_count(half.mesh) == 30);
-    REQUIRE(piece_count(half.mesh) == 1);
+    check_count(vertex_count(half.mesh), 30, "vertices");
+    check_count(piece_count(half.mesh), 1, "pieces");
     std::set<int> doubled, seen;
     for (const VertexOrigin& origin : half.origins)
         if (!seen.insert(origin.first).second) doubled.insert(origin.first);
-    REQUIRE(doubled == std::set<int>{block_vertex(2, 2, 1, 0, 0), block_vertex(2, 2, 1, 0, 1),
-                                     block_vertex(2, 2, 1, 0, 2)});
+    check_that(doubled == std::set<int>{block_vertex(2, 2, 1, 0, 0), block_vertex(2, 2, 1, 0, 1),
+                                        block_vertex(2, 2, 1, 0, 2)},
+               "the three vertices of the crack on the side y = 0 are doubled, and no other");
     check_split(cube, half);
 }
 
@@ -151,10 +154,9 @@ TEST_CASE("fracture: cracks that cross make a vertex fourfold", "[A7.5][fracture
     const Faces other = faces_where(plate, [](const Vector3d& x) { return x.y() == 1; });
     faces.insert(faces.end(), other.begin(), other.end());
     const SplitMesh result = split(plate, faces);
-    REQUIRE(vertex_count(result.mesh) == 4 * 8);
-    REQUIRE(piece_count(result.mesh) == 4);
-    REQUIRE_THAT(piece_volumes(result.mesh),
-                 IsClose(std::vector{1.0, 1.0, 1.0, 1.0}, Rounding(16, 1)));
+    check_count(vertex_count(result.mesh), 4 * 8, "vertices");
+    check_count(piece_count(result.mesh), 4, "pieces");
+    check_piece_volumes(result.mesh, std::vector{1.0, 1.0, 1.0, 1.0}, Rounding(16, 1));
 }
 
 TEST_CASE("fracture: a crack that turns a corner frees a quarter", "[A7.5][fracture]")
@@ -164,9 +166,9 @@ TEST_CASE("fracture: a crack that turns a corner frees a quarter", "[A7.5][fract
         split(plate, faces_where(plate, [](const Vector3d& x) {
                   return (x.x() == 1 && x.y() <= 1) || (x.y() == 1 && x.x() <= 1);
               }));
-    REQUIRE(piece_count(result.mesh) == 2);
-    REQUIRE(vertex_count(result.mesh) == 18 + 6);
-    REQUIRE_THAT(piece_volumes(result.mesh), IsClose(std::vector{1.0, 3.0}, Rounding(16, 3)));
+    check_count(piece_count(result.mesh), 2, "pieces");
+    check_count(vertex_count(result.mesh), 18 + 6, "vertices");
+    check_piece_volumes(result.mesh, std::vector{1.0, 3.0}, Rounding(16, 3));
 }
 
 TEST_CASE("fracture: an edge does not hold tetrahedra together", "[A7.5][fracture]")
@@ -177,16 +179,16 @@ TEST_CASE("fracture: an edge does not hold tetrahedra together", "[A7.5][fractur
     const Faces other = faces_where(mesh, [](const Vector3d& x) { return x.y() == 0; });
     faces.insert(faces.end(), other.begin(), other.end());
     const SplitMesh result = split(mesh, faces);
-    REQUIRE(piece_count(result.mesh) == 4);
-    REQUIRE(vertex_count(result.mesh) == 4 * 5);
+    check_count(piece_count(result.mesh), 4, "pieces");
+    check_count(vertex_count(result.mesh), 4 * 5, "vertices");
 }
 
 TEST_CASE("fracture: with every face cut each tetrahedron is alone", "[A7.5][fracture]")
 {
     const TetrahedralMesh cube = block(2, 1, 1);
     const SplitMesh result = split(cube, faces_where(cube, [](const Vector3d&) { return true; }));
-    REQUIRE(vertex_count(result.mesh) == 4 * 12);
-    REQUIRE(piece_count(result.mesh) == 12);
+    check_count(vertex_count(result.mesh), 4 * 12, "vertices");
+    check_count(piece_count(result.mesh), 12, "pieces");
 }
 
 TEST_CASE("fracture: what faces hold together is one vertex and nothing else is",
@@ -215,7 +217,7 @@ TEST_CASE("fracture: a face that stayed closed is no crack the next time", "[A7.
     // the two faces across a bar are named one after the other, and then both at once
     const TetrahedralMesh bar = block(2, 1, 1);
     const Faces across = faces_where(bar, [](const Vector3d& x) { return x.x() == 1; });
-    REQUIRE(across.size() == 4); // two faces, each from both sides
+    check_count(across.size(), 4, "sides of the two faces across the bar");
     Faces first, second;
     for (const MeshFace& face : across)
         (face_vertices(bar.tetrahedra[face.tetrahedron], face.face) ==
@@ -225,10 +227,10 @@ TEST_CASE("fracture: a face that stayed closed is no crack the next time", "[A7.
             .push_back(face);
     // each face has one vertex of its own; the diagonal holds until both faces are open
     const SplitMesh once = split(bar, first);
-    REQUIRE(vertex_count(once.mesh) == vertex_count(bar) + 1);
+    check_count(vertex_count(once.mesh), vertex_count(bar) + 1, "vertices");
     const SplitMesh twice = split(once.mesh, second);
-    REQUIRE(vertex_count(twice.mesh) == vertex_count(bar) + 4);
-    REQUIRE(piece_count(twice.mesh) == 2);
+    check_count(vertex_count(twice.mesh), vertex_count(bar) + 4, "vertices");
+    check_count(piece_count(twice.mesh), 2, "pieces");
 }
 
 TEST_CASE("fracture: the way a mesh is numbered does not matter to its faces",
@@ -256,9 +258,9 @@ TEST_CASE("fracture: a large mesh is cut through", "[A7.5][fracture]")
     const TetrahedralMesh cube = block(16, 16, 16); // 24576 tetrahedra
     const SplitMesh result =
         split_along_faces(cube, faces_where(cube, [](const Vector3d& x) { return x.z() == 8; }));
-    REQUIRE(vertex_count(result.mesh) == 18 * 17 * 17);
-    REQUIRE(result.mesh.tetrahedra.size() == cube.tetrahedra.size());
-    REQUIRE(piece_count(result.mesh) == 2);
+    check_count(vertex_count(result.mesh), 18 * 17 * 17, "vertices");
+    check_count(tetrahedron_count(result.mesh), tetrahedron_count(cube), "tetrahedra");
+    check_count(piece_count(result.mesh), 2, "pieces");
 }
 
 } // namespace rigor::testing

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "fracture_cases.hpp"
+#include "support/in_words.hpp"
 
 namespace rigor::testing {
 
@@ -122,6 +123,14 @@ inline std::vector<double> piece_volumes(const TetrahedralMesh& mesh)
     return sorted(result);
 }
 
+/// Checks the volumes of the pieces, ascending.
+inline void check_piece_volumes(const TetrahedralMesh& mesh, const std::vector<double>& expected,
+                                const Tolerance& tolerance)
+{
+    INFO("the volumes of the pieces [m³], the smallest first");
+    REQUIRE_THAT(piece_volumes(mesh), IsClose(expected, tolerance));
+}
+
 /// The corners of the tetrahedra, with vertices numbered in the order in which they occur. Two
 /// meshes with their tetrahedra in the same order differ only in the numbers of their vertices if
 /// these lists are equal.
@@ -150,12 +159,12 @@ inline void check_indices(const TetrahedralMesh& mesh)
     std::set<int> used;
     for (const Tetrahedron& t : mesh.tetrahedra)
         for (int v : t) {
-            REQUIRE(v >= 0);
-            REQUIRE(v < vertex_count(mesh));
+            check_that(v >= 0 && v < vertex_count(mesh),
+                       "each corner of a tetrahedron is the number of a vertex");
             used.insert(v);
         }
-    INFO("vertices that a tetrahedron has, and all vertices");
-    REQUIRE(static_cast<int>(used.size()) == vertex_count(mesh));
+    check_count(used.size(), vertex_count(mesh),
+                "vertices that belong to a tetrahedron, as many as there are");
 }
 
 /// The tetrahedra that have each face, by the vertices of the face.
@@ -199,18 +208,17 @@ inline void check_conforms(const TetrahedralMesh& mesh)
     for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t) {
         CAPTURE(t);
         check_at_least(volume(mesh, t), 0, "the volume of a tetrahedron");
-        REQUIRE(volume(mesh, t) > 0);
+        check_that(volume(mesh, t) > 0, "each tetrahedron has a volume above 0");
     }
     for (const auto& [face, sharing] : tetrahedra_of_faces(mesh)) {
-        INFO("tetrahedra that share a face");
         CAPTURE(face[0], face[1], face[2]);
-        REQUIRE(sharing.size() <= 2);
+        check_that(sharing.size() <= 2, "at most two tetrahedra have a face in common");
     }
     const std::vector<int> label =
         groups(4 * mesh.tetrahedra.size(),
                links_through_faces(mesh, [](const std::array<int, 3>&) { return true; }));
-    INFO("groups of tetrahedra that hang together by faces around a vertex, and vertices");
-    REQUIRE(group_count(label) == vertex_count(mesh));
+    check_count(group_count(label), vertex_count(mesh),
+                "groups of tetrahedra that faces join around a vertex, one for each vertex");
 }
 
 /// The area of all faces that have one tetrahedron, and the area of those that lie on another such
@@ -236,8 +244,7 @@ inline SurfaceAreas surface_areas(const TetrahedralMesh& mesh)
     }
     SurfaceAreas areas;
     for (const auto& [key, sides] : open) {
-        INFO("open faces at one place");
-        REQUIRE(sides.size() <= 2);
+        check_that(sides.size() <= 2, "at most two open faces at one place");
         for (double area : sides) {
             areas.all += area;
             if (sides.size() == 2) areas.cracks += area;
@@ -260,11 +267,9 @@ inline void check_surface(const TetrahedralMesh& before, const TetrahedralMesh& 
 inline void check_matter(const TetrahedralMesh& before, const SplitMesh& split)
 {
     const TetrahedralMesh& after = split.mesh;
-    {
-        INFO("a parent for each tetrahedron, an origin for each vertex");
-        REQUIRE(split.parents.size() == after.tetrahedra.size());
-        REQUIRE(split.origins.size() == after.vertices.size());
-    }
+    check_count(split.parents.size(), tetrahedron_count(after),
+                "parents, one for each tetrahedron");
+    check_count(split.origins.size(), vertex_count(after), "origins, one for each vertex");
     check_conforms(after);
 
     const double size = size_of(before);
@@ -272,10 +277,9 @@ inline void check_matter(const TetrahedralMesh& before, const SplitMesh& split)
         INFO("where a vertex is, by its origin");
         CAPTURE(v);
         const auto& [first, second, t] = split.origins[v];
-        REQUIRE(std::min(first, second) >= 0);
-        REQUIRE(std::max(first, second) < vertex_count(before));
-        REQUIRE(t >= 0);
-        REQUIRE(t <= 1);
+        check_that(std::min(first, second) >= 0 && std::max(first, second) < vertex_count(before),
+                   "the origin of a vertex names two vertices of the mesh before");
+        check_that(t >= 0 && t <= 1, "the fraction of an origin is between 0 and 1");
         REQUIRE_THAT(after.vertices[v], IsClose(Vector3d((1 - t) * before.vertices[first] +
                                                          t * before.vertices[second]),
                                                 Rounding(8, size)));
@@ -283,14 +287,14 @@ inline void check_matter(const TetrahedralMesh& before, const SplitMesh& split)
 
     std::vector<double> volumes(before.tetrahedra.size(), 0);
     for (std::size_t t = 0; t < after.tetrahedra.size(); ++t) {
-        INFO("a tetrahedron lies inside of its parent: the vertices come from the parent's");
         CAPTURE(t);
-        REQUIRE(split.parents[t] >= 0);
-        REQUIRE(split.parents[t] < tetrahedron_count(before));
+        check_that(split.parents[t] >= 0 && split.parents[t] < tetrahedron_count(before),
+                   "the parent of a tetrahedron is one of the mesh before");
         const Tetrahedron& parent = before.tetrahedra[split.parents[t]];
         for (int v : after.tetrahedra[t]) {
-            REQUIRE(corner_of(parent, split.origins[v].first) < 4);
-            REQUIRE(corner_of(parent, split.origins[v].second) < 4);
+            check_that(corner_of(parent, split.origins[v].first) < 4 &&
+                           corner_of(parent, split.origins[v].second) < 4,
+                       "the vertices of a tetrahedron come from vertices of its parent");
         }
         volumes[split.parents[t]] += volume(after, t);
     }

@@ -34,11 +34,10 @@ TEST_CASE("fracture: a tetrahedron that lies on the plane is on the side of its 
         const SplitMesh result = split_element(mesh, 0, sign * Vector3d::UnitZ());
         check_split(mesh, result);
         INFO("the flat tetrahedron stays with those above it, and the lower one comes off");
-        REQUIRE(tetrahedron_count(result.mesh) == tetrahedron_count(mesh));
-        REQUIRE(vertex_count(result.mesh) == vertex_count(mesh) + 3);
+        check_count(tetrahedron_count(result.mesh), tetrahedron_count(mesh), "tetrahedra");
+        check_count(vertex_count(result.mesh), vertex_count(mesh) + 3, "vertices");
         const double lower = volume(mesh, 1);
-        REQUIRE_THAT(piece_volumes(result.mesh),
-                     IsClose(std::vector{lower, volume(mesh) - lower}, Rounding(64, 1)));
+        check_piece_volumes(result.mesh, std::vector{lower, volume(mesh) - lower}, Rounding(64, 1));
     }
 }
 
@@ -49,8 +48,8 @@ TEST_CASE("fracture: where no vertex is above the plane nothing splits", "[A7.6]
         CAPTURE(sign);
         const SplitMesh result = split_element(mesh, 0, sign * Vector3d::UnitZ());
         check_split(mesh, result);
-        REQUIRE(vertex_count(result.mesh) == vertex_count(mesh));
-        REQUIRE(tetrahedron_count(result.mesh) == tetrahedron_count(mesh));
+        check_count(vertex_count(result.mesh), vertex_count(mesh), "vertices");
+        check_count(tetrahedron_count(result.mesh), tetrahedron_count(mesh), "tetrahedra");
     }
 }
 
@@ -87,7 +86,8 @@ TEST_CASE("fracture: any tension above the threshold opens a crack", "[A7.3][fra
             for (const double threshold : {0.0, -1.0, 0.9 * sigma}) {
                 CAPTURE(threshold);
                 const auto normal = crack_plane(symmetric, threshold);
-                REQUIRE(normal.has_value());
+                check_that(normal.has_value(),
+                           "a crack, where the pull sigma exceeds the strength");
                 REQUIRE_THAT(std::abs(normal->dot(R.col(2))), IsClose(1.0, Rounding(1 << 10, 1)));
             }
             REQUIRE_THAT(crack_plane(symmetric, 1.1 * sigma), IsExactly(std::optional<Vector3d>()));

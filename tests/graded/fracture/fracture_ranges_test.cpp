@@ -3,6 +3,7 @@
 // equally near, unused vertices, planes exactly through a center, tiny tips.
 #include "fracture_laws.hpp"
 #include "support/seeds.hpp"
+#include "virtual_nodes_laws.hpp"
 
 namespace rigor::testing::fracture_ranges_test {
 
@@ -40,18 +41,19 @@ TetrahedralMesh with_unused_vertex(TetrahedralMesh mesh, int number)
 // Checks that the vertex is still there, once, and no tetrahedron has it.
 void check_unused(const TetrahedralMesh& mesh, int count)
 {
-    REQUIRE(vertex_count(mesh) == count);
-    REQUIRE(std::count(mesh.vertices.begin(), mesh.vertices.end(), far_away) == 1);
+    check_count(vertex_count(mesh), count, "vertices");
+    check_count(std::count(mesh.vertices.begin(), mesh.vertices.end(), far_away), 1,
+                "vertices at the place of the unused one");
     for (const Tetrahedron& t : mesh.tetrahedra)
         for (int v : t)
-            REQUIRE(mesh.vertices[v] != far_away);
+            check_that(mesh.vertices[v] != far_away, "no tetrahedron has the unused vertex");
 }
 
 // Checks that no tetrahedron is inverted, which is a mistake in the test.
 void require_positive(const TetrahedralMesh& mesh)
 {
     for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t)
-        REQUIRE(volume(mesh, t) > 0);
+        check_that(volume(mesh, t) > 0, "the test's own mesh has no inverted tetrahedron");
 }
 
 } // namespace
@@ -81,8 +83,10 @@ TEST_CASE("fracture: a threshold next to the stress decides", "[A7.3][fracture]"
         for (int power = 1; power <= 12; ++power) {
             const double off = std::pow(10.0, -power);
             CAPTURE(off);
-            REQUIRE(crack_plane(sigma, 1 - off).has_value());
-            REQUIRE(!crack_plane(sigma, 1 + off).has_value());
+            check_that(crack_plane(sigma, 1 - off).has_value(),
+                       "a crack, where σ₁ = 1 and the strength is 1 − off");
+            check_that(!crack_plane(sigma, 1 + off).has_value(),
+                       "no crack, where σ₁ = 1 and the strength is 1 + off");
         }
     }
 }
@@ -99,8 +103,10 @@ TEST_CASE("fracture: of faces that are nearly equally near the nearer one", "[A7
                 for (const double y : {1.0, -1.0}) {
                     const double more = 1 + std::pow(10.0, -power);
                     CAPTURE(more, x, y);
-                    REQUIRE(closest_face(flat, R * Vector3d(more * x, y, 0).normalized()) == 1);
-                    REQUIRE(closest_face(flat, R * Vector3d(x, more * y, 0).normalized()) == 2);
+                    REQUIRE_THAT(closest_face(flat, R * Vector3d(more * x, y, 0).normalized()),
+                                 IsExactly(1));
+                    REQUIRE_THAT(closest_face(flat, R * Vector3d(x, more * y, 0).normalized()),
+                                 IsExactly(2));
                 }
     }
 }
@@ -109,8 +115,8 @@ TEST_CASE("fracture: a mesh without tetrahedra keeps its vertices", "[A7.5][frac
 {
     const TetrahedralMesh points = {{{1, 2, 3}, {4, 5, 6}}, {}};
     const SplitMesh result = split_along_faces(points, {});
-    REQUIRE(vertex_count(result.mesh) == 2);
-    REQUIRE(result.origins.size() == 2);
+    check_count(vertex_count(result.mesh), 2, "vertices");
+    check_count(result.origins.size(), 2, "origins, one for each vertex");
 }
 
 TEST_CASE("fracture: a center exactly on the plane is above", "[A7.6][fracture]")
@@ -130,7 +136,7 @@ TEST_CASE("fracture: a center exactly on the plane is above", "[A7.6][fracture]"
                      alone = volume(mesh, sign > 0 ? 2 : 1);
         std::vector<double> pieces = {flat + other, alone};
         std::sort(pieces.begin(), pieces.end());
-        REQUIRE_THAT(piece_volumes(result.mesh), IsClose(pieces, Rounding(64, 1)));
+        check_piece_volumes(result.mesh, pieces, Rounding(64, 1));
     }
 }
 
@@ -141,8 +147,8 @@ TEST_CASE("fracture: a flat tetrahedron alone does not split", "[A7.6][fracture]
     mesh.tetrahedra.resize(1);
     const SplitMesh result = split_element(mesh, 0, Vector3d::UnitZ());
     check_split(mesh, result);
-    REQUIRE(vertex_count(result.mesh) == 4);
-    REQUIRE(tetrahedron_count(result.mesh) == 1);
+    check_count(vertex_count(result.mesh), 4, "vertices");
+    check_count(tetrahedron_count(result.mesh), 1, "tetrahedra");
 }
 
 TEST_CASE("fracture: a new vertex near the end of its edge is on the plane", "[A7.6][fracture]")
@@ -159,7 +165,8 @@ TEST_CASE("fracture: a new vertex near the end of its edge is on the plane", "[A
             ++cut;
             REQUIRE_THAT(result.mesh.vertices[v].z(), IsClose(0.0, Rounding(8, 1)));
         }
-    REQUIRE(cut == 4); // two edges, and both sides of the crack
+    // two edges, and both sides of the crack
+    check_count(cut, 4, "vertices that are new");
 }
 
 TEST_CASE("fracture: the mesh around a cut stays conforming", "[A7.6][fracture]")
@@ -182,7 +189,7 @@ TEST_CASE("fracture: the tip that a crack cuts off may be tiny", "[A7.7][fractur
         const EmbeddedMesh result =
             virtual_nodes(unit_tetrahedron(), {{0, {0.99 * k, 0, 0}, normal}});
         const double share = std::pow(0.99 * k, 3);
-        REQUIRE_THAT(result.fractions, IsClose(std::vector{share, 1 - share}, Rounding(64, 1)));
+        check_shares(result, std::vector{share, 1 - share}, Rounding(64, 1));
     }
 }
 
@@ -195,7 +202,8 @@ TEST_CASE("fracture: along faces an unused vertex stays", "[A7.5][fracture]")
             const SplitMesh result = split_along_faces(mesh, is_cut ? std::vector<MeshFace>{{0, 0}}
                                                                     : std::vector<MeshFace>());
             check_unused(result.mesh, is_cut ? 9 : 6);
-            REQUIRE(result.origins.size() == result.mesh.vertices.size());
+            check_count(result.origins.size(), vertex_count(result.mesh),
+                        "origins, one for each vertex");
         }
     }
 }
@@ -210,7 +218,8 @@ TEST_CASE("fracture: through elements an unused vertex stays", "[A7.6][fracture]
         // the plane has two of its corners and halves the edge between the other two
         const SplitMesh result = split_element(mesh, vertex, normal);
         check_unused(result.mesh, 6 + 1 + 1);
-        REQUIRE(result.origins.size() == result.mesh.vertices.size());
+        check_count(result.origins.size(), vertex_count(result.mesh),
+                    "origins, one for each vertex");
         check_unused(split_element(mesh, unused, normal).mesh, 6);
     }
 }
@@ -222,8 +231,8 @@ TEST_CASE("fracture: with virtual nodes an unused vertex stays", "[A7.7][fractur
         const TetrahedralMesh mesh = with_unused_vertex(two_tetrahedra(), unused);
         const EmbeddedMesh result = virtual_nodes(mesh, {});
         check_unused(result.mesh, 6);
-        REQUIRE(std::count(result.vertex_parents.begin(), result.vertex_parents.end(), unused) ==
-                1);
+        check_count(std::count(result.vertex_parents.begin(), result.vertex_parents.end(), unused),
+                    1, "vertices whose parent is the unused one");
     }
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A7.8: solids that must break do so, into the right pieces and without losing matter.
+#include "support/in_words.hpp"
 #include "support/scene_run.hpp"
 
 #include <algorithm>
@@ -14,14 +15,14 @@ namespace {
 
 const SolidFrame& solid(const Frame& frame, std::size_t index = 0)
 {
-    REQUIRE(frame.solids.size() > index);
+    check_that(frame.solids.size() > index, "the scene still has its solid");
     return frame.solids[index];
 }
 
 // Checks that cracks neither make nor destroy matter. Every number is finite, as the run checks.
 void check_matter(const Trajectory& run)
 {
-    REQUIRE(run.complete);
+    check_that(run.complete, "the scene runs to its end");
     for (std::size_t i = 0; i < run.frames.front().solids.size(); ++i) {
         const DeformableTotals& first = solid(run.frames.front(), i).totals;
         for (const Frame& frame : run.frames) {
@@ -41,7 +42,7 @@ void check_pieces(const Trajectory& run, std::size_t index, std::size_t least, s
     for (const Frame& frame : run.frames) {
         const std::size_t now = solid(frame, index).topology->pieces;
         CAPTURE(frame.time);
-        REQUIRE(now >= before);
+        check_that(now >= before, "pieces do not grow together again");
         before = now;
     }
     const std::string pieces = "pieces of '" + run.scene.solids[index].name + "' at the end";
@@ -60,7 +61,7 @@ std::array<Side, 2> sides_of(const Trajectory& run, std::size_t index)
     const SolidFrame &first = solid(run.frames.front(), index),
                      &last = solid(run.frames.back(), index);
     const std::vector<std::array<int, 4>>& elements = last.topology->elements;
-    REQUIRE(elements.size() == first.topology->elements.size());
+    check_count(elements.size(), first.topology->elements.size(), "tetrahedra");
 
     std::vector<int> piece(last.positions.size()); // lowest node of each node's piece
     std::iota(piece.begin(), piece.end(), 0);
@@ -93,7 +94,7 @@ std::array<Side, 2> sides_of(const Trajectory& run, std::size_t index)
     std::vector<Side> sorted;
     for (const auto& [label, side] : sides)
         sorted.push_back({side.share / whole, side.from, side.to});
-    REQUIRE(sorted.size() >= 2);
+    check_that(sorted.size() >= 2, "the solid breaks into two pieces at least");
     std::sort(sorted.begin(), sorted.end(),
               [](const Side& a, const Side& b) { return a.share > b.share; });
     if (sorted[0].from > sorted[1].from) std::swap(sorted[0], sorted[1]);
@@ -136,8 +137,8 @@ TEST_CASE("fracture: a plate holds below its strength", "[A7.8][fracture]")
     const Trajectory run = run_scene("a7-fracture/notched_plate", {}, R"({"end": 0.04})");
     check_matter(run);
     check_pieces(run, 0, 1, 1);
-    REQUIRE(solid(run.frames.back()).positions.size() ==
-            solid(run.frames.front()).positions.size());
+    check_count(solid(run.frames.back()).positions.size(),
+                solid(run.frames.front()).positions.size(), "vertices of the plate");
 }
 
 TEST_CASE("fracture: what flies apart keeps momentum and angular momentum", "[A7.8][fracture]")
@@ -178,7 +179,8 @@ TEST_CASE("fracture: a plate tears whatever becomes of its mesh", "[A7.8][fractu
         return solid(frame, i).topology->elements.size();
     };
     const Frame &first = run.frames.front(), &last = run.frames.back();
-    REQUIRE(elements(last, 0) == elements(first, 0));
-    REQUIRE(elements(last, 1) > elements(first, 1));
-    REQUIRE(elements(last, 2) > elements(first, 2));
+    check_count(elements(last, 0), elements(first, 0), "tetrahedra of the plate along faces");
+    check_that(elements(last, 1) > elements(first, 1),
+               "cracks through elements make more tetrahedra");
+    check_that(elements(last, 2) > elements(first, 2), "virtual nodes make more tetrahedra");
 }

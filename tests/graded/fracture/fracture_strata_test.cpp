@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // A7: many neighbours and many elements, small neighbours under a high stress, a threshold that is
-// met exactly, and which edges decide what is near a plane.
+// met exactly, which edges decide what is near a plane, and planes that are nearly along an axis.
 #include "formulas/fracture.hpp"
 #include "fracture_laws.hpp"
+#include "support/in_words.hpp"
 #include "support/seeds.hpp"
 
 namespace fracture_strata_test {
@@ -23,6 +24,33 @@ TEST_CASE("fracture: an element may have any number of neighbours", "[A7.1][frac
         const std::vector<double> volumes(one.size(), 1.0);
         REQUIRE_THAT(smooth_stress(one, neighbours, volumes)[0],
                      IsClose(Matrix3d(n / (n + 1.0) * Matrix3d::Identity()), Rounding(4.0 * n)));
+    }
+}
+
+TEST_CASE("fracture: each entry among the neighbours counts", "[A7.1][fracture]")
+{
+    // entries that repeat others or the element itself are as good as equal elements
+    for (Random random : seeds(30)) {
+        std::vector<Matrix3d> stresses;
+        std::vector<double> volumes;
+        for (int i = 0; i < 3; ++i) {
+            stresses.push_back(random.positive_definite());
+            volumes.push_back(random.mass());
+        }
+        std::vector<int> entries;
+        Matrix3d sum = volumes[0] * stresses[0];
+        double V = volumes[0], scale = sum.norm();
+        for (int n = 0; n < 6; ++n) {
+            const std::size_t e = random.bits() % 3;
+            entries.push_back(static_cast<int>(e));
+            sum += volumes[e] * stresses[e];
+            V += volumes[e];
+            scale += volumes[e] * stresses[e].norm();
+            REQUIRE_THAT(smooth_stress(stresses, {entries, {}, {}}, volumes)[0],
+                         IsClose(Matrix3d(sum / V), Rounding(32, scale / V)));
+        }
+        REQUIRE_THAT(smooth_stress(stresses, {{}, {1, 1}, {}}, volumes)[1],
+                     IsClose(stresses[1], Rounding(8)));
     }
 }
 
@@ -49,9 +77,33 @@ TEST_CASE("fracture: the stress of every element of many is smoothed", "[A7.1][f
         neighbours.push_back({(i + 1) % n, (i + n - 1) % n});
     }
     const auto smooth = smooth_stress(stresses, neighbours, std::vector<double>(n, 1.0));
-    REQUIRE(smooth.size() == n);
+    check_count(smooth.size(), n, "stresses, one for each element");
     for (int i = 0; i < n; ++i)
         REQUIRE_THAT(smooth[i](0, 0), IsClose(i % 2 == 0 ? 2.0 / 3 : 1.0 / 3, Rounding(16)));
+}
+
+TEST_CASE("fracture: elements after one without volume are smoothed too", "[A7.1][fracture]")
+{
+    // a row of six elements, of which one has no volume and no neighbours; the others are in pairs
+    for (std::size_t empty : {0, 2, 4}) {
+        CAPTURE(empty);
+        std::vector<Matrix3d> stresses(6, Matrix3d::Zero());
+        std::vector<double> volumes(6, 1.0);
+        std::vector<std::vector<int>> neighbours(6);
+        for (std::size_t e = 0; e < 6; ++e) {
+            const bool is_pair = e / 2 != empty / 2;
+            if (is_pair) neighbours[e].push_back(static_cast<int>(e % 2 == 0 ? e + 1 : e - 1));
+            if (is_pair && e % 2 == 0) stresses[e].setIdentity();
+        }
+        stresses[empty] = 3 * Matrix3d::Identity();
+        volumes[empty] = 0;
+        const auto smooth = smooth_stress(stresses, neighbours, volumes);
+        for (std::size_t e = 0; e < 6; ++e) {
+            const double share = e / 2 != empty / 2 ? 0.5 : e == empty ? 3 : 0;
+            REQUIRE_THAT(smooth[e],
+                         IsClose(Matrix3d(share * Matrix3d::Identity()), Rounding(8, 1)));
+        }
+    }
 }
 
 TEST_CASE("fracture: a stress equal to the threshold opens no crack", "[A7.3][fracture]")
@@ -59,8 +111,10 @@ TEST_CASE("fracture: a stress equal to the threshold opens no crack", "[A7.3][fr
     for (const double stress : {0x1p-40, 1.0, 4.0, 0x1p40}) {
         CAPTURE(stress);
         const Matrix3d sigma = Vector3d(stress / 4, stress, -stress).asDiagonal();
-        REQUIRE(!crack_plane(sigma, stress).has_value());
-        REQUIRE(crack_plane(sigma, stress * (1 - 0x1p-40)).has_value());
+        check_that(!crack_plane(sigma, stress).has_value(),
+                   "no crack, where σ₁ is as large as the strength");
+        check_that(crack_plane(sigma, stress * (1 - 0x1p-40)).has_value(),
+                   "a crack, where σ₁ is a little larger than the strength");
     }
 }
 
@@ -86,13 +140,45 @@ TetrahedralMesh near_and_long(double height)
 TEST_CASE("fracture: the longest edge of all tetrahedra of the vertex decides", "[A7.6][fracture]")
 {
     // The tetrahedron of vertex 1 has no edge of 20 m; the other one has.
-    for (const double height : {0.25, 0.5, 0.75, 0.99, 1.0, 1.01, 1.5}) { // 1 = 0.05 · 20
+    // 1 = 0.05 · 20 is met exactly, and from both sides
+    for (const double height :
+         {0.25, 0.5, 0.75, 0.99, 1 - 0x1p-40, 1 - 0x1p-30, 1.0, 1 + 0x1p-40, 1.01, 1.5}) {
         CAPTURE(height);
         const TetrahedralMesh mesh = near_and_long(height);
         const SplitMesh result = split_element(mesh, 0, Vector3d::UnitY());
         const bool cuts = height >= 1; // less than 0.05 of the edge would be on the plane
-        REQUIRE((vertex_count(result.mesh) > vertex_count(mesh)) == cuts);
-        REQUIRE((piece_count(result.mesh) == 2) == cuts);
+        check_that((vertex_count(result.mesh) > vertex_count(mesh)) == cuts,
+                   cuts ? "new vertices, since the plane cuts" : "no new vertex");
+        check_count(piece_count(result.mesh), cuts ? 2 : 1, "pieces");
+    }
+}
+
+TEST_CASE("fracture: a plane that is hardly tilted cuts where it is", "[A7.6][fracture]")
+{
+    for (Random random : seeds(2)) {
+        TetrahedralMesh mesh = jiggled(block(2, 2, 2), random);
+        const Matrix3d R = random.rotation(); // so that the plane crosses edges
+        for (Vector3d& x : mesh.vertices)
+            x = (R * x).eval();
+        const int middle = block_vertex(2, 2, 1, 1, 1);
+        const Vector3d& p = mesh.vertices[middle];
+        for (int axis = 0; axis < 3; ++axis)
+            for (int power = 1; power <= 44; ++power) {
+                CAPTURE(axis, power);
+                const Vector3d along = Vector3d::Unit((axis + 1) % 3);
+                const Vector3d n =
+                    (Vector3d::Unit(axis) + std::ldexp(1, -power) * along).normalized();
+                const SplitMesh result = split_element(mesh, middle, n);
+                double highest = 0; // the height above the plane that a new vertex has [m]
+                int count = 0;
+                for (std::size_t i = 0; i < result.origins.size(); ++i) {
+                    if (result.origins[i].first == result.origins[i].second) continue;
+                    ++count;
+                    highest = std::max(highest, std::abs(n.dot(result.mesh.vertices[i] - p)));
+                }
+                check_that(count > 0, "the plane cuts edges of the element");
+                REQUIRE_THAT(highest, IsClose(0.0, Rounding(64, 4)));
+            }
     }
 }
 

@@ -2,6 +2,7 @@
 // A7.1 to A7.4: where a solid cracks.
 #include "fracture_cases.hpp"
 #include "support/close.hpp"
+#include "support/in_words.hpp"
 #include "support/seeds.hpp"
 
 #include <numbers>
@@ -68,7 +69,16 @@ TEST_CASE("fracture: an element without neighbours keeps its stress", "[A7.1][fr
 {
     const std::vector<Matrix3d> stresses = {tridiagonal, 2 * tridiagonal};
     REQUIRE_THAT(smooth_stress(stresses, {{}, {}}, {0.5, 3}), IsClose(stresses, Rounding(4, 8)));
-    REQUIRE(smooth_stress({}, {}, {}).empty());
+    check_count(smooth_stress({}, {}, {}).size(), 0, "stresses");
+}
+
+TEST_CASE("fracture: a neighbour counts as often as it is named", "[A7.1][fracture]")
+{
+    const Matrix3d A = tridiagonal, B = Matrix3d::Ones();
+    // 1 and 2 m³; the first names the second twice, and the second itself
+    const std::vector<Matrix3d> smooth = smooth_stress({A, B}, {{1, 1}, {0, 1}}, {1, 2});
+    const std::vector<Matrix3d> expected = {(A + 4 * B) / 5, (A + 4 * B) / 5};
+    REQUIRE_THAT(smooth, IsClose(expected, Rounding(8, 5)));
 }
 
 TEST_CASE("fracture: what has no volume does not count in an average", "[A7.1][fracture]")
@@ -106,7 +116,7 @@ TEST_CASE("fracture: a smooth stress lies between those it is made of",
             volumes.push_back(random.mass());
         }
         const std::vector<Matrix3d> smooth = smooth_stress(stresses, neighbours, volumes);
-        REQUIRE(smooth.size() == stresses.size());
+        check_count(smooth.size(), count, "stresses, one for each element");
         for (int e = 0; e < count; ++e) {
             const double scale = stresses[e].norm();
             REQUIRE_THAT(Matrix3d(smooth[e].transpose()), IsClose(smooth[e], Rounding(32, scale)));
@@ -147,7 +157,7 @@ TEST_CASE("fracture: equal eigenvalues have some unit vector", "[A7.2][fracture]
     for (const Vector3d& principal :
          {Vector3d(3, 3, 3), Vector3d(3, 3, 1), Vector3d(3, 1, 1), Vector3d(-2, -2, -2),
           Vector3d(0, 0, -4), Vector3d(0, 0, 0), Vector3d(3e8, 3e8, 3e-8)}) {
-        CAPTURE(principal.transpose());
+        CAPTURE(principal);
         const Matrix3d sigma = stress_of(principal, Q);
         const PrincipalStress found = principal_stress(sigma);
         REQUIRE_THAT(found.stress, IsClose(principal.maxCoeff(), Rounding(64, principal.norm())));
@@ -187,7 +197,7 @@ TEST_CASE("fracture: a bar that is pulled cracks across the load", "[A7.3][fract
     const Vector3d along = Vector3d(2, -1, 2) / 3;
     const Matrix3d sigma = 5e6 * along * along.transpose();
     const std::optional<Vector3d> n = crack_plane(sigma, 4e6);
-    REQUIRE(n.has_value());
+    check_that(n.has_value(), "a crack, since the largest pull exceeds the strength");
     check_direction(*n, along);
     REQUIRE_THAT(crack_plane(sigma, 6e6), IsExactly(std::optional<Vector3d>()));
 }
@@ -197,7 +207,7 @@ TEST_CASE("fracture: torsion cracks at 45 degrees", "[A7.3][fracture]")
     const double tau = 3e6; // the shear stress on the surface of a shaft along x
     const Matrix3d sigma{{0, tau, 0}, {tau, 0, 0}, {0, 0, 0}};
     const std::optional<Vector3d> n = crack_plane(sigma, 2.9e6);
-    REQUIRE(n.has_value());
+    check_that(n.has_value(), "a crack, since the largest pull exceeds the strength");
     check_direction(*n, Vector3d(1, 1, 0) / root2);
     REQUIRE_THAT(crack_plane(sigma, 3.1e6), IsExactly(std::optional<Vector3d>()));
 }
@@ -222,7 +232,7 @@ TEST_CASE("fracture: a solid cracks just above its strength and not just below",
     for (const double threshold : {4 * (1 - 1e-9), 0.0, -1.0}) {
         CAPTURE(threshold);
         const std::optional<Vector3d> n = crack_plane(sigma, threshold);
-        REQUIRE(n.has_value());
+        check_that(n.has_value(), "a crack, since the largest pull exceeds the strength");
         check_direction(*n, Vector3d::UnitY());
     }
 }
@@ -235,7 +245,7 @@ TEST_CASE("fracture: a crack turns with its stress", "[A7.3][fracture][property]
         const Matrix3d Q = random.rotation();
         const Matrix3d sigma = stress_of(principal, Q);
         const std::optional<Vector3d> n = crack_plane(sigma, 1.9);
-        REQUIRE(n.has_value());
+        check_that(n.has_value(), "a crack, since the largest pull exceeds the strength");
         check_direction(*n, Q.col(0), 256);
         REQUIRE_THAT(crack_plane(sigma, 3.1), IsExactly(std::optional<Vector3d>()));
     }
@@ -295,14 +305,12 @@ TEST_CASE("fracture: the nearest face goes with its corner when corners change p
             corner = random.vector();
         const Vector3d n = random.unit_vector();
         const int face = closest_face(x, n);
-        REQUIRE(face >= 0);
-        REQUIRE(face < 4);
+        check_that(face >= 0 && face < 4, "the number of a face, 0 to 3");
         const Vector3d opposite = x[face];
         std::rotate(x.begin(), x.begin() + 1, x.end());
         std::swap(x[0], x[2]);
         const int again = closest_face(x, -n);
-        REQUIRE(again >= 0);
-        REQUIRE(again < 4);
+        check_that(again >= 0 && again < 4, "the number of a face, 0 to 3");
         REQUIRE_THAT(x[again], IsExactly(opposite));
     }
 }

@@ -7,26 +7,30 @@ namespace rigor::testing {
 
 namespace {
 
-// The share of a tetrahedron's volume above a plane, by the heights hᵢ of its corners, which all
-// differ: Σ hᵢ³ / Π (hᵢ - hⱼ) over the corners above.
-struct Share {
-    double value = 0, scale = 0;
-};
-
-Share share_above(const std::array<Vector3d, 4>& x, const ElementCrack& crack)
+// The share of a tetrahedron's volume that is above a plane, by what a crack along it makes.
+double share_above(const std::array<Vector3d, 4>& x, const Vector3d& point, const Vector3d& normal)
 {
-    std::array<double, 4> h;
-    for (int c = 0; c < 4; ++c)
-        h[c] = crack.normal.dot(x[c] - crack.point);
-    Share share;
-    for (int i = 0; i < 4; ++i) {
-        double term = std::max(h[i], 0.0) * std::max(h[i], 0.0) * std::max(h[i], 0.0);
-        for (int j = 0; j < 4; ++j)
-            if (j != i) term /= h[i] - h[j];
-        share.value += term;
-        share.scale += std::abs(term);
-    }
+    TetrahedralMesh mesh = unit_tetrahedron();
+    mesh.vertices.assign(x.begin(), x.end());
+    const EmbeddedMesh result = embedded(mesh, {{0, point, normal}});
+    double share = 0;
+    for (std::size_t i = 0; i < result.parents.size(); ++i)
+        for (int c = 0; c < 4; ++c)
+            if (result.real[i][c] == 1) { // the copy is on the side of its first real corner
+                if (normal.dot(x[c] - point) >= 0) share += result.fractions[i];
+                break;
+            }
     return share;
+}
+
+// The least difference in height between two of the points.
+double least_difference(const std::vector<Vector3d>& points, const Vector3d& normal)
+{
+    double least = 1;
+    for (std::size_t i = 0; i < points.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+            least = std::min(least, std::abs(normal.dot(points[i] - points[j])));
+    return least;
 }
 
 Cracks random_cracks(const TetrahedralMesh& mesh, Random& random, double chance)
@@ -48,7 +52,7 @@ TEST_CASE("fracture: without cracks nothing is duplicated", "[A7.7][fracture]")
         for (double fraction : result.fractions)
             REQUIRE_THAT(fraction, IsClose(1.0, Rounding(4, 1)));
     }
-    REQUIRE(embedded({}, {}).parents.empty());
+    check_count(embedded({}, {}).parents.size(), 0, "copies");
 }
 
 TEST_CASE("fracture: a plane cuts c cubed off the unit tetrahedron", "[A7.7][fracture]")
@@ -59,12 +63,11 @@ TEST_CASE("fracture: a plane cuts c cubed off the unit tetrahedron", "[A7.7][fra
             const EmbeddedMesh result = embedded(unit_tetrahedron(), {corner_cut(0, c, sign)});
             REQUIRE_THAT(result.real,
                          IsExactly(std::vector<Tetrahedron>{{1, 0, 0, 0}, {0, 1, 1, 1}}));
-            REQUIRE_THAT(result.fractions,
-                         IsClose(std::vector{c * c * c, 1 - c * c * c}, Rounding(32, 1)));
-            REQUIRE(vertex_count(result.mesh) == 8);
-            REQUIRE_THAT(piece_matter(unit_tetrahedron(), result),
-                         IsClose(sorted(std::vector{c * c * c / 6, 1.0 / 6 - c * c * c / 6}),
-                                 Rounding(32, 1)));
+            check_shares(result, std::vector{c * c * c, 1 - c * c * c}, Rounding(32, 1));
+            check_count(vertex_count(result.mesh), 8, "vertices");
+            check_piece_matter(unit_tetrahedron(), result,
+                               sorted(std::vector{c * c * c / 6, 1.0 / 6 - c * c * c / 6}),
+                               Rounding(32, 1));
         }
 }
 
@@ -77,7 +80,7 @@ TEST_CASE("fracture: a plane between two edges of the unit tetrahedron", "[A7.7]
             embedded(unit_tetrahedron(), {{0, Vector3d(c, 0, 9), Vector3d(1, 1, 0).normalized()}});
         const double share = 3 * c * c - 2 * c * c * c;
         REQUIRE_THAT(result.real, IsExactly(std::vector<Tetrahedron>{{1, 0, 0, 1}, {0, 1, 1, 0}}));
-        REQUIRE_THAT(result.fractions, IsClose(std::vector{share, 1 - share}, Rounding(32, 1)));
+        check_shares(result, std::vector{share, 1 - share}, Rounding(32, 1));
     }
 }
 
@@ -86,7 +89,7 @@ TEST_CASE("fracture: a plane beside a tetrahedron does not crack it", "[A7.7][fr
     const TetrahedralMesh mesh = unit_tetrahedron();
     for (const double c : {-0.5, 1.5}) {
         const EmbeddedMesh result = embedded(mesh, {corner_cut(0, c), corner_cut(0, c, -1)});
-        REQUIRE_THAT(result.fractions, IsClose(std::vector{1.0}, Rounding(4, 1)));
+        check_shares(result, std::vector{1.0}, Rounding(4, 1));
     }
 }
 
@@ -94,10 +97,10 @@ TEST_CASE("fracture: a corner on the plane is on the side of the normal", "[A7.7
 {
     const TetrahedralMesh mesh = unit_tetrahedron();
     // the plane lies in the face x = 0: all corners are at x ≥ 0, but only one is at x > 0
-    REQUIRE(embedded(mesh, {{0, {0, 0, 0}, {1, 0, 0}}}).parents.size() == 1);
+    check_count(embedded(mesh, {{0, {0, 0, 0}, {1, 0, 0}}}).parents.size(), 1, "copies");
     const EmbeddedMesh other = embedded(mesh, {{0, {0, 0, 0}, {-1, 0, 0}}});
     REQUIRE_THAT(other.real, IsExactly(std::vector<Tetrahedron>{{1, 0, 1, 1}, {0, 1, 0, 0}}));
-    REQUIRE_THAT(other.fractions, IsClose(std::vector{0.0, 1.0}, Rounding(16, 1)));
+    check_shares(other, std::vector{0.0, 1.0}, Rounding(16, 1));
 }
 
 TEST_CASE("fracture: of two cracks the second ends at the first", "[A7.7][fracture]")
@@ -108,10 +111,10 @@ TEST_CASE("fracture: of two cracks the second ends at the first", "[A7.7][fractu
     const std::vector<Tetrahedron> real = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 1}};
     const EmbeddedMesh one = embedded(mesh, {half, quarter});
     REQUIRE_THAT(one.real, IsExactly(real));
-    REQUIRE_THAT(one.fractions, IsClose(std::vector{0.125, 0.40625, 0.46875}, Rounding(64, 1)));
+    check_shares(one, std::vector{0.125, 0.40625, 0.46875}, Rounding(64, 1));
     const EmbeddedMesh two = embedded(mesh, {quarter, half});
     REQUIRE_THAT(two.real, IsExactly(real));
-    REQUIRE_THAT(two.fractions, IsClose(std::vector{0.109375, 0.421875, 0.46875}, Rounding(64, 1)));
+    check_shares(two, std::vector{0.109375, 0.421875, 0.46875}, Rounding(64, 1));
 }
 
 TEST_CASE("fracture: a second crack beside the first takes nothing away", "[A7.7][fracture]")
@@ -119,7 +122,7 @@ TEST_CASE("fracture: a second crack beside the first takes nothing away", "[A7.7
     // both cracks separate corner 0; the matter between them has no corner and stays with the rest
     const EmbeddedMesh result =
         embedded(unit_tetrahedron(), {corner_cut(0, 0.5), corner_cut(0, 0.25)});
-    REQUIRE_THAT(result.fractions, IsClose(std::vector{0.125, 0.875}, Rounding(32, 1)));
+    check_shares(result, std::vector{0.125, 0.875}, Rounding(32, 1));
 }
 
 TEST_CASE("fracture: three cracks leave each corner alone", "[A7.7][fracture]")
@@ -129,10 +132,9 @@ TEST_CASE("fracture: three cracks leave each corner alone", "[A7.7][fracture]")
                                                               {0, {0, 1 - c, 0}, {0, 1, 0}},
                                                               {0, {0, 0, 1 - c}, {0, 0, 1}}});
     const double tip = c * c * c;
-    REQUIRE_THAT(result.fractions,
-                 IsClose(std::vector{1 - 3 * tip, tip, tip, tip}, Rounding(64, 1)));
-    REQUIRE(vertex_count(result.mesh) == 16);
-    REQUIRE(piece_count(result.mesh) == 4);
+    check_shares(result, std::vector{1 - 3 * tip, tip, tip, tip}, Rounding(64, 1));
+    check_count(vertex_count(result.mesh), 16, "vertices");
+    check_count(piece_count(result.mesh), 4, "pieces");
 }
 
 TEST_CASE("fracture: a crack beside the common face leaves the neighbour alone", "[A7.7][fracture]")
@@ -140,10 +142,10 @@ TEST_CASE("fracture: a crack beside the common face leaves the neighbour alone",
     // corner 0 comes off; the other three keep the whole face to the second tetrahedron
     const TetrahedralMesh mesh = two_tetrahedra();
     const EmbeddedMesh result = embedded(mesh, {corner_cut(0, 0.5)});
-    REQUIRE(vertex_count(result.mesh) == 4 + 5);
-    REQUIRE(piece_count(result.mesh) == 2);
-    REQUIRE_THAT(piece_matter(mesh, result),
-                 IsClose(std::vector{0.125 / 6, 0.875 / 6 + volume(mesh, 1)}, Rounding(32, 1)));
+    check_count(vertex_count(result.mesh), 4 + 5, "vertices");
+    check_count(piece_count(result.mesh), 2, "pieces");
+    check_piece_matter(mesh, result, std::vector{0.125 / 6, 0.875 / 6 + volume(mesh, 1)},
+                       Rounding(32, 1));
 }
 
 TEST_CASE("fracture: a crack that ends at a face does not open there", "[A7.7][fracture]")
@@ -151,9 +153,9 @@ TEST_CASE("fracture: a crack that ends at a face does not open there", "[A7.7][f
     // corner 1 comes off in the first tetrahedron only: both copies are joined to the second
     const TetrahedralMesh mesh = two_tetrahedra();
     const EmbeddedMesh result = embedded(mesh, {{0, {0.5, 0, 0}, {1, 0, 0}}});
-    REQUIRE(result.parents.size() == 3);
-    REQUIRE(vertex_count(result.mesh) == 5 + 1); // only vertex 0 is doubled
-    REQUIRE(piece_count(result.mesh) == 1);
+    check_count(result.parents.size(), 3, "copies");
+    check_count(vertex_count(result.mesh), 5 + 1, "vertices"); // only vertex 0 is doubled
+    check_count(piece_count(result.mesh), 1, "pieces");
 }
 
 TEST_CASE("fracture: a crack through both of two tetrahedra parts them", "[A7.7][fracture]")
@@ -161,14 +163,14 @@ TEST_CASE("fracture: a crack through both of two tetrahedra parts them", "[A7.7]
     const TetrahedralMesh mesh = two_tetrahedra();
     // corner 1 and the vertex 4, both at x = 1, are on the same side
     const EmbeddedMesh result = embedded(mesh, plane_through(mesh, {0.5, 0, 0}, {1, 0, 0}));
-    REQUIRE(vertex_count(result.mesh) == 2 * 5);
-    REQUIRE(piece_count(result.mesh) == 2);
+    check_count(vertex_count(result.mesh), 2 * 5, "vertices");
+    check_count(piece_count(result.mesh), 2, "pieces");
     // The first loses 0.5³ of itself. The second, between x = 0 and 1, has half of itself on either
     // side.
-    REQUIRE_THAT(piece_matter(mesh, result),
-                 IsClose(sorted(std::vector{0.125 / 6 + volume(mesh, 1) / 2,
-                                            0.875 / 6 + volume(mesh, 1) / 2}),
-                         Rounding(64, 1)));
+    check_piece_matter(
+        mesh, result,
+        sorted(std::vector{0.125 / 6 + volume(mesh, 1) / 2, 0.875 / 6 + volume(mesh, 1) / 2}),
+        Rounding(64, 1));
 }
 
 TEST_CASE("fracture: a bar is cracked across in the middle of its elements", "[A7.7][fracture]")
@@ -177,11 +179,10 @@ TEST_CASE("fracture: a bar is cracked across in the middle of its elements", "[A
     for (const double place : {0.3, 1.5, 3.75}) {
         CAPTURE(place);
         const EmbeddedMesh result = embedded(bar, plane_through(bar, {place, 0, 0}, {1, 0, 0}));
-        REQUIRE(result.parents.size() == 24 + 6);
-        REQUIRE(vertex_count(result.mesh) == 20 + 8);
-        REQUIRE(piece_count(result.mesh) == 2);
-        REQUIRE_THAT(piece_matter(bar, result),
-                     IsClose(sorted(std::vector{place, 4 - place}), Rounding(256, 4)));
+        check_count(result.parents.size(), 24 + 6, "copies");
+        check_count(vertex_count(result.mesh), 20 + 8, "vertices");
+        check_count(piece_count(result.mesh), 2, "pieces");
+        check_piece_matter(bar, result, sorted(std::vector{place, 4 - place}), Rounding(256, 4));
     }
 }
 
@@ -194,32 +195,55 @@ TEST_CASE("fracture: the tip of a crack in a plate stays closed", "[A7.7][fractu
         const EmbeddedMesh result =
             embedded(plate, plane_through(plate, {1.4, 0, 0}, {1, 0, 0},
                                           [&](const Vector3d& x) { return x.y() < cells; }));
-        REQUIRE(piece_count(result.mesh) == (cells < 3 ? 1 : 2));
+        check_count(piece_count(result.mesh), (cells < 3 ? 1 : 2), "pieces");
         // the vertices between the side and the tip are doubled, on either side of the plane
-        REQUIRE(vertex_count(result.mesh) == 32 + (cells < 3 ? 4 * cells : 16));
+        check_count(vertex_count(result.mesh), 32 + (cells < 3 ? 4 * cells : 16), "vertices");
     }
 }
 
-TEST_CASE("fracture: the share of the volume above a plane", "[A7.7][fracture][property]")
+TEST_CASE("fracture: both parts of a tetrahedron have its matter above a plane",
+          "[A7.7][fracture][property]")
 {
     int tried = 0;
-    for (Random random : seeds(200)) {
-        TetrahedralMesh mesh = unit_tetrahedron();
-        for (Vector3d& x : mesh.vertices)
-            x += 0.2 * random.vector();
-        const ElementCrack crack = {0, center(mesh, 0) + 0.15 * random.vector(),
-                                    random.unit_vector()};
-        const EmbeddedMesh result = embedded(mesh, {crack});
-        if (result.parents.size() == 1) continue;
-        const Share above = share_above(corners_of(mesh, 0), crack);
-        if (above.scale > 100) continue; // two corners are almost at one height
+    for (Random random : seeds(300)) {
+        std::array<Vector3d, 4> x = corners_of(unit_tetrahedron(), 0);
+        for (Vector3d& corner : x)
+            corner += 0.2 * random.vector();
+        // cut in two at a place within an edge
+        const double t = random.uniform(0.2, 0.8);
+        const Vector3d on_edge = (1 - t) * x[1] + t * x[2];
+        const std::array<Vector3d, 4> half = {x[0], x[1], on_edge, x[3]};
+        const std::array<Vector3d, 4> other = {x[0], on_edge, x[2], x[3]};
+        const Vector3d n = random.unit_vector();
+        const Vector3d point = (x[0] + x[1] + x[2] + x[3]) / 4 + 0.15 * random.vector();
+        // Differences of heights may stand below a fraction line.
+        const double d = least_difference({x[0], x[1], x[2], x[3], on_edge}, n);
+        if (d < 0.03) continue;
         ++tried;
-        const bool first_is_above =
-            crack.normal.dot(mesh.vertices[0] - crack.point) >= 0; // the first copy has corner 0
-        const double fraction = result.fractions[first_is_above ? 0 : 1];
-        REQUIRE_THAT(fraction, IsClose(above.value, Rounding(256, 1 + above.scale)));
+        const double sum = t * share_above(half, point, n) + (1 - t) * share_above(other, point, n);
+        REQUIRE_THAT(share_above(x, point, n), IsClose(sum, Rounding(256, 1 + 1 / (d * d * d))));
     }
-    REQUIRE(tried > 100);
+    check_that(tried > 100, "more than 100 random cases could be judged");
+}
+
+TEST_CASE("fracture: the share above a plane does not change if all is stretched and sheared",
+          "[A7.7][fracture][property]")
+{
+    for (Random random : seeds(100)) {
+        const double c = random.uniform(0.05, 0.95), b = random.uniform(0.05, 0.95);
+        Matrix3d A = Matrix3d::Identity();
+        for (int i = 0; i < 3; ++i)
+            A.col(i) += 0.25 * random.vector();
+        std::array<Vector3d, 4> x = corners_of(unit_tetrahedron(), 0);
+        for (Vector3d& corner : x)
+            corner = A * corner;
+        const auto below = [&](const Vector3d& point, const Vector3d& normal) {
+            return share_above(x, A * point, (-A.inverse().transpose() * normal).normalized());
+        };
+        REQUIRE_THAT(below({c, 0, 0}, {1, 1, 1}), IsClose(c * c * c, Rounding(1024, 1)));
+        REQUIRE_THAT(below({b, 0, 0}, {1, 1, 0}),
+                     IsClose(3 * b * b - 2 * b * b * b, Rounding(1024, 1)));
+    }
 }
 
 TEST_CASE("fracture: any cracks through any elements share out vertices and matter",
@@ -251,10 +275,9 @@ TEST_CASE("fracture: neither numbering nor the cracks' order among elements matt
         });
 
         const EmbeddedMesh one = embedded(mesh, cracks), two = embedded(other.mesh, same);
-        REQUIRE(vertex_count(two.mesh) == vertex_count(one.mesh));
-        REQUIRE(piece_count(two.mesh) == piece_count(one.mesh));
-        REQUIRE_THAT(piece_matter(other.mesh, two),
-                     IsClose(piece_matter(mesh, one), Rounding(256, 4)));
+        check_count(vertex_count(two.mesh), vertex_count(one.mesh), "vertices");
+        check_count(piece_count(two.mesh), piece_count(one.mesh), "pieces");
+        check_piece_matter(other.mesh, two, piece_matter(mesh, one), Rounding(256, 4));
     }
 }
 
@@ -263,9 +286,9 @@ TEST_CASE("fracture: a large mesh is cracked through", "[A7.7][fracture]")
     const TetrahedralMesh cube = block(16, 16, 16); // 24576 tetrahedra
     const EmbeddedMesh result =
         virtual_nodes(cube, plane_through(cube, {0, 0, 8.25}, Vector3d::UnitZ()));
-    REQUIRE(result.parents.size() == cube.tetrahedra.size() + 6 * 256);
-    REQUIRE(vertex_count(result.mesh) == vertex_count(cube) + 2 * 17 * 17);
-    REQUIRE(piece_count(result.mesh) == 2);
+    check_count(result.parents.size(), cube.tetrahedra.size() + 6 * 256, "copies");
+    check_count(vertex_count(result.mesh), vertex_count(cube) + 2 * 17 * 17, "vertices");
+    check_count(piece_count(result.mesh), 2, "pieces");
 }
 
 } // namespace rigor::testing

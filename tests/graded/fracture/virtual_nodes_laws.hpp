@@ -4,6 +4,9 @@
 
 #include "fracture_laws.hpp"
 
+#include <algorithm>
+#include <utility>
+
 namespace rigor::testing {
 
 using Cracks = std::vector<ElementCrack>;
@@ -33,71 +36,82 @@ inline Cracks plane_through(const TetrahedralMesh& mesh, const Vector3d& point,
     return plane_through(mesh, point, normal, [](const Vector3d&) { return true; });
 }
 
-// The sides of a tetrahedron's cracks that each of its corners is on.
-inline std::vector<std::vector<bool>> sides_of_corners(const TetrahedralMesh& mesh,
-                                                       const Cracks& cracks, int tetrahedron)
+inline bool separates(const ElementCrack& crack, const Vector3d& a, const Vector3d& b)
 {
-    std::vector<std::vector<bool>> result(4);
-    for (const ElementCrack& crack : cracks)
-        if (crack.tetrahedron == tetrahedron)
-            for (int c = 0; c < 4; ++c)
-                result[c].push_back(
-                    crack.normal.dot(corners_of(mesh, tetrahedron)[c] - crack.point) >= 0);
-    return result;
+    return (crack.normal.dot(a - crack.point) >= 0) != (crack.normal.dot(b - crack.point) >= 0);
 }
 
-// Checks the definition of the copies of each tetrahedron, and which of their corners are real.
+// Checks that each corner is real in one copy, and two corners in the same copy exactly if no crack
+// separates them. Copies are in the order of their parents and of their first real corners.
 inline void check_copies(const TetrahedralMesh& mesh, const Cracks& cracks,
                          const EmbeddedMesh& result)
 {
-    std::vector<int> parents;
-    std::vector<Tetrahedron> real;
-    for (int t = 0; t < tetrahedron_count(mesh); ++t) {
-        const auto sides = sides_of_corners(mesh, cracks, t);
-        for (int first = 0; first < 4; ++first) {
-            if (std::find(sides.begin(), sides.begin() + first, sides[first]) !=
-                sides.begin() + first)
-                continue; // its part already has a copy
-            Tetrahedron of_copy = {0, 0, 0, 0};
-            for (int c = 0; c < 4; ++c)
-                of_copy[c] = sides[c] == sides[first];
-            parents.push_back(t);
-            real.push_back(of_copy);
+    std::vector<Tetrahedron> copy_of(mesh.tetrahedra.size(), Tetrahedron{-1, -1, -1, -1});
+    std::pair<int, int> last = {-1, 0};
+    for (int i = 0; i < static_cast<int>(result.parents.size()); ++i) {
+        CAPTURE(i);
+        const Tetrahedron& real = result.real[i];
+        for (int c = 0; c < 4; ++c) {
+            check_that(real[c] == 0 || real[c] == 1, "a corner is real, 1, or virtual, 0");
+            if (real[c] == 0) continue;
+            check_that(copy_of[result.parents[i]][c] == -1, "a corner is real in one copy only");
+            copy_of[result.parents[i]][c] = i;
         }
+        const auto first = std::find(real.begin(), real.end(), 1) - real.begin();
+        const std::pair place(result.parents[i], static_cast<int>(first));
+        check_that(first < 4, "each copy has a real corner");
+        check_that(last < place, "the copies of one parent in the order of their first real "
+                                 "corner, those of an earlier parent before them");
+        last = place;
     }
-    REQUIRE_THAT(result.parents, IsExactly(parents));
-    REQUIRE_THAT(result.real, IsExactly(real));
+    for (int t = 0; t < tetrahedron_count(mesh); ++t) {
+        const std::array<Vector3d, 4> x = corners_of(mesh, t);
+        for (int a = 0; a < 4; ++a)
+            for (int b = 0; b < 4; ++b) {
+                const bool is_cut =
+                    std::any_of(cracks.begin(), cracks.end(), [&](const auto& crack) {
+                        return crack.tetrahedron == t && separates(crack, x[a], x[b]);
+                    });
+                CAPTURE(t, a, b);
+                check_that(copy_of[t][a] != -1, "each corner is real in some copy");
+                check_that((copy_of[t][a] == copy_of[t][b]) == !is_cut,
+                           is_cut ? "a crack separates corners a and b: two copies have them"
+                                  : "no crack separates corners a and b: one copy has both");
+            }
+    }
 }
 
-// Checks the definition of the vertices that copies have in common: these and no others.
+// Checks which corners of copies are one vertex. A face joins two copies if one of its corners is
+// real in both: then all three are the same vertices. No others are, so there are as many vertices
+// as groups of corners that are joined.
 inline void check_vertices(const TetrahedralMesh& mesh, const EmbeddedMesh& result)
 {
     std::vector<std::vector<int>> copies(mesh.tetrahedra.size());
     for (int i = 0; i < tetrahedron_count(result.mesh); ++i)
         copies[result.parents[i]].push_back(i);
-
-    std::vector<std::array<int, 2>> links;
+    std::vector<std::array<int, 2>> joined; // corners of copies
     for (const auto& [face, sharing] : tetrahedra_of_faces(mesh)) {
         if (sharing.size() != 2) continue;
         const Tetrahedron &t1 = mesh.tetrahedra[sharing[0]], &t2 = mesh.tetrahedra[sharing[1]];
-        for (int copy1 : copies[sharing[0]])
-            for (int copy2 : copies[sharing[1]]) {
-                bool is_joined = false;
-                for (int v : face)
-                    is_joined |= result.real[copy1][corner_of(t1, v)] == 1 &&
-                                 result.real[copy2][corner_of(t2, v)] == 1;
+        for (int one : copies[sharing[0]])
+            for (int other : copies[sharing[1]]) {
+                const bool is_joined = std::any_of(face.begin(), face.end(), [&](int v) {
+                    return result.real[one][corner_of(t1, v)] +
+                               result.real[other][corner_of(t2, v)] ==
+                           2;
+                });
                 if (!is_joined) continue;
-                for (int v : face)
-                    links.push_back({4 * copy1 + corner_of(t1, v), 4 * copy2 + corner_of(t2, v)});
+                for (int v : face) {
+                    const int c1 = corner_of(t1, v), c2 = corner_of(t2, v);
+                    CAPTURE(one, other, v);
+                    check_that(result.mesh.tetrahedra[one][c1] == result.mesh.tetrahedra[other][c2],
+                               "copies that a face joins have its vertices in common");
+                    joined.push_back({4 * one + c1, 4 * other + c2});
+                }
             }
     }
-    const std::vector<int> label = groups(4 * result.parents.size(), links);
-    std::vector<Tetrahedron> expected(result.parents.size());
-    for (std::size_t i = 0; i < expected.size(); ++i)
-        for (int c = 0; c < 4; ++c)
-            expected[i][c] = label[4 * i + c];
-    INFO("vertices of the copies, numbered in the order in which they occur");
-    REQUIRE_THAT(canonical(result.mesh.tetrahedra), IsExactly(canonical(expected)));
+    check_count(vertex_count(result.mesh), group_count(groups(4 * result.parents.size(), joined)),
+                "vertices: copies have one in common only where faces join them");
 }
 
 // Embeds cracks, and checks what holds for every EmbeddedMesh: copies stand where their parents do
@@ -106,26 +120,27 @@ inline EmbeddedMesh embedded(const TetrahedralMesh& mesh, const Cracks& cracks)
 {
     const EmbeddedMesh result = virtual_nodes(mesh, cracks);
     const std::size_t count = result.parents.size();
-    REQUIRE(result.mesh.tetrahedra.size() == count);
-    REQUIRE(result.real.size() == count);
-    REQUIRE(result.fractions.size() == count);
-    REQUIRE(result.vertex_parents.size() == result.mesh.vertices.size());
+    check_count(tetrahedron_count(result.mesh), count, "tetrahedra, one for each parent");
+    check_count(result.real.size(), count, "rows of `real`, one for each copy");
+    check_count(result.fractions.size(), count, "fractions, one for each copy");
+    check_count(result.vertex_parents.size(), vertex_count(result.mesh),
+                "parents of vertices, one for each vertex");
     check_indices(result.mesh);
 
     std::vector<double> shares(mesh.tetrahedra.size(), 0);
     for (std::size_t i = 0; i < count; ++i) {
-        INFO("a copy, and where its corners come from");
         CAPTURE(i);
         const int parent = result.parents[i];
-        REQUIRE(parent >= 0);
-        REQUIRE(parent < tetrahedron_count(mesh));
+        check_that(parent >= 0 && parent < tetrahedron_count(mesh),
+                   "the parent of a copy is a tetrahedron of the mesh");
         for (int c = 0; c < 4; ++c) {
             const int v = result.mesh.tetrahedra[i][c], whole = mesh.tetrahedra[parent][c];
-            REQUIRE(result.vertex_parents[v] == whole);
+            check_that(result.vertex_parents[v] == whole,
+                       "a corner of a copy comes from that corner of its parent");
             REQUIRE_THAT(result.mesh.vertices[v], IsExactly(mesh.vertices[whole]));
         }
-        REQUIRE(result.fractions[i] >= 0);
-        REQUIRE(result.fractions[i] <= 1);
+        check_that(result.fractions[i] >= 0 && result.fractions[i] <= 1,
+                   "the share of a copy is between 0 and 1");
         shares[parent] += result.fractions[i];
     }
     for (double share : shares) {
@@ -148,6 +163,20 @@ inline std::vector<double> piece_matter(const TetrahedralMesh& mesh, const Embed
     for (const auto& [piece, sum] : sums)
         matter.push_back(sum);
     return sorted(matter);
+}
+
+inline void check_piece_matter(const TetrahedralMesh& mesh, const EmbeddedMesh& result,
+                               const std::vector<double>& expected, const Tolerance& tolerance)
+{
+    INFO("the matter of the pieces [m³], the least first");
+    REQUIRE_THAT(piece_matter(mesh, result), IsClose(expected, tolerance));
+}
+
+inline void check_shares(const EmbeddedMesh& result, const std::vector<double>& expected,
+                         const Tolerance& tolerance)
+{
+    INFO("the share of the matter in each copy");
+    REQUIRE_THAT(result.fractions, IsClose(expected, tolerance));
 }
 
 } // namespace rigor::testing

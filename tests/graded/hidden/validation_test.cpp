@@ -58,10 +58,11 @@ std::vector<WrongNumeric> without_clues(const std::vector<NumericFormula>& formu
     return all;
 }
 
-FormulaWithUnits with_units(const NumericFormula& formula, const N& example,
-                            const std::vector<Dimension>& arguments, const Dimension& result)
+FormulaWithUnits with_units(const NumericFormula& wrong, const NumericFormula& right,
+                            const N& example, const std::vector<Dimension>& arguments,
+                            const Dimension& result)
 {
-    return {"", formula, example, arguments, {result}};
+    return {"", wrong, example, arguments, {result}, right};
 }
 
 } // namespace
@@ -145,22 +146,28 @@ TEST_CASE("units: hidden mistakes are rejected", "[A8.6][validation][hidden]")
 {
     const Dimension mass = {1, 0, 0}, length = {0, 1, 0}, time = {0, 0, 1}, speed = {0, 1, -1},
                     force = {1, 1, -2}, pressure = {1, -1, -2}, volume = {0, 3, 0};
+    const auto product = [](const N& a) { return N{a[0] * a[1]}; };
     check_test_of_units(
         right_units(),
         {
             with_units([](const N& a) { return N{std::sqrt(a[0] * a[0] + a[1] * a[1] + 1e-12)}; },
-                       {3, 4}, {length, length}, length),
-            with_units([](const N& a) { return N{a[0] * std::min(a[1], 1e9)}; }, {1.5, 2},
+                       [](const N& a) { return N{std::sqrt(a[0] * a[0] + a[1] * a[1])}; }, {3, 4},
+                       {length, length}, length),
+            with_units([](const N& a) { return N{a[0] * std::min(a[1], 1e9)}; }, product, {1.5, 2},
                        {pressure, {0, 2, 0}}, force),
             with_units([](const N& a) { return N{a[0] * a[1] * (a[1] > 1000 ? 1.001 : 1)}; },
-                       {4, 0.2}, {speed, time}, length),
-            with_units([](const N& a) { return N{std::sqrt(a[0] / a[1]) * a[2]}; }, {3, 2, 1.2},
+                       product, {4, 0.2}, {speed, time}, length),
+            with_units([](const N& a) { return N{std::sqrt(a[0] / a[1]) * a[2]}; },
+                       [](const N& a) { return N{a[2] / 2}; }, {3, 2, 1.2},
                        {pressure, {1, -3, 0}, time}, time),
-            with_units([](const N& a) { return N{std::pow(a[0], 0.333) * a[1] / a[1]}; }, {8, 2},
+            with_units([](const N& a) { return N{std::pow(a[0], 0.333) * a[1] / a[1]}; },
+                       [](const N& a) { return N{std::cbrt(a[0]) * a[1] / a[1]}; }, {8, 2},
                        {volume, mass}, length),
-            with_units([](const N& a) { return N{a[0] + 1e-7 * a[1] * a[1]}; }, {1, 1},
-                       {mass, mass}, mass),
+            with_units([](const N& a) { return N{a[0] + 1e-7 * a[1] * a[1]}; },
+                       [](const N& a) { return N{a[0] + 1e-7 * a[1]}; }, {1, 1}, {mass, mass},
+                       mass),
             with_units([](const N& a) { return N{a[2] < 1e-9 ? 0 : a[0] * a[1] / a[2]}; },
-                       {2, 3, 0.5}, {mass, speed, time}, force),
+                       [](const N& a) { return N{a[0] * a[1] / a[2]}; }, {2, 3, 0.5},
+                       {mass, speed, time}, force),
         });
 }

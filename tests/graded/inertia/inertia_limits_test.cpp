@@ -24,7 +24,7 @@ TEST_CASE("inertia: the largest moment decides wherever it stands", "[A2.5][iner
                     moments[i] = largest * (order[i] == 2 ? share : shares[order[i]]);
                     expected[i] = order[i] == 2 && share < 1e-12 ? 0 : 1 / moments[i];
                 }
-                CAPTURE(moments.transpose());
+                CAPTURE(moments);
                 const Vector3d found = invert_moments(moments);
                 for (int i = 0; i < 3; ++i)
                     REQUIRE_THAT(found[i], IsClose(expected[i], Rounding(8)));

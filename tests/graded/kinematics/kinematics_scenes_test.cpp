@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A1.10: scenes of thrown and spinning bodies and of a spring pendulum.
+#include "support/in_words.hpp"
 #include "support/scene_run.hpp"
 
 #include <cmath>
@@ -48,7 +49,7 @@ TEST_CASE("kinematics: a body that no torque acts on keeps its angular momentum"
     const Trajectory run = run_scene("a1-kinematics/projectile_with_spin");
     const auto i = static_cast<std::size_t>(body_index(run, "spinning"));
     const Vector3d L = run.frames.front().bodies[i].angular_momentum;
-    REQUIRE(L.norm() > 0);
+    check_that(L.norm() > 0, "a body that spins has an angular momentum");
     for (const Frame& frame : run.frames) {
         CAPTURE(frame.step);
         REQUIRE_THAT(frame.bodies[i].angular_momentum, IsClose(L, Rounding(16)));
@@ -81,6 +82,7 @@ TEST_CASE(
         errors.push_back(std::abs(energy_change(run_scene("a1-kinematics/spring_pendulum", h))));
     // Energy is quadratic in the state. For oscillations the energy error of Runge–Kutta 4 is
     // therefore one order higher than the error of the state.
-    REQUIRE(errors.back() > 1e3 * eps);
+    check_that(errors.back() > 1e3 * eps,
+               "a loss of energy above rounding, so that its order can be seen");
     check_order(errors, 5);
 }

@@ -106,16 +106,17 @@ template <class T> void choose_as(T& value, const T& model, const Quantity& q)
 
 /// What is unique in a changed mesh, whose vertices and tetrahedra are in any order: how many there
 /// are, and the volume and the moment of volume of the parts of each tetrahedron.
+/// @throws std::out_of_range if it has an index that is none: a mesh may come from a submission
 inline std::vector<double> summary(const TetrahedralMesh& mesh, const std::vector<int>& parents)
 {
     std::map<int, Eigen::Vector4d> parts;
     for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t) {
         std::array<Vector3d, 4> x;
         for (int i = 0; i < 4; ++i)
-            x[i] = mesh.vertices[mesh.tetrahedra[t][i]];
+            x[i] = mesh.vertices.at(static_cast<std::size_t>(mesh.tetrahedra[t][i]));
         const double V = (x[1] - x[0]).dot((x[2] - x[0]).cross(x[3] - x[0])) / 6;
         Eigen::Vector4d& part =
-            parts.try_emplace(parents[t], Eigen::Vector4d::Zero()).first->second;
+            parts.try_emplace(parents.at(t), Eigen::Vector4d::Zero()).first->second;
         part += V * (Eigen::Vector4d() << 1, (x[0] + x[1] + x[2] + x[3]) / 4).finished();
     }
     std::vector<double> result = {static_cast<double>(mesh.vertices.size()),

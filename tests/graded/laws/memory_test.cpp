@@ -20,17 +20,46 @@ concept List = requires(T list)
 };
 
 // What a list may get from a list of other arguments. Indices of bodies and neighbours belong to
-// their own arguments; all random meshes have the same tetrahedra.
-enum class Exchange { everything, element, nothing };
+// their own arguments; all random meshes have the same tetrahedra. Where nothing fits, the list
+// changes an element itself: a flag, a level, the neighbours of one element.
+enum class Exchange { everything, element, own, nothing };
 
 template <class Element> constexpr Exchange exchange_of()
 {
     if (std::is_same_v<Element, MeshFace> || std::is_same_v<Element, ElementCrack>)
         return Exchange::everything;
     if (std::is_same_v<Element, BodyContact>) return Exchange::nothing;
-    if (Plain<Element> || requires(Element matrix) { matrix.colPivHouseholderQr(); })
+    if (std::is_same_v<Element, bool> || std::is_same_v<Element, int> ||
+        std::is_same_v<Element, std::vector<int>>)
+        return Exchange::own;
+    if (std::is_same_v<Element, double> || Plain<Element> ||
+        requires(Element matrix) { matrix.colPivHouseholderQr(); })
         return Exchange::element;
     return Exchange::nothing;
+}
+
+// Changes an element so that it stays valid. Level 0 belongs to static bodies.
+template <class Element> Element other_element(const Element& element)
+{
+    if constexpr (std::is_same_v<Element, bool>)
+        return !element;
+    else if constexpr (std::is_same_v<Element, int>)
+        return element > 0 ? element + 1 : element;
+    else
+        return {};
+}
+
+// Changes a single element of a list, one near its middle that can change.
+template <class T> void change_one(T& list)
+{
+    const std::size_t count = list.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::size_t e = (count / 2 + i) % count;
+        const auto other = other_element<typename T::value_type>(list[e]);
+        if (other == list[e]) continue;
+        list[e] = other;
+        return;
+    }
 }
 
 // The first arguments with one of them taken from the second, for each argument that does not refer
@@ -51,6 +80,7 @@ void mix(std::vector<Arguments>& calls, const Arguments& first, const Arguments&
             constexpr Exchange part = exchange_of<typename T::value_type>();
             if constexpr (part == Exchange::nothing) return;
             if constexpr (part == Exchange::everything) argument = other;
+            if constexpr (part == Exchange::own) change_one(argument);
             if constexpr (part == Exchange::element)
                 if (!argument.empty() && !other.empty())
                     argument[argument.size() / 2] = other.front();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A6.9: solids that are stretched, sheared, bent and dented keep the deformation that the formulas
 // predict, and no more.
+#include "support/in_words.hpp"
 #include "support/scene_run.hpp"
 
 #include <algorithm>
@@ -47,7 +48,7 @@ const Frame& frame_at(const Trajectory& run, double time)
     const auto found = std::find_if(run.frames.begin(), run.frames.end(), [&](const Frame& frame) {
         return frame.time > time - run.scene.time_step / 2;
     });
-    REQUIRE(found != run.frames.end());
+    check_that(found != run.frames.end(), "the scene has a frame at that time");
     return *found;
 }
 
@@ -77,7 +78,7 @@ template <class Where> Vector3d mean_place(const Trajectory& run, const Frame& f
             sum += solid(frame).positions[i];
             ++count;
         }
-    REQUIRE(count > 0);
+    check_that(count > 0, "the solid has nodes at that place");
     return sum / count;
 }
 
@@ -95,10 +96,14 @@ TEST_CASE("plasticity: a stretched bar flows from its yield stress on", "[A6.9][
         if (frame.time > 1.005) break; // from then on it is held
         CAPTURE(frame.time);
         const double e = stretch_of(frame);
-        INFO("class B: it begins between 0.95 and 1.1 of σ_Y/E");
-        if (e < 0.95 * e_Y) REQUIRE(largest(solid(frame).plastic_strains) == 0);
+        // class B
+        if (e < 0.95 * e_Y)
+            check_that(largest(solid(frame).plastic_strains) == 0,
+                       "no plastic strain, up to a strain of 0.95 σ_Y/E");
         if (e < 1.1 * e_Y) continue;
-        REQUIRE(least(solid(frame).plastic_strains) > 0);
+        check_that(least(solid(frame).plastic_strains) > 0,
+                   "plastic strain everywhere, from a strain of 1.1 σ_Y/E on");
+        INFO("the stress of a bar that flows is σ_Y");
         REQUIRE_THAT(double{least(solid(frame).stresses)}, IsClose(sigma_Y, Order(1e-3 * sigma_Y)));
         REQUIRE_THAT(double{largest(solid(frame).stresses)},
                      IsClose(sigma_Y, Order(1e-3 * sigma_Y)));
@@ -174,8 +179,8 @@ TEST_CASE("plasticity: a wire springs back as a whole or by what its yield stres
           "[A6.9][plasticity]")
 {
     const Trajectory run = run_scene("a6-plasticity/paper_clip");
-    INFO("bent by 5 degrees it does not flow");
-    REQUIRE(largest(solid(frame_at(run, 1)).plastic_strains) == 0);
+    check_that(largest(solid(frame_at(run, 1)).plastic_strains) == 0,
+               "no plastic strain in a wire that is bent by 5 degrees");
 
     const auto at = [&](double x) {
         return mean_place(run, run.frames.back(),
@@ -214,8 +219,7 @@ TEST_CASE("plasticity: a metal ball keeps a dent and a rubber one bounces", "[A6
     for (const Frame& frame : run.frames) {
         CAPTURE(frame.time);
         const SolidFrame &metal = solid(frame, 0), &rubber = solid(frame, 1);
-        INFO("rubber never flows");
-        REQUIRE(largest(rubber.plastic_strains) == 0);
+        check_that(largest(rubber.plastic_strains) == 0, "no plastic strain in rubber");
         INFO("no mass is lost");
         REQUIRE_THAT(metal.totals.mass, IsExactly(solid(run.frames.front(), 0).totals.mass));
         if (frame.time < 0.35) continue; // the balls fall or hit the floor
@@ -230,5 +234,5 @@ TEST_CASE("plasticity: a metal ball keeps a dent and a rubber one bounces", "[A6
     const SolidFrame& end = solid(run.frames.back());
     check_at_most(extent(end, 1), 0.9 * 0.8, "its height");
     check_at_most(1.02 * 0.8, extent(end, 0), "what its width must reach");
-    REQUIRE(largest(end.plastic_strains) > 0.1F);
+    check_that(largest(end.plastic_strains) > 0.1F, "a plastic strain above 0.1 in the metal");
 }

@@ -37,6 +37,9 @@ struct FormulaWithUnits {
     Function<UnknownFormula> formula;
     std::vector<double> example;
     std::vector<Dimension> arguments, result;
+    /// For a wrong formula, a right one with the same example and dimensions. Without it, a test
+    /// could know a wrong formula by these, and would not have to call it.
+    Function<UnknownFormula> right = nullptr;
 };
 
 const Candidates<LineCollision>& line_collisions();

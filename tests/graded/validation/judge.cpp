@@ -2,6 +2,7 @@
 #include "judge.hpp"
 
 #include "support/catch.hpp"
+#include "support/in_words.hpp"
 #include "support/random.hpp"
 #include "support/seeds.hpp"
 #include "worker/proxy/proxy.hpp"
@@ -10,7 +11,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
+#include <stdexcept>
 
 namespace rigor::testing {
 
@@ -34,17 +37,16 @@ void answer(Calls& known, const Judgement& question, const NumericFormula& formu
     known.push_back({question.question, formula(question.question)});
 }
 
-// What the test says of a formula in the end. `asked` are the calls that it probably makes, since
-// it has made them before; they become the calls that it has made.
-Judgement judged(const StudentsTest& test, const NumericFormula& formula, Calls& asked)
+// What the test says of a formula in the end. It begins without any call: those that it made about
+// another formula would be a memory of that one.
+Judgement judged(const StudentsTest& test, const NumericFormula& formula)
 {
     renew_worker();
-    for (KnownCall& call : asked)
-        call.result = formula(call.arguments);
+    Calls known;
     for (int round = 0; round < most_rounds; ++round) {
-        const Judgement judgement = test.judgement(asked);
+        const Judgement judgement = test.judgement(known);
         if (judgement.question.empty()) return judgement;
-        answer(asked, judgement, formula, test.arguments);
+        answer(known, judgement, formula, test.arguments);
     }
     FAIL("the test does not come to its end: it makes other calls whenever it is run, although the "
          "results are the same");
@@ -67,6 +69,46 @@ void require_rejected(const std::vector<std::string>& accepted, std::size_t all)
     if (clue != accepted.end())
         text += fmt::format("; {} {}", accepted.size() == 1 ? "it" : "one of them", *clue);
     FAIL(text);
+}
+
+// A formula on which a test is tried.
+struct Candidate {
+    StudentsTest test;
+    NumericFormula formula;
+    bool is_right;
+    std::string clue;
+    bool is_accepted = false;
+};
+
+// Whoever measures time can sleep until the clock shows how many formulas came before. So their
+// order is drawn, and says nothing about which of them are right.
+std::vector<std::size_t> drawn_order(std::size_t n)
+{
+    Random random(first_seed() + 29);
+    std::vector<std::size_t> order(n);
+    std::iota(order.begin(), order.end(), 0);
+    for (std::size_t i = n; i > 1; --i) // Fisher and Yates
+        std::swap(order[i - 1], order[random.bits() % i]);
+    return order;
+}
+
+void check_test(std::vector<Candidate> candidates)
+{
+    std::size_t wrong_ones = 0;
+    for (const std::size_t i : drawn_order(candidates.size())) {
+        Candidate& candidate = candidates[i];
+        const Judgement judgement = judged(candidate.test, candidate.formula);
+        candidate.is_accepted = judgement.rejected_in == 0;
+        if (candidate.is_right && !candidate.is_accepted) FAIL(accusation(judgement));
+        wrong_ones += candidate.is_right ? 0 : 1;
+    }
+    check_that(wrong_ones > 0 && wrong_ones < candidates.size(),
+               "formulas that are right, and others that are wrong");
+    std::vector<std::string> accepted;
+    for (const Candidate& candidate : candidates)
+        if (!candidate.is_right && candidate.is_accepted) accepted.push_back(candidate.clue);
+    require_rejected(accepted, wrong_ones);
+    check_count(accepted.size(), 0, "wrong formulas that your test accepts");
 }
 
 double largest(const std::vector<double>& numbers)
@@ -149,36 +191,27 @@ StudentsTest students_test_of_units(const FormulaWithUnits& formula)
 void check_test(const StudentsTest& test, const std::vector<NumericFormula>& right,
                 const std::vector<WrongNumeric>& wrong)
 {
-    REQUIRE(!right.empty());
-    Calls asked;
-    for (const NumericFormula& formula : right) {
-        const Judgement judgement = judged(test, formula, asked);
-        if (judgement.rejected_in != 0) FAIL(accusation(judgement));
-    }
-    std::vector<std::string> accepted;
+    std::vector<Candidate> candidates;
+    for (const NumericFormula& formula : right)
+        candidates.push_back({test, formula, true, ""});
     for (const WrongNumeric& formula : wrong)
-        if (judged(test, formula.formula, asked).rejected_in == 0) accepted.push_back(formula.clue);
-    require_rejected(accepted, wrong.size());
-    CHECK(accepted.empty());
+        candidates.push_back({test, formula.formula, false, formula.clue});
+    check_test(std::move(candidates));
 }
 
 void check_test_of_units(const std::vector<FormulaWithUnits>& right,
                          const std::vector<FormulaWithUnits>& wrong)
 {
-    REQUIRE(!right.empty());
-    std::vector<std::string> accepted;
-    for (const FormulaWithUnits& formula : right) {
-        Calls asked;
-        const Judgement judgement = judged(students_test_of_units(formula), formula.formula, asked);
-        if (judgement.rejected_in != 0) FAIL(accusation(judgement));
-    }
+    std::vector<Candidate> candidates;
+    for (const FormulaWithUnits& formula : right)
+        candidates.push_back({students_test_of_units(formula), formula.formula, true, ""});
     for (const FormulaWithUnits& formula : wrong) {
-        Calls asked;
-        if (judged(students_test_of_units(formula), formula.formula, asked).rejected_in == 0)
-            accepted.push_back(formula.clue);
+        if (!formula.right) throw std::logic_error("a wrong formula with units has no right one");
+        const StudentsTest test = students_test_of_units(formula);
+        candidates.push_back({test, formula.formula, false, formula.clue});
+        candidates.push_back({test, formula.right, true, ""});
     }
-    require_rejected(accepted, wrong.size());
-    CHECK(accepted.empty());
+    check_test(std::move(candidates));
 }
 
 std::vector<WrongNumeric> mutants(const NumericFormula& formula,

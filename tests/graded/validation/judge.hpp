@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Tries the test that a student wrote on right and wrong formulas. The formulas stay in this
 // process; the test, in its worker, gets nothing but their results, and says whether it accepts
-// them. Each formula is judged by a new worker, so that a test cannot remember an earlier one.
+// them. Each formula is judged by a new worker, in an order that is drawn, so that a test can
+// neither remember an earlier formula nor know which ones come first.
 #pragma once
 
 #include "candidates.hpp"
@@ -76,7 +77,8 @@ std::vector<NumericFormula> numeric(const std::vector<std::function<Formula>>& f
 void check_test(const StudentsTest& test, const std::vector<NumericFormula>& right,
                 const std::vector<WrongNumeric>& wrong);
 
-/// The same for the test of units, whose formulas have dimensions of their own.
+/// The same for the test of units, whose formulas have dimensions of their own. Each wrong formula
+/// comes with a right one, which is tried as well.
 void check_test_of_units(const std::vector<FormulaWithUnits>& right,
                          const std::vector<FormulaWithUnits>& wrong);
 

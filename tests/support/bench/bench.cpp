@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <cstdlib>
 #include <fstream>
 #include <limits>
 #include <string_view>
@@ -73,12 +74,19 @@ Json json_of(const Bench::Row& row)
     return object;
 }
 
+// How many processes computed, or waited for a processor, at a time in the last minute.
+double load()
+{
+    double minute = 0;
+    return getloadavg(&minute, 1) == 1 ? minute : std::numeric_limits<double>::quiet_NaN();
+}
+
 } // namespace
 
 int Bench::finish(bool json) const
 {
     if (json) {
-        Json result = {{"bench", name_}, {"machine", machine_name()}};
+        Json result = {{"bench", name_}, {"machine", machine_name()}, {"load", load()}};
         result["rows"] = Json::array();
         for (const Row& row : rows_)
             result["rows"].push_back(json_of(row));
@@ -93,7 +101,8 @@ int Bench::finish(bool json) const
         std::printf("%s\n", result.dump(2).c_str());
         return 0;
     }
-    std::printf("%s, on %s\n\n", name_.c_str(), machine_name().c_str());
+    std::printf("%s, on %s, with a load of %.3g\n\n", name_.c_str(), machine_name().c_str(),
+                load());
     for (std::size_t begin = 0, end = 0; begin < rows_.size(); begin = end) {
         while (end < rows_.size() && same_keys(rows_[begin], rows_[end]))
             ++end;

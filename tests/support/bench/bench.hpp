@@ -22,7 +22,8 @@ struct Reach {
 };
 
 /// Collects rows and promises, then prints them once: as a table, or as one JSON object
-/// `{bench, machine, rows, not_installed, reach}`.
+/// `{bench, machine, load, rows, not_installed, reach}`; `load` is how many processes computed at a
+/// time in the last minute.
 class Bench {
 public:
     using Value = std::variant<double, std::string>;

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+// A7: on which side of a plane a tetrahedron is, in whatever order its corners stand and wherever
+// the solid is, and which face is nearest where a small component of the normal decides.
+#include "formulas/fracture.hpp"
+#include "fracture_laws.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fracture_sides_test {
+
+using namespace rigor;
+using namespace rigor::testing;
+
+namespace {
+
+// A tetrahedron with its corners in the n-th of the orders that do not invert it.
+Tetrahedron reordered(const Tetrahedron& t, int n)
+{
+    std::array<int, 4> order = {0, 1, 2, 3};
+    for (int even = -1;; std::next_permutation(order.begin(), order.end())) {
+        int inversions = 0;
+        for (int i = 0; i < 4; ++i)
+            for (int j = 0; j < i; ++j)
+                inversions += order[j] > order[i];
+        if (inversions % 2 == 0 && ++even == n)
+            return {t[order[0]], t[order[1]], t[order[2]], t[order[3]]};
+    }
+}
+
+// The tetrahedra with positive volume, the first of them with its corners in order n, somewhere in
+// space.
+TetrahedralMesh placed(TetrahedralMesh mesh, int n, const Vector3d& offset)
+{
+    for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t)
+        if (volume(mesh, t) < 0) std::swap(mesh.tetrahedra[t][2], mesh.tetrahedra[t][3]);
+    mesh.tetrahedra[0] = reordered(mesh.tetrahedra[0], n);
+    for (Vector3d& x : mesh.vertices)
+        x += offset;
+    return mesh;
+}
+
+// Cuts the mesh at vertex 0 along z = 0, from either side of the plane. Tetrahedron 1 must come
+// off, with three new vertices.
+void check_comes_off(const TetrahedralMesh& original)
+{
+    for (const Vector3d& offset : {Vector3d(0, 0, 0), Vector3d(4, -2, 8), Vector3d(4, -2, -8)})
+        for (const double sign : {1.0, -1.0})
+            for (int n = 0; n < 12; ++n) {
+                CAPTURE(offset, sign, n);
+                const TetrahedralMesh mesh = placed(original, n, offset);
+                const SplitMesh result = split_element(mesh, 0, sign * Vector3d::UnitZ());
+                check_split(mesh, result);
+                check_count(tetrahedron_count(result.mesh), tetrahedron_count(mesh), "tetrahedra");
+                check_count(vertex_count(result.mesh), vertex_count(mesh) + 3, "vertices");
+                const double off = volume(mesh, 1);
+                check_piece_volumes(result.mesh, sorted(std::vector{off, volume(mesh) - off}),
+                                    Rounding(1024, 1));
+            }
+}
+
+} // namespace
+
+TEST_CASE("fracture: the vertices off the plane decide and not those near it", "[A7.6][fracture]")
+{
+    // The longest edge is √2 m. Vertex 3 is off the plane; 1 and 2 are near it, so much on the
+    // other side that the center of tetrahedron 0 is there too.
+    check_comes_off({{{0, 0, 0}, {1, 0, -0.06}, {0, 1, -0.06}, {0.3, 0.3, 0.1}, {0.3, 0.3, -0.6}},
+                     {{0, 1, 2, 3}, {0, 1, 2, 4}}});
+}
+
+TEST_CASE("fracture: of a tetrahedron on the plane the center decides and no single vertex",
+          "[A7.6][fracture]")
+{
+    // Tetrahedron 0 is near the plane, its center above it, and vertex 3 below it. Tetrahedron 1 is
+    // below, on the face 0 1 3, and tetrahedron 2 above, on the face 0 1 2.
+    check_comes_off(
+        {{{0, 0, 0}, {1, 0, 0.03}, {0, 1, 0.03}, {0.6, 0.6, -0.04}, {0.5, 0.3, -1}, {0.3, 0.3, 1}},
+         {{0, 1, 2, 3}, {0, 1, 3, 4}, {0, 1, 2, 5}}});
+}
+
+TEST_CASE("fracture: a center as near to the plane as can be told decides", "[A7.6][fracture]")
+{
+    for (int power = 10; power <= 40; ++power)
+        for (const double sign : {1.0, -1.0}) {
+            CAPTURE(power, sign);
+            // as above; the center of tetrahedron 0 is 2^-power above the plane, or below it
+            const double height = -0x1p-4 + sign * 4 * std::ldexp(1, -power);
+            const TetrahedralMesh mesh = placed({{{0, 0, 0},
+                                                  {1, 0, 0x1p-5},
+                                                  {0, 1, 0x1p-5},
+                                                  {0.6, 0.6, height},
+                                                  {0.5, 0.3, -1},
+                                                  {0.3, 0.3, 1}},
+                                                 {{0, 1, 2, 3}, {0, 1, 3, 4}, {0, 1, 2, 5}}},
+                                                0, {0, 0, 0});
+            const SplitMesh result = split_element(mesh, 0, Vector3d::UnitZ());
+            const double off = volume(mesh, sign > 0 ? 1 : 2);
+            check_piece_volumes(result.mesh, sorted(std::vector{off, volume(mesh) - off}),
+                                Rounding(64, 1));
+        }
+}
+
+TEST_CASE("fracture: a small component of the normal decides between two faces", "[A7.4][fracture]")
+{
+    // Faces 2 and 3 have the normals (1, 2, 0)/√5 and (-1, 2, 0)/√5; y is equally near to both.
+    const std::array<Vector3d, 4> x = {Vector3d(0, 0, -1), Vector3d(0, 0, 1), Vector3d(2, 1, 0),
+                                       Vector3d(-2, 1, 0)};
+    for (int power = 1; power <= 40; ++power)
+        for (int axis = 0; axis < 3; ++axis) { // the axes x, y, z become axis, axis + 1, axis + 2
+            CAPTURE(power, axis);
+            Matrix3d Q;
+            for (int i = 0; i < 3; ++i)
+                Q.col(i) = Vector3d::Unit((axis + i) % 3);
+            std::array<Vector3d, 4> turned;
+            for (int i = 0; i < 4; ++i)
+                turned[i] = Q * x[i];
+            const Vector3d n = Vector3d(std::ldexp(1, -power), 1, 0).normalized();
+            const Vector3d mirrored(-n.x(), n.y(), 0);
+            REQUIRE_THAT(closest_face(turned, Q * n), IsExactly(2));
+            REQUIRE_THAT(closest_face(turned, Q * mirrored), IsExactly(3));
+        }
+}
+
+TEST_CASE("fracture: through elements a lone vertex at the origin stays", "[A7.6][fracture]")
+{
+    const TetrahedralMesh mesh = {{{0, 0, 0}}, {}};
+    check_count(vertex_count(split_element(mesh, 0, Vector3d::UnitY()).mesh), 1, "vertices");
+}
+
+TEST_CASE("fracture: along faces a lone vertex at the origin stays", "[A7.5][fracture]")
+{
+    const TetrahedralMesh mesh = {{{0, 0, 0}}, {}};
+    check_count(vertex_count(split_along_faces(mesh, {}).mesh), 1, "vertices");
+}
+
+TEST_CASE("fracture: with virtual nodes a lone vertex at the origin stays", "[A7.7][fracture]")
+{
+    const TetrahedralMesh mesh = {{{0, 0, 0}}, {}};
+    check_count(vertex_count(virtual_nodes(mesh, {}).mesh), 1, "vertices");
+}
+
+} // namespace fracture_sides_test
