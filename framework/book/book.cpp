@@ -25,6 +25,8 @@ constexpr std::string_view style = R"(
 body { font: 17px/1.5 serif; max-width: 46em; margin: 2em auto; padding: 0 1em }
 h1 { margin-top: 3em; page-break-before: always } h1, h2, h3 { line-height: 1.2 }
 figure { margin: 1.5em 0; text-align: center } figure svg, img { max-width: 100%; height: auto }
+math { font-family: "STIX Two Math", "STIX Math", "Latin Modern Math", "Cambria Math",
+       "DejaVu Math TeX Gyre", math }
 figcaption { font-size: 85%; opacity: 0.8 } table { border-collapse: collapse; font-size: 90% }
 td, th { border: 1px solid #8c959f; padding: 0.2em 0.6em; text-align: left }
 pre { background: #8881; padding: 0.6em; overflow-x: auto; font-size: 85% }

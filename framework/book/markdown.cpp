@@ -79,6 +79,13 @@ bool is_item(const std::string& line)
     return line.starts_with("- ") || is_numbered(line);
 }
 
+// Whether a line ends the paragraph before it. A sentence may end with a number, so of the numbered
+// items only the first does.
+bool begins_list(const std::string& line)
+{
+    return line.starts_with("- ") || line.starts_with("1. ");
+}
+
 bool is_fold(const std::string& line)
 {
     return line.starts_with("<details>") || line.starts_with("</details>") ||
@@ -211,7 +218,7 @@ private:
     {
         std::string content = lines_[at_++];
         while (at_ < lines_.size() && !lines_[at_].empty() && !lines_[at_].starts_with("```") &&
-               !is_item(lines_[at_]) && !is_fold(lines_[at_]) && lines_[at_].front() != '|')
+               !begins_list(lines_[at_]) && !is_fold(lines_[at_]) && lines_[at_].front() != '|')
             content += "\n" + lines_[at_++];
         return "<p>" + words(content) + "</p>\n";
     }

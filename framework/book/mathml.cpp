@@ -7,6 +7,7 @@
 #include "errors/input_error.hpp"
 #include "errors/markup.hpp"
 
+#include <algorithm>
 #include <cctype>
 #include <fmt/format.h>
 #include <map>
@@ -24,15 +25,24 @@ const Words letters = {{"alpha", "α"},   {"beta", "β"},       {"gamma", "γ"},
                        {"mu", "μ"},      {"nu", "ν"},         {"rho", "ρ"},    {"sigma", "σ"},
                        {"tau", "τ"},     {"phi", "ϕ"},        {"varphi", "φ"}, {"psi", "ψ"},
                        {"omega", "ω"},   {"pi", "π"},         {"Delta", "Δ"},  {"Omega", "Ω"}};
+constexpr std::string_view not_stretched = " stretchy=\"false\"";
+
 const Words operators = {{"cdot", "·"},  {"times", "×"}, {"ast", "∗"},       {"le", "≤"},
                          {"ge", "≥"},    {"pm", "±"},    {"sum", "∑"},       {"int", "∫"},
                          {"nabla", "∇"}, {"to", "→"},    {"leftarrow", "←"}, {"partial", "∂"},
-                         {"dots", "…"},  {"lvert", "|"}, {"rvert", "|"},     {"lVert", "‖"},
-                         {"rVert", "‖"}};
+                         {"dots", "…"}};
+struct Bar {
+    std::string_view text, form; // "prefix" before what it encloses, "postfix" behind it
+};
+const std::map<std::string, Bar, std::less<>> bars = {{"lvert", {"|", "prefix"}},
+                                                      {"rvert", {"|", "postfix"}},
+                                                      {"lVert", {"‖", "prefix"}},
+                                                      {"rVert", {"‖", "postfix"}}};
 const Words functions = {{"cos", "cos"}, {"sin", "sin"}, {"tan", "tan"}, {"arctan", "arctan"},
                          {"exp", "exp"}, {"det", "det"}, {"max", "max"}};
 const Words spaces = {
     {"qquad", "2em"}, {"quad", "1em"}, {",", "0.17em"}, {";", "0.28em"}, {" ", "0.25em"}};
+constexpr std::string_view thin_space = "<mspace width=\"0.17em\"/>";
 const Words accents = {{"dot", "˙"}, {"ddot", "¨"}, {"bar", "¯"}};
 
 std::string element(std::string_view name, const std::string& content)
@@ -54,7 +64,7 @@ public:
                 at_ += end.size();
                 return element("mrow", result);
             }
-            result += with_scripts();
+            result += next_after(result);
             skip_space();
         }
         if (!end.empty()) fail("expected " + std::string(end));
@@ -76,6 +86,55 @@ private:
             ++at_;
     }
 
+    // Whether a sign behind `row` has nothing on its left, as in "= −1" and "(−1".
+    static bool is_open(const std::string& row)
+    {
+        return row.empty() || row.ends_with("/>") || (row.ends_with("</mo>") && !is_closed(row));
+    }
+    static bool is_closed(const std::string& row)
+    {
+        return row.ends_with(")</mo>") || row.ends_with("]</mo>") || row.ends_with("′</mo>") ||
+               row.ends_with("\"postfix\">|</mo>") || row.ends_with("\"postfix\">‖</mo>");
+    }
+
+    // Whether the name of a function comes next.
+    bool is_function_next() const
+    {
+        std::size_t end = at_ + 1;
+        while (end < text_.size() && std::isalpha(static_cast<unsigned char>(text_[end])) != 0)
+            ++end;
+        return at_ < text_.size() && text_[at_] == '\\' &&
+               functions.contains(text_.substr(at_ + 1, end - at_ - 1));
+    }
+
+    // Whether what comes next is no operator and no bracket.
+    bool is_operand_next() const
+    {
+        if (at_ >= text_.size()) return false;
+        const char c = text_[at_];
+        if (std::isalnum(static_cast<unsigned char>(c)) != 0 || is_function_next()) return true;
+        if (c != '\\') return c == '{';
+        const auto is_next = [&](const auto& words) {
+            return std::any_of(words.begin(), words.end(), [&](const auto& word) {
+                return text_.compare(at_ + 1, word.first.size(), word.first) == 0;
+            });
+        };
+        return is_next(letters) || starts_with("\\frac") || starts_with("\\tfrac");
+    }
+
+    // The next atom with its scripts, and the space between it and the row before it.
+    std::string next_after(const std::string& row)
+    {
+        if ((text_[at_] == '-' || text_[at_] == '+') && is_open(row))
+            return fmt::format("<mo form=\"prefix\">{}</mo>", text_[at_++] == '-' ? "−" : "+");
+        if (!is_function_next()) return with_scripts();
+        std::string result(is_open(row) ? "" : thin_space);
+        result += with_scripts();
+        skip_space();
+        if (is_operand_next()) result += thin_space;
+        return result;
+    }
+
     std::string with_scripts()
     {
         const std::string base = atom();
@@ -87,6 +146,7 @@ private:
             skip_space();
         }
         if (below.empty() && above.empty()) return base;
+        if (base.starts_with("<munder>") && above.empty()) return element("munder", base + below);
         if (above.empty()) return element("msub", base + below);
         if (below.empty()) return element("msup", base + above);
         return element("msubsup", base + below + above);
@@ -118,7 +178,16 @@ private:
         std::string whole(1, c); // with the other bytes of a letter that is not ASCII
         while (at_ < text_.size() && (static_cast<unsigned char>(text_[at_]) & 0xC0) == 0x80)
             whole += text_[at_++];
-        return element("mo", c == '\'' ? "′" : escaped_markup(whole));
+        return sign(c == '\'' ? "′" : escaped_markup(whole));
+    }
+
+    // An operator. A bracket is as high as a letter, unless `\left` or `\right` stands before it.
+    static std::string sign(const std::string& text)
+    {
+        const bool is_bracket =
+            text == "(" || text == ")" || text == "[" || text == "]" || text == "|";
+        if (text == "/") return "<mo lspace=\"0\" rspace=\"0\">/</mo>";
+        return fmt::format("<mo{}>{}</mo>", is_bracket ? not_stretched : "", text);
     }
 
     std::string number()
@@ -162,7 +231,10 @@ private:
         if (const auto i = letters.find(word); i != letters.end())
             return element("mi", std::string(i->second));
         if (const auto i = operators.find(word); i != operators.end())
-            return element("mo", std::string(i->second));
+            return sign(std::string(i->second));
+        if (const auto i = bars.find(word); i != bars.end())
+            return fmt::format("<mo{} form=\"{}\">{}</mo>", not_stretched, i->second.form,
+                               i->second.text);
         if (const auto i = functions.find(word); i != functions.end())
             return element("mi", std::string(i->second));
         if (const auto i = spaces.find(word); i != spaces.end())
@@ -180,17 +252,43 @@ private:
             return element("mfrac", above + argument());
         }
         if (word == "sqrt") return element("msqrt", argument());
-        if (word == "mathrm")
-            return fmt::format("<mi mathvariant=\"normal\">{}</mi>", escaped_markup(plain()));
-        if (word == "text") return element("mtext", escaped_markup(plain()));
-        if (word == "mathrel") return argument();
+        if (word == "mathrm") {
+            const std::string upright = plain();
+            if (upright.find_first_of("^_") != std::string::npos)
+                fail("expected no index and no exponent in \\mathrm");
+            return fmt::format("<mi mathvariant=\"normal\">{}</mi>", escaped_markup(upright));
+        }
+        if (word == "text") return element("mtext", with_ends(escaped_markup(plain())));
+        if (word == "mathrel") return assignment();
         if (word == "left" || word == "right") {
             skip_space();
-            return atom();
+            std::string bracket = atom(); // as high as what stands beside it
+            if (const std::size_t found = bracket.find(not_stretched); found != std::string::npos)
+                bracket.erase(found, not_stretched.size());
+            return bracket;
         }
         if (word == "underbrace") return element("munder", argument() + "<mo>⏟</mo>");
         if (word == "begin") return matrix(plain());
         fail("unknown command \\" + word);
+    }
+
+    // A text whose blanks at its ends are kept.
+    static std::string with_ends(std::string text)
+    {
+        const std::string blank = "\u00A0"; // does not vanish
+        if (text.ends_with(' ')) text.replace(text.size() - 1, 1, blank);
+        if (text.starts_with(' ')) text.replace(0, 1, blank);
+        return text;
+    }
+
+    // One sign of two, as += is.
+    std::string assignment()
+    {
+        const std::string first = plain();
+        skip_space();
+        if (at_ >= text_.size() || text_[at_] != '=') fail("expected = after \\mathrel");
+        ++at_;
+        return element("mo", first + "=");
     }
 
     std::string matrix(const std::string& kind)

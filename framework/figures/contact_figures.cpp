@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <utility>
 
 namespace rigor::figures {
 
@@ -84,6 +85,16 @@ Drawing levels()
     std::vector<bool> is_static(items.size(), false);
     is_static[0] = true;
     const std::vector<int> levels = contact_levels(rests_on, is_static);
+    // An arrow to the ground ends below its body, or at the foot of a card that leans. The two
+    // arrows between the cards lie one above the other.
+    const auto arrow_of = [&](int i, int below) -> std::pair<Vector2d, Vector2d> {
+        const Vector2d from = items[i].center, to = items[below].center;
+        const double foot = i == 5 ? 4.375 : i == 6 ? 5.625 : from.x() + 0.12;
+        if (below == 0) return {{i > 4 ? from.x() : foot, from.y()}, {foot, 0}};
+        const Vector2d aside =
+            i > 4 && i < 7 ? Vector2d(0, i == 5 ? 0.2 : -0.2) : Vector2d(0.12, 0);
+        return {from + aside, from + 0.8 * (to - from) + aside};
+    };
     drawing.place({60, 320}, 78);
     const char* colors[] = {"grey", "blue", "green", "orange"};
     for (std::size_t i = 0; i < items.size(); ++i) {
@@ -92,10 +103,8 @@ Drawing levels()
     }
     for (std::size_t i = 0; i < items.size(); ++i)
         for (const int below : rests_on[i]) {
-            const Vector2d from = items[i].center, to = items[below].center;
-            const Vector2d end =
-                below == 0 ? Vector2d(from.x(), 0) : Vector2d(from + 0.8 * (to - from));
-            drawing.arrow(from + Vector2d(0.12, 0), end + Vector2d(0.12, 0), "ink thin");
+            const auto [from, to] = arrow_of(static_cast<int>(i), below);
+            drawing.arrow(from, to, "ink thin");
         }
     for (std::size_t i = 0; i < items.size(); ++i)
         drawing.label(items[i].center - Vector2d(i == 0   ? 3.2
@@ -154,18 +163,23 @@ Drawing sweeps()
         "and level by level.",
         660, 380);
     const Stack ten = stack(10);
-    drawing.place({90, 70}, 1);
-    const double left = 1e-4;
+    drawing.place({90, 75}, 1);
+    // The scale is logarithmic down to 1e-3; zero lies below a break of the axis.
+    const double least = 1e-3;
     const auto at = [&](double n, double v) {
-        return Vector2d(n * 2.6, std::log10(std::max(v, left)) * 65);
+        return Vector2d(n * 2.6, v < least ? -245 : std::log10(v) * 65);
     };
-    for (int power = 0; power >= -4; --power) {
-        drawing.line(at(0, std::pow(10, power)), at(200, std::pow(10, power)), "grey thin");
-        drawing.label(at(0, std::pow(10, power)), power == 0 ? "1" : "1e" + std::to_string(power),
-                      Side::left, "grey");
+    drawing.label(at(0, 1) + Vector2d(-40, 18), "fastest approach [m/s]", Side::right);
+    drawing.line(at(0, 1), at(0, least), "ink thin");
+    for (const double gap : {0.0, 8.0}) // the break
+        drawing.line(at(0, least) + Vector2d(-7, -24 - gap), at(0, least) + Vector2d(7, -18 - gap),
+                     "ink thin");
+    for (const double v : {1.0, 1e-1, 1e-2, 1e-3, 0.0}) {
+        drawing.line(at(0, v), at(200, v), "grey thin");
+        drawing.label(at(0, v), fmt::format("{:g}", v), Side::left, "grey");
     }
     for (const int n : {50, 100, 150, 200})
-        drawing.label(at(n, left), std::to_string(n), Side::below, "grey");
+        drawing.label(at(n, 0), std::to_string(n), Side::below, "grey");
     Points one, all, shock;
     for (int n = 1; n <= 200; n += n < 20 ? 1 : 5) {
         one.push_back(
@@ -181,8 +195,8 @@ Drawing sweeps()
     drawing.curve(shock, "green thick");
     drawing.label(at(60, 0.42), "resolve_contacts", Side::right, "red");
     drawing.label(at(38, 0.012), "resolve_simultaneously", Side::right, "blue");
-    drawing.label(at(20, 1.6e-4), "shock_propagation: 0", Side::right, "green");
-    drawing.label(at(100, left) - Vector2d(0, 22), "iterations or sweeps", Side::below, "grey");
+    drawing.label(at(20, 0) + Vector2d(0, 16), "shock_propagation", Side::right, "green");
+    drawing.label(at(100, 0) - Vector2d(0, 22), "iterations or sweeps", Side::below, "grey");
     return drawing;
 }
 

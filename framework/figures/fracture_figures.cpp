@@ -98,7 +98,7 @@ Drawing smoothing()
     Drawing drawing(
         "The stress of a row of elements jumps; an average with the neighbours jumps less.", 660,
         320);
-    const double pulls[] = {3, 5, 2.5, 6, 4, 9, 3.5, 6, 3, 4.5};
+    const double pulls[] = {3, 4.5, 2.5, 4, 5.5, 9, 6, 4, 2.5, 4.5};
     std::vector<Matrix3d> stresses;
     std::vector<std::vector<int>> neighbours;
     std::vector<double> volumes(std::size(pulls), 1);
@@ -121,6 +121,7 @@ Drawing smoothing()
     drawing.arrow({0, 0}, {570, 0}, "ink thin");
     drawing.arrow({0, 0}, {0, 250}, "ink thin");
     drawing.label({0, 250}, "σ₁", Side::left);
+    drawing.label({285, 0}, "element", Side::below);
     drawing.line({0, 25 * 7.0}, {560, 25 * 7.0}, "red dashed");
     drawing.label({0, 25 * 7.0}, "strength", Side::left, "red");
     bars(stresses, "grey");
@@ -140,19 +141,23 @@ Drawing crack_plane_figure()
     stress(0, 1) = stress(1, 0) = 0.5;
     const Vector3d n = crack_plane(stress, 1).value();
     const int face = closest_face(x, n);
-    drawing.place({270, 300}, 235);
+    drawing.place({250, 285}, 215);
     Points nearest;
     for (int i = 1; i <= 3; ++i)
         nearest.push_back(view(x[static_cast<std::size_t>((face + i) % 4)]));
     drawing.polygon(nearest, "green filled");
     draw_tetrahedron(drawing, x, Vector3d::Zero(), "ink");
+    constexpr std::array sides = {Side::left, Side::right, Side::above, Side::left};
+    for (std::size_t i = 0; i < 4; ++i)
+        drawing.label(view(x[i]), std::to_string(i), sides[i]);
     const Vector3d middle = (x[0] + x[1] + x[2] + x[3]) / 4;
     drawing.polygon(section(x, n, n.dot(middle)), "orange filled");
     drawing.arrow(view(middle), view(middle + 0.45 * n), "orange thick");
     drawing.label(view(middle + 0.45 * n), "n", Side::right, "orange");
     drawing.place({0, 0}, 1);
     drawing.label({430, -80}, "plane of the crack", Side::right, "orange");
-    drawing.label({430, -110}, "closest_face: face " + std::to_string(face), Side::right, "green");
+    drawing.label({430, -110}, "closest_face: " + std::to_string(face), Side::right, "green");
+    drawing.label({430, -134}, fmt::format("(opposite corner {})", face), Side::right, "green");
     return drawing;
 }
 
@@ -198,7 +203,7 @@ Drawing through_elements()
 {
     Drawing drawing(
         "A tetrahedron before and after it is cut by a plane through one of its vertices: "
-        "each edge that crosses the plane is halved there.",
+        "each edge that crosses the plane is split there.",
         660, 360);
     TetrahedralMesh mesh;
     mesh.vertices = {Vector3d(0, 0, 0), Vector3d(1, 0, 0.2), Vector3d(0.2, 1, 0.1),
@@ -237,6 +242,11 @@ Drawing with_virtual_nodes()
     const Vector3d n = Vector3d(0.2, 1, 0.1).normalized();
     const Vector3d on_crack(0, 0.4, 0);
     const EmbeddedMesh split = virtual_nodes(mesh, {{0, on_crack, n}});
+    drawing.place({0, 0}, 1);
+    drawing.dot({30, -40}, "ink");
+    drawing.label({32, -40}, "real corner", Side::right);
+    drawing.circle({30, -65}, 4.65, "ink");
+    drawing.label({32, -65}, "virtual corner", Side::right);
     const Vector2d places[] = {{300, 265}, {525, 225}};
     drawing.place({65, 265}, 155);
     draw_tetrahedron(drawing, corners(mesh, 0), Vector3d::Zero(), "ink");

@@ -150,8 +150,8 @@ void draw_visible(Drawing& drawing, const View& view, const std::vector<Vector3d
 Drawing polhodes()
 {
     Drawing drawing(
-        "The ways of L on its sphere, seen from a free box: about the axes of the largest "
-        "and the smallest moment they are circles, about the middle axis a cross.",
+        "The paths of L on its sphere, seen from a free box: closed curves go around the axes of "
+        "the largest and the smallest moment, and two paths cross at the middle axis.",
         660, 400);
     const View view(38, 28);
     drawing.place({330, 205}, 170);
@@ -202,6 +202,14 @@ Drawing ellipsoid()
             return view(0.8 * w);
         });
         drawing.curve(ring, "blue");
+    }
+    for (int i = 0; i < 3; ++i) {
+        const Vector3d end = (0.8 * std::sqrt(49 / J[i]) + 0.5) * Vector3d::Unit(i);
+        drawing.arrow({0, 0}, view(end), "ink thin");
+        drawing.label(view(end), std::string(1, "xyz"[i]),
+                      i == 0   ? Side::right
+                      : i == 1 ? Side::above
+                               : Side::left);
     }
     drawing.label({2.1, 2.3}, "slow about x: J₃ = 13", Side::right, "blue");
     drawing.label({2.1, 1.9}, "fast about z: J₁ = 5", Side::right, "blue");

@@ -50,7 +50,7 @@ Drawing spaces()
     drawing.label(flat(X + R * p / 2), "R p", Side::below, "blue");
     const Vector3d x = world_point(R, X, p);
     drawing.arrow({0, 0}, flat(x), "green");
-    drawing.label(flat(x) * 0.45, "x = R p + X", Side::above, "green");
+    drawing.label(flat(x) / 2 + Vector2d(-0.05, 0.1), "x = R p + X", Side::left, "green");
     drawing.label({1.4, -0.05}, "world space", Side::below, "grey");
     return drawing;
 }
@@ -84,7 +84,7 @@ Drawing lever()
 {
     Drawing drawing("The torque of a force is its lever arm times the force.", 660, 300);
     drawing.place({130, 215}, 90);
-    const Vector3d X(0, 0, 0), x(2.4, 0.8, 0), f(-0.85, 0.95, 0);
+    const Vector3d X(0, 0, 0), x(2.4, 0.8, 0), f(-0.9, 1.2, 0);
     drawing.polygon({{-0.8, -0.5}, {2.0, -0.5}, {2.7, 0.7}, {2.3, 1.2}, {-0.6, 0.6}},
                     "grey filled");
     const Wrench wrench = net_wrench({{f, x}}, X);
@@ -93,16 +93,22 @@ Drawing lever()
     drawing.arrow(flat(X), flat(x), "blue");
     drawing.label(flat(x) / 2, "x − X", Side::below, "blue");
     drawing.arrow(flat(x), flat(x + f), "orange thick");
-    drawing.label(flat(x + 0.8 * f), "f", Side::right, "orange");
+    drawing.label(flat(x + 0.8 * f), fmt::format("f, {:.1f} N", f.norm()), Side::right, "orange");
     drawing.line(flat(X), flat(foot), "green thick");
-    drawing.label(flat(foot) * 0.75, "lever arm", Side::left, "green");
+    const double arm = (foot - X).norm();
+    drawing.label(flat(foot) * 0.6 + Vector2d(-0.05, 0.1), fmt::format("lever arm, {:.1f} m", arm),
+                  Side::left, "green");
     drawing.dot(flat(X), "ink");
     drawing.label(flat(X), "X", Side::left);
-    const double arm = (foot - X).norm();
-    std::string text =
-        fmt::format("τ = {:.2f} = {:.2f} · {:.2f}", wrench.torque.z(), arm, f.norm());
-    drawing.label({3.1, -0.2}, text, Side::right);
+    std::string text = fmt::format("τ = {:.1f} m · {:.1f} N", arm, f.norm());
+    drawing.label({3.2, 0.2}, text, Side::right);
+    drawing.label({3.2, -0.05}, fmt::format("= {:.1f} N m", wrench.torque.z()), Side::right);
     return drawing;
+}
+
+std::string numbers(const Vector3d& v)
+{
+    return fmt::format("({:.0f}, {:.0f}, {:.0f})", v.x(), v.y(), v.z());
 }
 
 Drawing centripetal()
@@ -111,11 +117,11 @@ Drawing centripetal()
                     660, 380);
     const View view(25, 20);
     const Vector3d w(1, 2, 3), X = Vector3d::Zero();
-    drawing.place({235, 195}, 62);
+    drawing.place({190, 195}, 62);
     const auto at = [&](const Vector3d& x) { return view(Vector3d(x.x(), x.y(), x.z())); };
     const Vector3d axis = w.normalized() * 2.9;
-    drawing.line(at(-axis), at(axis), "grey dashed");
-    drawing.label(at(axis), "ω", Side::above, "grey");
+    drawing.arrow({0, 0}, at(axis), "ink");
+    drawing.label(at(axis), "ω", Side::above);
     constexpr std::array colors = {"blue", "orange", "green"};
     Vector3d sum = Vector3d::Zero();
     for (int i = 0; i < 3; ++i) {
@@ -132,13 +138,15 @@ Drawing centripetal()
         }
         const Vector3d torque = inertial_wrench(pair, X, X, w).torque;
         sum += torque;
-        std::string text =
-            fmt::format("({:.0f}, {:.0f}, {:.0f})", torque.x(), torque.y(), torque.z());
-        drawing.label({3.4, 2.2 - 0.5 * i}, text, Side::right, color);
+        const std::string axis_name(1, "xyz"[i]);
+        drawing.label(at(pair[0].position), axis_name, i == 1 ? Side::above : Side::right, color);
+        drawing.label({2.8, 2.2 - 0.5 * i}, "torque of the pair on " + axis_name, Side::right,
+                      color);
+        drawing.label({7.3, 2.2 - 0.5 * i}, numbers(torque), Side::left, color);
     }
-    drawing.line({3.5, 0.85}, {5.6, 0.85}, "ink thin");
-    std::string text = fmt::format("({:.0f}, {:.0f}, {:.0f}) = ω × L", sum.x(), sum.y(), sum.z());
-    drawing.label({3.4, 0.55}, text, Side::right);
+    drawing.line({2.9, 0.85}, {7.2, 0.85}, "ink thin");
+    drawing.label({2.8, 0.55}, "sum: ω × L", Side::right);
+    drawing.label({7.3, 0.55}, numbers(sum), Side::left);
     return drawing;
 }
 

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 #include <numbers>
 
 namespace rigor::figures {
@@ -36,7 +37,11 @@ Drawing radial_return()
     for (int i = 0; i < 3; ++i) {
         const Vector2d axis = in_plane(sigma_Y * 1.35 * Vector3d::Unit(i));
         drawing.arrow({0, 0}, axis, "grey thin");
-        drawing.label(axis, i == 0 ? "σ₁" : i == 1 ? "σ₂" : "σ₃", Side::right, "grey");
+        drawing.label(axis,
+                      i == 0   ? "σ₁"
+                      : i == 1 ? "σ₂"
+                               : "σ₃",
+                      i == 1 ? Side::left : Side::right, "grey");
     }
     const Vector3d start = sigma_Y * Vector3d(0.35, -0.4, 0.1);
     for (const Vector3d& by : {Vector3d(0.9, -0.35, 0.15), Vector3d(0.25, -0.5, 0.8)}) {
@@ -46,12 +51,14 @@ Drawing radial_return()
         drawing.arrow(in_plane(start), in_plane(trial.diagonal()), "ink");
         drawing.arrow(in_plane(trial.diagonal()), in_plane(after), "orange thick");
         drawing.dot(in_plane(after), "orange");
+        drawing.dot(in_plane(trial.diagonal()), "ink");
+        drawing.label(in_plane(trial.diagonal()), "trial stress", Side::right);
     }
     drawing.dot(in_plane(start), "ink");
     drawing.place({0, 0}, 1);
-    drawing.label({400, -50}, "elastic step to the trial stress", Side::right, "ink");
-    drawing.label({400, -80}, "plastic flow, along ∂f/∂σ", Side::right, "orange");
-    drawing.label({400, -330}, "f(σ) ≤ 0", Side::right, "blue");
+    drawing.label({400, -40}, "elastic step to the trial stress", Side::right, "ink");
+    drawing.label({380, -320}, "stress returns: −2G times the flow", Side::right, "orange");
+    drawing.label({380, -350}, "f(σ) ≤ 0", Side::right, "blue");
     return drawing;
 }
 
@@ -79,7 +86,7 @@ Drawing yield_surface()
     mark(0, "pull: 1", Side::below);
     mark(45, "pull both ways: 1", Side::right);
     mark(-45, "shear: 1/√3", Side::right);
-    mark(std::atan(0.5) * 180 / pi, "width held: 2/√3", Side::right);
+    mark(std::atan(0.5) * 180 / pi, "largest σ₁: 2/√3", Side::right);
     return drawing;
 }
 
@@ -98,6 +105,10 @@ Drawing stretched()
         drawing.line(at(0, stress * 1e6) - Vector2d(4, 0), at(0, stress * 1e6), "ink thin");
         drawing.label(at(0, stress * 1e6), std::to_string(stress), Side::left, "grey");
     }
+    for (const double e : {0.001, 0.002, 0.003, 0.004, 0.005}) {
+        drawing.line(at(e, 0), at(e, 0) - Vector2d(0, 4), "ink thin");
+        drawing.label(at(e, 0), fmt::format("{:g}", e), Side::below, "grey");
+    }
     Matrix3d plastic = Matrix3d::Zero();
     double free_plastic = 0;
     Points held, free_width;
@@ -115,7 +126,7 @@ Drawing stretched()
     drawing.curve(free_width, "blue");
     drawing.label(at(0.0034, 830e6), "width held", Side::left, "orange");
     drawing.label(at(0.0042, 250e6), "width free", Side::above, "blue");
-    drawing.label(at(0.0038, -60e6), "0.00375 remain", Side::right, "blue");
+    drawing.label(at(0.0034, -190e6), "0.00375 remain", Side::right, "blue");
     return drawing;
 }
 

@@ -33,7 +33,7 @@ Drawing drift()
     const double h = 0.5;
     drawing.place({120, 320}, 200);
     drawing.curve(arc(-0.1, pi / 2 + 0.1), "grey");
-    drawing.label({1, 0}, "|R₀| = 1", Side::below, "grey");
+    drawing.label({1, 0}, "start: a column of R, length 1", Side::below, "grey");
     Matrix3d drifting = Matrix3d::Identity(), repaired = drifting;
     for (int i = 0; i < 3; ++i) {
         const Matrix3d next = advance_matrix(drifting, w, h);
@@ -111,43 +111,45 @@ Drawing gimbal_lock()
 {
     Drawing drawing("The axes of roll, pitch and yaw: at a pitch of 90° roll and yaw lie on one "
                     "line, and no rates make ω = (1, 0, 0).",
-                    660, 300);
+                    660, 330);
     const double angles[] = {0, 60, 90};
     for (int i = 0; i < 3; ++i) {
         drawing.place({105 + 213.0 * i, 130}, 80);
         std::string text = fmt::format("pitch {:.0f}°", angles[i]);
         draw_axes(drawing, angles[i] * pi / 180, text);
     }
+    drawing.place({330, 300}, 1);
+    drawing.label({0, 0}, "rates for ω = (1, 0, 0); z points up here", Side::below, "grey");
     return drawing;
 }
 
 // The top of the scene symmetric_top.
 const Vector3d top_moments(0.04, 0.04, 0.02), top_spin(2, 4, 6);
 
-// The way of the top's axis in 1.1 s, where ω is I(t)⁻¹ L. The tensor turns with the top, or it
+// The path of the top's axis in 1.1 s, where ω is I(t)⁻¹ L. The tensor turns with the top, or it
 // stays as it is at the start.
-Points way_of_the_axis(const View& view, bool inertia_turns)
+Points path_of_the_axis(const View& view, bool inertia_turns)
 {
     const Matrix3d I_body_inverse = top_moments.cwiseInverse().asDiagonal();
     const Vector3d L = top_moments.cwiseProduct(top_spin);
     const double h = 0.005;
     const int steps = 220;
     Quaternion q;
-    Points way;
+    Points path;
     for (int i = 0; i <= steps; ++i) {
         const Matrix3d R = to_matrix(q);
-        way.push_back(view(R.col(2)));
+        path.push_back(view(R.col(2)));
         const Matrix3d I_inverse =
             inertia_turns ? world_inverse_inertia(R, I_body_inverse) : I_body_inverse;
         q = advance_exact(q, I_inverse * L, h);
     }
-    return way;
+    return path;
 }
 
 Drawing wrong_inertia()
 {
     Drawing drawing(
-        "The way of the axis of a free top: around L if the inertia turns with the top, "
+        "The path of the axis of a free top: around L if the inertia turns with the top, "
         "and around an ω that stands still if it does not.",
         660, 380);
     const View view(35, 25);
@@ -155,8 +157,8 @@ Drawing wrong_inertia()
     drawing.circle({0, 0}, 1, "grey thin");
     const Vector3d L = top_moments.cwiseProduct(top_spin).normalized() * 1.25;
     const Vector3d w = top_spin.normalized() * 1.25;
-    drawing.curve(way_of_the_axis(view, true), "blue thick");
-    drawing.curve(way_of_the_axis(view, false), "red dashed");
+    drawing.curve(path_of_the_axis(view, true), "blue thick");
+    drawing.curve(path_of_the_axis(view, false), "red dashed");
     drawing.arrow({0, 0}, view(L), "blue");
     drawing.label(view(L), "L", Side::above, "blue");
     drawing.arrow({0, 0}, view(w), "red dashed");

@@ -1,35 +1,16 @@
 // SPDX-License-Identifier: MIT
 // coverage.md names sections, tasks and scenes that exist, and all tasks that ask for a formula.
 #include "formulas/table.hpp"
+#include "handouts/coverage.hpp"
 #include "handouts/handouts.hpp"
 #include "support/catch.hpp"
 
-#include <algorithm>
 #include <set>
 #include <sstream>
 
 using namespace rigor::handouts;
 
 namespace {
-
-struct Row {
-    std::string slide, statement, label, section, tag, scene;
-};
-
-std::vector<Row> coverage()
-{
-    std::vector<Row> rows;
-    for (const auto& cells : table_rows(content(assignments() / "coverage.md"))) {
-        if (cells.front() == "slide") continue; // the header
-        CAPTURE(cells);
-        REQUIRE(cells.size() == 5);
-        REQUIRE(std::count(cells.begin(), cells.end(), "") == 0);
-        const std::size_t blank = cells[2].find(' ');
-        rows.push_back({cells[0], cells[1], cells[2].substr(0, blank), cells[2].substr(blank + 1),
-                        cells[3], cells[4]});
-    }
-    return rows;
-}
 
 const Handout& handout_of(const std::vector<Handout>& handouts, const std::string& label)
 {
@@ -62,26 +43,24 @@ TEST_CASE("coverage: each line of a table begins and ends with a bar", "[coverag
 TEST_CASE("coverage: each section, task and scene exists", "[coverage]")
 {
     const std::vector<Handout> handouts = all_handouts();
-    const std::vector<Row> rows = coverage();
+    const std::vector<CoverageRow> rows = coverage();
     REQUIRE(rows.size() > 100);
-    for (const Row& row : rows) {
-        CAPTURE(row.slide, row.statement, row.label, row.section, row.tag, row.scene);
+    for (const CoverageRow& row : rows) {
+        CAPTURE(row.slide, row.statement, row.label, row.section, row.tag, row.assignment,
+                row.scene);
         CHECK(has_section(handout_of(handouts, row.label), row.section));
         const std::string of_task = row.tag.substr(0, row.tag.find('.'));
         const std::string heading = "\n### " + row.tag + " ";
         CHECK(handout_of(handouts, of_task).text.find(heading) != std::string::npos);
-        const std::size_t slash = row.scene.find('/');
-        REQUIRE(slash != std::string::npos);
-        const std::string folder = row.scene.substr(1, slash - 1); // without the quotes
-        const std::string scene = row.scene.substr(slash + 1, row.scene.size() - slash - 2);
-        CHECK(std::filesystem::exists(assignments() / folder / "scenes" / (scene + ".json")));
+        const auto scene = assignments() / row.assignment / "scenes" / (row.scene + ".json");
+        CHECK(std::filesystem::exists(scene));
     }
 }
 
 TEST_CASE("coverage: each formula of the lectures has a row", "[coverage]")
 {
     std::set<std::string> tags;
-    for (const Row& row : coverage())
+    for (const CoverageRow& row : coverage())
         tags.insert(row.tag);
     for (const rigor::Formula& formula : rigor::formulas) {
         // The warm-up and the tests are not in the lectures.

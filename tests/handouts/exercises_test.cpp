@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 // What a handout asks of a reader: hours that fit the points, questions with folded answers, and a
 // text that every viewer shows.
+#include "handouts/coverage.hpp"
 #include "handouts/handouts.hpp"
 #include "support/catch.hpp"
 
 #include <cctype>
 #include <nlohmann/json.hpp>
 #include <regex>
+#include <set>
+#include <sstream>
 
 using namespace rigor::handouts;
 
@@ -110,6 +113,77 @@ TEST_CASE("exercises: each handout has the same sections", "[exercises]")
             REQUIRE(at != std::string::npos);
         }
     }
+}
+
+TEST_CASE("exercises: a handout begins with what it needs and what it teaches", "[exercises]")
+{
+    for (const Handout& handout : long_handouts()) {
+        CAPTURE(handout.label);
+        const std::string start = handout.text.substr(0, handout.text.find("\n## The mathematics"));
+        static const std::regex needs(R"(\nYou\s+need\s+([^!#]*?)Count\s+on)");
+        std::smatch found;
+        REQUIRE(std::regex_search(start, found, needs));
+        const std::string needed = found[1];
+        static const std::regex alone(R"(no\s+other\s+assignment|only\s+the\s+loop)");
+        const auto tags = matches(needed, R"((A\d)\.\d+)");
+        CHECK((!tags.empty() || std::regex_search(needed, alone)));
+        for (const std::string& label : tags)
+            CHECK(label <= handout.label);
+        CHECK(std::regex_search(start, std::regex(R"(Afterwards\s+you\s+(can|know))")));
+        CHECK((start.find("![") != std::string::npos || !has_scenes(handout)));
+    }
+}
+
+TEST_CASE("exercises: each section has content", "[exercises]")
+{
+    for (const Handout& handout : long_handouts())
+        for (const std::string& title : matches(handout.text, "\n## ([^\n]+)")) {
+            CAPTURE(handout.label, title);
+            const std::size_t start = handout.text.find("\n## " + title + "\n");
+            const std::string section =
+                handout.text.substr(start, handout.text.find("\n## ", start + 1) - start);
+            CHECK(section.size() > 150);
+            if (title == "Read on") CHECK(matches(section, "\n(- )").size() >= 2);
+            if (title == "If you see this") CHECK(table_rows(section).size() >= 5);
+            if (title == "Predict, then run") CHECK(matches(section, "(<details>)").size() >= 4);
+            if (title == "A table of your own") {
+                CHECK(table_rows(section).size() >= 3);
+                CHECK(matches(section, "(<details>)").size() == 1);
+            }
+        }
+}
+
+TEST_CASE("exercises: the plan of the course has the hours and the points", "[exercises]")
+{
+    double points = 0;
+    int least = 1, most = 1; // the hours of A0
+    const std::string plan = content(assignments() / "instructor.md");
+    for (const Handout& handout : all_handouts()) {
+        CAPTURE(handout.label);
+        points += points_of(handout);
+        const std::regex row(R"(\| )" + handout.label + R"( \| (\d+)( to (\d+))? \| (\d+) \|)");
+        std::smatch planned, said;
+        REQUIRE(std::regex_search(plan, planned, row));
+        CHECK(std::stod(planned[4]) == points_of(handout));
+        static const std::regex hours(R"(Count\s+on\s+(\d+)\s+to\s+(\d+)\s+hours)");
+        if (!std::regex_search(handout.text, said, hours)) continue; // A0
+        CHECK(planned[1] == said[1]);
+        CHECK(planned[3] == said[2]);
+        least += std::stoi(said[1]);
+        most += std::stoi(said[2]);
+    }
+    std::set<std::string> slides = {"Rigid bodies", "Inertia, rotation, impulses"}; // the lectures
+    for (const CoverageRow& row : coverage())
+        slides.insert(row.slide);
+    for (const auto& cells : table_rows(plan))
+        for (const std::string& slide : matches(cells.at(1), "\"([^\"]+)\"")) {
+            CAPTURE(slide);
+            CHECK(slides.count(slide) == 1);
+        }
+    std::ostringstream sum;
+    sum << "That is " << least << " to " << most << " hours and " << points << " points";
+    CAPTURE(sum.str());
+    CHECK(plan.find(sum.str()) != std::string::npos);
 }
 
 TEST_CASE("exercises: no text has a character that cannot be seen", "[exercises]")

@@ -3,6 +3,7 @@
 #include "handouts/handouts.hpp"
 #include "support/catch.hpp"
 
+#include <algorithm>
 #include <map>
 #include <set>
 #include <sstream>
@@ -16,14 +17,15 @@ namespace {
 struct Row {
     std::string symbols; // the cell, for messages
     std::set<std::string> keys, handouts;
+    std::string unit;
 };
 
 std::vector<Row> notation()
 {
     std::vector<Row> rows;
     for (const auto& cells : table_rows(content(assignments() / "notation.md"))) {
-        if (cells.size() < 2 || cells[0] == "symbol") continue;
-        Row row{cells[0], {}, {}};
+        if (cells.size() < 4 || cells[0] == "symbol") continue;
+        Row row{cells[0], {}, {}, cells[3]};
         for (const std::string& formula : formulas_of(cells[0]))
             for (const std::string& symbol : symbols_of(formula))
                 row.keys.insert(symbol);
@@ -82,6 +84,32 @@ TEST_CASE("notation: a letter has one meaning in a handout", "[notation]")
             INFO(handout.label << " uses " << symbol << ", which has " << found.size()
                                << " rows in notation.md");
             CHECK(found.size() == 1);
+        }
+}
+
+TEST_CASE("notation: the letter of an index is a number or a direction", "[notation]")
+{
+    const std::vector<Row> rows = notation();
+    const auto has_row = [&](const std::string& symbol, const std::string& label) {
+        return std::any_of(rows.begin(), rows.end(), [&](const Row& row) {
+            return row.keys.count(symbol) && row.handouts.count(label);
+        });
+    };
+    for (const Handout& handout : all_handouts())
+        for (const std::string& symbol : used_in(handout.text)) {
+            const std::size_t bar = symbol.find('_');
+            if (bar == std::string::npos || has_row(symbol, handout.label)) continue;
+            const std::string index = symbol.substr(bar + 1);
+            static const std::set<std::string> words = {"body", "cm", "ext", "int"};
+            if (words.count(index)) continue;
+            for (const char letter : index) {
+                if (std::string("xyz").find(letter) != std::string::npos) continue; // an axis
+                for (const std::size_t i : meanings(rows, {letter}, handout.label)) {
+                    INFO(handout.label << " has the index " << letter << " in " << symbol
+                                       << ", which is also " << rows[i].symbols);
+                    CHECK(rows[i].unit == "1");
+                }
+            }
         }
 }
 

@@ -159,3 +159,35 @@ TEST_CASE("A7: questions", "[numbers]")
     check_shown("A7", "0.125 and 0.5. The first share",
                 {share({1, 1, 1}, {0.5, 0, 0}), share({1, 1, 0}, {0.5, 0, 0})});
 }
+
+TEST_CASE("A8: the errors of right steps", "[numbers]")
+{
+    // the largest error of a step of x'' = -x over all starts with the amplitude 1, over h³
+    using State = Eigen::Vector2d; // x and v
+    const double h = 0.001;
+    const auto largest = [h](const auto& step) {
+        double worst = 0;
+        for (double angle = 0; angle < std::numbers::pi; angle += 0.1) {
+            const State s(std::cos(angle), std::sin(angle));
+            const State exact(s[0] * std::cos(h) + s[1] * std::sin(h),
+                              s[1] * std::cos(h) - s[0] * std::sin(h));
+            worst = std::max(worst, (State(step(s)) - exact).norm() / std::pow(h, 3));
+        }
+        return worst;
+    };
+    const double midpoint = largest([h](const State& s) {
+        return State(s[0] + h * (s[1] - h / 2 * s[0]), s[1] - h * (s[0] + h / 2 * s[1]));
+    });
+    const double verlet = largest([h](const State& s) {
+        const double x = s[0] + h * s[1] - h * h / 2 * s[0];
+        return State(x, s[1] - h / 2 * (s[0] + x));
+    });
+    const double trapezoid = largest([h](const State& s) {
+        const double a = h / 2;
+        return State(State((1 - a * a) * s[0] + 2 * a * s[1], (1 - a * a) * s[1] - 2 * a * s[0]) /
+                     (1 + a * a));
+    });
+    check_shown("A8", "the midpoint method has 0.1667,", {midpoint});
+    CHECK(verlet < midpoint + 1e-4);
+    CHECK(trapezoid < midpoint);
+}

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The small numbers beside the derivations of the handouts, and those of their checkpoints.
+#include "formulas/collision.hpp"
 #include "formulas/contact.hpp"
 #include "formulas/fracture.hpp"
 #include "formulas/kinematics.hpp"
@@ -9,6 +10,7 @@
 #include "support/catch.hpp"
 
 #include <cmath>
+#include <numbers>
 
 using namespace rigor;
 using namespace rigor::handouts;
@@ -17,6 +19,32 @@ TEST_CASE("A1: steps of the derivation", "[numbers]")
 {
     const Vector3d X = Vector3d::Zero(), V = Vector3d::Zero(), w(0, 0, 2), x(0, 3, 0);
     check_shown("A1", "gets $(-6, 0, 0)$ besides $V$", listed(point_velocity(V, w, X, x)));
+}
+
+TEST_CASE("A2: the standard deviation of a sample", "[numbers]")
+{
+    // of y² + z²: in the ball ⟨y⁴⟩ = 3/35 and ⟨y² z²⟩ = 1/35, in the cube ⟨y⁴⟩ = 1/80
+    const double mean = 2.0 / 5, square = 2 * 3.0 / 35 + 2 * 1.0 / 35;
+    check_shown("A2", "it is 0.2619 in a ball", {std::sqrt(square - mean * mean)});
+    check_shown("A2", "and 0.1054 in a cube", {std::sqrt(2 * (1.0 / 80 - 1.0 / 144))});
+}
+
+TEST_CASE("A3: how fast a symmetric top goes around its angular momentum", "[numbers]")
+{
+    const Vector3d w(2, 4, 6), J(0.04, 0.04, 0.02); // as in the scene symmetric_top
+    check_shown("A3", "go around $L$ together, at 5.385 rad/s.",
+                {J.cwiseProduct(w).norm() / J.x()});
+}
+
+TEST_CASE("A4: the rod that jams first", "[numbers]")
+{
+    // the upper end is behind the tip, which slides along x
+    const double angle = std::atan(2.0);
+    const Vector3d d(-std::cos(angle), std::sin(angle), 0), n = Vector3d::UnitY();
+    const Matrix3d I_inverse = 12 * (Matrix3d::Identity() - d * d.transpose());
+    const Matrix3d K = impulse_matrix(1, I_inverse, d / 2, Vector3d::Zero());
+    check_shown("A4", "at 63.4349° above the floor, jams from $\\mu = 4/3$ on.",
+                {angle * 180 / std::numbers::pi, n.dot(K * n) / n.dot(K * Vector3d::UnitX())});
 }
 
 TEST_CASE("A3: steps of the derivation", "[numbers]")
@@ -131,7 +159,8 @@ TEST_CASE("A7: a checkpoint of two tetrahedra", "[numbers]")
     TetrahedralMesh mesh;
     mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}};
     mesh.tetrahedra = {{0, 1, 2, 3}, {4, 1, 3, 2}};
-    CHECK(mesh.vertices.size() == 5);
     const std::vector<MeshFace> cut = {MeshFace{0, 0}};
-    CHECK(split_along_faces(mesh, cut).mesh.vertices.size() == 8);
+    const SplitMesh parts = split_along_faces(mesh, cut);
+    check_shown("A7", "have 5 vertices. When this face is cut, they have 8.",
+                {double(mesh.vertices.size()), double(parts.mesh.vertices.size())});
 }

@@ -221,6 +221,9 @@ TEST_CASE("A4: friction that jams and friction that adds energy", "[numbers]")
     // K couples nothing with z
     const Vector3d bounce = collision_impulse(K_rod, tip, up, 1, 100);
     const Body after = apply_impulse(rod, Vector3d::Zero(), bounce);
+    check_shown("A4",
+                "spin at 4.242641 rad/s about z while its center falls straight down at 1 m/s",
+                {w, -V.y()});
     check_shown("A4", "1.25 J become 1.953125 J", {energy(rod), energy(after)});
 }
 

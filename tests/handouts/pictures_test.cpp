@@ -30,7 +30,7 @@ fs::path source(const std::string& path)
 
 // A row of the table in wrong_pictures.sh.
 struct WrongRun {
-    std::string handout, picture, mistake, scene, end, size;
+    std::string handout, picture, mistake, scene, end, size, position, target, field_of_view, drawn;
 };
 
 std::vector<WrongRun> wrong_runs()
@@ -42,7 +42,7 @@ std::vector<WrongRun> wrong_runs()
         if (!std::regex_match(line, row)) continue;
         WrongRun run;
         std::istringstream(line) >> run.handout >> run.picture >> run.mistake >> run.scene >>
-            run.end >> run.size;
+            run.end >> run.size >> run.position >> run.target >> run.field_of_view >> run.drawn;
         runs.push_back(run);
     }
     return runs;
@@ -146,6 +146,12 @@ TEST_CASE("pictures: each of a wrong run names the mistake and the scene that ma
         CHECK(fs::exists(assignments() / run.handout / "scenes" / (run.scene + ".json")));
         CHECK(std::regex_match(run.end, std::regex(R"(\d+(\.\d+)?)")));
         CHECK(std::regex_match(run.size, std::regex(R"(\d+x\d+)")));
+        static const std::regex number(R"(-?\d+(\.\d+)?)"), place(R"((-?\d+(\.\d+)?,?){3})");
+        CHECK(std::regex_match(run.position, place));
+        CHECK(std::regex_match(run.target, place));
+        CHECK(std::regex_match(run.field_of_view, number));
+        // the time is printed where something is drawn beside the bodies
+        CHECK(std::regex_search(run.drawn, std::regex("\"(axes|contacts|labels)\":true")));
         drawn.insert(run.handout + "/" + run.picture);
     }
     for (const Handout& handout : all_handouts())

@@ -4,13 +4,18 @@
 #include "book/book.hpp"
 #include "cli/options.hpp"
 #include "cli/prepare.hpp"
+#include "errors/input_error.hpp"
 #include "grading/places.hpp"
 #include "grading/process.hpp"
 #include "report/write_whole.hpp"
 
+#include <cctype>
+#include <cstring>
 #include <filesystem>
 #include <fmt/format.h>
-#include <stdexcept>
+#include <string_view>
+#include <system_error>
+#include <utility>
 
 namespace rigor {
 
@@ -26,22 +31,58 @@ std::string chromium()
     return {};
 }
 
-// Prints the page with a Chromium. What the browser says is shown only if it makes no PDF.
-void print_pdf(const std::string& browser, const fs::path& page, const fs::path& pdf)
+// A file that is only there while it is needed.
+class Draft {
+public:
+    explicit Draft(fs::path file) : file_(std::move(file)) {}
+    Draft(const Draft&) = delete;
+    Draft& operator=(const Draft&) = delete;
+    ~Draft()
+    {
+        std::error_code error;
+        fs::remove(file_, error);
+    }
+    const fs::path& file() const { return file_; }
+
+private:
+    fs::path file_;
+};
+
+// The address of a file, in which a `#` or a blank of a folder's name is no mark.
+std::string address(const fs::path& file)
 {
-    std::string said;
+    std::string text = "file://";
+    for (const unsigned char c : file.string())
+        if (std::isalnum(c) != 0 || std::strchr("/._-", c) != nullptr)
+            text += static_cast<char>(c);
+        else
+            text += fmt::format("%{:02X}", c);
+    return text;
+}
+
+// Prints a page with a Chromium. What the browser says is shown only if it makes no PDF.
+void print_pdf(const std::string& browser, const std::string& page, const fs::path& pdf)
+{
+    const Draft paper(pdf.string() + ".html"), printed(pdf.string() + ".new");
+    write_whole(paper.file(), page);
+    std::string last = "it says nothing";
     Command command;
+    command.silence = 300;
     command.arguments = {browser,
                          "--headless",
                          "--no-sandbox",
                          "--disable-gpu",
-                         "--print-to-pdf=" + pdf.string(),
-                         "file://" + page.string()};
-    const Ended ended = run(command, [&said](std::string_view line) {
-        said += line;
-        said += '\n';
+                         "--print-to-pdf=" + printed.file().string(),
+                         address(paper.file())};
+    const Ended ended = run(command, [&last](std::string_view line) {
+        if (!line.empty()) last = line;
     });
-    if (!ended.ok()) throw std::runtime_error(browser + " made no PDF:\n" + said);
+    std::error_code error;
+    if (!ended.ok() || !fs::is_regular_file(printed.file(), error))
+        throw InputError(
+            fmt::format("{}: expected a PDF from {}, found none: {}", pdf.string(), browser, last));
+    fs::rename(printed.file(), pdf, error);
+    if (error) throw InputError(pdf.string() + ": cannot be written: " + error.message());
 }
 
 int make_book(const std::string& out)
@@ -57,10 +98,7 @@ int make_book(const std::string& out)
         return exit_done;
     }
     const fs::path pdf = fs::absolute(fs::path(out) / "book.pdf");
-    const fs::path paper = page.string() + ".paper.html";
-    write_whole(paper, book::unfolded(text));
-    print_pdf(browser, paper, pdf);
-    fs::remove(paper);
+    print_pdf(browser, book::unfolded(text), pdf);
     fmt::print("{}\n", pdf.string());
     return exit_done;
 }

@@ -60,9 +60,12 @@ void say_what_was_built(const Implementation& implementation)
 void print_report(const std::vector<Result>& results, const Implementation& implementation)
 {
     const bool color = wants_color(STDOUT_FILENO);
-    for (const Result& result : results)
+    for (const Result& result : results) {
         fmt::print("{}{}", &result == results.data() ? "" : "\n",
                    points_table(result, implementation, color));
+        for (const std::string& note : result.notes)
+            fmt::print("\n{}\n", note);
+    }
     if (results.size() > 1) fmt::print("\n{}", summary(results, color));
 }
 

@@ -5,6 +5,7 @@
 #include "cli/prepare.hpp"
 #include "errors/input_error.hpp"
 #include "grading/places.hpp"
+#include "grading/selection.hpp"
 
 #include <filesystem>
 
@@ -12,26 +13,40 @@ namespace rigor {
 
 namespace {
 
-int draw_figures(const std::string& out)
+// The name of the handout that a word means, such as a4-collision for A4. Without a word, "".
+std::string handout_of(const std::string& word)
+{
+    if (word.empty()) return {};
+    const auto selections = select_tasks(load_assignments(places().assignments()), {word});
+    const Assignment& assignment = selections[0].assignment;
+    if (!std::filesystem::exists(places().assignments() / assignment.name / "figures"))
+        throw InputError("expected a handout with figures, found " + assignment.name);
+    return assignment.name;
+}
+
+int draw_figures(const std::string& topic, const std::string& out)
 {
     if (!places().has_reference())
         throw InputError("figures are drawn by the reference's formulas, and this tree has no "
                          "reference; see assignments/*/figures/ for the figures");
+    const std::string handout = handout_of(topic);
     require_folder(out, "the figures");
     prepare_targets({"rigor_figures"});
-    return run_program({places().program("rigor_figures").string(), "--out", out}) == 0
-               ? exit_done
-               : exit_wrong;
+    std::vector<std::string> arguments = {places().program("rigor_figures").string(), "--out", out};
+    if (!handout.empty()) arguments.push_back(handout);
+    return run_program(arguments); // it has said what is wrong
 }
 
 } // namespace
 
 Action declare_figures(Options& options)
 {
-    const auto out = std::make_shared<std::string>();
+    const auto topic = std::make_shared<std::string>(), out = std::make_shared<std::string>();
+    options.word_or_none("TOPIC", *topic, "Only the figures of this assignment; default: all");
     options.option("--out", "DIR", *out, "Folder for the figures, DIR/<handout>/figures/*.svg");
-    options.examples({"figures --out assignments   makes those of the handouts anew"});
-    return [out] { return draw_figures(*out); };
+    options.examples({"figures --out assignments   makes those of the handouts anew",
+                      "figures A4 --out drawings    those of A4, in another folder"});
+    return [topic, out] { return draw_figures(*topic, *out); };
 }
 
 } // namespace rigor

@@ -8,6 +8,7 @@
 #include "errors/quotes.hpp"
 #include "grading/places.hpp"
 #include "report/terminal.hpp"
+#include "report/write_whole.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -47,23 +48,23 @@ std::filesystem::path memory_of(const Task& task)
     return places().build / "hints" / task.tag;
 }
 
-std::size_t shown_before(const Task& task)
+// At most `count`, whatever stands in the file.
+std::size_t shown_before(const Task& task, std::size_t count)
 {
     std::size_t shown = 0;
     std::ifstream(memory_of(task)) >> shown;
-    return shown;
+    return std::min(shown, count);
 }
 
 void remember(const Task& task, std::size_t shown)
 {
-    std::error_code error;
-    std::filesystem::create_directories(memory_of(task).parent_path(), error);
-    std::ofstream file(memory_of(task));
-    file << shown << "\n";
-    file.close();
-    if (!file)
-        fmt::print(stderr, "cannot remember this in {}; ask with --step for the next hint\n",
-                   memory_of(task).string());
+    try {
+        std::error_code error; // then the file cannot be written either
+        std::filesystem::create_directories(memory_of(task).parent_path(), error);
+        write_whole(memory_of(task), fmt::format("{}\n", shown));
+    } catch (const InputError& failed) {
+        fmt::print(stderr, "{}; ask with --step for the next hint\n", failed.what());
+    }
 }
 
 int hint(const HintOptions& options)
@@ -73,8 +74,9 @@ int hint(const HintOptions& options)
     if (options.step > hints.size())
         throw InputError(fmt::format("--step: expected at most {} for {}, found {}", hints.size(),
                                      task.tag, options.step));
-    const std::size_t step =
-        options.step > 0 ? options.step : std::min(shown_before(task) + 1, hints.size());
+    const std::size_t step = options.step > 0
+                                 ? options.step
+                                 : std::min(shown_before(task, hints.size()) + 1, hints.size());
     fmt::print("{} {}: hint {} of {}\n", task.tag, task.name(), step, hints.size());
     fmt::print("  {}\n", wrapped(hints[step - 1], 78, 2));
     if (step < hints.size())

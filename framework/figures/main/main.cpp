@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Writes the figures of the handouts: DIR/<handout>/figures/<name>.svg. With --check it writes
-// nothing and names each file that differs from what it would write.
+// Writes the figures of the handouts, or of one of them: DIR/<handout>/figures/<name>.svg. All of
+// them are written or none. With --check it writes nothing and names each file that differs from
+// what it would write.
 #include "figures/figures.hpp"
 
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <filesystem>
 #include <fmt/format.h>
 #include <fstream>
@@ -14,9 +17,20 @@ namespace {
 namespace fs = std::filesystem;
 using rigor::figures::Figure;
 
-fs::path file_of(const fs::path& folder, const Figure& figure)
+struct Drawn {
+    fs::path file;
+    std::string text;
+    fs::path draft() const { return file.string() + ".new"; }
+};
+
+std::vector<Drawn> drawn(const fs::path& folder, const std::string& handout)
 {
-    return folder / figure.handout / "figures" / fmt::format("{}.svg", figure.name);
+    std::vector<Drawn> all;
+    for (const Figure& figure : rigor::figures::all_figures())
+        if (handout.empty() || figure.handout == handout)
+            all.push_back({folder / figure.handout / "figures" / fmt::format("{}.svg", figure.name),
+                           figure.draw().svg()});
+    return all;
 }
 
 std::string content(const fs::path& file)
@@ -26,40 +40,78 @@ std::string content(const fs::path& file)
     return text.str();
 }
 
-// @return whether the file was written
-bool write(const fs::path& file, const std::string& text)
+// The folders that have to be made for a file, the outermost first.
+std::vector<fs::path> missing_folders(const fs::path& file)
 {
-    std::error_code error;
-    fs::create_directories(file.parent_path(), error);
-    std::ofstream stream(file);
-    stream << text;
-    stream.close();
-    if (!stream) fmt::print(stderr, "--out: cannot write {}\n", file.string());
-    return !stream.fail();
+    std::vector<fs::path> missing;
+    for (fs::path folder = file.parent_path(); !folder.empty() && !fs::exists(folder);
+         folder = folder.parent_path())
+        missing.insert(missing.begin(), folder);
+    return missing;
+}
+
+// Writes a draft of each file, and gives all of them their names when each is on the disk.
+// @return whether that went well; otherwise nothing is left behind, and a line says why
+bool write(const std::vector<Drawn>& figures)
+{
+    std::vector<fs::path> made;
+    const auto fail = [&](const fs::path& file, const std::string& reason) {
+        for (const Drawn& figure : figures)
+            std::remove(figure.draft().c_str());
+        for (auto folder = made.rbegin(); folder != made.rend(); ++folder)
+            std::remove(folder->c_str()); // those that are empty
+        fmt::print(stderr, "rigor: --out: cannot write {}: {}\n", file.string(), reason);
+        return false;
+    };
+    for (const Drawn& figure : figures) {
+        std::error_code error;
+        for (const fs::path& folder : missing_folders(figure.file)) {
+            if (!fs::create_directory(folder, error)) return fail(folder, error.message());
+            made.push_back(folder);
+        }
+        if (fs::is_directory(figure.file)) return fail(figure.file, "it is a folder");
+        std::ofstream stream(figure.draft());
+        stream << figure.text;
+        stream.close();
+        if (!stream) return fail(figure.file, std::strerror(errno));
+    }
+    for (const Drawn& figure : figures) {
+        std::error_code error;
+        fs::rename(figure.draft(), figure.file, error);
+        if (error) return fail(figure.file, error.message());
+    }
+    return true;
+}
+
+int count_differing(const std::vector<Drawn>& figures)
+{
+    int differing = 0;
+    for (const Drawn& figure : figures) {
+        if (content(figure.file) == figure.text) continue;
+        fmt::print("{}: differs; ./rigor figures --out assignments makes it anew\n",
+                   figure.file.string());
+        ++differing;
+    }
+    return differing;
 }
 
 } // namespace
 
 int main(int count, char** values)
 {
-    const std::string option = count == 3 ? values[1] : "";
+    const std::string option = count == 3 || count == 4 ? values[1] : "";
     if (option != "--out" && option != "--check") {
-        fmt::print(stderr, "usage: rigor_figures --out DIR, or --check DIR\n");
+        fmt::print(stderr, "usage: rigor_figures --out DIR [HANDOUT], or --check DIR [HANDOUT]\n");
         return 2;
     }
-    int differing = 0, drawn = 0;
-    for (const Figure& figure : rigor::figures::all_figures()) {
-        const fs::path file = file_of(values[2], figure);
-        const std::string text = figure.draw().svg();
-        ++drawn;
-        if (option == "--out") {
-            if (!write(file, text)) return 2;
-        } else if (content(file) != text) {
-            fmt::print("{}: differs; ./rigor figures --out assignments makes it anew\n",
-                       file.string());
-            ++differing;
-        }
+    const std::string handout = count == 4 ? values[3] : "";
+    const std::vector<Drawn> figures = drawn(values[2], handout);
+    if (figures.empty()) {
+        fmt::print(stderr, "rigor: expected a handout with figures, found '{}'\n", handout);
+        return 2;
     }
-    fmt::print("{} figures\n", drawn);
-    return differing == 0 && drawn > 0 ? 0 : 1;
+    if (option == "--out" && !write(figures)) return 2;
+    const int differing = option == "--check" ? count_differing(figures) : 0;
+    fmt::print("{} figures\n", figures.size());
+    return differing == 0 ? 0 : 1;
 }

@@ -19,6 +19,11 @@ TEST_CASE("book: blocks of a text", "[book]")
     CHECK(shown("# A title\n\nSome\nwords.\n") == "<h1>A title</h1>\n<p>Some\nwords.</p>\n");
     CHECK(shown("- one\n  more\n- two\n") == "<ul>\n<li>one\nmore</li>\n<li>two</li>\n</ul>\n");
     CHECK(shown("1. one\n2. two\n") == "<ol>\n<li>one</li>\n<li>two</li>\n</ol>\n");
+    CHECK(shown("It is never\n0. Or is it?\n") == "<p>It is never\n0. Or is it?</p>\n");
+    CHECK(shown("Two:\n1. one\n2. two\n") ==
+          "<p>Two:</p>\n<ol>\n<li>one</li>\n<li>two</li>\n</ol>\n");
+    CHECK(shown("> - one\n> - two\n>\n> So.\n") ==
+          "<blockquote>\n<ul>\n<li>one</li>\n<li>two</li>\n</ul>\n<p>So.</p>\n</blockquote>\n");
     CHECK(shown("> **Note.** A word.\n") ==
           "<blockquote>\n<p><strong>Note.</strong> A word.</p>\n</blockquote>\n");
     CHECK(shown("    a < b\n") == "<pre>a &lt; b\n</pre>\n");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Each formula of the contract is called in some shipped scene, except those that only tests call.
 #include "formulas/table.hpp"
+#include "handouts/coverage.hpp"
 #include "handouts/handouts.hpp"
 #include "handouts/reached/called.hpp"
 #include "scene/keys/scene_keys.hpp"
@@ -8,6 +9,7 @@
 #include "support/catch.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <regex>
 #include <set>
@@ -38,26 +40,28 @@ std::vector<std::filesystem::path> scenes_of(const Handout& handout)
     return files;
 }
 
-// The formulas that the scenes of a handout call.
-std::set<std::string> called_by(const Handout& handout)
+// The formulas that a scene calls until this time [s].
+std::set<std::string> called_in(const std::filesystem::path& file, double end)
 {
     forget_calls();
-    for (const auto& file : scenes_of(handout)) {
-        Scene scene = load_scene(file);
-        scene.end = std::min(scene.end, longest);
-        scene.frames_per_second = std::min(scene.frames_per_second, 1 / scene.time_step);
-        run_scene(scene, Record::frames, [](const auto&...) {});
-    }
+    Scene scene = load_scene(file);
+    scene.end = std::min(scene.end, end);
+    scene.frames_per_second = std::min(scene.frames_per_second, 1 / scene.time_step);
+    run_scene(scene, Record::frames, [](const auto&...) {});
     return called_formulas();
 }
 
-// For each handout, the formulas that its scenes call. The scenes run once.
-const std::map<std::string, std::set<std::string>>& called()
+// For each handout and each of its scenes, such as "stack", the formulas that the scene calls. The
+// scenes run once.
+const std::map<std::string, std::map<std::string, std::set<std::string>>>& called()
 {
     static const auto all = [] {
-        std::map<std::string, std::set<std::string>> tags;
-        for (const Handout& handout : all_handouts())
-            tags[handout.label] = called_by(handout);
+        std::map<std::string, std::map<std::string, std::set<std::string>>> tags;
+        for (const Handout& handout : all_handouts()) {
+            tags[handout.label]; // also where there are no scenes
+            for (const auto& file : scenes_of(handout))
+                tags[handout.label][file.stem().string()] = called_in(file, longest);
+        }
         return tags;
     }();
     return all;
@@ -94,8 +98,9 @@ std::string joined(const std::set<std::string>& tags)
 TEST_CASE("scenes: each formula is reached by a shipped scene", "[reached]")
 {
     std::set<std::string> reached;
-    for (const auto& [label, tags] : called())
-        reached.insert(tags.begin(), tags.end());
+    for (const auto& [label, scenes] : called())
+        for (const auto& [scene, tags] : scenes)
+            reached.insert(tags.begin(), tags.end());
     for (const Formula& formula : formulas) {
         const std::string tag(formula.tag);
         INFO(tag << " " << formula.name << " is called by "
@@ -108,9 +113,30 @@ TEST_CASE("scenes: a handout names the formulas of others that its scenes call",
 {
     for (const Handout& handout : all_handouts()) {
         std::set<std::string> others;
-        for (const std::string& tag : called().at(handout.label))
-            if (tag.substr(0, tag.find('.')) != handout.label) others.insert(tag);
+        for (const auto& [scene, tags] : called().at(handout.label))
+            for (const std::string& tag : tags)
+                if (tag.substr(0, tag.find('.')) != handout.label) others.insert(tag);
         INFO(handout.label << " must say: " << joined(others));
         CHECK(joined(said_of_scenes(handout)) == joined(others));
+    }
+}
+
+TEST_CASE("coverage: a row's scene calls the formula of its task", "[reached]")
+{
+    for (const CoverageRow& row : coverage()) {
+        const bool has_formula =
+            std::any_of(std::begin(formulas), std::end(formulas),
+                        [&](const Formula& formula) { return formula.tag == row.tag; });
+        const std::string label = "A" + row.assignment.substr(1, 1); // "A4" of "a4-collision"
+        INFO(row.statement << ": " << row.assignment << "/" << row.scene << " and " << row.tag);
+        std::set<std::string> tags = called().at(label).at(row.scene);
+        if (has_formula && tags.count(row.tag) == 0) { // it may come later
+            const auto file = assignments() / row.assignment / "scenes" / (row.scene + ".json");
+            tags = called_in(file, std::numeric_limits<double>::infinity());
+        }
+        if (has_formula)
+            CHECK(tags.count(row.tag) == 1);
+        else // a task about scenes is about those of its own assignment
+            CHECK(row.tag.substr(0, row.tag.find('.')) == label);
     }
 }

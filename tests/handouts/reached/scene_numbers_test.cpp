@@ -93,7 +93,7 @@ TEST_CASE("scenes: the first step of the seesaw", "[numbers]")
         inertia += body.inertia(2, 2) + body.mass * arm.squaredNorm();
     }
     const double together = torque / inertia;
-    check_says("a5-contact", "= " + number(together, "%.8f") + " \\ \\mathrm{rad/s^2}");
+    check_says("a5-contact", "= " + number(together, "%.8f") + " \\ \\mathrm{rad}/\\mathrm{s}^2");
     step(world, scene.time_step);
     const RigidBody& plank = world.bodies.at(2);
     const double w = plank.state.angular_momentum.z() / plank.inertia(2, 2);
