@@ -43,6 +43,7 @@ struct TestCase {
     std::string place;                                               // the field that is wrong
     std::optional<std::int64_t> seed;                                // seed of the counterexample
     bool is_hidden = false;
+    double largest_error = 0; // among comparisons that held, as a part of the tolerance
     double seconds = 0;
 };
 

@@ -51,20 +51,53 @@ std::string walls_in_words()
 #endif
 }
 
-// Catch2's test specification for these tags.
-std::string specification(const std::vector<std::string>& tags, bool has_oracle)
+// What nobody can promise of a submission's points; empty if nothing.
+std::string doubt()
+{
+#ifndef RIGOR_SANITIZED
+    if (usual_tier() == Tier::c && places().has_reference())
+        return "no walls were around the submission: it could read the reference, the tests and "
+               "other submissions, so its points prove little";
+#endif
+    return "";
+}
+
+// Catch2's test specification for these tags, without the test cases that have a verdict.
+std::string specification(const std::vector<std::string>& tags, bool has_oracle,
+                          const Verdicts& before)
 {
     std::string result;
-    for (const std::string& tag : tags)
+    for (const std::string& tag : tags) {
         result += (result.empty() ? "[" : ",[") + tag + "]" + (has_oracle ? "" : "~[hidden]");
+        for (const TestCase& done : before.of(tag))
+            result += "~\"" + done.name + "\"";
+    }
     return result;
 }
+
+#ifdef RIGOR_SANITIZED // a sanitizer reserves terabytes of addresses
+constexpr std::size_t memory_of_tests = 0;
+#else
+// The answers of a submission may be long, and let the engine's meshes grow. Then a test fails, and
+// the machine does not run out of memory.
+constexpr std::size_t memory_of_tests = std::size_t{6} << 30; // [bytes]
+#endif
 
 // Whose answers a task builds on: those of the submission, or those of the reference.
 enum class Others { submission, reference };
 
+// The longest time that the test program computes between two calls of formulas [s]: long for the
+// first test case that does not come to its end, since a task has several, and short for others.
+double longest_stall(const Verdicts& before)
+{
+    return before.stalled().empty() ? 8 : 2;
+}
+
+// @param spent   what an earlier run of the same implementation cost, see Verdicts
+// @param before  the verdicts of the test cases that are not to run
 Command test_command(const GradingRun& run, const Implementation& implementation,
-                     const std::vector<std::string>& tags, Others others)
+                     const std::vector<std::string>& tags, Others others, const std::string& spent,
+                     const Verdicts& before)
 {
     Command command;
     command.arguments = {run.test_program.string(), "--worker", implementation.worker.string()};
@@ -72,15 +105,18 @@ Command test_command(const GradingRun& run, const Implementation& implementation
         command.arguments.insert(command.arguments.end(), {"--oracle", run.oracle->string()});
     if (others == Others::reference)
         command.arguments.insert(command.arguments.end(), {"--others", "reference"});
+    if (!spent.empty()) command.arguments.insert(command.arguments.end(), {"--spent", spent});
     command.arguments.insert(command.arguments.end(),
-                             {"--verdicts", std::to_string(message_descriptor), "--seed",
+                             {"--verdicts", std::to_string(message_descriptor), "--stall",
+                              fmt::format("{}", longest_stall(before)), "--seed",
                               std::to_string(run.seed),
-                              specification(tags, run.oracle.has_value())});
+                              specification(tags, run.oracle.has_value(), before)});
     if (!run.secret.empty())
         command.environment = {
             std::string(seed_key_variable) + "=" +
             seed_key(run.secret, fmt::format("{} {}", implementation.digest, run.seed))};
     command.silence = run.silence;
+    command.memory = memory_of_tests;
     return command;
 }
 
@@ -97,21 +133,48 @@ std::string fault_of(const Ended& ended, const Verdicts& verdicts,
         return fmt::format("the test program gave up in '{}'", verdicts.open());
     for (const std::string& tag : tags)
         if (verdicts.of(tag).empty()) return fmt::format("no test of {} ran", tag);
+    if (!verdicts.is_complete()) return "the test program ended before all tests had run";
     return "";
 }
 
+// Runs the test cases of these tags. Where the answers make our engine compute without end, the
+// program ends itself after its verdict, and another one runs the test cases that are left.
+// @param spent    what an earlier run cost
+// @param on_line  called after each line about the test cases
+Ended run_tests(
+    const GradingRun& run, const Implementation& implementation,
+    const std::vector<std::string>& tags, Others others, const std::string& spent,
+    Verdicts& verdicts, const OnLine& on_output, const std::function<void()>& on_line = [] {})
+{
+    double seconds = 0;
+    for (;;) {
+        const std::size_t stalled = verdicts.stalled().size();
+        Ended ended = rigor::run(test_command(run, implementation, tags, others,
+                                              stalled == 0 ? spent : verdicts.spent(), verdicts),
+                                 on_output, [&](std::string_view line) {
+                                     verdicts.take(line);
+                                     on_line();
+                                 });
+        seconds = ended.seconds += seconds;
+        if (verdicts.stalled().size() == stalled || !verdicts.fault().empty()) return ended;
+    }
+}
+
 // Judges the tasks that did not get all points once more, with the reference in place of what they
-// build on. A task keeps the better of the two results.
-void follow_through(const GradingRun& run, const Implementation& implementation, Result& result)
+// build on. A task keeps the better of the two results. Formulas that did not return are not asked
+// again.
+void follow_through(const GradingRun& run, const Implementation& implementation,
+                    const Verdicts& before, Result& result)
 {
     std::vector<std::string> tags;
     for (const TaskResult& task : result.tasks)
-        if (!task.tests.empty() && task.score < task.max_score) tags.push_back(task.task.tag);
+        if (!task.tests.empty() && task.score < task.max_score &&
+            !before.is_given_up(task.task.tag))
+            tags.push_back(task.task.tag);
     if (!run.oracle || tags.empty()) return;
     Verdicts verdicts;
-    const Ended ended = rigor::run(
-        test_command(run, implementation, tags, Others::reference), [](std::string_view) {},
-        [&](std::string_view line) { verdicts.take(line); });
+    const Ended ended = run_tests(run, implementation, tags, Others::reference, before.spent(),
+                                  verdicts, [](std::string_view) {});
     result.test_seconds += ended.seconds;
     if (const std::string fault = fault_of(ended, verdicts, tags); !fault.empty()) {
         result.notes.push_back("not judged with the reference's other formulas: " + fault);
@@ -152,12 +215,12 @@ Result grade(const Selection& selection, const Implementation& implementation,
     result.walls = walls_in_words();
     result.build_seconds = implementation.build_seconds;
     if (is_broken) return result;
+    if (const std::string why = doubt(); !why.empty()) result.notes.push_back(why);
     const std::vector<std::string> tags = runnable(selection, run.oracle.has_value());
     Verdicts verdicts;
     std::set<std::string> begun;
     std::string last_words;
-    const auto on_message = [&](std::string_view line) {
-        verdicts.take(line);
+    const auto on_line = [&] {
         if (run.on_task && begun.insert(verdicts.current_tag()).second)
             run.on_task(static_cast<int>(begun.size()), static_cast<int>(tags.size()),
                         verdicts.current_tag());
@@ -167,8 +230,8 @@ Result grade(const Selection& selection, const Implementation& implementation,
     };
     std::string fault;
     if (!tags.empty()) { // otherwise all requested tasks are hidden
-        const Ended ended = rigor::run(test_command(run, implementation, tags, Others::submission),
-                                       on_output, on_message);
+        const Ended ended = run_tests(run, implementation, tags, Others::submission, "", verdicts,
+                                      on_output, on_line);
         result.test_seconds = ended.seconds;
         fault = fault_of(ended, verdicts, tags);
     }
@@ -182,7 +245,8 @@ Result grade(const Selection& selection, const Implementation& implementation,
         result.message = fault + (last_words.empty() ? "" : "; its last words: " + last_words);
         return result;
     }
-    follow_through(run, implementation, result);
+    if (!verdicts.cost().empty()) result.notes.push_back("the time budget: " + verdicts.cost());
+    follow_through(run, implementation, verdicts, result);
     return result;
 }
 

@@ -51,6 +51,7 @@ TestCase test_case(const json& line)
     result.mistake = text_of(line, "mistake");
     result.is_hidden = line.at("hidden").get<bool>();
     result.seconds = line.at("seconds").get<double>();
+    result.largest_error = line.value("largest_error", 0.0);
     result.expected = text_of(line, "expected");
     result.actual = text_of(line, "actual");
     result.place = text_of(line, "place");
@@ -72,18 +73,38 @@ void Verdicts::take(std::string_view text)
     if (!fault_.empty()) return;
     try {
         const json line = json::parse(text);
+        is_complete_ = line.contains("end");
+        if (is_complete_) return;
         tag_ = line.at("tag").get<std::string>();
         if (line.contains("begin")) {
             open_ = line.at("begin").get<std::string>();
             return;
         }
         tests_[tag_].push_back(test_case(line));
+        if (line.value("stalled", false)) add_stalled(tests_[tag_].back().name);
+        spent_ = text_of(line, "spent");
+        cost_ = text_of(line, "cost");
         open_.clear();
     } catch (const json::exception& error) {
         fault_ = fmt::format("not a verdict: {:.200}", text);
     } catch (const std::runtime_error& error) {
         fault_ = error.what();
     }
+}
+
+void Verdicts::add_stalled(const std::string& name)
+{
+    if (std::find(stalled_.begin(), stalled_.end(), name) != stalled_.end())
+        throw std::runtime_error("the test case '" + name + "' ran again");
+    stalled_.push_back(name);
+}
+
+bool Verdicts::is_given_up(std::string_view tag) const
+{
+    std::istringstream words(spent_);
+    for (std::string word; words >> word;)
+        if (word == tag) return true;
+    return false;
 }
 
 const std::vector<TestCase>& Verdicts::of(const std::string& tag) const

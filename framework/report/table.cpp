@@ -4,6 +4,7 @@
 // the next step.
 #include "report/table.hpp"
 
+#include "formulas/table.hpp"
 #include "grading/places.hpp"
 #include "report/terminal.hpp"
 
@@ -88,10 +89,11 @@ std::string declaration_of(const std::string& topic, const std::string& formula)
     return declaration;
 }
 
-// The text cut after 400 bytes: a longer value says no more than its beginning.
+// The longest text of a row [bytes]: a longer value says no more than its beginning.
+constexpr std::size_t longest = 400;
+
 std::string shortened(const std::string& text)
 {
-    constexpr std::size_t longest = 400;
     if (text.size() <= longest) return text;
     std::size_t end = longest;
     while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80)
@@ -137,14 +139,20 @@ std::string noted(const TestCase& test)
     return shortened(text);
 }
 
-// The other laws that the task broke.
+// The other laws that the task broke, each whole or only counted.
 std::string also_broken(const TaskResult& task)
 {
     std::string text;
-    for (const TestCase& test : task.tests)
-        if (test.status != Status::passed && &test != task.first_failure())
-            text += (text.empty() ? "" : "; ") + law_of(test.name);
-    return shortened(text);
+    std::size_t counted = 0;
+    for (const TestCase& test : task.tests) {
+        if (test.status == Status::passed || &test == task.first_failure()) continue;
+        const std::string next = (text.empty() ? "" : "; ") + law_of(test.name);
+        if (counted > 0 || (!text.empty() && text.size() + next.size() > longest))
+            ++counted;
+        else
+            text += next;
+    }
+    return counted > 0 ? fmt::format("{}; and {} more", text, counted) : text;
 }
 
 std::string failure_text(const Result& result, const TaskResult& task,
@@ -213,23 +221,40 @@ std::string task_row(const TaskResult& task, bool color)
                        "  " + colored(words, look.color, color));
 }
 
-// The next step for the student: the first formula that is not implemented yet.
+// The row of the table of formulas with this tag; null for a task without a formula.
+const Formula* formula_with(const std::string& tag)
+{
+    const auto found = std::find_if(std::begin(formulas), std::end(formulas),
+                                    [&](const Formula& formula) { return formula.tag == tag; });
+    return found == std::end(formulas) ? nullptr : &*found;
+}
+
+// The handout that explains a formula: "assignments/a4-collision/README.md, A4.8".
+std::string handout(const Formula& formula)
+{
+    const std::string label(formula.tag.substr(1, formula.tag.find('.') - 1));
+    return fmt::format("assignments/a{}-{}/README.md, {}", label, formula.topic, formula.tag);
+}
+
+// The next step for the student: the first formula that is not implemented yet. Where a task only
+// waits for another formula, it is that one.
 std::string next_step(const Result& result, const Implementation& implementation, bool color)
 {
-    const TaskResult* next = nullptr;
+    const Formula* next = nullptr;
     int stubs = 0;
     for (const TaskResult& task : result.tasks) {
         if (task.status != Status::not_implemented) continue;
         ++stubs;
-        if (!next && !task.task.formula.empty()) next = &task;
+        if (next) continue;
+        const std::string stub = stub_of(task);
+        next = formula_with(stub.empty() ? task.task.tag : stub);
     }
     if (!next) return "";
-    return "\n" +
-           colored(fmt::format("Next: {} {}", next->task.tag, next->task.name()), Color::bold,
-                   color) +
+    return "\n" + colored(fmt::format("Next: {} {}", next->tag, next->name), Color::bold, color) +
            (stubs > 1 ? fmt::format(" ({} tasks are not implemented yet)", stubs) : "") + "\n" +
-           row("your code", place_of(implementation, result.assignment.topic, next->task.formula)) +
-           row("to read", handout(result, *next));
+           row("your code",
+               place_of(implementation, std::string(next->topic), std::string(next->name))) +
+           row("to read", handout(*next));
 }
 
 std::string total(const Result& result, bool color)

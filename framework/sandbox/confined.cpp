@@ -209,7 +209,9 @@ bool ends_within(pid_t child, int milliseconds)
     const int handle = static_cast<int>(syscall(SYS_pidfd_open, child, 0));
     if (handle < 0) return false;
     pollfd ended = {handle, POLLIN, 0};
-    const int result = poll(&ended, 1, milliseconds);
+    int result;
+    while ((result = poll(&ended, 1, milliseconds)) < 0 && errno == EINTR) { // by a timer
+    }
     close(handle);
     return result > 0;
 }
@@ -227,7 +229,8 @@ void make_undumpable()
 }
 
 Confined::Confined(const Confinement& confinement, const std::vector<std::string>& arguments,
-                   std::span<const int> descriptors)
+                   std::span<const int> descriptors, bool awaits)
+    : path_(arguments[0])
 {
     notice_children();
     try {
@@ -236,6 +239,7 @@ Confined::Confined(const Confinement& confinement, const std::vector<std::string
         end();
         throw;
     }
+    if (awaits) await_start();
 }
 
 Confined::~Confined()
@@ -258,24 +262,31 @@ void Confined::start(const Confinement& confinement, const std::vector<std::stri
     warden_ = SpawnPlan(given).run(command_line(confinement, descriptors.size(), arguments, user),
                                    confinement.environment);
     sockets.launcher = {};
-    await_start(sockets.grader, arguments[0],
-                walls.listener && confinement.profile == Profile::worker);
+    reports_ = std::move(sockets.grader);
+    asks_ = walls.listener && confinement.profile == Profile::worker;
 }
 
-void Confined::await_start(const Descriptor& reports, const std::string& program, bool asks)
+void Confined::await_start()
 {
+    if (reports_ < 0) return;
+    const Descriptor reports = std::move(reports_);
     const auto checked = [&](const Received& received) {
         if (!received.closed && received.report.error != 0)
             throw_errno(received.report.error,
-                        fmt::format("cannot start {}: {}", program, received.report.action));
+                        fmt::format("cannot start {}: {}", path_, received.report.action));
     };
-    const Received ready = receive(reports);
-    if (ready.listener >= 0) listener_ = Descriptor(ready.listener, "listener");
-    checked(ready);
-    if (ready.closed) throw_errno(ECHILD, "cannot start " + program + ": its launcher has died");
-    program_ = ready.sender;
-    if (asks) allow_start(listener_, reports);
-    checked(receive(reports)); // the socket closes when the program starts
+    try {
+        const Received ready = receive(reports);
+        if (ready.listener >= 0) listener_ = Descriptor(ready.listener, "listener");
+        checked(ready);
+        if (ready.closed) throw_errno(ECHILD, "cannot start " + path_ + ": its launcher has died");
+        program_ = ready.sender;
+        if (asks_) allow_start(listener_, reports);
+        checked(receive(reports)); // the socket closes when the program starts
+    } catch (...) {
+        end();
+        throw;
+    }
 }
 
 std::optional<int> Confined::blocked_call()
@@ -287,12 +298,18 @@ std::optional<int> Confined::blocked_call()
     return blocked_;
 }
 
+void Confined::begin_end()
+{
+    if (warden_ <= 0) return;
+    kill(warden_, SIGTERM);
+    kill(warden_, SIGCONT);
+}
+
 rusage Confined::end()
 {
     rusage used = {};
     if (warden_ <= 0) return used;
-    kill(warden_, SIGTERM);
-    kill(warden_, SIGCONT);
+    begin_end();
     constexpr int patience = 3000; // [ms]; a process may be busy in the kernel, giving back memory
     if (!ends_within(warden_, patience)) kill(warden_, SIGKILL);
     while (wait4(warden_, nullptr, 0, &used) < 0 && errno == EINTR) {

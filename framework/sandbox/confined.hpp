@@ -63,13 +63,19 @@ class Confined {
 public:
     /// Starts a program. `arguments` begins with its path, and `descriptors` become its descriptors
     /// 0, 1, …; it has no others.
+    /// @param awaits  whether to wait until the program runs; otherwise `await_start` does so later
     /// @throws std::system_error if it cannot be started behind these walls
     Confined(const Confinement& confinement, const std::vector<std::string>& arguments,
-             std::span<const int> descriptors);
+             std::span<const int> descriptors, bool awaits = true);
     /// Ends the program and all that it started.
     ~Confined();
     Confined(const Confined&) = delete;
     Confined& operator=(const Confined&) = delete;
+
+    /// Waits until the program runs, if it does not yet. With a listener of blocked calls, the
+    /// walls are up until then, but no instruction of the program runs.
+    /// @throws std::system_error if it cannot be started behind these walls
+    void await_start();
 
     /// The warden. It ends as the program ends, and stops as it stops.
     pid_t warden() const { return warden_; }
@@ -84,16 +90,20 @@ public:
     /// Becomes readable when a call was blocked; -1 without a listener.
     int listener() const { return listener_; }
 
+    /// Begins to end the program and all that it started, and does not wait.
+    void begin_end();
     /// Ends the program and all that it started. @return what they used
     rusage end();
 
 private:
     void start(const Confinement& confinement, const std::vector<std::string>& arguments,
                std::span<const int> descriptors);
-    void await_start(const Descriptor& reports, const std::string& program, bool asks);
 
     pid_t warden_ = -1, program_ = -1;
     Descriptor listener_;
+    Descriptor reports_; // the launcher's, until the program runs
+    std::string path_;   // the program's
+    bool asks_ = false;  // whether the start of the program waits for the grader
     std::optional<int> blocked_;
 };
 

@@ -42,14 +42,20 @@ std::size_t encoded_size(const Moment& moment)
 
 } // namespace
 
-std::string subject_of(FormulaIndex formula)
+const std::string& subject_of(FormulaIndex formula)
 {
-    const Formula& row = formulas[static_cast<unsigned>(formula)];
-    return fmt::format("{} {}", row.tag, row.name);
+    static const std::vector<std::string> subjects = [] {
+        std::vector<std::string> all;
+        for (const Formula& row : formulas)
+            all.push_back(fmt::format("{} {}", row.tag, row.name));
+        return all;
+    }();
+    return subjects[static_cast<unsigned>(formula)];
 }
 
 Worker::Worker(std::filesystem::path executable, Limits limits, Worker* oracle)
-    : executable_(std::move(executable)), limits_(limits), oracle_(oracle)
+    : executable_(std::move(executable)), limits_(limits), oracle_(oracle),
+      budget_(limits, oracle != nullptr)
 {
 }
 
@@ -57,10 +63,14 @@ void Worker::start()
 {
     if (session_) return;
     if (failed_starts_ >= 2) throw *start_failure_; // it would not start this time either
-    session_ = std::make_unique<Session>(executable_, limits_);
+    session_ = spare_ ? std::move(spare_) : std::make_unique<Session>(executable_, limits_);
     try {
         session_->await_greeting();
         failed_starts_ = 0;
+        if (ending_) spare_ = std::make_unique<Session>(executable_, limits_);
+    } catch (const std::system_error&) {
+        session_.reset();
+        throw;
     } catch (const Broken& broken) {
         subject_ = "the start of the program";
         try {
@@ -75,8 +85,10 @@ void Worker::start()
 
 void Worker::renew()
 {
-    if (session_) output_ += session_->take_output();
-    session_.reset();
+    if (!session_) return;
+    output_ += session_->take_output();
+    session_->begin_end();
+    ending_ = std::move(session_);
 }
 
 std::string Worker::take_output()
@@ -101,7 +113,7 @@ void Worker::fail(const Broken& broken, const ByteSink* sink)
     throw failure;
 }
 
-Reply Worker::exchange(const Question& question, Allowance& allowance)
+const Reply& Worker::exchange(const Question& question, Allowance& allowance)
 {
     if (question.payload.size() > Channel::capacity)
         throw std::length_error(fmt::format("{}: {} bytes to send, and a request holds {}",
@@ -117,14 +129,14 @@ Reply Worker::exchange(const Question& question, Allowance& allowance)
     }
 }
 
-Bytes Worker::ask(const Question& question, Allowance& allowance)
+const Bytes& Worker::ask(const Question& question, Allowance& allowance)
 {
     allowance.multiple = limits_.multiple;
     allowance.by_silence = question.sink && limits_.scene_by_silence;
     if (oracle_) allowance.reference = [&] { return oracle_->duration(question); };
-    Reply reply = exchange(question, allowance);
+    const Reply& reply = exchange(question, allowance);
     if (reply.status != ReplyStatus::done) refuse(reply);
-    return std::move(reply.payload);
+    return reply.payload;
 }
 
 /// Throws the error that a reply without a result reports.
@@ -151,58 +163,56 @@ Worker::Seconds Worker::duration(Question question)
     subject_ = "the oracle";
     Allowance allowance{limits_.oracle};
     try {
-        const Reply reply = exchange(question, allowance);
+        const Reply& reply = exchange(question, allowance);
         return reply.status == ReplyStatus::done ? allowance.waited : Seconds(0);
     } catch (const WorkerFailure&) {
         return Seconds(0); // the limit is then the floor
     }
 }
 
-Bytes Worker::call(FormulaIndex formula, std::span<const std::byte> arguments, std::size_t largest)
+/// How fast this worker streams the answers of a scene; nothing if it fails.
+Pace Worker::pace(const Question& question)
+{
+    subject_ = "the oracle";
+    Pace pace;
+    try {
+        start();
+        session_->begin(question);
+        for (Allowance allowance{limits_.oracle};;) {
+            const Seconds before = allowance.waited;
+            const Bytes part = session_->next_part(allowance);
+            pace.longest_wait = std::max(pace.longest_wait, allowance.waited - before);
+            pace.whole = allowance.waited;
+            pace.size += part.size();
+            if (part.empty()) break;
+        }
+        return session_->take_reply().status == ReplyStatus::done ? pace : Pace();
+    } catch (const Broken&) {
+        renew();
+    } catch (const WorkerFailure&) {
+    }
+    return {}; // the limits are then the floors
+}
+
+const Bytes& Worker::call(FormulaIndex formula, std::span<const std::byte> arguments,
+                          std::size_t largest)
 {
     subject_ = subject_of(formula);
-    require_hope(formula);
+    if (budget_.is_given_up(formula))
+        throw WorkerFailure(WorkerFailure::timed_out, subject_, budget_.why_given_up(formula));
     const Question question{Request::call, static_cast<std::uint32_t>(formula), arguments, largest};
-    Allowance allowance{limits_.call};
+    Allowance allowance{budget_.floor_of_call()};
     try {
-        Bytes result = ask(question, allowance);
-        count_time(question, allowance.waited);
+        const Bytes& result = ask(question, allowance);
+        budget_.returned(formula, allowance.waited);
+        if (budget_.is_compared(formula))
+            budget_.compare(formula, allowance.waited,
+                            oracle_ ? oracle_->duration(question) : Seconds(0));
         return result;
     } catch (const WorkerFailure& failure) {
-        if (failure.cause == WorkerFailure::timed_out) ++timed_out_[formula];
-        all_calls_ += allowance.waited;
+        budget_.failed(formula, allowance.waited, failure.cause == WorkerFailure::timed_out);
         throw;
     }
-}
-
-bool Worker::is_hopeless(FormulaIndex formula) const
-{
-    const auto often = timed_out_.find(formula);
-    return often != timed_out_.end() && often->second >= 2;
-}
-
-/// Gives up on a formula that has had its chances, so that an endless loop costs seconds and not
-/// every test case the same time again.
-void Worker::require_hope(FormulaIndex formula) const
-{
-    const auto late = [&](const std::string& why) {
-        return WorkerFailure(WorkerFailure::timed_out, subject_, why);
-    };
-    if (is_hopeless(formula)) throw late("did not return twice, so it is not asked again");
-    const Seconds most =
-        oracle_ ? limits_.call + limits_.multiple * paid_by_oracle_ : 3 * limits_.all_calls;
-    if (paid_calls_ > most)
-        throw late(fmt::format("is not asked any more: all calls together took {:.3g} s",
-                               all_calls_.count()));
-}
-
-/// Counts the time of a call. The oracle is asked the same only after the free time is used up.
-void Worker::count_time(const Question& question, Seconds waited)
-{
-    all_calls_ += waited;
-    if (all_calls_ <= limits_.all_calls) return;
-    paid_calls_ += waited;
-    if (oracle_) paid_by_oracle_ += oracle_->duration(question);
 }
 
 void Worker::run_scene(const std::string& scene_text, const std::string& scene_name, Record record,
@@ -247,7 +257,7 @@ Worker::States Worker::advance_some(const std::string& scene_text, const std::st
     for (const Start& start : starts)
         largest += encoded_size(start);
     Allowance allowance{limits_.call};
-    const Bytes reply = ask({Request::advance, 0, request, largest}, allowance);
+    const Bytes& reply = ask({Request::advance, 0, request, largest}, allowance);
     States states;
     try {
         states = wire::decode_all<States>(reply);

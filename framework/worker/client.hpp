@@ -7,13 +7,18 @@
 #include "scene/run/run_scene.hpp"
 #include "worker/failure.hpp"
 #include "worker/session.hpp"
-
-#include <map>
+#include "worker/time_budget.hpp"
 
 namespace rigor {
 
 /// Tag and name of a formula: "A4.10 apply_impulse".
-std::string subject_of(FormulaIndex formula);
+const std::string& subject_of(FormulaIndex formula);
+
+/// How fast an implementation streams the answers of a scene.
+struct Pace {
+    std::chrono::duration<double> whole{}, longest_wait{}; // for all of it, and between two parts
+    std::size_t size = 0;                                  // all answers together [bytes]
+};
 
 /// One implementation of the formulas, which several processes may run one after the other. A
 /// request that fails ends its process, and the next request gets a fresh one. Every request
@@ -27,11 +32,12 @@ public:
     /// @param oracle  is asked how long a slow request may take; it must outlive this worker
     explicit Worker(std::filesystem::path executable, Limits limits = {}, Worker* oracle = nullptr);
 
-    /// The encoded result of a formula on encoded arguments.
+    /// The encoded result of a formula on encoded arguments, valid until the next request.
     /// @param largest  largest size of an encoded result [bytes]
-    /// A formula that has twice not returned in time is not called again.
+    /// A formula that the time budget has given up is not called.
     /// @throws NotImplemented, FormulaMissing, WorkerFailure
-    Bytes call(FormulaIndex formula, std::span<const std::byte> arguments, std::size_t largest);
+    const Bytes& call(FormulaIndex formula, std::span<const std::byte> arguments,
+                      std::size_t largest);
 
     /// Runs a scene and passes its trajectory to `sink` as it comes, up to the failure if there is
     /// one. The bytes have not been checked.
@@ -59,18 +65,18 @@ public:
 
     const std::filesystem::path& executable() const { return executable_; }
 
+    TimeBudget& budget() { return budget_; }
+
 private:
     friend class SceneAnswers;
     using Seconds = Allowance::Seconds;
     using States = std::vector<std::vector<RigidState>>;
 
-    Bytes ask(const Question& question, Allowance& allowance);
+    const Bytes& ask(const Question& question, Allowance& allowance);
     [[noreturn]] void refuse(const Reply& reply);
-    bool is_hopeless(FormulaIndex formula) const;
-    void require_hope(FormulaIndex formula) const;
-    void count_time(const Question& question, Seconds waited);
-    Reply exchange(const Question& question, Allowance& allowance);
+    const Reply& exchange(const Question& question, Allowance& allowance);
     Seconds duration(Question question);
+    Pace pace(const Question& question);
     States advance_some(const std::string& scene_text, const std::string& scene_name,
                         std::span<const Start> starts, int steps);
     [[noreturn]] void fail(const Broken& broken, const ByteSink* sink);
@@ -79,15 +85,14 @@ private:
     Limits limits_;
     Worker* oracle_;
     std::unique_ptr<Session> session_;
+    /// The process before, whose end takes a moment, and one behind walls for the next fresh start,
+    /// which has not begun to run. Once a process was renewed, others will be.
+    std::unique_ptr<Session> ending_, spare_;
     std::string subject_; // what the current request asks for
     std::string output_;
     int failed_starts_ = 0;
     std::optional<WorkerFailure> start_failure_;
-    std::map<FormulaIndex, int> timed_out_; // for each formula, how often it did not return
-    /// See Limits::all_calls: the time of all calls, and of those after the free part, here and by
-    /// the oracle.
-    Seconds all_calls_{}, paid_calls_{}, paid_by_oracle_{};
-    Seconds all_scenes_{}; // see Limits::all_scenes
+    TimeBudget budget_;
 };
 
 } // namespace rigor

@@ -104,7 +104,7 @@ std::string signal_name(int signal)
 Process::Process(const std::filesystem::path& executable, const Limits& limits)
     : memory_(shared_memory()),
       program_(confinement(executable, limits), {executable.string()},
-               std::array<int, 4>{no_input(), output_.write, output_.write, memory_})
+               std::array<int, 4>{no_input(), output_.write, output_.write, memory_}, false)
 {
     output_.write = {};
     void* address = mmap(nullptr, sizeof(Channel), PROT_READ | PROT_WRITE, MAP_SHARED, memory_, 0);

@@ -41,11 +41,10 @@ struct Limits {
     bool scene_by_silence = false;
     std::chrono::duration<double> oracle{60 * patience}; // limit for the oracle itself
     double multiple = 50;
-    /// Time for all calls of formulas together. The first part is free; after it, the oracle is
-    /// asked the same, and the rest may take `multiple` times as long as the oracle.
-    std::chrono::duration<double> all_calls{30 * patience};
-    /// Time for all scenes together. After it, a scene's floor is a tenth of what it was.
-    std::chrono::duration<double> all_scenes{120 * patience};
+    /// The free time for all calls of formulas together, and for all scenes together: what comes
+    /// after it has a tenth of the floors, see `TimeBudget`. The reference needs less than one
+    /// second for the calls of any assignment, and less than five for its scenes.
+    std::chrono::duration<double> all_calls{8 * patience}, all_scenes{20 * patience};
     std::size_t memory = std::size_t{2} << 30; // address space [bytes]; unlimited under a sanitizer
     std::size_t output = std::size_t{1} << 20; // what a request may print [bytes]
     std::size_t trajectory = std::size_t{1} << 30; // what a scene may stream [bytes]
@@ -63,12 +62,19 @@ struct Broken {
 /// environment. It dies with the thread that started it, and ending it ends all that it started.
 class Process {
 public:
-    /// Starts the executable and does not wait until it is ready.
-    /// @throws std::system_error if it cannot be started behind these walls
+    /// Starts the executable and does not wait for that: `await_start` comes before anything else.
+    /// @throws std::system_error if its launcher cannot be started
     Process(const std::filesystem::path& executable, const Limits& limits);
     ~Process();
     Process(const Process&) = delete;
     Process& operator=(const Process&) = delete;
+
+    /// Waits until the executable runs; it may not be ready yet.
+    /// @throws std::system_error if it cannot be started behind these walls
+    void await_start() { program_.await_start(); }
+
+    /// Begins to end it and does not wait; the destructor does.
+    void begin_end() { program_.begin_end(); }
 
     Channel& channel() { return *channel_; }
 

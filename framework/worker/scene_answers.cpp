@@ -46,6 +46,7 @@ SceneAnswers::~SceneAnswers()
 
 std::span<const std::byte> SceneAnswers::next(FormulaIndex formula, std::size_t largest)
 {
+    if (worker_.budget_.ends_scenes(formula)) fail_as_given_up(formula);
     StreamedAnswer header{};
     require(sizeof header, formula);
     std::memcpy(&header, part_.data() + at_, sizeof header);
@@ -61,12 +62,19 @@ std::span<const std::byte> SceneAnswers::next(FormulaIndex formula, std::size_t 
     return answer;
 }
 
+void SceneAnswers::fail_as_given_up(FormulaIndex formula)
+{
+    worker_.subject_ = subject(formula);
+    worker_.fail({WorkerFailure::timed_out, worker_.budget_.why_given_up(formula)}, nullptr);
+}
+
 /// Waits until this many bytes are there.
 void SceneAnswers::require(std::size_t size, FormulaIndex formula)
 {
     while (part_.size() - at_ < size) {
         const Bytes more = await_part(formula);
         if (more.empty()) say_why_it_ended(formula);
+        taken_before_ += at_;
         part_.erase(part_.begin(), part_.begin() + static_cast<std::ptrdiff_t>(at_));
         part_.insert(part_.end(), more.begin(), more.end());
         at_ = 0;
@@ -75,33 +83,51 @@ void SceneAnswers::require(std::size_t size, FormulaIndex formula)
 
 Bytes SceneAnswers::await_part(FormulaIndex formula)
 {
-    const Limits& limits = worker_.limits_;
-    Allowance allowance{limits.call, limits.multiple};
-    if (worker_.is_hopeless(formula))
-        allowance.limit /= 10; // it may return here, but is not waited for as long again
-    else if (worker_.oracle_)
-        allowance.reference = [this] { return reference_time(); };
+    const TimeBudget& budget = worker_.budget_;
+    Allowance allowance{budget.floor_of_wait(formula), worker_.limits_.multiple};
+    if (worker_.oracle_ && !budget.is_given_up(formula))
+        allowance.reference = [this] { return reference_pace().longest_wait; };
     try {
         Bytes part = worker_.session_->next_part(allowance);
-        waited_ += allowance.waited;
-        worker_.all_scenes_ += allowance.waited;
-        const Seconds floor =
-            worker_.all_scenes_ > limits.all_scenes ? limits.scene / 10 : limits.scene;
-        if (waited_ > floor && waited_ > limits.multiple * reference_time())
-            throw Broken{
-                WorkerFailure::timed_out,
-                fmt::format("did not return: the scene takes more than {:.3g} s", waited_.count())};
+        count_wait(formula, allowance.waited);
         return part;
     } catch (const Broken& broken) {
+        worker_.budget_.failed(formula, allowance.waited, broken.cause == WorkerFailure::timed_out);
         fail(broken, formula);
     }
 }
 
-SceneAnswers::Seconds SceneAnswers::reference_time()
+/// Ends the scene if its answers so far took too long. The formula that was waited for most is to
+/// blame.
+void SceneAnswers::count_wait(FormulaIndex formula, Seconds time)
 {
-    if (!reference_time_)
-        reference_time_ = worker_.oracle_ ? worker_.oracle_->duration(question_) : Seconds(0);
-    return *reference_time_;
+    waited_ += time;
+    waited_for_[static_cast<unsigned>(formula)] += time;
+    worker_.budget_.scene_took(time);
+    if (waited_ <= worker_.budget_.floor_of_scene() || waited_ <= time_for_answers()) return;
+    const auto most = std::max_element(waited_for_.begin(), waited_for_.end());
+    const FormulaIndex slowest{static_cast<unsigned>(most - waited_for_.begin())};
+    worker_.budget_.failed(slowest, Seconds(0), true);
+    fail({WorkerFailure::timed_out,
+          fmt::format("did not return: the scene takes more than {:.3g} s", waited_.count())},
+         slowest);
+}
+
+const Pace& SceneAnswers::reference_pace()
+{
+    if (!reference_pace_)
+        reference_pace_ = worker_.oracle_ ? worker_.oracle_->pace(question_) : Pace();
+    return *reference_pace_;
+}
+
+/// How long the answers so far may have taken: as long as the reference takes for as many bytes of
+/// its own, times the usual multiple.
+SceneAnswers::Seconds SceneAnswers::time_for_answers()
+{
+    const Pace& pace = reference_pace();
+    if (pace.size == 0) return Seconds(0);
+    const double part = static_cast<double>(taken_before_ + at_) / static_cast<double>(pace.size);
+    return worker_.limits_.multiple * (pace.longest_wait + std::min(part, 1.0) * pace.whole);
 }
 
 std::string SceneAnswers::subject(FormulaIndex formula) const
@@ -125,7 +151,7 @@ void SceneAnswers::say_why_it_ended(FormulaIndex formula)
 void SceneAnswers::fail(const Broken& broken, FormulaIndex formula)
 {
     worker_.subject_ = subject(formula);
-    if (broken.cause == WorkerFailure::timed_out) ++worker_.timed_out_[formula];
+    worker_.budget_.scene_failed(formula);
     worker_.fail(broken, nullptr);
 }
 

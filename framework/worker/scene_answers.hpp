@@ -35,19 +35,24 @@ private:
 
     void require(std::size_t size, FormulaIndex formula);
     Bytes await_part(FormulaIndex formula);
-    Seconds reference_time();
+    void count_wait(FormulaIndex formula, Seconds time);
+    const Pace& reference_pace();
+    Seconds time_for_answers();
     std::string subject(FormulaIndex formula) const;
     [[noreturn]] void say_why_it_ended(FormulaIndex formula);
+    [[noreturn]] void fail_as_given_up(FormulaIndex formula);
     [[noreturn]] void fail(const Broken& broken, FormulaIndex formula);
 
     Worker& worker_;
     std::string scene_name_;
     Bytes payload_;
     Question question_;
-    Bytes part_;         // the part of the stream that has come last
-    std::size_t at_ = 0; // how much of it was taken
-    Seconds waited_{};   // for all answers so far
-    std::optional<Seconds> reference_time_;
+    Bytes part_;                   // the part of the stream that has come last
+    std::size_t at_ = 0;           // how much of it was taken
+    std::size_t taken_before_ = 0; // the size of the parts before that one [bytes]
+    Seconds waited_{};             // for all answers so far
+    std::array<Seconds, formula_count> waited_for_{};
+    std::optional<Pace> reference_pace_;
 };
 
 } // namespace rigor

@@ -48,6 +48,7 @@ Session::Session(const std::filesystem::path& executable, const Limits& limits)
 
 void Session::await_greeting()
 {
+    process_.await_start();
     Bytes expected;
     wire::encode(expected, contract_fingerprint());
     Allowance allowance{limits_.start};
@@ -73,10 +74,10 @@ void Session::begin(const Question& question)
     longest_stream_ = question.longest_stream;
     streamed_ = printed_ = 0;
     ++sequence_;
-    post(channel.request, sequence_);
+    post(channel.request, channel.request_awaited, sequence_);
 }
 
-Reply Session::ask(const Question& question, Allowance& allowance)
+const Reply& Session::ask(const Question& question, Allowance& allowance)
 {
     begin(question);
     for (Bytes part = next_part(allowance); !part.empty(); part = next_part(allowance)) {
@@ -89,32 +90,37 @@ Reply Session::ask(const Question& question, Allowance& allowance)
 /// The part of the time that the worker used: all of it while it sleeps, otherwise the time that it
 /// was on a processor. A busy machine may leave a process waiting for seconds. At least a tenth
 /// counts, since the worker could hide behind others.
+/// @param has_replied  whether it sleeps because it is done
 Allowance::Seconds Session::used(Allowance::Seconds passed,
-                                 std::optional<Process::Progress>& before) const
+                                 std::optional<Process::Progress>& before, bool has_replied) const
 {
     const std::optional<Process::Progress> now = process_.progress();
     if (!now) return passed;
     const Allowance::Seconds ran =
         before ? now->on_processor - before->on_processor : std::chrono::nanoseconds(0);
     before = now;
-    return now->sleeps ? passed : std::clamp(ran, passed / 10, passed);
+    return now->sleeps && !has_replied ? passed : std::clamp(ran, passed / 10, passed);
 }
 
 /// Waits for a part of the stream, or until the reply with the current sequence number is there,
 /// and watches the process meanwhile.
 Bytes Session::next_part(Allowance& allowance)
 {
-    const std::atomic<std::uint32_t>& reply = process_.channel().reply;
+    std::atomic<std::uint32_t>& reply = process_.channel().reply;
+    std::atomic<std::uint32_t>& awaited = process_.channel().reply_awaited;
     std::chrono::milliseconds slice(1);
     std::optional<Process::Progress> before;
     for (;;) {
         if (Bytes part = take_stream(); !part.empty()) return part;
         const Clock::time_point start = Clock::now();
-        const std::uint32_t now = await_change(reply, sequence_ - 1, slice);
+        const std::uint32_t now = await_change(reply, awaited, sequence_ - 1, slice);
         const Allowance::Seconds passed = Clock::now() - start;
-        // A client that got no processor itself looks late at a reply that was there in time.
-        allowance.waited +=
-            now == sequence_ ? std::min<Allowance::Seconds>(passed, slice) : used(passed, before);
+        // A client that got no processor itself looks late at a reply that was there in time. In
+        // the first slice, which is short, nothing is asked about the worker.
+        const bool has_replied = now == sequence_;
+        const Allowance::Seconds counted =
+            has_replied && !before ? passed : used(passed, before, has_replied);
+        allowance.waited += has_replied ? std::min<Allowance::Seconds>(counted, slice) : counted;
         if (now == sequence_) return take_stream();
         if (now != sequence_ - 1) throw Broken{WorkerFailure::malformed, out_of_turn};
         collect_output();
@@ -128,7 +134,7 @@ Bytes Session::next_part(Allowance& allowance)
     }
 }
 
-Reply Session::take_reply()
+const Reply& Session::take_reply()
 {
     // Each word is read once and the payload is copied, so that the worker
     // cannot change them later.
@@ -142,7 +148,9 @@ Reply Session::take_reply()
     if (size > most)
         throw Broken{WorkerFailure::malformed,
                      fmt::format("sent {} bytes where an answer has at most {}", size, most)};
-    return {status, Bytes(channel.payload, channel.payload + size)};
+    reply_.status = status;
+    reply_.payload.assign(channel.payload, channel.payload + size);
+    return reply_;
 }
 
 Bytes Session::rest_of_stream()
@@ -150,15 +158,22 @@ Bytes Session::rest_of_stream()
     Channel& channel = process_.channel();
     const std::uint32_t n = channel.streamed.load(std::memory_order_acquire) - taken_;
     if (n > Channel::ring || streamed_ + n > longest_stream_) return {};
+    return read_stream(n);
+}
+
+/// Copies the next n bytes of the stream, which are there, and makes room for others.
+Bytes Session::read_stream(std::uint32_t n)
+{
+    Channel& channel = process_.channel();
     const std::uint32_t at = taken_ % Channel::ring;
     const std::uint32_t first = std::min(n, Channel::ring - at);
     Bytes bytes(channel.stream + at, channel.stream + at + first);
     bytes.insert(bytes.end(), channel.stream, channel.stream + (n - first));
     taken_ += n;
     streamed_ += n;
-    channel.taken.store(taken_, std::memory_order_release);
+    channel.taken.store(taken_); // before the look at whether it is awaited
     // A worker that waits found the ring full, and then one of two parts is at least half of it.
-    if (n >= Channel::ring / 2) wake(channel.taken);
+    if (n >= Channel::ring / 2) wake(channel.taken, channel.taken_awaited);
     return bytes;
 }
 
@@ -168,11 +183,11 @@ Bytes Session::take_stream()
     if (streamed == taken_) return {};
     // Whichever word of the channel a worker overwrites first, the verdict is the same.
     if (streamed - taken_ > Channel::ring) throw Broken{WorkerFailure::malformed, out_of_turn};
-    Bytes bytes = rest_of_stream();
-    if (bytes.empty())
+    const std::uint32_t n = streamed - taken_;
+    if (streamed_ + n > longest_stream_)
         throw Broken{WorkerFailure::flooded,
                      fmt::format("streamed more than {} MB", longest_stream_ >> 20)};
-    return bytes;
+    return read_stream(n);
 }
 
 void Session::collect_output()

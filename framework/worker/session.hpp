@@ -41,19 +41,23 @@ class Session {
 public:
     Session(const std::filesystem::path& executable, const Limits& limits);
 
-    /// Waits until the process is ready. @throws Broken
+    /// Waits until the process is ready. @throws Broken, std::system_error
     void await_greeting();
 
+    /// Begins to end the process and does not wait; the destructor does.
+    void begin_end() { process_.begin_end(); }
+
     /// Asks a question and waits for the reply.
+    /// The reply is valid until the next question.
     /// @throws Broken, what the sink throws; the session cannot be used any more then
-    Reply ask(const Question& question, Allowance& allowance);
+    const Reply& ask(const Question& question, Allowance& allowance);
 
     /// The same in parts: asks a question, whose sink is not used. After it, `next_part` is called
     /// until there is no more, and then `take_reply`. @throws Broken
     void begin(const Question& question);
     /// Waits for a part of the stream. @return it; empty if the reply has come instead
     Bytes next_part(Allowance& allowance);
-    Reply take_reply();
+    const Reply& take_reply();
 
     /// The rest of the stream that came before the conversation broke.
     Bytes rest_of_stream();
@@ -62,8 +66,9 @@ public:
     std::string take_output();
 
 private:
-    Allowance::Seconds used(Allowance::Seconds passed,
-                            std::optional<Process::Progress>& before) const;
+    Allowance::Seconds used(Allowance::Seconds passed, std::optional<Process::Progress>& before,
+                            bool has_replied) const;
+    Bytes read_stream(std::uint32_t n);
     Bytes take_stream();
     void collect_output();
 
@@ -74,6 +79,7 @@ private:
     std::size_t streamed_ = 0;   // how much of the stream was read [bytes]
     std::size_t largest_ = 0, longest_stream_ = 0; // limits of the last question [bytes]
     std::size_t printed_ = 0; // how much was printed since the last question [bytes]
+    Reply reply_{};           // kept, so that its memory is used again
     std::string output_;
 };
 

@@ -35,6 +35,7 @@ fi
 for suite in "${@:-bookworm trixie}"; do
     for one in $suite; do
         root=$(mktemp -d)
+        chmod 755 "$root" # as "/" is: whoever compiles a submission must enter it
         trap 'rm -rf --one-file-system "$root"' EXIT
         debootstrap --variant=minbase "$one" "$root" >"$root.log" 2>&1 ||
             { tail -n 3 "$root.log" >&2; exit 1; }

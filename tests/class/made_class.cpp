@@ -5,6 +5,7 @@
 #include "formulas/table.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <fstream>
 #include <random>
 #include <set>
@@ -33,13 +34,23 @@ std::vector<fs::path> sources_in(const fs::path& folder)
     return {files.begin(), files.end()};
 }
 
+// Whether a source defines a function: a line that is not indented has its name.
+bool defines(const std::string& text, const std::string& name)
+{
+    for (std::size_t at = text.find(" " + name + "("); at != std::string::npos;
+         at = text.find(" " + name + "(", at + 1)) {
+        const std::size_t line = text.rfind('\n', at) + 1; // 0 in the first line
+        if (std::isalpha(static_cast<unsigned char>(text[line])) != 0) return true;
+    }
+    return false;
+}
+
 // The formulas of a topic that a source defines.
 std::vector<std::string> formulas_in(const std::string& text, const std::string& topic)
 {
     std::vector<std::string> names;
     for (const Formula& formula : formulas)
-        if (formula.topic == topic &&
-            text.find(" " + std::string(formula.name) + "(const ") != std::string::npos)
+        if (formula.topic == topic && defines(text, std::string(formula.name)))
             names.emplace_back(formula.name);
     return names;
 }
@@ -110,17 +121,35 @@ std::string name_of(int number)
 
 } // namespace
 
+std::string renamed(const std::string& text, const std::string& name, const std::string& to)
+{
+    const auto is_letter = [&](std::size_t i) {
+        return i < text.size() &&
+               (std::isalnum(static_cast<unsigned char>(text[i])) != 0 || text[i] == '_');
+    };
+    const auto is_member = [&](std::size_t at) {
+        return (at > 0 && text[at - 1] == '.') || (at > 1 && text.compare(at - 2, 2, "->") == 0);
+    };
+    std::string result;
+    std::size_t done = 0;
+    for (std::size_t at = text.find(name); at != std::string::npos; at = text.find(name, at + 1)) {
+        if (is_letter(at - 1) || is_letter(at + name.size()) || is_member(at)) continue;
+        result += text.substr(done, at - done) + to;
+        done = at + name.size();
+    }
+    return result + text.substr(done);
+}
+
 std::string with_other_formulas(const std::string& text, const std::string& topic,
                                 const std::vector<std::string>& names,
                                 const std::string& definitions)
 {
-    std::string before = "#include \"formulas/" + topic + ".hpp\"\n", after;
+    std::string before = "#include \"formulas/" + topic + ".hpp\"\n", own = text;
     for (const std::string& name : names) {
         before += "namespace rigor {\ndecltype(" + name + ") right_" + name + ";\n}\n";
-        before += "#define " + name + " right_" + name + "\n";
-        after += "#undef " + name + "\n";
+        own = renamed(own, name, "right_" + name);
     }
-    return before + text + after + definitions;
+    return before + own + definitions;
 }
 
 std::vector<ClassMember> made_class(const fs::path& source, const std::string& topic, int count,

@@ -28,6 +28,9 @@ std::vector<ClassMember> empty_class(int count);
 void write_class(const std::vector<ClassMember>& members, const std::string& topic,
                  const std::filesystem::path& folder);
 
+/// The text with another name for what a name stands for. Members of that name keep it.
+std::string renamed(const std::string& text, const std::string& name, const std::string& to);
+
 /// The text with other definitions of some formulas. The text's own ones get the prefix `right_`,
 /// and keep calling each other.
 std::string with_other_formulas(const std::string& text, const std::string& topic,

@@ -155,6 +155,23 @@ Violations trailing_of_comments(const Files& sources)
     return violations;
 }
 
+Violations graded_checks_without_words(const Files& sources)
+{
+    Violations violations;
+    for (const File& file : sources) {
+        if (!file.path.generic_string().starts_with("tests/graded/")) continue;
+        for (std::size_t i = 0; i < file.lines.size(); ++i)
+            for (const char* name : {"REQUIRE(", "CHECK(", "REQUIRE_FALSE(", "CHECK_FALSE("}) {
+                const std::size_t at = file.lines[i].find(name);
+                if (at == std::string::npos || (at > 0 && file.lines[i][at - 1] != ' ')) continue;
+                violations.push_back({at_line(file, i + 1),
+                                      "a failure shows a student the code of the test: say in "
+                                      "words what is expected, by check_that or check_count"});
+            }
+    }
+    return violations;
+}
+
 Violations missing_first_lines(const Files& sources)
 {
     Violations violations;
@@ -175,8 +192,9 @@ Violations check_tree(const fs::path& top)
     Violations violations;
     if (sources.empty()) violations.push_back({top.generic_string(), "no sources found"});
     if (texts.empty()) violations.push_back({top.generic_string(), "no Markdown found"});
-    for (const auto rule : {large_folders, including_each_other, sources_without_header,
-                            wide_comments, trailing_of_comments, missing_first_lines})
+    for (const auto rule :
+         {large_folders, including_each_other, sources_without_header, wide_comments,
+          trailing_of_comments, graded_checks_without_words, missing_first_lines})
         append(violations, rule(sources));
     append(violations, wide_script_comments(scripts(top)));
     append(violations, wide_prose(texts));

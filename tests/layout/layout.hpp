@@ -25,6 +25,7 @@ Violations wide_comments(const Files& sources);
 Violations wide_script_comments(const Files& scripts);
 Violations wide_prose(const Files& texts);
 Violations trailing_of_comments(const Files& sources);
+Violations graded_checks_without_words(const Files& sources);
 Violations missing_first_lines(const Files& sources);
 
 /// Checks all rules. A tree without sources or without texts breaks a rule, too.

@@ -68,6 +68,19 @@ const std::string wide = ": a comment or text of 101 columns; the limit is 100\n
 
 } // namespace
 
+TEST_CASE("layout: a graded test says in words what it expects", "[layout]")
+{
+    const Tree tree;
+    const std::string bare = licence + "void f()\n{\n    REQUIRE(x == 8);\n}\n";
+    tree.write("tests/graded/inertia/inertia_test.cpp", bare);
+    CHECK(tree.violations().starts_with("tests/graded/inertia/inertia_test.cpp:4: a failure shows "
+                                        "a student the code of the test"));
+    tree.write("tests/graded/inertia/inertia_test.cpp",
+               licence + "    REQUIRE_THAT(x, IsExactly(8));\n");
+    tree.write("tests/framework/rigid/step_test.cpp", bare); // no student reads its failures
+    CHECK(tree.violations().empty());
+}
+
 TEST_CASE("layout: a tree that keeps the rules has no violation", "[layout]")
 {
     const Tree tree;

@@ -5,6 +5,8 @@
 #include "cli/secret.hpp"
 #include "errors/input_error.hpp"
 #include "errors/quotes.hpp"
+#include "grading/class/called_stubs.hpp"
+#include "grading/class/fingerprint.hpp"
 #include "grading/places.hpp"
 #include "sandbox/tier.hpp"
 
@@ -33,6 +35,7 @@ ClassWork prepared_class_work(const Selection& selection, std::uint32_t seed,
     work.run.secret = secret_in(secret_file);
     if (places().has_reference()) work.reference = prepared_implementation("reference");
     prepare_submissions();
+    work.fingerprint = fingerprint_of(work.selection, work.run);
     fmt::print(stderr, "walls around the submissions: {}\n", description(usual_tier()));
     if (has_too_weak_walls())
         fmt::print(stderr, "no walls are possible here: hidden tests are left out; with "
@@ -40,6 +43,13 @@ ClassWork prepared_class_work(const Selection& selection, std::uint32_t seed,
     if (work.run.secret.empty())
         fmt::print(stderr, "random cases: the same for all, since there is no --secret: a student "
                            "can know them\n");
+    const std::string& topic = selection.assignment.topic;
+    if (const auto stubs = called_stubs(places().source, topic); !stubs.empty())
+        fmt::print(stderr,
+                   "student/ has stubs of {}, which a right {}.cpp calls: a submission without "
+                   "files for them loses points; \"Before the first class\" in "
+                   "assignments/instructor.md says what to do\n",
+                   fmt::join(stubs, ", "), topic);
     if (!work.reference)
         fmt::print(stderr, "this tree has no reference/: no control must get every point\n");
     return work;

@@ -1,24 +1,25 @@
 // SPDX-License-Identifier: MIT
 #include "cli/instructor/grade.hpp"
 
+#include "cli/instructor/class_progress.hpp"
 #include "cli/instructor/class_work.hpp"
 #include "cli/options.hpp"
-#include "cli/progress.hpp"
 #include "cli/secret.hpp"
 #include "errors/input_error.hpp"
 #include "errors/quotes.hpp"
 #include "grading/class/class_folder.hpp"
 #include "grading/class/grade_class.hpp"
+#include "grading/class/known_results.hpp"
 #include "grading/class/local_engine.hpp"
 #include "grading/class/slurm/slurm_engine.hpp"
 #include "grading/intake/found_submissions.hpp"
 #include "grading/places.hpp"
+#include "report/exports/changes.hpp"
 #include "report/exports/gradebook.hpp"
 #include "report/exports/learning_systems.hpp"
 #include "report/write_whole.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <fmt/format.h>
 #include <thread>
@@ -33,6 +34,7 @@ struct GradeOptions {
     std::string assignment, out, secret, engine = "local";
     std::vector<std::string> submissions;
     std::uint32_t jobs = 0, seed = 0, chunk = 0;
+    bool is_regrade = false, is_applied = false;
 };
 
 // The names of the files that are written beside the submissions' folders.
@@ -69,51 +71,6 @@ std::vector<std::string> names_of(const std::vector<Submission>& submissions)
     return names;
 }
 
-// A duration as a person says it.
-std::string in_words(double seconds)
-{
-    if (seconds < 90) return fmt::format("{:.0f} s", seconds);
-    if (seconds < 5400) return fmt::format("{:.0f} min", seconds / 60);
-    return fmt::format("{:.1f} h", seconds / 3600);
-}
-
-// The progress of a run with the time that is left, as far as it can be told.
-class ClassProgress {
-public:
-    explicit ClassProgress(const std::string& title) : bar_(title) {}
-
-    void update(std::size_t done, std::size_t total, const std::string& doing,
-                const std::string& detail)
-    {
-        const Clock::time_point now = Clock::now();
-        if (doing != doing_) {
-            doing_ = doing;
-            start_ = now;
-            done_at_start_ = done;
-        }
-        std::string text = doing;
-        if (doing == "grading" && total > 0) {
-            text = fmt::format("{} of {}", done, total);
-            const double seconds = std::chrono::duration<double>(now - start_).count();
-            if (done > done_at_start_)
-                text += fmt::format(", {} left",
-                                    in_words(seconds / static_cast<double>(done - done_at_start_) *
-                                             static_cast<double>(total - done)));
-        }
-        if (!detail.empty()) text += ", " + detail;
-        bar_.update(
-            static_cast<double>(done) / static_cast<double>(std::max<std::size_t>(total, 1)), text);
-    }
-    void clear() { bar_.clear(); }
-
-private:
-    using Clock = std::chrono::steady_clock;
-    Progress bar_;
-    std::string doing_;
-    Clock::time_point start_;
-    std::size_t done_at_start_ = 0;
-};
-
 void write_class_files(const fs::path& out, const std::vector<Row>& rows,
                        const Assignment& assignment)
 {
@@ -123,30 +80,8 @@ void write_class_files(const fs::path& out, const std::vector<Row>& rows,
     write_whole(out / gradebook_file, gradebook_csv(rows));
 }
 
-std::string points_in_words(const Row& row)
+int status_of(const ClassOutcome& outcome)
 {
-    return row.has_points()
-               ? fmt::format("{}, {:g}/{:g} points", row.status, row.points, row.max_points)
-               : row.status;
-}
-
-// Adds a submission to the list of changes if its points have changed.
-void note_change(const Row& row, const std::optional<Row>& before,
-                 std::vector<std::string>& changes)
-{
-    if (!before || points_in_words(*before) == points_in_words(row)) return;
-    changes.push_back(fmt::format("  {}: {}; before: {}\n", row.submission, points_in_words(row),
-                                  points_in_words(*before)));
-}
-
-int tell(const ClassOutcome& outcome, std::vector<std::string> changes, const std::string& out)
-{
-    fmt::print("{}", class_summary(outcome.rows));
-    std::sort(changes.begin(), changes.end());
-    if (!changes.empty()) fmt::print("\nnot as in the last run:\n{}", fmt::join(changes, ""));
-    fmt::print("\n{} graded now, {} as before; {}/{} has the points, and each submission a folder "
-               "with its report.txt\n",
-               outcome.graded, outcome.rows.size() - outcome.graded, out, gradebook_file);
     const bool has_fault = std::any_of(outcome.rows.begin(), outcome.rows.end(),
                                        [](const Row& row) { return !row.has_points(); });
     return has_fault ? exit_fault : exit_done;
@@ -181,48 +116,134 @@ void check_usage(const GradeOptions& options)
     if (options.submissions.empty())
         throw InputError("expected submissions: folders, archives, or a folder of them");
     if (options.out.empty()) throw InputError("expected --out DIR, the folder for the results");
+    if (options.is_applied && !options.is_regrade) throw InputError("--apply goes with --regrade");
     jobs_of(options);
     is_for_slurm(options);
     secret_in(options.secret);
     require_outside(options.out, options.submissions);
 }
 
-int grade(const GradeOptions& options)
-{
-    const Selection selection = whole_assignment(options.assignment);
-    check_usage(options);
-    ClassProgress progress("grading " + selection.assignment.label());
-    const auto engine = engine_for(options, [&](const std::string& text) {
-        progress.clear();
-        fmt::print(stderr, "{}\n", text);
-    });
-    const FoundSubmissions found =
-        find_submissions(options.submissions, selection.assignment.topic + ".cpp",
-                         {gradebook_file, summary_file, canvas_file, moodle_file, ".rigor"});
-    for (const std::string& note : found.notes)
-        fmt::print(stderr, "{}\n", note);
-    const ClassFolder folder(options.out, selection.assignment.name, names_of(found.submissions));
-
-    ClassWork work = prepared_class_work(selection, options.seed, options.secret);
-    work.submissions = found.submissions;
-    std::vector<std::string> changes;
-    ClassListener listener;
-    listener.on_progress = [&](std::size_t done, std::size_t total, const std::string& doing,
-                               const std::string& detail) {
-        progress.update(done, total, doing, detail);
-    };
-    listener.on_row = [&](const Row& row, const std::optional<Row>& before) {
-        note_change(row, before, changes);
-    };
-    const ClassOutcome outcome = grade_class(std::move(work), folder, *engine, listener);
-    progress.clear();
-    if (!outcome.control_fault.empty()) {
-        fmt::print(stderr, "{}: the results of this run are not kept\n", outcome.control_fault);
-        return exit_fault;
+// One run of the command, from the submissions to the gradebook.
+class Grading {
+public:
+    explicit Grading(const GradeOptions& options)
+        : options_(options), selection_(whole_assignment(options.assignment)),
+          progress_("grading " + selection_.assignment.label())
+    {
     }
-    write_class_files(folder.path(), outcome.rows, selection.assignment);
-    return tell(outcome, changes, options.out);
-}
+
+    int run()
+    {
+        check_usage(options_);
+        engine_ = engine_for(options_, [&](const std::string& text) { say(text); });
+        const FoundSubmissions found =
+            find_submissions(options_.submissions, selection_.assignment.topic + ".cpp",
+                             {gradebook_file, summary_file, canvas_file, moodle_file, ".rigor"});
+        for (const std::string& note : found.notes)
+            say(note);
+        const ClassFolder folder(options_.out, selection_.assignment.name,
+                                 names_of(found.submissions));
+        if (options_.is_regrade) require_gradebook(folder);
+        work_ = prepared_class_work(selection_, options_.seed, options_.secret);
+        work_.submissions = found.submissions;
+        if (!options_.is_regrade) return grade(folder);
+        const fs::path shown = folder.path() / ".rigor" / "regrade";
+        return options_.is_applied ? apply(folder, shown) : show(folder, shown);
+    }
+
+private:
+    void say(const std::string& text)
+    {
+        progress_.clear();
+        fmt::print(stderr, "{}\n", text);
+    }
+
+    static void require_gradebook(const ClassFolder& folder)
+    {
+        if (!fs::exists(folder.path() / gradebook_file))
+            throw InputError(fmt::format("--regrade: expected a folder with a {}, found none in "
+                                         "{}: the class has not been graded to the end there",
+                                         gradebook_file, folder.path().string()));
+    }
+
+    // Grades, and collects the changes of submissions that had a result in this folder before.
+    ClassOutcome graded(const ClassFolder& folder, Engine& engine, OldResults old)
+    {
+        ClassListener listener;
+        listener.on_progress = [&](std::size_t done, std::size_t total, const std::string& doing,
+                                   const std::string& detail) {
+            progress_.update(done, total, doing, detail);
+        };
+        listener.on_row = [&](const Row& row, const std::optional<Row>& before) {
+            if (before) changes_.push_back(change_text(before, row));
+        };
+        ClassOutcome outcome = grade_class(work_, folder, engine, listener, old);
+        progress_.clear();
+        if (!outcome.control_fault.empty())
+            say(outcome.control_fault + ": the results of this run are not kept");
+        return outcome;
+    }
+
+    // Results that no gradebook has yet are graded again without a question.
+    int grade(const ClassFolder& folder)
+    {
+        const bool is_published = fs::exists(folder.path() / gradebook_file);
+        const ClassOutcome outcome =
+            graded(folder, *engine_, is_published ? OldResults::stay : OldResults::are_replaced);
+        return outcome.control_fault.empty() ? finished(folder, outcome) : exit_fault;
+    }
+
+    int finished(const ClassFolder& folder, const ClassOutcome& outcome)
+    {
+        write_class_files(folder.path(), outcome.rows, selection_.assignment);
+        fmt::print("{}", class_summary(outcome.rows));
+        std::sort(changes_.begin(), changes_.end());
+        const std::string changes = fmt::format("{}", fmt::join(changes_, ""));
+        if (!changes.empty()) fmt::print("\nnot as in the last run:\n{}", changes);
+        fmt::print("\n{} graded now, {} as before; {}/{} has the points, and each submission a "
+                   "folder with its report.txt\n",
+                   outcome.graded, outcome.rows.size() - outcome.graded, options_.out,
+                   gradebook_file);
+        return status_of(outcome);
+    }
+
+    // Grades into a folder of its own what would change, and writes nothing into the results.
+    int show(const ClassFolder& folder, const fs::path& place)
+    {
+        const ClassFolder shown(place, selection_.assignment.name, names_of(work_.submissions));
+        KnownResults engine(folder, engine_.get());
+        const ClassOutcome outcome = graded(shown, engine, OldResults::are_replaced);
+        if (!outcome.control_fault.empty()) return exit_fault;
+        std::vector<std::optional<Row>> before;
+        for (const Row& row : outcome.rows)
+            before.push_back(folder.row_of(row.submission));
+        fmt::print("what --regrade changes in {}:\n{}nothing is written yet: the same command "
+                   "with --apply writes it\n",
+                   options_.out, changes_text(before, outcome.rows));
+        return status_of(outcome);
+    }
+
+    int apply(const ClassFolder& folder, const fs::path& place)
+    {
+        int status = exit_fault;
+        {
+            const ClassFolder shown(place, selection_.assignment.name, names_of(work_.submissions));
+            KnownResults engine(shown, nullptr);
+            const ClassOutcome outcome = graded(folder, engine, OldResults::are_replaced);
+            if (outcome.control_fault.empty()) status = finished(folder, outcome);
+        }
+        std::error_code kept; // it can be made again
+        fs::remove_all(place, kept);
+        return status;
+    }
+
+    const GradeOptions& options_;
+    Selection selection_;
+    ClassProgress progress_;
+    std::unique_ptr<Engine> engine_;
+    ClassWork work_;
+    std::vector<std::string> changes_;
+};
 
 } // namespace
 
@@ -246,12 +267,17 @@ Action declare_grade(Options& options)
     options.option("--seed", "N", chosen->seed, "First seed of the random cases (0)");
     options.option("--secret", "FILE", chosen->secret,
                    "File with a secret, which draws other random cases for each submission");
+    options.flag("--regrade", chosen->is_regrade,
+                 "After a change of tests or points: grade everybody again, show whose points "
+                 "change, and write nothing");
+    options.flag("--apply", chosen->is_applied, "With --regrade: write what it has shown");
     options.examples(
         {"grade a4 submissions --out grades       a folder of folders and archives",
          "grade a4 alice.zip bob/ --out grades    two submissions",
          "grade a4 submissions --out grades       again: only what is new or has changed",
+         "grade a4 submissions --out grades --regrade   after a change of tests: what would change",
          "grade a4 submissions --out grades --engine slurm   on a cluster"});
-    return [chosen] { return grade(*chosen); };
+    return [chosen] { return Grading(*chosen).run(); };
 }
 
 } // namespace rigor

@@ -69,7 +69,16 @@ fs::path made(const fs::path& folder)
     return folder;
 }
 
-std::string why_it_ended(const ConfinedRun& run, const std::string& file)
+// Whether the disk is full, which the message of a compiler alone does not prove: a submission can
+// print it too.
+bool is_full(const fs::path& disk)
+{
+    std::error_code error;
+    const fs::space_info space = fs::space(disk, error);
+    return !error && space.available < largest_output;
+}
+
+std::string why_it_ended(const ConfinedRun& run, const std::string& file, const fs::path& out)
 {
     if (run.timed_out)
         return fmt::format("{}: took longer than {} s to compile\n", file, compile_limit);
@@ -78,7 +87,7 @@ std::string why_it_ended(const ConfinedRun& run, const std::string& file)
                            words_for_blocked_call(*run.blocked_call));
     if (run.output.find("File size limit exceeded") != std::string::npos)
         return fmt::format("{}: expected an object of at most {} MB\n", file, largest_output >> 20);
-    if (run.output.find("No space left on device") != std::string::npos)
+    if (run.output.find("No space left on device") != std::string::npos && is_full(out))
         throw std::runtime_error(file + " cannot be compiled: no space left on the disk");
     std::string errors = shown_errors(run.output);
     if (run.flooded) errors += "(there are more messages than anyone reads)\n";
@@ -187,7 +196,7 @@ void CompiledFolder::compile_topic(const std::string& topic, CompiledTopic& comp
     else if (run.ok())
         compiled.errors = forbidden_include(list, compiler.folder);
     else
-        compiled.errors = why_it_ended(run, file);
+        compiled.errors = why_it_ended(run, file, out);
     if (!compiled.errors.empty()) return;
     const ConfinedRun names = run_tool({{"/usr/bin/nm", "-P", object.string()}, out, {out}, out});
     if (!names.ok()) {

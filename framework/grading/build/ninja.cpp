@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <fmt/format.h>
 #include <stdexcept>
 
 namespace rigor {
@@ -15,6 +16,9 @@ namespace rigor {
 namespace {
 
 constexpr std::uint64_t compiler_memory = std::uint64_t(6) << 30;
+// Ninja compiles our files only, also on machines that are slow or busy. It prints a line whenever
+// a file is done [s].
+constexpr double longest_silence = 3600;
 
 bool speaks_of_an_error(const std::string& line)
 {
@@ -66,7 +70,7 @@ NinjaRun run_ninja(const std::vector<std::string>& arguments, const OnBuildStep&
     Command command;
     command.arguments = {"ninja", "-C", places().build.string()};
     command.arguments.insert(command.arguments.end(), arguments.begin(), arguments.end());
-    command.silence = compile_limit; // ninja prints a line whenever a file is done
+    command.silence = longest_silence;
     command.memory = compiler_memory;
     command.environment = {"NINJA_STATUS=[%f/%t] "};
 
@@ -74,9 +78,12 @@ NinjaRun run_ninja(const std::vector<std::string>& arguments, const OnBuildStep&
     NinjaLines lines(result, on_step);
     const Ended ended = run(command, [&](std::string_view line) { lines.take(std::string(line)); });
     result.ok = ended.ok();
-    result.timed_out = ended.timed_out;
     result.seconds = ended.seconds;
     if (!result.ok) result.errors = first_errors(lines.said());
+    if (ended.timed_out)
+        result.errors += fmt::format("no file was done within {} s\n", longest_silence);
+    else if (ended.signal != 0)
+        result.errors += fmt::format("ninja was ended by signal {}\n", ended.signal);
     return result;
 }
 

@@ -14,14 +14,13 @@ using OnBuildStep = std::function<void(int done, int total, const std::string& s
 /// The result of a run of ninja.
 struct NinjaRun {
     bool ok = false;
-    bool timed_out = false;          // one file took longer than the limit
     std::vector<std::string> steps;  // "Building CXX object …", "Linking CXX executable …"
     std::vector<std::string> failed; // outputs that could not be made
-    std::string errors;              // the compiler's first errors
+    std::string errors;              // the compiler's first errors, or why ninja was ended
     double seconds = 0;
 };
 
-/// Longest time to compile a single file [s]. Student code can keep a compiler busy forever.
+/// Longest time to compile a single file of a student [s], who can keep a compiler busy forever.
 inline constexpr double compile_limit = 120;
 
 /// Runs ninja in the build folder.

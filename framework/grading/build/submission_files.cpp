@@ -3,6 +3,7 @@
 // size are read from the open file, so that they cannot change in between.
 #include "grading/build/submission_files.hpp"
 
+#include "errors/utf8.hpp"
 #include "grading/topics.hpp"
 #include "sandbox/descriptor.hpp"
 #include "seeds/drawn_seed.hpp"
@@ -68,12 +69,9 @@ Content read_file(const fs::path& file)
                 fmt::format("expected at most {} kB, found {} kB", longest_file / 1024,
                             std::max<std::size_t>(status.st_size, size) / 1024)};
     text.resize(size);
+    if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) // its marks of byte order
+        return {{}, "expected a text in UTF-8, found UTF-16: save it as UTF-8"};
     return {text, ""};
-}
-
-bool is_printable(const std::string& name)
-{
-    return std::all_of(name.begin(), name.end(), [](char c) { return c >= ' ' && c <= '~'; });
 }
 
 // Whether a file, by its ending, may be included by the file of a topic.
@@ -140,7 +138,7 @@ std::vector<fs::path> other_sources(const fs::path& folder)
         const fs::path name = entry->path().lexically_relative(folder);
         const bool is_topic = !name.has_parent_path() && name.extension() == ".cpp" &&
                               std::find(all.begin(), all.end(), name.stem()) != all.end();
-        if (!is_topic && is_source(name) && is_printable(name.string())) found.push_back(name);
+        if (!is_topic && is_source(name) && is_plain_utf8(name.string())) found.push_back(name);
     }
     std::sort(found.begin(), found.end());
     return found;

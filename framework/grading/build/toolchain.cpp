@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "grading/build/toolchain.hpp"
 
+#include "errors/input_error.hpp"
 #include "grading/build/await_no_writer.hpp"
 #include "grading/build/ninja.hpp"
 #include "grading/places.hpp"
-
 #include "sandbox/blocked_calls.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <csignal>
+#include <cstdlib>
 #include <cstring>
 #include <stdexcept>
 #include <thread>
@@ -61,6 +64,23 @@ bool is_student_object(const std::string& word)
     return word.find("formulas_student.dir/") != std::string::npos;
 }
 
+// Puts the compiler that RIGOR_COMPILER names in the place of the build's. One of another family
+// cannot read the precompiled header, and gets its text instead.
+void exchange_compiler(std::vector<std::string>& words)
+{
+    const std::string chosen = chosen_compiler();
+    if (chosen.empty()) return;
+    const bool is_clang = chosen.find("clang") != std::string::npos,
+               was_clang = words[0].find("clang") != std::string::npos;
+    words[0] = chosen;
+    if (is_clang == was_clang) return;
+    const auto at = std::find(words.begin(), words.end(), "-include");
+    if (at == words.end())
+        throw std::runtime_error("RIGOR_COMPILER: the build's precompiled header is not for it");
+    // Its driver would take the precompiled header of gcc for its own.
+    words.insert(words.erase(at), {"-Xclang", "-include", "-Xclang"});
+}
+
 void take_compile(Toolchain& tools, const std::string& command)
 {
     std::vector<std::string> words = words_of(command);
@@ -75,6 +95,7 @@ void take_compile(Toolchain& tools, const std::string& command)
         else if (words[i] != "-MD")
             tools.compile.push_back(words[i]);
     }
+    exchange_compiler(tools.compile);
     // The assembler then reads from a pipe, so that its messages do not name a temporary file.
     tools.compile.emplace_back("-pipe");
     // A file that includes itself could have errors without end. Clang stops by itself.
@@ -88,6 +109,8 @@ void take_link(Toolchain& tools, const std::string& command)
     for (std::size_t i = 0; i < words.size(); ++i) {
         const std::string ending = fs::path(words[i]).extension().string();
         if (words[i] == ":" || words[i] == "&&" || is_student_object(words[i])) continue;
+        // CMake 3.27 asks for a list of what was linked, in a folder that is read-only here.
+        if (words[i].starts_with("-Wl,--dependency-file=")) continue;
         if (words[i] == "-o") {
             ++i;
         } else {
@@ -116,6 +139,16 @@ std::uint64_t memory_of_a_tool()
 }
 
 } // namespace
+
+std::string chosen_compiler()
+{
+    const char* chosen = std::getenv("RIGOR_COMPILER");
+    if (!chosen) return "";
+    if (chosen[0] != '/' || access(chosen, X_OK) != 0)
+        throw InputError(
+            fmt::format("RIGOR_COMPILER: expected the path of a C++ compiler, found '{}'", chosen));
+    return chosen;
+}
 
 Toolchain student_toolchain()
 {

@@ -23,7 +23,11 @@ struct Toolchain {
     std::set<std::string> reserved = {};
 };
 
-/// Taken from the commands of the main build.
+/// The compiler for students' files that the environment variable RIGOR_COMPILER names by its path;
+/// empty for the compiler of the main build. @throws InputError if there is none
+std::string chosen_compiler();
+
+/// Taken from the commands of the main build, with the chosen compiler.
 Toolchain student_toolchain();
 
 /// The largest file that a tool may write [bytes].

@@ -3,7 +3,6 @@
 
 #include "errors/input_error.hpp"
 #include "errors/quotes.hpp"
-#include "report/exports/row.hpp"
 #include "report/write_whole.hpp"
 
 #include <algorithm>
@@ -14,7 +13,6 @@
 #include <fmt/format.h>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <set>
 #include <sys/file.h>
 #include <thread>
@@ -30,6 +28,7 @@ using Json = nlohmann::json;
 
 constexpr const char* run_file = "run.json";
 constexpr const char* unconfirmed_file = "unconfirmed";
+constexpr const char* gradebook_file = "gradebook.csv";
 
 void make_folder(const fs::path& folder)
 {
@@ -52,12 +51,6 @@ std::set<std::pair<std::string, std::string>> unconfirmed(const fs::path& file)
         throw InputError(file.string() + ": expected names and fingerprints, found another text: "
                                          "remove it, and the results that are younger than it");
     }
-}
-
-std::optional<Row> row_in(const fs::path& file)
-{
-    std::ifstream in(file, std::ios::binary);
-    return read_row({std::istreambuf_iterator<char>(in), {}});
 }
 
 } // namespace
@@ -115,18 +108,30 @@ void ClassFolder::check_owner(const std::string& assignment,
         throw InputError(fmt::format("--out: expected a folder with results of {}, found those of "
                                      "{} in {}",
                                      assignment, run["assignment"].dump(), folder_.string()));
-    for (const Json& name : run["submissions"])
-        if (std::find(submissions.begin(), submissions.end(),
-                      name.is_string() ? name.get<std::string>() : name.dump()) ==
-            submissions.end())
-            throw InputError(fmt::format("--out: {} has a result of {}, which this run does not "
-                                         "name: name all submissions, or another folder",
-                                         folder_.string(), name.dump()));
+    // After a run that came to its end, a result that is missing was removed on purpose.
+    const bool has_all = fs::exists(folder_ / gradebook_file) && !has_unconfirmed();
+    for (const Json& entry : run["submissions"]) {
+        const std::string name = entry.is_string() ? entry.get<std::string>() : entry.dump();
+        const bool is_named =
+            std::find(submissions.begin(), submissions.end(), name) != submissions.end();
+        const bool is_withdrawn = has_all && !fs::exists(folder_ / name);
+        if (!is_named && !is_withdrawn)
+            throw InputError(fmt::format(
+                "--out: {} has a result of {}, which this run does not name: name all submissions, "
+                "or another folder, or remove {} if this one is withdrawn",
+                folder_.string(), entry.dump(), (folder_ / name).string()));
+    }
 }
 
 fs::path ClassFolder::result_of(const std::string& submission) const
 {
     return folder_ / submission / "result.json";
+}
+
+std::optional<Row> ClassFolder::row_of(const std::string& submission) const
+{
+    std::ifstream in(result_of(submission), std::ios::binary);
+    return read_row({std::istreambuf_iterator<char>(in), {}});
 }
 
 bool ClassFolder::has_unconfirmed() const
@@ -150,7 +155,7 @@ void ClassFolder::confirm() const
 void ClassFolder::drop_unconfirmed() const
 {
     for (const auto& [submission, fingerprint] : unconfirmed(state_ / unconfirmed_file)) {
-        const std::optional<Row> row = row_in(result_of(submission));
+        const std::optional<Row> row = row_of(submission);
         std::error_code error;
         if (row && row->fingerprint == fingerprint) fs::remove(result_of(submission), error);
     }

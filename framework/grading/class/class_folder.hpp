@@ -2,8 +2,11 @@
 // The folder with the results of a class. Its subfolder `.rigor` says what the results are about.
 #pragma once
 
+#include "report/exports/row.hpp"
+
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,7 +18,8 @@ public:
     /// Makes the folder if it is missing.
     /// @param submissions  the names of all submissions of this run
     /// @throws InputError if it holds anything but results of the same assignment, has results of
-    ///     submissions that this run does not name, is in use, or cannot be written
+    ///     submissions that this run does not name, is in use, or cannot be written. A submission
+    ///     whose folder was removed after a whole run need not be named.
     ClassFolder(const std::filesystem::path& folder, const std::string& assignment,
                 const std::vector<std::string>& submissions);
     ~ClassFolder();
@@ -25,6 +29,8 @@ public:
     const std::filesystem::path& path() const { return folder_; }
     /// The result.json of a submission.
     std::filesystem::path result_of(const std::string& submission) const;
+    /// What it says; nothing if there is none, or if it is not whole.
+    std::optional<Row> row_of(const std::string& submission) const;
 
     /// Whether there are results that no control has confirmed: their run was broken off.
     bool has_unconfirmed() const;

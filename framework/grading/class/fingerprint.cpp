@@ -2,6 +2,7 @@
 #include "grading/class/fingerprint.hpp"
 
 #include "grading/build/submission_files.hpp"
+#include "grading/build/toolchain.hpp"
 #include "grading/intake/folder.hpp"
 #include "grading/intake/refused.hpp"
 #include "grading/places.hpp"
@@ -56,6 +57,7 @@ std::uint64_t fingerprint_of(const Selection& selection, const GradingRun& run)
     for (const std::string& tag : selection.tags)
         hash = hash_of(tag + ";", hash);
     hash = hash_of(fmt::format("seed {} walls {}", run.seed, description(usual_tier())), hash);
+    hash = hash_of(chosen_compiler(), hash);
     if (!run.secret.empty()) hash = hash_of(hmac_sha256(run.secret, "fingerprint"), hash);
     hash = hash_of_file("/proc/self/exe", hash);
     hash = hash_of_file(run.test_program, hash);
@@ -67,23 +69,31 @@ std::uint64_t fingerprint_of(const Selection& selection, const GradingRun& run)
     return hash_of_folder(places().assignments(), {".json", ".obj", ".msh", ".mesh"}, hash);
 }
 
+bool is_of_the_same_tests(const std::string& fingerprint, std::uint64_t all_but_the_submission)
+{
+    return fingerprint.starts_with(fmt::format("{:016x}-", all_but_the_submission));
+}
+
 std::string fingerprint_of(const Submission& submission, std::uint64_t all_but_the_submission)
 {
+    const auto text = [&](std::uint64_t hash_of_both) {
+        return fmt::format("{:016x}-{:016x}", all_but_the_submission, hash_of_both);
+    };
     std::uint64_t hash =
         hash_of(submission.name + '\0' + submission.refusal, all_but_the_submission);
-    if (!submission.refusal.empty()) return fmt::format("{:016x}", hash);
+    if (!submission.refusal.empty()) return text(hash);
     if (!fs::is_directory(submission.path))
-        return fmt::format("{:016x}", hash_of_file(submission.path, hash_of("archive", hash)));
+        return text(hash_of_file(submission.path, hash_of("archive", hash)));
     try {
         const Contents contents = read_folder(submission.path);
-        for (const auto& [name, text] : contents.sources())
-            hash = hash_of(name + '\0' + text + '\0', hash);
+        for (const auto& [name, content] : contents.sources())
+            hash = hash_of(name + '\0' + content + '\0', hash);
         for (const std::string& name : contents.others())
             hash = hash_of(name + '\0', hash);
     } catch (const Refused& refused) {
         hash = hash_of(refused.what(), hash);
     }
-    return fmt::format("{:016x}", hash);
+    return text(hash);
 }
 
 } // namespace rigor

@@ -16,7 +16,11 @@ namespace rigor {
 /// and the walls.
 std::uint64_t fingerprint_of(const Selection& selection, const GradingRun& run);
 
-/// The fingerprint of a submission's result, 16 hexadecimal digits. An archive counts byte by byte.
+/// The fingerprint of a submission's result: two hashes of 16 hexadecimal digits, first that of all
+/// but the submission, then that of both. An archive counts byte by byte.
 std::string fingerprint_of(const Submission& submission, std::uint64_t all_but_the_submission);
+
+/// Whether a result with this fingerprint depends on the same but for the submission.
+bool is_of_the_same_tests(const std::string& fingerprint, std::uint64_t all_but_the_submission);
 
 } // namespace rigor

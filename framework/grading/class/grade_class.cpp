@@ -5,11 +5,12 @@
 #include "grading/class/grade_class.hpp"
 
 #include "errors/input_error.hpp"
+#include "errors/quotes.hpp"
 #include "grading/class/fingerprint.hpp"
 #include "report/write_whole.hpp"
 
 #include <algorithm>
-#include <fstream>
+#include <fmt/format.h>
 #include <map>
 #include <random>
 #include <stdexcept>
@@ -20,17 +21,11 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::string content_of(const fs::path& file)
-{
-    std::ifstream in(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-}
-
 class ClassGrading {
 public:
     ClassGrading(ClassWork work, const ClassFolder& folder, Engine& engine,
-                 const ClassListener& listener)
-        : work_(std::move(work)), folder_(folder), engine_(engine), listener_(listener),
+                 const ClassListener& listener, OldResults old)
+        : work_(std::move(work)), folder_(folder), engine_(engine), listener_(listener), old_(old),
           before_(work_.submissions.size()), rows_(work_.submissions.size())
     {
         work_.out = folder.path();
@@ -39,6 +34,7 @@ public:
     ClassOutcome grade_all()
     {
         find_known();
+        if (old_ == OldResults::stay) require_current();
         ClassOutcome outcome;
         outcome.graded = to_do_.size();
         if (!to_do_.empty() || folder_.has_unconfirmed()) {
@@ -72,11 +68,10 @@ private:
 
     void find_known()
     {
-        work_.fingerprint = fingerprint_of(work_.selection, work_.run);
         for (std::size_t i = 0; i < work_.submissions.size(); ++i) {
             progress(i, work_.submissions.size(), "looking for what has changed", "");
             work_.fingerprints.push_back(fingerprint_of(work_.submissions[i], work_.fingerprint));
-            before_[i] = read_row(content_of(folder_.result_of(name(i))));
+            before_[i] = folder_.row_of(name(i));
             const std::optional<Row>& row = before_[i];
             if (row && is_of_this_run(*row, i) && row->fingerprint == work_.fingerprints[i])
                 rows_[i] = row;
@@ -86,6 +81,23 @@ private:
         std::mt19937 random(work_.run.seed);
         for (std::size_t i = to_do_.size(); i > 1; --i) // Fisher and Yates
             std::swap(to_do_[i - 1], to_do_[random() % i]);
+    }
+
+    // @throws InputError if a result is there that other tests gave
+    void require_current() const
+    {
+        std::vector<std::string> names;
+        for (const std::size_t i : to_do_)
+            if (before_[i] && before_[i]->has_points() &&
+                !is_of_the_same_tests(before_[i]->fingerprint, work_.fingerprint))
+                names.push_back(name(i));
+        std::sort(names.begin(), names.end());
+        if (names.empty()) return;
+        throw InputError(fmt::format(
+            "{}: expected results of these tests, points, seeds and walls, found {} of others, "
+            "such as that of {}: --regrade shows what would change, and --regrade --apply writes "
+            "it",
+            folder_.path().string(), names.size(), in_quotes(names[0])));
     }
 
     std::map<std::string, std::string> expected_fingerprints() const
@@ -135,6 +147,7 @@ private:
     const ClassFolder& folder_;
     Engine& engine_;
     const ClassListener& listener_;
+    OldResults old_;
     std::vector<std::optional<Row>> before_, rows_; // the results of earlier runs, and all results
     std::vector<std::size_t> to_do_;
     std::size_t done_ = 0;
@@ -143,9 +156,9 @@ private:
 } // namespace
 
 ClassOutcome grade_class(ClassWork work, const ClassFolder& folder, Engine& engine,
-                         const ClassListener& listener)
+                         const ClassListener& listener, OldResults old)
 {
-    return ClassGrading(std::move(work), folder, engine, listener).grade_all();
+    return ClassGrading(std::move(work), folder, engine, listener, old).grade_all();
 }
 
 } // namespace rigor

@@ -31,15 +31,19 @@ struct ClassOutcome {
     std::string control_fault;
 };
 
+/// What becomes of a result that other tests, points, seeds or walls gave. A new or changed
+/// submission is graded in both cases.
+enum class OldResults { stay, are_replaced };
+
 /// Grades the submissions and writes the files of each as soon as they are there. Before the first
 /// and after the last one the controls are graded: the reference, which must get every point, and a
 /// file without formulas, which must get none.
 ///
 /// The submissions are graded in an order that the run's seed draws, so that a slow hour does not
 /// always meet the same students.
-/// @param work  the class, of which the fingerprints and `out` are still open
-/// @throws InputError if a result cannot be written
+/// @param work  the class, of which the submissions' fingerprints and `out` are still open
+/// @throws InputError if a result cannot be written, or if an old one has to stay
 ClassOutcome grade_class(ClassWork work, const ClassFolder& folder, Engine& engine,
-                         const ClassListener& listener);
+                         const ClassListener& listener, OldResults old);
 
 } // namespace rigor

@@ -16,6 +16,9 @@ namespace rigor {
 /// means that there is no such file.
 using ResultFiles = std::map<std::string, std::string>;
 
+/// The files about a submission that are in a folder.
+ResultFiles result_files_in(const std::filesystem::path& folder);
+
 /// The same as a text that can be sent to another process, and back.
 std::string packed(const ResultFiles& files);
 ResultFiles unpacked(const std::string& text);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "grading/class/isolated.hpp"
 
+#include "errors/input_error.hpp"
 #include "errors/printable.hpp"
 
 #include <algorithm>
@@ -9,6 +10,7 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <deque>
 #include <exception>
 #include <fcntl.h>
@@ -20,7 +22,6 @@
 #include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
-#include <system_error>
 #include <thread>
 #include <unistd.h>
 
@@ -30,10 +31,16 @@ namespace {
 
 constexpr int failed_status = 3;
 
+[[noreturn]] void fail_for_want_of(const char* what, int error)
+{
+    throw InputError(fmt::format("expected {} for grading a submission, found none: {}", what,
+                                 std::strerror(error)));
+}
+
 int file_in_memory(const char* name)
 {
     const int file = memfd_create(name, MFD_CLOEXEC);
-    if (file < 0) throw std::system_error(errno, std::generic_category(), "memfd_create");
+    if (file < 0) fail_for_want_of("shared memory", errno);
     return file;
 }
 
@@ -94,7 +101,7 @@ Isolated::Isolated(const std::function<std::string()>& work)
     const int error = errno;
     close(text_);
     close(said_);
-    throw std::system_error(error, std::generic_category(), "fork");
+    fail_for_want_of("a process", error);
 }
 
 Isolated::~Isolated()

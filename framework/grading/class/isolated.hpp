@@ -17,7 +17,7 @@ namespace rigor {
 /// process ends when this one does. What it prints is kept from the terminal.
 class Isolated {
 public:
-    /// @throws std::system_error if no process can be made
+    /// @throws InputError if the machine has no memory or no process for it
     explicit Isolated(const std::function<std::string()>& work);
     /// Ends the process if it still runs.
     ~Isolated();

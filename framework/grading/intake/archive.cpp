@@ -129,6 +129,7 @@ private:
                           " encrypted");
         if (archive_entry_filetype(entry) == AE_IFDIR) return;
         std::string text = content_of(name);
+        if (std::string_view(raw).ends_with('\\')) return; // a folder, from an archive of Windows
         if (is_source(name))
             contents_.add_source(name, std::move(text));
         else

@@ -5,6 +5,7 @@
 #include "errors/utf8.hpp"
 #include "grading/intake/refused.hpp"
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <fmt/format.h>
@@ -16,6 +17,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::size_t longest_name = 1024; // [bytes], more than any name has in practice
+constexpr std::size_t longest_part = 255;  // [bytes], the most that a file system takes
 
 bool has_drive(std::string_view name)
 {
@@ -24,21 +26,24 @@ bool has_drive(std::string_view name)
 
 } // namespace
 
-std::string Contents::add_name(std::string_view raw)
+std::string Contents::add_name(std::string_view given)
 {
+    // Some programs on Windows write "student\\collision.cpp" into archives.
+    std::string raw(given);
+    std::replace(raw.begin(), raw.end(), '\\', '/');
     if (++entries_ > limits_.entries)
         throw Refused(fmt::format("expected at most {} files, found more", limits_.entries));
     if (!is_plain_utf8(raw))
         throw Refused("expected names in UTF-8 without control characters, found " +
-                      in_quotes(raw));
+                      in_quotes(given));
     if (raw.size() > longest_name)
         throw Refused(fmt::format("expected names of at most {} bytes, found {}", longest_name,
-                                  in_quotes(raw)));
-    if (raw.starts_with('/') || raw.starts_with('\\') || has_drive(raw))
-        throw Refused("expected names relative to the submission, found " + in_quotes(raw));
+                                  in_quotes(given)));
+    if (raw.starts_with('/') || has_drive(raw))
+        throw Refused("expected names relative to the submission, found " + in_quotes(given));
     fs::path name;
     for (const fs::path& part : fs::path(raw)) {
-        if (part == "..") throw Refused("expected names without \"..\", found " + in_quotes(raw));
+        if (part == "..") throw Refused("expected names without \"..\", found " + in_quotes(given));
         if (!part.empty() && part != ".") name /= part;
     }
     return name.string();
@@ -51,9 +56,27 @@ void Contents::require_new(const std::string& name) const
         throw Refused("expected each file once, found " + in_quotes(name) + " twice");
 }
 
+// A name that cannot stand on a disk beside the others would be a fault of ours when it is written.
+void Contents::require_place(const std::string& name) const
+{
+    for (std::size_t begin = 0, end = 0; end != std::string::npos; begin = end + 1) {
+        end = name.find('/', begin);
+        if (std::min(end, name.size()) - begin > longest_part)
+            throw Refused(fmt::format("expected names of at most {} bytes, found {}", longest_part,
+                                      in_quotes(name)));
+        if (end != std::string::npos && sources_.count(name.substr(0, end)) > 0)
+            throw Refused("expected a file or a folder, found both called " +
+                          in_quotes(name.substr(0, end)));
+    }
+    const auto below = sources_.lower_bound(name + "/");
+    if (below != sources_.end() && below->first.starts_with(name + "/"))
+        throw Refused("expected a file or a folder, found both called " + in_quotes(name));
+}
+
 void Contents::add_source(const std::string& name, std::string text)
 {
     require_new(name);
+    require_place(name);
     source_bytes_ += text.size();
     if (source_bytes_ > limits_.source_bytes)
         throw Refused(fmt::format("expected sources of at most {} MB together, found more",

@@ -26,12 +26,13 @@ class Contents {
 public:
     explicit Contents(const IntakeLimits& limits) : limits_(limits) {}
 
-    /// Counts a folder or a file. @param raw  its name, as the submission has it
-    /// @return the name without "./"; empty for the submission's own folder
+    /// Counts a folder or a file. @param given  its name, as the submission has it
+    /// @return the name without "./", with slashes; empty for the submission's own folder
     /// @throws Refused if the name leads out of the submission or cannot be shown, or if there are
     ///     too many
-    std::string add_name(std::string_view raw);
-    /// @throws Refused if there is another file of this name
+    std::string add_name(std::string_view given);
+    /// @throws Refused if there is another file of this name, or if it cannot be written to a disk
+    ///     together with the others
     void add_source(const std::string& name, std::string text);
     void add_other(const std::string& name);
 
@@ -41,6 +42,7 @@ public:
 
 private:
     void require_new(const std::string& name) const;
+    void require_place(const std::string& name) const;
 
     IntakeLimits limits_;
     std::size_t entries_ = 0, source_bytes_ = 0;

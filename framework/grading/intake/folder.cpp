@@ -46,6 +46,12 @@ public:
         return std::move(contents_);
     }
 
+    Contents read_one(const fs::path& name, const std::string& called)
+    {
+        contents_.add_source(contents_.add_name(called), text_of(name));
+        return std::move(contents_);
+    }
+
 private:
     [[noreturn]] static void fail(const fs::path& name, int error)
     {
@@ -72,7 +78,7 @@ private:
 
     void take(const fs::path& name, int depth)
     {
-        contents_.add_name(name.string());
+        const std::string called = contents_.add_name(name.string());
         struct stat status = {};
         if (lstat((folder_ / name).c_str(), &status) != 0) fail(name, errno);
         if (const std::string_view kind = forbidden_kind(status.st_mode); !kind.empty())
@@ -82,9 +88,9 @@ private:
         if (is_by_author && S_ISDIR(status.st_mode))
             read_below(name, depth + 1);
         else if (is_by_author && is_source(name.string()))
-            contents_.add_source(name.string(), text_of(name));
+            contents_.add_source(called, text_of(name));
         else
-            contents_.add_other(name.string());
+            contents_.add_other(called);
     }
 
     std::string text_of(const fs::path& name) const
@@ -115,6 +121,12 @@ private:
 Contents read_folder(const fs::path& folder, const IntakeLimits& limits)
 {
     return FolderReader(folder, limits).read();
+}
+
+Contents read_single_file(const fs::path& file, const std::string& called,
+                          const IntakeLimits& limits)
+{
+    return FolderReader(file.parent_path(), limits).read_one(file.filename(), called);
 }
 
 } // namespace rigor

@@ -4,11 +4,18 @@
 #include "grading/intake/contents.hpp"
 
 #include <filesystem>
+#include <string>
 
 namespace rigor {
 
 /// Reads a folder and the folders in it. Links are not followed.
 /// @throws Refused if a file cannot be read, or for the same reasons as `read_archive`
 Contents read_folder(const std::filesystem::path& folder, const IntakeLimits& limits = {});
+
+/// Reads a source that was handed in without a folder or an archive around it.
+/// @param called  the name that it gets: a learning system has changed its own
+/// @throws Refused as `read_folder`
+Contents read_single_file(const std::filesystem::path& file, const std::string& called,
+                          const IntakeLimits& limits = {});
 
 } // namespace rigor

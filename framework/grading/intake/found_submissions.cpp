@@ -6,11 +6,13 @@
 #include "errors/utf8.hpp"
 #include "grading/intake/archive.hpp"
 #include "grading/intake/contents.hpp"
+#include "grading/intake/downloaded_name.hpp"
 #include "grading/intake/intake.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
 #include <map>
+#include <optional>
 #include <set>
 
 namespace rigor {
@@ -25,14 +27,24 @@ bool holds(const fs::path& folder, const std::string& wanted)
     return fs::exists(fs::symlink_status(folder / wanted, error));
 }
 
+// Whether a learning system named a single file, or a folder with nothing but a typed text.
+bool is_downloaded_alone(const std::string& file, bool is_folder)
+{
+    const std::optional<DownloadedName> name = downloaded_name(file);
+    if (!name) return false;
+    return is_folder ? name->is_online_text : !name->file.empty() && !is_archive_name(file);
+}
+
 // What lies in a folder, without what programs made, such as `.git`.
 struct Listing {
     std::vector<fs::path> folders, archives, links, others;
-    std::vector<fs::path> dotted; // folders and archives that are taken for such
+    std::vector<fs::path> downloaded; // files and typed texts with the names of a learning system
+    std::vector<fs::path> dotted;     // folders and archives that are taken for such
 
     bool is_empty() const
     {
-        return folders.empty() && archives.empty() && links.empty() && others.empty();
+        return folders.empty() && archives.empty() && links.empty() && others.empty() &&
+               downloaded.empty();
     }
 };
 
@@ -52,6 +64,8 @@ Listing listing_of(const fs::path& folder)
         }
         if (fs::is_symlink(status))
             listing.links.push_back(entry->path());
+        else if (is_downloaded_alone(name, fs::is_directory(status)))
+            listing.downloaded.push_back(entry->path());
         else if (fs::is_directory(status))
             listing.folders.push_back(entry->path());
         else if (fs::is_regular_file(status) && is_archive_name(name))
@@ -60,6 +74,7 @@ Listing listing_of(const fs::path& folder)
             listing.others.push_back(entry->path());
     }
     if (error) throw InputError(folder.string() + ": cannot be read: " + error.message());
+    std::sort(listing.downloaded.begin(), listing.downloaded.end());
     return listing;
 }
 
@@ -77,7 +92,7 @@ bool holds_many(const fs::path& folder, const Listing& listing, const std::strin
                 bool is_only_path)
 {
     if (holds(folder, wanted)) return false;
-    if (!listing.archives.empty()) return true;
+    if (!listing.archives.empty() || !listing.downloaded.empty()) return true;
     if (is_only_path) return !listing.folders.empty();
     return std::count_if(listing.folders.begin(), listing.folders.end(),
                          [&](const fs::path& f) { return has_wanted_near(f, wanted); }) > 1;
@@ -106,6 +121,7 @@ public:
             add(archive);
         for (const fs::path& link : listing.links)
             add(link, "expected a folder or an archive, found a link");
+        add_downloaded(listing);
         note_passed_over(path, listing.others, "expected folders and archives");
         note_passed_over(path, listing.dotted,
                          "a name that begins with a dot is that of a program's own folder");
@@ -115,6 +131,7 @@ public:
     {
         FoundSubmissions found;
         found.notes = notes_;
+        add_notes_about_several(found.notes);
         for (const auto& [name, same_name] : found_) {
             Submission submission = same_name.front();
             std::vector<std::string> names;
@@ -139,9 +156,10 @@ private:
         if (!paths_.insert(path).second) return; // the same path again
         const std::string file = path.filename().string();
         std::error_code error;
-        Submission submission = {
-            fs::is_directory(fs::symlink_status(path, error)) ? file : without_archive_ending(file),
-            path, refusal};
+        Submission submission = {fs::is_directory(fs::symlink_status(path, error)) ? file
+                                 : is_source(file) ? path.stem().string()
+                                                   : without_archive_ending(file),
+                                 path, refusal};
         if (file.empty()) throw InputError("expected a folder with a name, found " + path.string());
         const fs::file_type type = fs::symlink_status(path, error).type();
         if (refusal.empty() && type != fs::file_type::directory && type != fs::file_type::regular)
@@ -159,11 +177,59 @@ private:
         found_[submission.name].push_back(submission);
     }
 
-    // A name that can be shown, for one that cannot.
+    // Students who handed in a file without an archive. One whose file has another name, and who
+    // has no other submission, gets a row too: nobody is lost.
+    void add_downloaded(const Listing& listing)
+    {
+        std::set<std::string> students;
+        const auto note_student = [&](const fs::path& path) {
+            if (const auto name = downloaded_name(path.filename().string()))
+                students.insert(name->student);
+        };
+        for (const auto* paths : {&listing.folders, &listing.archives})
+            std::for_each(paths->begin(), paths->end(), note_student);
+        std::vector<fs::path> others;
+        for (const fs::path& path : listing.downloaded) {
+            if (!is_called(downloaded_name(path.filename().string())->file, wanted_)) {
+                others.push_back(path);
+                continue;
+            }
+            add(path);
+            note_student(path);
+        }
+        for (const fs::path& path : others) {
+            const DownloadedName name = *downloaded_name(path.filename().string());
+            if (students.insert(name.student).second)
+                add(path, "expected " + wanted_ + " or an archive with it, found " +
+                              (name.is_online_text ? "a typed text" : in_quotes(name.file)));
+            else
+                note_passed_over(path.parent_path(), {path}, "the student has another submission");
+        }
+    }
+
+    // Which of them counts, only the instructor knows.
+    void add_notes_about_several(std::vector<std::string>& notes) const
+    {
+        std::map<std::string, std::vector<std::string>> files; // by student
+        for (const auto& [submission, same_name] : found_)
+            for (const Submission& one : same_name) {
+                const std::string file = one.path.filename().string();
+                if (const auto name = downloaded_name(file)) files[name->student].push_back(file);
+            }
+        for (const auto& [student, names] : files)
+            if (names.size() > 1)
+                notes.push_back(fmt::format(
+                    "{} has {} submissions: {}: if several get a grade, canvas.csv and moodle.csv "
+                    "have none of them",
+                    in_quotes(student), names.size(), first_names(names)));
+    }
+
+    // A name that can be shown, and be that of a folder, for one that cannot.
     static std::string escaped(const std::string& name)
     {
+        constexpr std::size_t longest = 200; // [bytes]; a file system takes 255
         std::string text;
-        for (const unsigned char c : name)
+        for (const unsigned char c : name.substr(0, longest / 4))
             text += c >= ' ' && c <= '~' ? std::string(1, static_cast<char>(c))
                                          : fmt::format("\\x{:02x}", c);
         return text;

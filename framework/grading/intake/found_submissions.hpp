@@ -9,9 +9,9 @@
 
 namespace rigor {
 
-/// A folder or an archive that somebody handed in.
+/// A folder, an archive or a single source that somebody handed in.
 struct Submission {
-    std::string name; // the folder's, or the archive's without its ending
+    std::string name; // the folder's, or the file's without its ending
     std::filesystem::path path;
     std::string refusal; // why it cannot be graded; empty if nothing speaks against it yet
 };
@@ -23,7 +23,10 @@ struct FoundSubmissions {
 
 /// Finds all submissions. A path is a submission, or a folder of many. A folder holds many if the
 /// wanted file does not lie in it and it has archives in it, or several folders with that file; if
-/// it is the only path, any folder in it is a submission.
+/// it is the only path, any folder in it is a submission. A single file in such a folder is one if
+/// it has a name that Canvas or Moodle gives (downloaded_name.hpp).
+///
+/// A student who has several submissions by the names of Canvas or Moodle gets a note.
 ///
 /// A name that several submissions have, that cannot be shown, or that is reserved, is refused in
 /// `refusal`; the last two are changed.

@@ -2,10 +2,12 @@
 #include "grading/intake/intake.hpp"
 
 #include "errors/quotes.hpp"
+#include "grading/intake/archive.hpp"
 #include "grading/intake/folder.hpp"
 #include "grading/intake/refused.hpp"
 #include "grading/intake/unpacked.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 namespace rigor {
@@ -29,8 +31,10 @@ std::vector<std::string> files_called(const std::string& wanted, const Contents&
         if (!is_by_product(name)) found.push_back(name);
     for (const std::string& name : contents.others())
         if (!is_by_product(name)) found.push_back(name);
-    throw Refused(fmt::format("expected {}, found {}", wanted,
-                              found.empty() ? "no file" : first_names(found)));
+    const bool has_archive = std::any_of(found.begin(), found.end(), is_archive_name);
+    throw Refused(fmt::format("expected {}, found {}{}", wanted,
+                              found.empty() ? "no file" : first_names(found),
+                              has_archive ? ": an archive in a submission is not opened" : ""));
 }
 
 } // namespace
@@ -66,7 +70,9 @@ Intake take_files_for(const std::string& wanted, const Contents& contents)
 Intake take_submission(const fs::path& path, const std::string& wanted)
 {
     return take_files_for(wanted, fs::is_directory(path) ? read_folder(path)
-                                                         : read_archive_behind_walls(path));
+                                  : is_source(path.filename().string())
+                                      ? read_single_file(path, wanted)
+                                      : read_archive_behind_walls(path));
 }
 
 } // namespace rigor

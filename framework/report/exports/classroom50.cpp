@@ -13,14 +13,19 @@ using Json = nlohmann::ordered_json;
 
 struct Field {
     const char *name, *variable;
+    const char* otherwise = ""; // the variable that stands in for one that is not set
 };
 
-// The runner sets these for every submission.
-constexpr std::array<Field, 5> required = {{{"classroom", "CLASSROOM"},
+// The runner sets these for every submission. It corrects `owner`, `assignment_type` and `datetime`
+// in what it finds, and refuses a result without them.
+constexpr std::array<Field, 8> required = {{{"classroom", "CLASSROOM"},
                                             {"assignment", "ASSIGNMENT"},
+                                            {"assignment_type", "ASSIGNMENT_TYPE"},
+                                            {"owner", "OWNER", "USERNAME"},
                                             {"submission", "SUBMISSION_TAG"},
                                             {"commit", "COMMIT_URL"},
-                                            {"release", "RELEASE_URL"}}};
+                                            {"release", "RELEASE_URL"},
+                                            {"review", "REVIEW_URL", "COMMIT_URL"}}};
 
 Json points_of(const TaskResult& task)
 {
@@ -37,16 +42,11 @@ std::string classroom50_json(const Result& result, const Variable& variable, con
     if (result.status == SubmissionStatus::internal_error) return "";
     Json json = {{"schema", "classroom50/result/v1"}};
     for (const Field& field : required) {
-        const std::string value = variable(field.variable);
+        std::string value = variable(field.variable);
+        if (value.empty()) value = variable(field.otherwise);
         if (value.empty()) return "";
         json[field.name] = value;
     }
-    const std::string review = variable("REVIEW_URL");
-    json["review"] = review.empty() ? json["commit"].get<std::string>() : review;
-    for (const Field& field :
-         {Field{"owner", "OWNER"}, Field{"assignment_type", "ASSIGNMENT_TYPE"}})
-        if (const std::string value = variable(field.variable); !value.empty())
-            json[field.name] = value;
     json["datetime"] = now;
     int score = 0, max_score = 0;
     Json tests = Json::array();

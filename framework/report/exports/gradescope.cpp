@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "report/exports/gradescope.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -48,13 +49,27 @@ std::string output_of(const Result& result)
     return text;
 }
 
-// Everybody sees the leaderboard, so hidden tasks are no part of it.
+// The largest error of a task's tests as a part of its tolerance; 1 if one of them did not pass.
+double largest_error_of(const TaskResult& task)
+{
+    if (task.status != Status::passed) return 1;
+    double largest = 0;
+    for (const TestCase& test : task.tests)
+        largest = std::max(largest, test.largest_error);
+    return largest;
+}
+
+// Error beside run time. Everybody sees the leaderboard, so hidden tasks are no part of it.
 Json leaderboard_of(const Result& result)
 {
-    double points = 0;
-    for (const TaskResult& task : result.tasks)
-        if (!task.task.is_hidden) points += task.score;
+    double points = 0, error = 0;
+    for (const TaskResult& task : result.tasks) {
+        if (task.task.is_hidden || task.max_score <= 0) continue;
+        points += task.score;
+        error = std::max(error, largest_error_of(task));
+    }
     return {{{"name", "points of visible tasks"}, {"value", points}},
+            {{"name", "largest error, in tolerances"}, {"value", error}, {"order", "asc"}},
             {{"name", "time of the tests [s]"}, {"value", result.test_seconds}, {"order", "asc"}}};
 }
 

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 #include <regex>
+#include <set>
 
 namespace rigor {
 
@@ -27,6 +28,25 @@ std::string feedback(const Row& row)
     return text;
 }
 
+// The student's number in a name that a learning system gave; empty for any other name.
+std::string number_in(const std::string& submission, const std::regex& downloaded)
+{
+    std::smatch parts;
+    return std::regex_match(submission, parts, downloaded) ? parts[2].str() : "";
+}
+
+// The numbers that several graded submissions have. The system would take the last one, which is
+// not known to be the one that counts.
+std::set<std::string> ambiguous(const std::vector<Row>& rows, const std::regex& downloaded)
+{
+    std::set<std::string> once, several;
+    for (const Row& row : rows)
+        if (const std::string number = number_in(row.submission, downloaded);
+            has_grade(row) && !number.empty() && !once.insert(number).second)
+            several.insert(number);
+    return several;
+}
+
 } // namespace
 
 std::string canvas_csv(const std::vector<Row>& rows, const std::string& assignment_title)
@@ -34,10 +54,11 @@ std::string canvas_csv(const std::vector<Row>& rows, const std::string& assignme
     static const std::regex downloaded("^([^_]+)_(?:LATE_)?([0-9]+)_[0-9]+(?:_.*)?$");
     std::string text =
         csv_line({"Student", "ID", "SIS User ID", "SIS Login ID", "Section", assignment_title});
+    const std::set<std::string> several = ambiguous(rows, downloaded);
     const double possible = rows.empty() ? 0 : rows.front().max_points;
     text += csv_line({"Points Possible", "", "", "", "", csv_number(possible)});
     for (const Row& row : rows) {
-        if (!has_grade(row)) continue;
+        if (!has_grade(row) || several.count(number_in(row.submission, downloaded)) > 0) continue;
         std::smatch parts;
         if (std::regex_match(row.submission, parts, downloaded))
             text += csv_line({parts[1], parts[2], "", "", "", csv_number(row.points)});
@@ -49,12 +70,15 @@ std::string canvas_csv(const std::vector<Row>& rows, const std::string& assignme
 
 std::string moodle_csv(const std::vector<Row>& rows)
 {
-    static const std::regex downloaded("^(.+)_([0-9]+)_assignsubmission_file_?$");
+    static const std::regex downloaded("^(.+)_([0-9]+)_assignsubmission_file(?:_.*)?$");
     std::string text = csv_line({"Identifier", "Full name", "Grade", "Maximum Grade",
                                  "Last modified (grade)", "Feedback comments"});
+    const std::set<std::string> several = ambiguous(rows, downloaded);
     for (const Row& row : rows) {
         std::smatch parts;
-        if (!has_grade(row) || !std::regex_match(row.submission, parts, downloaded)) continue;
+        if (!has_grade(row) || !std::regex_match(row.submission, parts, downloaded) ||
+            several.count(parts[2]) > 0)
+            continue;
         text += csv_line({"Participant " + parts[2].str(), parts[1], csv_number(row.points),
                           csv_number(row.max_points), "", feedback(row)});
     }

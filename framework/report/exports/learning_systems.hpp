@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Points as files that learning management systems read. Submissions without a grade are left out,
-// since an empty cell would erase a grade that is there.
+// since an empty cell would erase a grade that is there. So are all of a student who has several
+// with a grade: which one counts is not known.
 #pragma once
 
 #include "report/exports/row.hpp"
@@ -19,7 +20,8 @@ std::string canvas_csv(const std::vector<Row>& rows, const std::string& assignme
 /// For the upload of a grading worksheet in Moodle: the columns Identifier, Full name, Grade,
 /// Maximum Grade, Last modified (grade) and Feedback comments. Moodle finds a submission that it
 /// named itself, `Jane Doe_12345_assignsubmission_file`, by the number 12345. Any other is left
-/// out, since its line could be taken for that of somebody else.
+/// out, since its line could be taken for that of somebody else. The date is empty, so Moodle
+/// replaces a grade that it already has only if the instructor allows it at the upload.
 std::string moodle_csv(const std::vector<Row>& rows);
 
 } // namespace rigor

@@ -44,6 +44,7 @@ Deformable make_solid(const SolidDescription& described)
     solid.integrator = described.integrator;
     solid.fracture_method = described.fracture_method;
     solid.yield_test = described.yield_test;
+    solid.flow_time = described.flow_time;
     solid.handles = described.handles;
     solid.loads = described.loads;
     const Vector3d X = totals(solid).center_of_mass;

@@ -51,8 +51,8 @@ void check_finite(const SolidFrame& frame, const std::string& name, double time)
     const DeformableTotals& totals = frame.totals;
     if (!all(frame.positions, vector)) throw NonFiniteState(name, "x", time);
     if (!all(frame.velocities, vector)) throw NonFiniteState(name, "v", time);
-    if (!all(frame.stresses, number)) throw NonFiniteState(name, "σ", time);
-    if (!all(frame.plastic_strains, number)) throw NonFiniteState(name, "ε_p", time);
+    if (!all(frame.stresses, number)) throw NonFiniteState(name, "stress", time);
+    if (!all(frame.plastic_strains, number)) throw NonFiniteState(name, "plastic strain", time);
     if (!std::isfinite(totals.kinetic_energy + totals.elastic_energy + totals.mass + totals.volume +
                        totals.momentum.sum() + totals.angular_momentum.sum()))
         throw NonFiniteState(name, "energy", time);

@@ -4,7 +4,9 @@
 #include "formulas/table.hpp"
 #include "worker/engine/scenes.hpp"
 
+#include <limits>
 #include <tuple>
+#include <vector>
 
 namespace rigor {
 
@@ -20,26 +22,40 @@ template <class Test> Judgement judgement(const Test& test)
     }
 }
 
+// What lies behind the list of a level set is not a number. A formula that reads a node beyond the
+// last one, even with the weight 0, gets no finite result; other memory might hide the mistake.
+template <class T> void guard_end(T& argument)
+{
+    if constexpr (std::is_same_v<T, LevelSet>) {
+        std::vector<double>& list = argument.distances;
+        const std::size_t size = list.size();
+        list.resize(2 * size + 1, std::numeric_limits<double>::quiet_NaN());
+        list.resize(size); // the memory behind keeps its numbers
+    }
+}
+
 template <class Result, class... Argument>
-wire::Bytes answer(Result (*function)(Argument...), std::span<const std::byte> encoded)
+void answer(Result (*function)(Argument...), std::span<const std::byte> encoded,
+            wire::Bytes& result)
 {
     wire::Reader reader(encoded);
     std::tuple<std::remove_cvref_t<Argument>...> arguments;
     std::apply([&](auto&... argument) { (wire::decode(reader, argument), ...); }, arguments);
     reader.end();
-    wire::Bytes result;
+    std::apply([](auto&... argument) { (guard_end(argument), ...); }, arguments);
     const auto call = [&] { return std::apply(function, arguments); };
     if constexpr (std::is_same_v<Result, Judgement>)
-        wire::encode(result, judgement(call));
+        wire::encode_all(result, judgement(call));
     else
-        wire::encode(result, call());
-    return result;
+        wire::encode_all(result, call());
 }
 
-using Call = wire::Bytes (*)(std::span<const std::byte>);
+using Call = void (*)(std::span<const std::byte>, wire::Bytes&);
 
 #define RIGOR_ROW(tag, topic, function, ...)                                                       \
-    [](std::span<const std::byte> arguments) { return answer(&rigor::function, arguments); },
+    [](std::span<const std::byte> arguments, wire::Bytes& result) {                                \
+        answer(&rigor::function, arguments, result);                                               \
+    },
 constexpr Call calls[] = {RIGOR_FORMULAS(RIGOR_ROW)};
 #undef RIGOR_ROW
 
@@ -49,10 +65,10 @@ constexpr Call calls[] = {RIGOR_FORMULAS(RIGOR_ROW)};
 const AnyFormula rigor_formulas[] = {RIGOR_FORMULAS(RIGOR_ROW)};
 #undef RIGOR_ROW
 
-wire::Bytes call_formula(unsigned index, std::span<const std::byte> arguments)
+void call_formula(unsigned index, std::span<const std::byte> arguments, wire::Bytes& result)
 {
     if (index >= formula_count) throw wire::Malformed("there is no such formula");
-    return calls[index](arguments);
+    calls[index](arguments, result);
 }
 
 } // namespace rigor

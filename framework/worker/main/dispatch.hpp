@@ -6,8 +6,8 @@
 
 namespace rigor {
 
-/// Calls a formula on encoded arguments. @return its encoded result
+/// Calls a formula on encoded arguments. `result` becomes its encoded result.
 /// @throws wire::Malformed, what the formula throws
-wire::Bytes call_formula(unsigned index, std::span<const std::byte> arguments);
+void call_formula(unsigned index, std::span<const std::byte> arguments, wire::Bytes& result);
 
 } // namespace rigor

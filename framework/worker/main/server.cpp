@@ -27,7 +27,8 @@ void Server::serve_next()
 {
     await_request();
     try {
-        reply(ReplyStatus::done, answer());
+        answer();
+        reply(ReplyStatus::done, answer_);
     } catch (const NotImplemented& stub) {
         reply_text(ReplyStatus::not_implemented, stub.what());
     } catch (const MissingFormula& missing) {
@@ -54,15 +55,15 @@ void Server::await_request()
     ++sequence_;
     std::uint32_t now = channel_.request.load(std::memory_order_acquire);
     while (now != sequence_)
-        now = await_change(channel_.request, now, std::chrono::hours(1));
+        now = await_change(channel_.request, channel_.request_awaited, now, std::chrono::hours(1));
 }
 
-wire::Bytes Server::answer()
+void Server::answer()
 {
     const std::span<const std::byte> payload(channel_.payload, channel_.request_size);
     switch (const Request kind = channel_.kind; kind) {
     case Request::call:
-        return call_formula(channel_.argument, payload);
+        return call_formula(channel_.argument, payload, answer_);
     case Request::run_scene:
     case Request::advance:
         return run_scenes(kind, payload);
@@ -70,14 +71,13 @@ wire::Bytes Server::answer()
     throw wire::Malformed("there is no such request");
 }
 
-wire::Bytes Server::run_scenes(Request kind, std::span<const std::byte> payload)
+void Server::run_scenes(Request kind, std::span<const std::byte> payload)
 {
     streamed_ = announced_ = 0;
-    wire::Bytes result;
+    answer_.clear();
     rigor_run_scenes(
         {kind, SceneOptions::unpacked(channel_.argument), payload, is_reference_},
-        [this](std::span<const std::byte> bytes) { stream(bytes); }, result);
-    return result;
+        [this](std::span<const std::byte> bytes) { stream(bytes); }, answer_);
 }
 
 void Server::reply(ReplyStatus status, std::span<const std::byte> payload)
@@ -86,7 +86,7 @@ void Server::reply(ReplyStatus status, std::span<const std::byte> payload)
     std::copy(payload.begin(), payload.end(), channel_.payload);
     channel_.status = status;
     channel_.reply_size = payload.size();
-    post(channel_.reply, sequence_);
+    post(channel_.reply, channel_.reply_awaited, sequence_);
 }
 
 void Server::reply_text(ReplyStatus status, std::string text)
@@ -105,8 +105,8 @@ void Server::stream(std::span<const std::byte> bytes)
         const std::uint32_t taken = channel_.taken.load(std::memory_order_acquire);
         const std::uint32_t room = Channel::ring - (streamed_ - taken);
         if (room == 0) { // the scene waits only while the ring is full
-            wake(channel_.reply);
-            await_change(channel_.taken, taken, std::chrono::hours(1));
+            wake(channel_.reply, channel_.reply_awaited);
+            await_change(channel_.taken, channel_.taken_awaited, taken, std::chrono::hours(1));
             continue;
         }
         const std::uint32_t at = streamed_ % Channel::ring;
@@ -118,7 +118,7 @@ void Server::stream(std::span<const std::byte> bytes)
     }
     if (streamed_ - announced_ < worth_waking) return;
     announced_ = streamed_;
-    wake(channel_.reply);
+    wake(channel_.reply, channel_.reply_awaited);
 }
 
 int run_worker(bool is_reference)

@@ -9,6 +9,7 @@
 #include <climits>
 #include <ctime>
 #include <linux/futex.h>
+#include <optional>
 #include <sys/syscall.h>
 #include <unistd.h>
 
@@ -22,8 +23,9 @@ using Microseconds = std::chrono::duration<double, std::micro>;
 // If both processes have a processor, an answer comes in under a microsecond, while waking a
 // process that sleeps on another processor takes fifty. On one processor, or on busy ones, spinning
 // only keeps the other process from answering: so the time to spin is halved each time it fails,
-// down to none, and spinning is tried again from time to time.
-constexpr Microseconds longest_spin(20);
+// down to none, and spinning is tried again from time to time. The longest one outlasts a test that
+// compares an answer before it asks again: with 20 µs most calls of a test woke a process.
+constexpr Microseconds longest_spin(100), spin_of_a_try(20);
 constexpr int waits_between_tries = 32;
 
 struct Spinning {
@@ -37,7 +39,7 @@ struct Spinning {
         if (time > Microseconds(0)) return time;
         if (++waits_without < waits_between_tries) return Microseconds(0);
         waits_without = 0;
-        return Microseconds(4);
+        return spin_of_a_try;
     }
 };
 thread_local Spinning spinning;
@@ -60,7 +62,7 @@ std::uint64_t contract_fingerprint()
         for (const char c : text)
             hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211u;
     };
-    add("rigor worker 1");
+    add("rigor worker 2");
     for (const Formula& formula : formulas) {
         add(formula.tag);
         add(formula.name);
@@ -69,23 +71,26 @@ std::uint64_t contract_fingerprint()
     return hash;
 }
 
-void wake(std::atomic<std::uint32_t>& word)
+void wake(std::atomic<std::uint32_t>& word, const std::atomic<std::uint32_t>& awaited)
 {
-    syscall(SYS_futex, &word, FUTEX_WAKE, INT_MAX, nullptr, nullptr, 0);
+    if (awaited.load() != 0) syscall(SYS_futex, &word, FUTEX_WAKE, INT_MAX, nullptr, nullptr, 0);
 }
 
-void post(std::atomic<std::uint32_t>& word, std::uint32_t value)
+// One process sets the word and then reads whether it is awaited, the other one says so and then
+// reads the word. All four are sequentially consistent, so at least one of them sees the other's.
+void post(std::atomic<std::uint32_t>& word, const std::atomic<std::uint32_t>& awaited,
+          std::uint32_t value)
 {
-    word.store(value, std::memory_order_release);
-    wake(word);
+    word.store(value);
+    wake(word, awaited);
 }
 
-std::uint32_t await_change(const std::atomic<std::uint32_t>& word, std::uint32_t old,
-                           std::chrono::nanoseconds longest)
+std::uint32_t await_change(std::atomic<std::uint32_t>& word, std::atomic<std::uint32_t>& awaited,
+                           std::uint32_t old, std::chrono::nanoseconds longest)
 {
     if (const Microseconds spin = spinning.next(); spin > Microseconds(0)) {
-        const Clock::time_point start = Clock::now();
-        do {
+        // The clock is read only after the first microseconds: most answers come before.
+        for (std::optional<Clock::time_point> start;;) {
             for (int i = 0; i < 32; ++i) {
                 if (const std::uint32_t now = word.load(std::memory_order_acquire); now != old) {
                     spinning.succeeded();
@@ -93,14 +98,19 @@ std::uint32_t await_change(const std::atomic<std::uint32_t>& word, std::uint32_t
                 }
                 pause_processor();
             }
-        } while (Clock::now() - start < spin);
+            const Clock::time_point now = Clock::now();
+            if (!start) start = now;
+            if (now - *start >= spin) break;
+        }
         spinning.failed();
     }
     const auto whole = std::chrono::duration_cast<std::chrono::seconds>(longest);
     const timespec timeout = {whole.count(), (longest - whole).count()};
+    awaited.store(1);
     // Returns at once if the word has changed meanwhile. It may wake early; the
     // caller then waits again.
-    syscall(SYS_futex, &word, FUTEX_WAIT, old, &timeout, nullptr, 0);
+    if (word.load() == old) syscall(SYS_futex, &word, FUTEX_WAIT, old, &timeout, nullptr, 0);
+    awaited.store(0, std::memory_order_relaxed);
     return word.load(std::memory_order_acquire);
 }
 

@@ -6,6 +6,10 @@
 // at any time: so the client keeps its own values in variables of its own, and copies a reply
 // before it looks at it. What a scene streams goes through a ring buffer beside it, so that all of
 // it can be read even if the worker dies in the next instruction.
+//
+// Whoever falls asleep says so before in a word beside the one that it waits for. So the other one
+// wakes it only if it may be asleep, since waking is a system call and takes as long as the rest of
+// a call. A worker that lies there is not woken, and is late.
 #pragma once
 
 #include <atomic>
@@ -61,13 +65,16 @@ struct Channel {
     std::atomic<Request> kind;
     std::atomic<std::uint32_t> argument;
     std::atomic<std::uint64_t> request_size;
+    std::atomic<std::uint32_t> request_awaited; // whether the worker may be asleep until `request`
     alignas(64) std::atomic<std::uint32_t> reply;
     std::atomic<ReplyStatus> status;
     std::atomic<std::uint64_t> reply_size;
+    std::atomic<std::uint32_t> reply_awaited; // whether the client may be asleep until `reply`
     // Numbers of bytes streamed and read since the scene's start, modulo 2^32. Byte n is
     // stream[n % ring].
     alignas(64) std::atomic<std::uint32_t> streamed;
     alignas(64) std::atomic<std::uint32_t> taken;
+    std::atomic<std::uint32_t> taken_awaited; // whether the worker may be asleep until `taken`
     alignas(64) std::byte stream[ring];
     std::byte payload[capacity];
 };
@@ -76,16 +83,19 @@ struct Channel {
 /// another one is refused.
 std::uint64_t contract_fingerprint();
 
-/// Wakes the process that waits for the word to change.
-void wake(std::atomic<std::uint32_t>& word);
+/// Wakes the process that sleeps until the word changes, if there may be one.
+/// @param awaited  whether there may be one
+void wake(std::atomic<std::uint32_t>& word, const std::atomic<std::uint32_t>& awaited);
 
-/// Sets the word and wakes the process that waits for it to change.
-void post(std::atomic<std::uint32_t>& word, std::uint32_t value);
+/// Sets the word and wakes the process that sleeps until it changes.
+void post(std::atomic<std::uint32_t>& word, const std::atomic<std::uint32_t>& awaited,
+          std::uint32_t value);
 
 /// Spins for a moment, then sleeps until the word is not `old` any more, until it is woken, or
 /// until the time is over.
+/// @param awaited  is set while this process may be asleep
 /// @return the word
-std::uint32_t await_change(const std::atomic<std::uint32_t>& word, std::uint32_t old,
-                           std::chrono::nanoseconds longest);
+std::uint32_t await_change(std::atomic<std::uint32_t>& word, std::atomic<std::uint32_t>& awaited,
+                           std::uint32_t old, std::chrono::nanoseconds longest);
 
 } // namespace rigor

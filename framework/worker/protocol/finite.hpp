@@ -4,6 +4,7 @@
 
 #include "worker/protocol/wire.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -12,6 +13,26 @@ namespace rigor {
 inline std::string name_of_non_finite(double number)
 {
     return std::isnan(number) ? " is NaN" : number > 0 ? " is +infinity" : " is -infinity";
+}
+
+/// Whether every number in `value` is finite.
+template <class T> bool is_finite(const T& value)
+{
+    if constexpr (std::is_floating_point_v<T>) {
+        return std::isfinite(value);
+    } else if constexpr (wire::FixedMatrix<T>) {
+        return value.allFinite();
+    } else if constexpr (wire::is_array<T> || wire::is_vector<T>) {
+        return std::all_of(value.begin(), value.end(), [](const auto& x) { return is_finite(x); });
+    } else if constexpr (wire::is_optional<T>) {
+        return !value || is_finite(*value);
+    } else {
+        bool all = true;
+        if constexpr (Plain<T>)
+            Fields<T>::each(value,
+                            [&](std::string_view, const auto& field) { all &= is_finite(field); });
+        return all;
+    }
 }
 
 /// The first number in `value` that is not finite, with its path from the value, such as

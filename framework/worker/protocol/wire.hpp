@@ -7,6 +7,7 @@
 
 #include "formulas/fields.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -42,6 +43,37 @@ template <class A, class B> inline constexpr bool is_pair<std::pair<A, B>> = tru
 
 using Bytes = std::vector<std::byte>;
 
+/// Whether the encoding of every T is the T as it lies in memory: numbers, one after the other,
+/// without gaps and without booleans.
+template <class T> bool lies_as_encoded()
+{
+    if constexpr (std::is_arithmetic_v<T>) {
+        return !std::is_same_v<T, bool>;
+    } else if constexpr (FixedMatrix<T>) {
+        return sizeof(T) == sizeof(double) * T::SizeAtCompileTime;
+    } else if constexpr (is_array<T>) {
+        return lies_as_encoded<typename T::value_type>();
+    } else if constexpr (Plain<T>) {
+        const T prototype{};
+        const auto address = [](const auto& part) {
+            return reinterpret_cast<const std::byte*>(&part);
+        };
+        std::ptrdiff_t end = 0; // where the fields so far end
+        bool lies_so = true;
+        Fields<T>::each(prototype, [&](std::string_view, const auto& field) {
+            using Field = std::remove_cvref_t<decltype(field)>;
+            lies_so &= lies_as_encoded<Field>() && address(field) - address(prototype) == end;
+            end += sizeof field;
+        });
+        return lies_so && end == sizeof(T);
+    } else {
+        return false;
+    }
+}
+
+/// The same, found once for each type. A copy as a whole takes a fraction of the time.
+template <class T> inline const bool is_whole = lies_as_encoded<T>();
+
 inline void put(Bytes& bytes, const void* data, std::size_t size)
 {
     const std::byte* begin = static_cast<const std::byte*>(data);
@@ -61,16 +93,12 @@ template <class T> void encode(Bytes& bytes, const T& value)
         for (const auto& element : value)
             encode(bytes, element);
     } else if constexpr (is_vector<T> || std::is_same_v<T, std::string>) {
+        using Element = typename T::value_type;
         encode(bytes, static_cast<std::uint64_t>(value.size()));
-        if constexpr (std::is_same_v<T, std::vector<bool>>)
-            for (const bool element : value)
-                encode(bytes, element);
-        else if constexpr (std::is_same_v<T, std::string> ||
-                           std::is_arithmetic_v<typename T::value_type>)
-            put(bytes, value.data(), value.size() * sizeof(typename T::value_type));
-        else
-            for (const auto& element : value)
-                encode(bytes, element);
+        if constexpr (!std::is_same_v<Element, bool>)
+            if (is_whole<Element>) return put(bytes, value.data(), value.size() * sizeof(Element));
+        for (const auto& element : value)
+            encode(bytes, element);
     } else if constexpr (is_optional<T>) {
         encode(bytes, value.has_value());
         if (value) encode(bytes, *value);
@@ -79,8 +107,22 @@ template <class T> void encode(Bytes& bytes, const T& value)
         encode(bytes, value.second);
     } else {
         static_assert(Plain<T>, "no encoding: list the struct in formulas/fields.hpp");
+        if (is_whole<T>) return put(bytes, &value, sizeof value);
         Fields<T>::each(value, [&](std::string_view, const auto& field) { encode(bytes, field); });
     }
+}
+
+/// Replaces `bytes` by the encodings of these values, one after the other.
+template <class... T> void encode_all(Bytes& bytes, const T&... values)
+{
+    if ((is_whole<T> && ...)) {
+        bytes.resize((sizeof(T) + ...)); // mostly what it was for the call before
+        std::byte* end = bytes.data();
+        ((end = std::copy_n(reinterpret_cast<const std::byte*>(&values), sizeof(T), end)), ...);
+        return;
+    }
+    bytes.clear();
+    (encode(bytes, values), ...);
 }
 
 /// The least and the largest size of an encoding of T [bytes]. They bound a count and a reply.
@@ -178,11 +220,10 @@ template <class T> void decode(Reader& reader, T& value)
                 decode(reader, element);
                 value[i] = element;
             }
-        } else if constexpr (std::is_arithmetic_v<Element>) {
-            value.resize(reader.count(sizeof(Element)));
-            reader.get(value.data(), value.size() * sizeof(Element));
         } else {
             value.resize(reader.count(encoded_size<Element>().least));
+            if (is_whole<Element>)
+                return reader.get(static_cast<void*>(value.data()), value.size() * sizeof(Element));
             for (auto& element : value)
                 decode(reader, element);
         }
@@ -196,6 +237,7 @@ template <class T> void decode(Reader& reader, T& value)
         decode(reader, value.second);
     } else {
         static_assert(Plain<T>, "no decoding: list the struct in formulas/fields.hpp");
+        if (is_whole<T>) return reader.get(static_cast<void*>(&value), sizeof value);
         Fields<T>::each(value, [&](std::string_view, auto& field) { decode(reader, field); });
     }
 }

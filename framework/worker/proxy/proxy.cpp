@@ -8,6 +8,7 @@
 #include "worker/protocol/define_formulas.hpp"
 #include "worker/protocol/finite.hpp"
 #include "worker/proxy/answer_sizes.hpp"
+#include "worker/proxy/own_time.hpp"
 
 #include <memory>
 
@@ -30,9 +31,11 @@ constexpr bool may_be_infinite(FormulaIndex formula)
     return formula == FormulaIndex::max_time_step || formula == FormulaIndex::yield_strain;
 }
 
-void refuse_non_finite(FormulaIndex formula, const std::string& which)
+template <class Result> void refuse_non_finite(FormulaIndex formula, const Result& result)
 {
-    if (which.empty() || (may_be_infinite(formula) && which == "it is +infinity")) return;
+    if (is_finite(result)) return;
+    const std::string which = find_non_finite(result);
+    if (may_be_infinite(formula) && which == "it is +infinity") return;
     throw NotFinite(subject_of(formula), which);
 }
 
@@ -61,16 +64,20 @@ template <class Result> Result decoded(FormulaIndex formula, std::span<const std
     }
 }
 
+/// The encoded arguments, valid until the next call. A call of the worker under test is kept.
 template <class... Argument>
-wire::Bytes note_call(FormulaIndex formula, const Argument&... arguments)
+const wire::Bytes& note_call(FormulaIndex formula, const Argument&... arguments)
 {
-    wire::Bytes bytes;
-    (wire::encode(bytes, arguments), ...);
-    if (asked != reference.get()) {
-        last = FormulaCall{formula, bytes};
-        keep(formula, bytes);
+    if (asked == reference.get()) {
+        static wire::Bytes bytes;
+        wire::encode_all(bytes, arguments...);
+        return bytes;
     }
-    return bytes;
+    if (!last) last.emplace();
+    last->formula = formula;
+    wire::encode_all(last->arguments, arguments...);
+    keep(formula, last->arguments);
+    return last->arguments;
 }
 
 template <FormulaIndex formula, class Formula, class... Argument>
@@ -79,6 +86,7 @@ typename Formula::Result answer(const Argument&... arguments)
     using Result = typename Formula::Result;
     static const std::size_t largest = wire::encoded_size<Result>().most;
     if (!asked) throw std::logic_error("a formula was called before use_worker said whom to ask");
+    note_formula(formula);
     if (replaced[static_cast<unsigned>(formula)] && asked == under_test.get())
         return by_reference([&] { return answer<formula, Formula>(arguments...); });
     if (run) {
@@ -91,9 +99,9 @@ typename Formula::Result answer(const Argument&... arguments)
             throw;
         }
     }
-    const wire::Bytes encoded = note_call(formula, arguments...);
+    const wire::Bytes& encoded = note_call(formula, arguments...);
     Result result = decoded<Result>(formula, asked->call(formula, encoded, largest));
-    refuse_non_finite(formula, find_non_finite(result));
+    refuse_non_finite(formula, result);
     check_sizes<formula>(result, arguments...);
     return result;
 }

@@ -4,6 +4,7 @@
 #include "rigid/bodies/non_finite.hpp"
 #include "scene/keys/scene_keys.hpp"
 #include "worker/protocol/wire.hpp"
+#include "worker/proxy/own_time.hpp"
 #include "worker/proxy/proxy.hpp"
 #include "worker/scene_answers.hpp"
 
@@ -30,10 +31,16 @@ private:
     std::optional<SceneAnswers> answers_;
 };
 
-template <class Run> auto finite(const Scene& scene, const Run& run)
+// The longest time of our engine for a scene. With answers that make sense it takes a few seconds;
+// others may give it meshes that grow without end.
+constexpr double longest_run = 30 * patience; // on a processor [s]
+
+// Runs the engine for a scene. @throws NotFinite, WorkerFailure
+template <class Run> auto judged(const Scene& scene, const Run& run)
 {
+    const OwnTimeLimit limit("scene " + scene.name, longest_run);
     try {
-        return run();
+        return run(limit);
     } catch (const NonFiniteState& state) {
         throw NotFinite("scene " + scene.name, state.what());
     }
@@ -48,7 +55,13 @@ void run_scene_with_worker(const Scene& scene, Record record, const ByteSink& wr
     wire::encode(request, scene.name);
     const Answered answered(scene, Request::run_scene, std::move(request), record);
     // The worker reads the scene from its text too.
-    finite(scene, [&] { run_scene(parse_scene(scene.text, scene.name), record, write); });
+    judged(scene, [&](const OwnTimeLimit& limit) {
+        run_scene(parse_scene(scene.text, scene.name), record,
+                  [&](std::span<const std::byte> bytes) {
+                      limit.check();
+                      write(bytes);
+                  });
+    });
 }
 
 std::vector<std::vector<RigidState>>
@@ -60,8 +73,9 @@ advance_with_worker(const Scene& scene, const std::vector<Moment>& starts, int s
     wire::encode(request, steps);
     wire::encode(request, starts);
     const Answered answered(scene, Request::advance, std::move(request), Record::frames);
-    return finite(scene,
-                  [&] { return advance(parse_scene(scene.text, scene.name), starts, steps); });
+    return judged(scene, [&](const OwnTimeLimit&) {
+        return advance(parse_scene(scene.text, scene.name), starts, steps);
+    });
 }
 
 } // namespace rigor

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The corpus of hostile submissions of assignment A0: what each of them is, and what it may get.
+// The corpus of hostile submissions: what each of them is, and what it may get.
 #pragma once
 
 #include <filesystem>
@@ -12,8 +12,12 @@ namespace rigor::corpus {
 /// What may come of a submission.
 struct Expectation {
     double points = 0;
-    std::vector<std::string> statuses; // the submission's, or its only task's if it was graded
-    std::string text;                  // a part of the message; empty for any
+    /// The submission's, or those of its tasks if it was graded. With `passed` as the last one, it
+    /// may also pass, whatever the points.
+    std::vector<std::string> statuses;
+    std::string text; // a part of the message, or of one task's; empty for any
+
+    bool may_pass() const { return statuses.back() == "passed"; }
 };
 
 struct HostileSubmission {
@@ -21,14 +25,31 @@ struct HostileSubmission {
     Expectation expected;
     /// Writes it below a folder. @return the folder or archive
     std::function<std::filesystem::path(const std::filesystem::path& folder)> write;
+    std::string topic = "pipeline";      // whose file is handed in
+    std::vector<std::string> tasks = {}; // tags of those that are graded; empty for all
 };
 
 /// Sources, from tests/attacks/submissions/<kind>/<name>.cpp. A line of each says what to expect:
 ///
 ///     // expect: POINTS STATUS[|STATUS...][: a part of the message]
 ///
-/// The headers beside a source go with it.
+/// and two others, where it does not attack A0, say what:
+///
+///     // topic: validation
+///     // tasks: A8.1 A8.3
+///
+/// The headers beside a source go with it. A line `// beside: split_element` hands it in with a
+/// whole solution, whose own formula of that name is `right_split_element`.
 std::vector<HostileSubmission> hostile_sources(const std::filesystem::path& submissions);
+
+/// The attacks on A0 in all other topics, `kernel/socket@rotation`: one formula of a solution
+/// attacks first and then returns what is right. It may get its points, and a file that is refused
+/// costs them all.
+std::vector<HostileSubmission> in_other_topics(const std::filesystem::path& submissions);
+
+/// One of these for each kind of attack, which the seed draws.
+std::vector<HostileSubmission> drawn_of_each_kind(const std::vector<HostileSubmission>& all,
+                                                  unsigned seed);
 
 /// Folders and archives that are hostile by their names or by what they hold.
 /// @param solution  the text of a file that gets every point

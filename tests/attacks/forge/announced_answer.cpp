@@ -19,7 +19,7 @@ ContactResult resolve_contacts(const std::vector<Body>&, const std::vector<BodyC
     if (at + sizeof header <= Channel::ring)
         std::memcpy(channel.stream + at, &header, sizeof header);
     channel.streamed = channel.streamed + static_cast<std::uint32_t>(sizeof header);
-    wake(channel.reply);
+    wake(channel.reply, channel.reply_awaited);
     for (;;)
         pause();
 }

@@ -12,8 +12,8 @@ Matrix3d cross_matrix(const Vector3d&)
     Channel& channel = find_channel();
     channel.status = ReplyStatus::done;
     channel.reply_size = 9 * sizeof(double);
-    post(channel.reply, channel.request);
-    post(channel.reply, channel.request + 1);
+    post(channel.reply, channel.reply_awaited, channel.request);
+    post(channel.reply, channel.reply_awaited, channel.request + 1);
     for (;;)
         pause();
 }

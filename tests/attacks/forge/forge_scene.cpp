@@ -17,7 +17,7 @@ Wrench gravity_wrench(double mass, const Vector3d& gravity)
     channel.streamed = channel.streamed + 4096;
     channel.status = ReplyStatus::done;
     channel.reply_size = 0;
-    post(channel.reply, channel.request);
+    post(channel.reply, channel.reply_awaited, channel.request);
     for (;;)
         pause();
 }

@@ -15,13 +15,14 @@ int main()
     std::memcpy(channel.payload, &hello, sizeof hello);
     channel.status = ReplyStatus::done;
     channel.reply_size = sizeof hello;
-    post(channel.reply, 1);
+    post(channel.reply, channel.reply_awaited, 1);
     for (std::uint32_t number = 2;; ++number) {
         for (std::uint32_t now = number - 1; now != number;)
-            now = await_change(channel.request, number - 1, std::chrono::hours(1));
+            now = await_change(channel.request, channel.request_awaited, number - 1,
+                               std::chrono::hours(1));
         if (channel.kind != Request::call) channel.streamed = Channel::ring;
         std::memset(channel.payload, 0, 72);
         channel.reply_size = channel.kind == Request::call ? 72 : 0;
-        post(channel.reply, number);
+        post(channel.reply, channel.reply_awaited, number);
     }
 }

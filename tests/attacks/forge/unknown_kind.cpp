@@ -12,7 +12,7 @@ Matrix3d cross_matrix(const Vector3d&)
     Channel& channel = find_channel();
     channel.status = static_cast<ReplyStatus>(77);
     channel.reply_size = 0;
-    post(channel.reply, channel.request);
+    post(channel.reply, channel.reply_awaited, channel.request);
     for (;;)
         pause();
 }

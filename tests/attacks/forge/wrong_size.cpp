@@ -12,7 +12,7 @@ Matrix3d cross_matrix(const Vector3d&)
     Channel& channel = find_channel();
     channel.status = ReplyStatus::done;
     channel.reply_size = ~std::uint64_t{0};
-    post(channel.reply, channel.request);
+    post(channel.reply, channel.reply_awaited, channel.request);
     for (;;)
         pause();
 }

@@ -9,6 +9,7 @@
 #include "grading/places.hpp"
 #include "grading/run_tests.hpp"
 #include "slips.hpp"
+#include "solutions.hpp"
 #include "support/temporary_folder.hpp"
 
 #include <fmt/format.h>
@@ -42,32 +43,10 @@ std::string tag_of(const std::string& formula)
     throw std::logic_error("no formula " + formula);
 }
 
-// The reference's file of a topic. What it has in other files of the topic is missing then.
-std::string solution(const std::string& topic)
-{
-    std::ifstream file(fs::path(RIGOR_SOURCE_DIR) / "reference" / (topic + ".cpp"));
-    return {std::istreambuf_iterator<char>(file), {}};
-}
-
-// The headers that the reference's files include beside the contract.
-void copy_headers(const fs::path& folder)
-{
-    for (const auto& entry : fs::directory_iterator(fs::path(RIGOR_SOURCE_DIR) / "reference"))
-        if (entry.path().extension() == ".hpp")
-            fs::copy_file(entry.path(), folder / entry.path().filename(),
-                          fs::copy_options::overwrite_existing);
-}
-
 std::string with_slip(const Slip& slip, const Place& place)
 {
-    const std::string text = solution(place.topic);
-    if (slip.file) return slip.file(text);
-    const std::string right = "right_" + place.name;
-    return "#include \"formulas/" + place.topic +
-           ".hpp\"\n#include <cstdio>\n#include <cstdlib>\n#include <cstring>\n#include <vector>\n"
-           "namespace rigor {\n" +
-           place.result + " " + right + "(" + place.parameters + ");\n}\n#define " + place.name +
-           " " + right + "\n" + text + "#undef " + place.name + "\n" + slip.definition(place);
+    if (slip.file) return slip.file(solution(place.topic));
+    return solution_beside(place, slip.definition(place));
 }
 
 const Assignment& assignment_with(const std::vector<Assignment>& assignments,

@@ -14,6 +14,15 @@ std::string function(const Place& place, const std::string& body)
 // The right answer, from the definition that was given another name.
 std::string right(const Place& place)
 {
+    return "    return " + right_call(place) + ";";
+}
+
+const std::string blank = "    return {};";
+
+} // namespace
+
+std::string right_call(const Place& place)
+{
     std::string arguments, word;
     for (const char c : place.parameters + ",") {
         const bool is_name = std::string(" ,&").find(c) == std::string::npos;
@@ -21,12 +30,8 @@ std::string right(const Place& place)
         if (c == ',') arguments += (arguments.empty() ? "" : ", ") + word;
         if (!is_name) word.clear();
     }
-    return "    return right_" + place.name + "(" + arguments + ");";
+    return "right_" + place.name + "(" + arguments + ")";
 }
-
-const std::string blank = "    return {};";
-
-} // namespace
 
 const std::vector<Place>& places_of_slips()
 {
@@ -46,6 +51,7 @@ const std::vector<Place>& places_of_slips()
         {"plasticity", "Matrix3d", "deviator", "const Matrix3d& stress", "von_mises_principal"},
         {"fracture", "PrincipalStress", "principal_stress", "const Matrix3d& stress",
          "closest_face"},
+        {"validation", "Judgement", "test_tangent", "const Tangent& tangent", "test_spring_force"},
     };
     return places;
 }

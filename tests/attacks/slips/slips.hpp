@@ -28,7 +28,12 @@ struct Slip {
     std::string (*file)(const std::string& right) = nullptr;
 };
 
+/// A place in each topic.
 const std::vector<Place>& places_of_slips();
+
+/// The call of the right definition, under its other name, with the formula's own parameters:
+/// `right_conjugate(q)`.
+std::string right_call(const Place& place);
 const std::vector<Slip>& all_slips();
 
 } // namespace rigor::slips

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Grading one submission: the tests of each topic, and what a formula that never returns costs.
+// Grading one submission: the tests of each topic, what a formula that never returns costs, and the
+// same by one ordinary program; with RIGOR_BEFORE also the time of `check` in another tree.
 // Grading a class: submissions a minute with one and with two jobs, whether both give the same
 // gradebook, the time of a run in which nothing has changed, and the memory of the grader. The
 // class has as many members as the variable RIGOR_CLASS_SIZE says.
 #include "class/made_class.hpp"
 #include "grading/places.hpp"
 #include "one_submission.hpp"
+#include "ordinary_way.hpp"
 #include "support/bench/bench.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -135,6 +137,8 @@ int main(int argc, char** argv)
         Bench bench("grading");
         const TemporaryFolder place;
         measure_one_submission(bench);
+        measure_ordinary_way(bench);
+        measure_against_before(bench);
         measure_jobs(bench, place.path());
         measure_size(bench, place.path());
         return bench.finish(wants_json(argc, argv));

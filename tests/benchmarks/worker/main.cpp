@@ -123,7 +123,10 @@ void measure_walls(Bench& bench, Tier tier, const char* name, double limit)
         renew_worker();
         sample(first_answer, 1, [](int k) { kinetic_energy(2, velocity(k), I, w); });
     }
+    Samples call; // behind the filter of system calls each wake-up takes longer
+    sample(call, rounds * calls, [](int k) { kinetic_energy(2, velocity(k), I, w); });
     bench.row(first_answer.row("start to first answer, tier " + description(tier) + " [ms]", 1e-3));
+    bench.row(call.row(std::string("call through the proxy, tier ") + name + " [µs]", 1e-6));
     bench.reach({std::string("start to first answer in tier ") + name + ", median [ms]",
                  first_answer.quantile(0.5) * 1e3, limit});
 }

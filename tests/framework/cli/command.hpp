@@ -6,29 +6,42 @@
 #include "support/catch.hpp"
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace rigor::testing {
 
 struct Run {
     int status = 0;
-    std::string output;
+    std::string output; // without a note that it waited for the build of a test beside this one
 };
+
+/// An output without the line that `rigor` prints where it waits for another one's build.
+inline std::string without_waiting(std::string output)
+{
+    const std::string waits = "rigor: another rigor is building; waiting for it\n";
+    for (std::size_t at = output.find(waits); at != std::string::npos; at = output.find(waits))
+        output.erase(at, waits.size());
+    return output;
+}
+
+inline Run run_command(const Command& command)
+{
+    std::string output;
+    const Ended ended = run(command, [&](std::string_view line) { output.append(line) += '\n'; });
+    REQUIRE(ended.signal == 0);
+    return {ended.status, without_waiting(std::move(output))};
+}
 
 /// @param arguments  the arguments after the program's name
 /// @param only_stdout  whether to leave out what it writes to stderr
 inline Run rigor(const std::vector<std::string>& arguments, bool only_stdout = false)
 {
-    Run result;
     Command command;
     command.shares_stderr = only_stdout;
     command.arguments = {std::string(RIGOR_BINARY_DIR) + "/bin/rigor"};
     command.arguments.insert(command.arguments.end(), arguments.begin(), arguments.end());
-    const Ended ended =
-        run(command, [&](std::string_view line) { result.output += std::string(line) + "\n"; });
-    REQUIRE(ended.signal == 0);
-    result.status = ended.status;
-    return result;
+    return run_command(command);
 }
 
 } // namespace rigor::testing

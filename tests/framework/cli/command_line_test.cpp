@@ -27,6 +27,22 @@ void require_one_line(const std::vector<std::string>& arguments, const std::stri
     REQUIRE(result.output.find(words) != std::string::npos);
 }
 
+// Another rigor, which builds for a second.
+class Builder {
+public:
+    Builder()
+    {
+        thread_ = std::jthread([this] {
+            std::this_thread::sleep_for(std::chrono::seconds(1));
+            lock_.reset();
+        });
+    }
+
+private:
+    std::optional<BuildLock> lock_{std::in_place};
+    std::jthread thread_;
+};
+
 const std::vector<std::string> names = {"demo",   "test",    "list",  "check", "hint",   "simulate",
                                         "render", "compare", "bench", "book",  "figures"};
 
@@ -60,10 +76,42 @@ TEST_CASE("command line: bad usage is one line and status 2", "[cli]")
     require_one_line({"book", "--out", "/dev/null"}, "expected a folder");
     require_one_line({"figures"}, "expected --out DIR");
     require_one_line({"figures", "--out", "/dev/null"}, "expected a folder");
+    require_one_line({"figures", "--out", "/dev/null/figures"}, "expected a folder");
+    require_one_line({"figures", "colision", "--out", "/tmp/x"}, "did you mean \"collision\"?");
+    require_one_line({"figures", "A0", "--out", "/tmp/x"}, "expected a handout with figures");
     require_one_line({"test", "fast"}, "one of release, debug, clang, found 'fast'");
     require_one_line({"test", "--quick"}, "go with --stress");
     require_one_line({"test", "--all", "--stress"}, "expected one of");
     require_one_line({"demo", "--size", "big"}, "WIDTHxHEIGHT");
+}
+
+TEST_CASE("command line: figures are written all or none", "[cli]")
+{
+    const TemporaryFolder folder;
+    const std::filesystem::path a6 = folder.path() / "a6-plasticity";
+    const auto files = [&] {
+        std::vector<std::string> found;
+        for (const auto& entry : std::filesystem::recursive_directory_iterator(folder.path()))
+            if (!entry.is_directory()) found.push_back(entry.path().filename());
+        return found;
+    };
+    // a file where the folder of one handout would be, and a folder that even root cannot fill
+    std::ofstream(a6) << "a file";
+    require_one_line({"figures", "--out", folder.path()}, "a6-plasticity");
+    REQUIRE(files() == std::vector<std::string>{"a6-plasticity"});
+    REQUIRE_FALSE(std::filesystem::exists(folder.path() / "a1-kinematics"));
+    require_one_line({"figures", "--out", "/proc"}, "/proc");
+
+    std::filesystem::remove(a6);
+    REQUIRE(rigor({"figures", "A6", "--out", folder.path()}).status == 0);
+    REQUIRE(files().size() == 3);
+    REQUIRE(std::filesystem::exists(a6 / "figures/yield_surface.svg"));
+
+    // a folder in the place of a figure
+    std::filesystem::remove(a6 / "figures/stretched.svg");
+    std::filesystem::create_directory(a6 / "figures/stretched.svg");
+    require_one_line({"figures", "A6", "--out", folder.path()}, "stretched.svg: it is a folder");
+    REQUIRE(files().size() == 2);
 }
 
 TEST_CASE("command line: every benchmark that writes plots takes a folder for them", "[cli]")
@@ -134,14 +182,16 @@ TEST_CASE("command line: the list is readable by programs", "[cli]")
 TEST_CASE("command line: JSON is alone on stdout while another rigor builds", "[cli]")
 {
     const char* who = places().has_reference() ? "reference" : "student";
-    std::optional<BuildLock> other(std::in_place);
-    const std::jthread release([&] {
-        std::this_thread::sleep_for(std::chrono::seconds(1));
-        other.reset();
-    });
+    const Builder other;
     const Run result = rigor({"check", "pipeline", "--with", who, "--json"}, true);
     CAPTURE(result.output);
     REQUIRE(nlohmann::json::parse(result.output)["assignment"] == "a0-pipeline");
+}
+
+TEST_CASE("command line: an error is one line after the note that another rigor builds", "[cli]")
+{
+    const Builder other;
+    require_one_line({"figures", "--out", "/proc"}, "/proc");
 }
 
 TEST_CASE("command line: a broken scene is named with its line", "[cli]")

@@ -9,10 +9,18 @@
 
 #include <chrono>
 #include <csignal>
+#include <cstddef>
 #include <fcntl.h>
+#include <functional>
+#include <iterator>
+#include <linux/filter.h>
+#include <linux/seccomp.h>
 #include <random>
+#include <sched.h>
 #include <set>
 #include <sys/mount.h>
+#include <sys/prctl.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
@@ -29,21 +37,57 @@ Run grade(const fs::path& submissions, const fs::path& out)
     return rigor({"grade", "a0", submissions.string(), "--out", out.string(), "--jobs", "2"});
 }
 
-// A run in a process group of its own.
-pid_t started(const fs::path& submissions, const fs::path& out)
+constexpr int not_prepared = 99; // an exit status
+
+// A run in a process group of its own. @param prepare  called in its process; false: it ends
+pid_t started(
+    const fs::path& submissions, const fs::path& out, const fs::path& output = "/dev/null",
+    const std::function<bool()>& prepare = [] { return true; })
 {
     const std::string program = std::string(RIGOR_BINARY_DIR) + "/bin/rigor";
     const pid_t process = fork();
     if (process == 0) {
         setpgid(0, 0);
-        const int nothing = open("/dev/null", O_WRONLY);
-        dup2(nothing, STDOUT_FILENO);
-        dup2(nothing, STDERR_FILENO);
+        const int file = open(output.c_str(), O_WRONLY | O_CREAT, 0644);
+        dup2(file, STDOUT_FILENO);
+        dup2(file, STDERR_FILENO);
+        if (!prepare()) _exit(not_prepared);
         execl(program.c_str(), "rigor", "grade", "a0", submissions.c_str(), "--out", out.c_str(),
               "--jobs", "2", nullptr);
         _exit(127);
     }
     return process;
+}
+
+int exit_status_of(pid_t process)
+{
+    int state = 0;
+    REQUIRE(waitpid(process, &state, 0) == process);
+    REQUIRE(WIFEXITED(state));
+    return WEXITSTATUS(state);
+}
+
+// From now on the kernel has no memory for a file in memory. @return whether that can be had
+bool refuse_memory_files()
+{
+    sock_filter lines[] = {BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, nr)),
+                           BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, SYS_memfd_create, 0, 1),
+                           BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ERRNO | ENOMEM),
+                           BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW)};
+    const sock_fprog program = {std::size(lines), lines};
+    return prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 &&
+           prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program) == 0;
+}
+
+// In a view of the file system of its own /dev/shm has one page, and no room in it.
+bool fill_shared_memory()
+{
+    if (unshare(CLONE_NEWNS) != 0 ||
+        mount("none", "/", nullptr, MS_REC | MS_PRIVATE, nullptr) != 0 ||
+        mount("tmpfs", "/dev/shm", "tmpfs", 0, "size=4k") != 0)
+        return false;
+    std::ofstream("/dev/shm/full") << std::string(1 << 16, 'x');
+    return fs::file_size("/dev/shm/full") <= 4096;
 }
 
 // A file system in memory, mounted while this object lives, where this user may mount one.
@@ -91,6 +135,27 @@ TEST_CASE("grade: a seed draws the same class and no two texts are equal", "[cli
     }
     CHECK(differs);
     CHECK(kinds == std::set<std::string>{"attack", "mistake", "nothing", "right", "slip", "stub"});
+}
+
+TEST_CASE("grade: each member of a made class defines its formula once", "[cli][class]")
+{
+    const std::string formula = "\ndouble kinetic_energy(";
+    for (const ClassMember& member : made_class(RIGOR_SOURCE_DIR, "pipeline", 200, 1)) {
+        int definitions = 0;
+        for (std::size_t at = member.text.find(formula); at != std::string::npos;
+             at = member.text.find(formula, at + 1))
+            ++definitions;
+        CAPTURE(member.kind, member.text);
+        REQUIRE(definitions <= 1);
+    }
+}
+
+TEST_CASE("grade: a formula gets another name, and a member of its name keeps it", "[cli][class]")
+{
+    REQUIRE(renamed("speed(a.speed, b->speed) + rigor::speed(x_speed, speed2);\nspeed", "speed",
+                    "right_speed") ==
+            "right_speed(a.speed, b->speed) + rigor::right_speed(x_speed, speed2);\nright_speed");
+    REQUIRE(renamed("none", "speed", "right_speed") == "none");
 }
 
 TEST_CASE("grade: a run that is killed at any moment resumes to the same gradebook",
@@ -142,10 +207,7 @@ TEST_CASE("grade: a run that is stopped for a while goes on to the same gradeboo
         std::this_thread::sleep_for(std::chrono::seconds(2));
         kill(-process, SIGCONT);
     }
-    int state = 0;
-    REQUIRE(waitpid(process, &state, 0) == process);
-    REQUIRE(WIFEXITED(state));
-    CHECK(WEXITSTATUS(state) == 0);
+    CHECK(exit_status_of(process) == 0);
     CHECK(class_files(stopped) == class_files(whole));
 }
 
@@ -172,6 +234,40 @@ TEST_CASE("grade: a full disk is one line and no half file, and room lets the ru
     CAPTURE(resumed.output);
     REQUIRE(resumed.status == 0);
     CHECK(class_files(out) == class_files(whole));
+}
+
+TEST_CASE("grade: no memory to share is one line and nothing is graded", "[cli][class]")
+{
+    const TemporaryFolder folder;
+    const fs::path submissions = small_class(folder, 2), out = folder.path() / "out",
+                   output = folder.path() / "output";
+    const int status = exit_status_of(started(submissions, out, output, refuse_memory_files));
+    if (status == not_prepared) {
+        WARN("left out: this user cannot have calls of the kernel refused");
+        return;
+    }
+    const std::string text = text_in(output);
+    CAPTURE(text);
+    CHECK(status == 2);
+    CHECK(is_one_line(without_waiting(text), "expected shared memory"));
+    CHECK(contains(text, "Cannot allocate memory"));
+    CHECK(!fs::exists(out / "gradebook.csv"));
+}
+
+TEST_CASE("grade: a full /dev/shm changes nothing since no run needs it", "[.long][class]")
+{
+    const TemporaryFolder folder;
+    const fs::path submissions = small_class(folder, 6), whole = folder.path() / "whole",
+                   full = folder.path() / "full", output = folder.path() / "output";
+    REQUIRE(grade(submissions, whole).status == 0);
+    const int status = exit_status_of(started(submissions, full, output, fill_shared_memory));
+    if (status == not_prepared) {
+        WARN("left out: this user cannot have a view of the file system of its own");
+        return;
+    }
+    CAPTURE(text_in(output));
+    CHECK(status == 0);
+    CHECK(class_files(full) == class_files(whole));
 }
 
 TEST_CASE("grade: a folder that cannot be written is one line", "[cli][class]")

@@ -170,7 +170,7 @@ TEST_CASE("slurm: what goes wrong with the cluster is one line", "[.long][class]
     state = state_of(process);
     CAPTURE(text_in(output));
     CHECK((WIFEXITED(state) && WEXITSTATUS(state) == 2));
-    CHECK(is_one_line(text_in(output), "job " + job + " was cancelled"));
+    CHECK(is_one_line(without_waiting(text_in(output)), "job " + job + " was cancelled"));
 
     // the controller does not answer
     cluster.stop_controller();
@@ -201,7 +201,7 @@ TEST_CASE("slurm: a results folder that the nodes do not see is one line", "[.lo
     }
     CAPTURE(text_in(output));
     CHECK((WIFEXITED(state) && WEXITSTATUS(state) == 2));
-    CHECK(is_one_line(text_in(output), "expected a folder that all nodes see"));
+    CHECK(is_one_line(without_waiting(text_in(output)), "expected a folder that all nodes see"));
 }
 
 TEST_CASE("slurm: without Slurm the command says so in one line", "[cli][class][slurm]")

@@ -129,7 +129,35 @@ TEST_CASE("grade: a class gets a gradebook that does not depend on how it was ma
     const Run changed = grade(submissions.path(), out, "2");
     CAPTURE(changed.output);
     CHECK(contains(changed.output, "1 graded now, 8 as before"));
-    CHECK(contains(changed.output, "carol: graded, 1/1 points; before: graded, 0/1 points"));
+    CHECK(contains(changed.output, "carol: 0/1 points → 1/1 points"));
+}
+
+TEST_CASE("grade: names of people and files of any system make no difference", "[cli][class]")
+{
+    const TemporaryFolder folder;
+    const std::string solved = source("tests/alternatives/pipeline.cpp");
+    std::string of_windows; // its line ends, and the mark of UTF-8 in front
+    for (const char c : "\xEF\xBB\xBF" + solved)
+        of_windows += c == '\n' ? std::string("\r\n") : std::string(1, c);
+    folder.write("class/Zoë O'Brien/pipeline.cpp", of_windows);
+    write_archive(folder.path() / "class/محمد علي.zip", ArchiveFormat::zip,
+                  {{"a0\\", ""}, {"a0\\pipeline.cpp", of_windows + "\r\n"}});
+    write_archive(folder.path() / "class/Müller, Jörg_7_assignsubmission_file_a0.tar.gz",
+                  ArchiveFormat::tar_gz,
+                  {{"a0/.DS_Store", "x"},
+                   {"a0/pipeline.cpp", solved + "\n"},
+                   {"__MACOSX/a0/._pipeline.cpp", "x"}});
+    const Run run = grade(folder.path() / "class", folder.path() / "out", "2");
+    CAPTURE(run.output);
+    REQUIRE(run.status == 0);
+    CHECK(text_in(folder.path() / "out/gradebook.csv") ==
+          "submission,status,points,max,A0.1\r\n"
+          "\"Müller, Jörg_7_assignsubmission_file_a0\",graded,1,1,1\r\n"
+          "Zoë O'Brien,graded,1,1,1\r\n"
+          "محمد علي,graded,1,1,1\r\n");
+    CHECK(contains(text_in(folder.path() / "out/moodle.csv"),
+                   "Participant 7,\"Müller, Jörg\",1,1,,\r\n"));
+    CHECK(contains(text_in(folder.path() / "out/محمد علي/junit.xml"), "name=\"محمد علي\""));
 }
 
 TEST_CASE("grade: a secret makes it worthless to know the cases", "[cli][class]")

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
 // How test cases become points. A shell script takes the place of the test program.
+#include "grading/places.hpp"
 #include "grading/run_tests.hpp"
 #include "grading/selection.hpp"
 #include "grading/verdicts.hpp"
+#include "sandbox/tier.hpp"
 #include "support/catch.hpp"
 #include "support/temporary_folder.hpp"
+
+#include <cstdlib>
 
 namespace rigor::testing {
 
@@ -42,21 +46,24 @@ std::string begin_of(const std::string& tag)
     return R"({"begin":"topic: a law","tag":")" + tag + R"("})";
 }
 
+constexpr const char* end_of_all = R"({"end":true})";
+
 std::string verdict_of(const std::string& tag, const std::string& status)
 {
     return begin_of(tag) + "\n" + line_of(tag, status) + "\n";
 }
 
-// The result of a test program that writes these lines to the descriptor for verdicts and then runs
-// the shell commands `ending`.
+// The result of a test program that writes these lines to the descriptor for verdicts, if there are
+// any with a last one for the end, and then runs the shell commands `ending`.
 // @param part  a part of the points of the first task; without a law there is none
 // @param followed  what it writes if the reference answers in place of the other formulas
 Result graded(const std::string& lines, const std::string& ending, bool oracle = false,
               const PartOfPoints& part = {}, const std::string& followed = "")
 {
     const TemporaryFolder folder;
-    folder.write("lines", lines);
-    folder.write("followed", followed.empty() ? lines : followed);
+    const std::string end = std::string(end_of_all) + "\n", all = lines.empty() ? "" : lines + end;
+    folder.write("lines", all);
+    folder.write("followed", followed.empty() ? all : followed + end);
     const auto script =
         folder.write("tests", "#!/bin/sh\ncd " + folder.path().string() +
                                   "\ncase \"$*\" in *--others*) cat followed >&3; exit;; esac\n"
@@ -128,6 +135,64 @@ TEST_CASE("scoring: a task keeps the better of two results", "[scoring]")
     REQUIRE(broken.status == SubmissionStatus::graded);
     REQUIRE(broken.score() == 5);
     REQUIRE(broken.notes.size() == 1);
+}
+
+TEST_CASE("scoring: what did not return is not followed through", "[scoring]")
+{
+    const auto with_cost = [](std::string line) {
+        return line.insert(line.rfind('}'), R"(,"spent":"9.5 0 A2.1","cost":"9.5 s")");
+    };
+    const std::string first = verdict_of("A2.1", "timed_out") + verdict_of("A2.2", "timed_out") +
+                              begin_of("A2.3") + "\n" + with_cost(line_of("A2.3", "passed")) + "\n";
+    // The second run has no test of A2.1, whose own formula is not asked again.
+    const Result result = graded(first, "", true, {}, verdict_of("A2.2", "passed"));
+    REQUIRE(result.status == SubmissionStatus::graded);
+    REQUIRE_FALSE(result.tasks[0].follow_through);
+    REQUIRE(result.tasks[1].follow_through);
+    REQUIRE(result.notes == std::vector<std::string>{"the time budget: 9.5 s"});
+}
+
+TEST_CASE("scoring: after a test that computes without end the others run", "[scoring]")
+{
+    std::string stalled = line_of("A2.1", "timed_out");
+    stalled.insert(stalled.rfind('}'), R"(,"spent":"1 2 A2.2","stalled":true)");
+    const auto say = [](const std::string& line) { return "echo '" + line + "' >&3; "; };
+    const std::string first = say(begin_of("A2.1")) + say(stalled),
+                      second = say(begin_of("A2.2")) + say(line_of("A2.2", "passed"));
+    // The second program runs what is left, with less patience, and knows what the first one cost.
+    const auto with = [&](const std::string& rest) {
+        return graded("", "case \"$*\" in *'--spent 1 2 A2.2'*'--stall 2'*'[A2.1]'*'~\"topic: a "
+                          "law\",[A2.2]'*) " +
+                              rest + ";; *) " + first + ";; esac; exit 75");
+    };
+    const Result result = with(second + say(end_of_all));
+    CAPTURE(result.message);
+    REQUIRE(result.status == SubmissionStatus::graded);
+    CHECK(result.tasks[0].status == Status::timed_out);
+    CHECK(result.tasks[1].status == Status::passed);
+
+    const Result cut_short = with(second);
+    CHECK(cut_short.status == SubmissionStatus::internal_error);
+    CHECK(cut_short.message == "the test program ended before all tests had run");
+
+    const Result again = with(first);
+    CHECK(again.status == SubmissionStatus::internal_error);
+    CHECK(again.message == "the test case 'topic: a law' ran again");
+}
+
+TEST_CASE("scoring: points without walls around the submission are doubtful", "[scoring]")
+{
+    const std::string lines = verdict_of("A2.1", "passed") + verdict_of("A2.2", "passed");
+    const bool has_no_walls = graded(lines, "").walls.ends_with("for a sanitizer");
+    if (has_no_walls || !places().has_reference()) return; // nothing to read, or no walls at all
+    const char* before = std::getenv("RIGOR_TIER");
+    const std::string tier = before ? before : "";
+    setenv("RIGOR_TIER", "C", 1);
+    const Result result = graded(lines, "");
+    before ? setenv("RIGOR_TIER", tier.c_str(), 1) : unsetenv("RIGOR_TIER");
+    REQUIRE(result.notes.size() == 1);
+    CHECK(result.notes[0].starts_with("no walls were around the submission"));
+    if (tier.empty() && usual_tier() != Tier::c) CHECK(graded(lines, "").notes.empty());
 }
 
 TEST_CASE("scoring: points for a law that no test has are a fault of ours", "[scoring]")

@@ -4,7 +4,10 @@
 #include "results.hpp"
 #include "support/catch.hpp"
 
+#include <fmt/format.h>
+
 #include <sstream>
+#include <vector>
 
 namespace rigor::testing {
 
@@ -40,6 +43,43 @@ TEST_CASE("report: the table says what broke and where and what to do next", "[r
     REQUIRE(has(table, "waits for A2.3"));
     REQUIRE(has(table, "Next: A2.3 world_inverse_inertia (2 tasks are not implemented yet)"));
     REQUIRE(has(table, "2 of 8 points"));
+}
+
+TEST_CASE("report: the next step is the formula that a task waits for", "[report]")
+{
+    Result result = some_result();
+    TestCase waits;
+    waits.name = "collision: the deepest contact comes first";
+    waits.status = Status::not_implemented;
+    waits.message = "A4.8 sliding_friction_impulse is not implemented yet (student/collision.cpp)";
+    for (const char* formula : {"collision_impulse", ""}) { // a formula, and a task on scenes
+        result.tasks = {score_task(task_of("A4.9", formula, 3), {waits})};
+        const std::string table = table_of(result);
+        CAPTURE(table);
+        REQUIRE(has(table, "waits for A4.8"));
+        REQUIRE(has(table, "Next: A4.8 sliding_friction_impulse\n"));
+        REQUIRE(has(table, "student/collision.cpp:"));
+        REQUIRE(has(table, "assignments/a4-collision/README.md, A4.8"));
+    }
+}
+
+TEST_CASE("report: other broken laws are named whole, and counted where they are many", "[report]")
+{
+    Result result = some_result();
+    std::vector<TestCase> broken(12);
+    for (std::size_t i = 0; i < broken.size(); ++i) {
+        broken[i].name = fmt::format("inertia: law {} has a name of about fifty characters", i);
+        broken[i].status = Status::failed;
+    }
+    result.tasks[1] = score_task(task_of("A2.2", "world_inertia", 1), broken);
+    std::istringstream words(table_of(result));
+    std::string table;
+    for (std::string word; words >> word;)
+        table += word + " ";
+    CAPTURE(table);
+    CHECK(has(table, "law 1 has a name"));
+    CHECK(has(table, "; and 2 more"));
+    CHECK_FALSE(has(table, "…"));
 }
 
 TEST_CASE("report: the table fits into 80 columns", "[report]")

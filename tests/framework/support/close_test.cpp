@@ -2,6 +2,8 @@
 // Tests of the matchers: what they must refuse, and what they must say.
 #include "support/close.hpp"
 
+#include "support/largest_error.hpp"
+
 #include <cmath>
 #include <limits>
 
@@ -46,6 +48,57 @@ TEST_CASE("close: the bound is k eps times the scale", "[support]")
     CHECK_FALSE(close(1e-300, 0.0, Rounding(8))); // a relative tolerance of 0 is 0
     CHECK(close(0.1, 0.0, Statistical(0.2, 100)));
     CHECK_FALSE(close(0.11, 0.0, Statistical(0.2, 100)));
+}
+
+TEST_CASE("close: the largest error that held is kept as a part of its tolerance", "[support]")
+{
+    const double eps = std::numeric_limits<double>::epsilon();
+    double& largest = largest_error_in_tolerances();
+    largest = 0;
+    CHECK(close(1 + 2 * eps, 1.0, Rounding(8, 1)));
+    CHECK(largest == 0.25);
+    CHECK(close(Vector3d(1, 1 + 4 * eps, 1), Vector3d(1, 1, 1), Rounding(8, 1)));
+    CHECK(close(1.0, 1.0, Exactly()));
+    CHECK_FALSE(close(2.0, 1.0, Rounding(8, 1))); // a failure has its own error
+    CHECK(largest == 0.5);
+    check_at_most(1 + 3 * eps, 1, "a value", 1); // 4 eps are allowed
+    CHECK(largest == 0.75);
+}
+
+TEST_CASE("close: the bound comes from the expected value alone", "[support]")
+{
+    // a bound that grew with the answer would accept any answer that is large enough
+    for (int power = 0; power <= 1000; power += 100) {
+        const double answer = std::ldexp(1, power);
+        CHECK_FALSE(close(answer, 0.0, Rounding(1e6)));
+        CHECK_FALSE(close(answer, 0.5, Rounding(1e6)));
+        CHECK_FALSE(close(Vector3d(1, answer, 0), Vector3d(1, 0, 0), Rounding(1e6)));
+        CHECK_FALSE(close(Matrix3d(answer * Matrix3d::Identity()), Matrix3d(Matrix3d::Zero()),
+                          Rounding(1e6)));
+    }
+}
+
+TEST_CASE("close: a sign is not lost", "[support]")
+{
+    CHECK_FALSE(close(-1.0, 1.0, Rounding(1e6)));
+    CHECK_FALSE(close(Vector3d(0, 0, -1), Vector3d(0, 0, 1), Rounding(1e6)));
+    CHECK_FALSE(close(-infinity, infinity, Rounding(1e6)));
+    CHECK_FALSE(close(Vector3d(1, 2, 3), Vector3d(1, 2, -3), Rounding(1e6)));
+}
+
+TEST_CASE("close: a wrong component hides behind no other", "[support]")
+{
+    // neither behind a NaN, which every comparison lets through, nor behind a larger error
+    const Vector3d expected(1, 2, 3);
+    for (int i = 0; i < 3; ++i) {
+        Vector3d actual = expected;
+        actual[i] = nan_value;
+        CHECK_FALSE(close(actual, expected, Rounding(1e300, 1)));
+        CHECK(verdict().status == "not_finite");
+        actual = expected;
+        actual[i] += 1e-9;
+        CHECK_FALSE(close(actual, expected, Rounding(1e3)));
+    }
 }
 
 TEST_CASE("close: the worst component is named with both its values", "[support]")

@@ -48,7 +48,6 @@ std::string run_slurm_task(const slurm::Plan& plan, std::size_t task, ClassWork 
     work.out = plan.out;
     work.submissions = plan.submissions;
     work.fingerprints = plan.fingerprints;
-    work.fingerprint = fingerprint_of(work.selection, work.run);
     require_same_framework(plan, work);
     const auto write = [&](std::size_t i, const ResultFiles& files) {
         shared.write_graded(plan.fingerprints[i], files);

@@ -22,11 +22,12 @@ inline bool is_readable(std::uintptr_t address)
     return write(1, reinterpret_cast<const void*>(address), 1) == 1;
 }
 
-// The channel, or nothing. In it the request is one ahead of the reply.
+// The channel, or nothing. In it the request is one ahead of the reply. The search ends with the
+// stack, which is near where a constructor calls.
 inline ChannelWords* channel_on_stack()
 {
     std::uintptr_t here = reinterpret_cast<std::uintptr_t>(__builtin_frame_address(0));
-    for (int i = 0; i < 512; ++i, here += sizeof(std::uintptr_t)) {
+    for (int i = 0; i < 512 && is_readable(here); ++i, here += sizeof(std::uintptr_t)) {
         const std::uintptr_t value = *reinterpret_cast<const std::uintptr_t*>(here);
         if (value < 0x10000 || value % 4096 != 0 || !is_readable(value)) continue;
         auto* words = reinterpret_cast<ChannelWords*>(value);

@@ -19,7 +19,7 @@ std::uint64_t fingerprint()
         for (const char c : text)
             hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211u;
     };
-    add("rigor worker 1");
+    add("rigor worker 2");
     for (const rigor::Formula& formula : rigor::formulas) {
         add(formula.tag);
         add(formula.name);

@@ -39,6 +39,7 @@ TEST_CASE("submission files: topics and headers are taken, the rest is not", "[b
     const Intake intake;
     intake.folder.write("inertia.cpp", "int a;\n");
     intake.folder.write("own/a b.hpp", "int b;\n");
+    intake.folder.write("größe.hpp", "int c;\n");
     intake.folder.write("report.pdf", "%PDF");
     intake.folder.write("a/b/c/d/e/f/deep.hpp", "");
     intake.folder.write("bad\nname.hpp", "");
@@ -46,7 +47,7 @@ TEST_CASE("submission files: topics and headers are taken, the rest is not", "[b
     const SubmissionFiles files = intake.take();
     REQUIRE(files.topics == std::vector<std::string>{"inertia"});
     REQUIRE(files.refused.empty());
-    REQUIRE(intake.copied() == std::vector<std::string>{"inertia.cpp", "own/a b.hpp"});
+    REQUIRE(intake.copied() == std::vector<std::string>{"größe.hpp", "inertia.cpp", "own/a b.hpp"});
     const std::uint64_t before = files.hash;
     intake.folder.write("own/a b.hpp", "int c;\n");
     REQUIRE(intake.take().hash != before);
@@ -80,6 +81,19 @@ TEST_CASE("submission files: what is no file is refused in a line, without waiti
                 {"rotation", "rotation.cpp: expected a file, found a link\n"},
                 {"fracture", "fracture.cpp: expected at most 1024 kB, found 3072 kB\n"},
                 {"plasticity", "plasticity.cpp: expected a file, found a socket\n"}});
+}
+
+TEST_CASE("submission files: a text that Windows saved as UTF-16 is refused in a line", "[build]")
+{
+    const Intake intake;
+    intake.folder.write("inertia.cpp", std::string("\xFF\xFEi\0n\0", 6));
+    intake.folder.write("contact.cpp", std::string("\xFE\xFF\0i\0n", 6));
+    intake.folder.write("collision.cpp", "\xEF\xBB\xBFint a;\n"); // the mark of UTF-8
+    const SubmissionFiles files = intake.take();
+    REQUIRE(files.topics == std::vector<std::string>{"collision"});
+    for (const std::string topic : {"inertia", "contact"})
+        REQUIRE(files.refused.at(topic) ==
+                topic + ".cpp: expected a text in UTF-8, found UTF-16: save it as UTF-8\n");
 }
 
 TEST_CASE("submission files: links to headers are not followed", "[build]")

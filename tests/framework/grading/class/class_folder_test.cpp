@@ -47,6 +47,26 @@ TEST_CASE("class folder: another assignment or a smaller class is refused", "[cl
     CHECK(contains(refusal_of(out, "a4-collision", {"alice", "carol"}), "\"bob\""));
 }
 
+TEST_CASE("class folder: a submission is withdrawn by removing its results", "[class]")
+{
+    const TemporaryFolder folder;
+    const std::vector<std::string> both = {"alice", "bob"};
+    const auto refusal = [&] { return refusal_of(folder.path(), "a4-collision", {"alice"}); };
+    REQUIRE(refusal_of(folder.path(), "a4-collision", both).empty());
+    CHECK(contains(refusal(), "\"bob\"")); // not graded yet
+    folder.write("gradebook.csv", "");
+    folder.write("bob/result.json", "");
+    CHECK(contains(refusal(), "remove " + (folder.path() / "bob").string()));
+    std::filesystem::remove_all(folder.path() / "bob");
+    {
+        const ClassFolder broken_off(folder.path(), "a4-collision", both);
+        broken_off.begin_unconfirmed({{"bob", "1111"}});
+    }
+    CHECK(contains(refusal(), "\"bob\""));
+    ClassFolder(folder.path(), "a4-collision", both).confirm();
+    CHECK(refusal().empty());
+}
+
 TEST_CASE("class folder: only one run at a time writes there", "[class]")
 {
     const TemporaryFolder folder;

@@ -86,7 +86,8 @@ TEST_CASE("archive: names that lead out of it are refused", "[intake]")
 {
     for (const Format format : {Format::zip, Format::tar})
         for (const char* name : {"../collision.cpp", "a/../../collision.cpp", "/etc/collision.cpp",
-                                 "C:/collision.cpp"}) {
+                                 "C:/collision.cpp", "..\\collision.cpp", "\\collision.cpp",
+                                 "C:\\collision.cpp", "a\\..\\..\\collision.cpp"}) {
             CAPTURE(name);
             const std::string refusal = refusal_of(format, {good, {name, "int x;\n"}});
             REQUIRE(contains(refusal, "collision.cpp\""));

@@ -5,6 +5,7 @@
 #include "support/catch.hpp"
 #include "support/temporary_folder.hpp"
 
+#include <algorithm>
 #include <sys/stat.h>
 
 namespace rigor::testing {
@@ -106,6 +107,94 @@ TEST_CASE("submissions: what a dot hides is passed over with a note", "[intake]"
     REQUIRE(found.notes.size() == 1);
     CAPTURE(found.notes[0]);
     REQUIRE(found.notes[0].find("passed over \".bob\", \".carol.zip\": ") != std::string::npos);
+}
+
+TEST_CASE("submissions: single files with the names of Canvas or Moodle", "[intake]")
+{
+    const TemporaryFolder folder;
+    folder.write("doejane_11_501_collision.cpp", "");
+    folder.write("roejim_LATE_12_502_collision-2.cpp", "");
+    folder.write("eve_13_503_homework.pdf", "");
+    folder.write("eve_13_504_homework2.pdf", ""); // one row is enough
+    folder.write("bob_14_505_collision.cpp", "");
+    folder.write("bob_14_506_report.pdf", ""); // beside his submission
+    folder.write("Jane Doe_15_assignsubmission_file_collision.cpp", "");
+    folder.write("mine.cpp", "");
+    const FoundSubmissions found = found_in({folder.path()});
+    REQUIRE(names_of(found) == Names{"Jane Doe_15_assignsubmission_file_collision",
+                                     "bob_14_505_collision", "doejane_11_501_collision",
+                                     "eve_13_503_homework.pdf!", "roejim_LATE_12_502_collision-2"});
+    REQUIRE(found.submissions[3].refusal ==
+            "expected collision.cpp or an archive with it, found \"homework.pdf\"");
+    REQUIRE(found.notes.size() == 3);
+}
+
+TEST_CASE("submissions: a student with several by Canvas or Moodle gets a note", "[intake]")
+{
+    const TemporaryFolder folder;
+    folder.write("doejane_11_501_a4.zip", "");
+    folder.write("doejane_LATE_11_617_a4-1.zip", ""); // handed in again
+    folder.write("roejim_12_502_a4.zip", "");
+    folder.write("Zoë Roe_15_assignsubmission_file_a.zip", "");
+    folder.write("Zoë Roe_15_assignsubmission_file_b.zip", "");
+    const FoundSubmissions found = found_in({folder.path()});
+    REQUIRE(found.submissions.size() == 5);
+    REQUIRE(found.notes.size() == 2);
+    CAPTURE(found.notes);
+    REQUIRE(found.notes[0].starts_with("\"Zoë Roe_15\" has 2 submissions: "));
+    REQUIRE(found.notes[1].starts_with("\"doejane_11\" has 2 submissions: \"doejane_11_501_a4.zip\""
+                                       ", \"doejane_LATE_11_617_a4-1.zip\": "));
+}
+
+TEST_CASE("submissions: a text typed into Moodle is a row only of a student without a file",
+          "[intake]")
+{
+    const TemporaryFolder folder;
+    folder.write("Jane Doe_15_assignsubmission_file/collision.cpp", "");
+    folder.write("Jane Doe_15_assignsubmission_onlinetext/onlinetext.html", "");
+    folder.write("Jim Roe_16_assignsubmission_onlinetext/onlinetext.html", "");
+    folder.write("Max Poe_17_assignsubmission_onlinetext_onlinetext.html", "");
+    folder.write("Zoe Coe_18_assignsubmission_file_a.zip", "");
+    folder.write("Zoe Coe_18_assignsubmission_onlinetext_onlinetext.html", "");
+    const FoundSubmissions found = found_in({folder.path()});
+    REQUIRE(names_of(found) == Names{"Jane Doe_15_assignsubmission_file",
+                                     "Jim Roe_16_assignsubmission_onlinetext!",
+                                     "Max Poe_17_assignsubmission_onlinetext_onlinetext.html!",
+                                     "Zoe Coe_18_assignsubmission_file_a"});
+    REQUIRE(found.submissions[1].refusal ==
+            "expected collision.cpp or an archive with it, found a typed text");
+    REQUIRE(found.notes.size() == 2);
+}
+
+TEST_CASE("submissions: names of people stay as they are", "[intake]")
+{
+    const TemporaryFolder folder;
+    Names names = {"Conan O'Brien", "Jane \"JD\" Doe",
+                   "Jörg Müller",   "J\u006f\u0308rg",
+                   "R&D; $(x)",     "x, y",
+                   "-rf",           "100%",
+                   "محمد علي",      "李 雷",
+                   "שרה כהן"};
+    std::sort(names.begin(), names.end());
+    for (const std::string& name : names)
+        folder.write(name + "/collision.cpp", "");
+    REQUIRE(names_of(found_in({folder.path()})) == names);
+    // a mark that turns the direction of all that follows is refused, as is a name too long to show
+    folder.write("eve\u202Egpj/collision.cpp", "");
+    folder.write(std::string(250, '\xff') + "/collision.cpp", "");
+    std::size_t refused = 0, longest = 0;
+    for (const Submission& submission : found_in({folder.path()}).submissions) {
+        refused += submission.refusal.empty() ? 0 : 1;
+        longest = std::max(longest, submission.name.size());
+    }
+    REQUIRE(refused == 2);
+    REQUIRE(longest <= 255);
+}
+
+TEST_CASE("submissions: a single source is one", "[intake]")
+{
+    const TemporaryFolder folder;
+    REQUIRE(names_of(found_in({folder.write("alice.cpp", "")})) == Names{"alice"});
 }
 
 TEST_CASE("submissions: none is an error", "[intake]")

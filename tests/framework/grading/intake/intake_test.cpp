@@ -64,6 +64,66 @@ TEST_CASE("intake: a missing file is told with what is there instead", "[intake]
     REQUIRE(refusal_of({"a_collision.cpp", "collision.cpp.bak"}) != "");
 }
 
+TEST_CASE("intake: an archive in a submission is named and not opened", "[intake]")
+{
+    REQUIRE(refusal_of({"a4/solution.zip", "a4/report.pdf"}) ==
+            "expected collision.cpp, found \"a4/report.pdf\", \"a4/solution.zip\": an archive in a "
+            "submission is not opened");
+    REQUIRE(taken({"a4/collision.cpp", "a4/old.zip"}).ignored ==
+            std::vector<std::string>{"a4/old.zip"});
+}
+
+TEST_CASE("intake: backslashes of Windows lead to the same files as slashes", "[intake]")
+{
+    const TemporaryFolder folder;
+    folder.write("alice/src\\collision.cpp", "int x;\n");
+    folder.write("alice/src\\my\\helper.hpp", "int y;\n");
+    for (const ArchiveFormat format : {ArchiveFormat::zip, ArchiveFormat::tar}) {
+        const auto archive = write_archive(folder.path() / "a", format,
+                                           {{"src\\", ""},
+                                            {"src\\collision.cpp", "int x;\n"},
+                                            {"src\\my\\helper.hpp", "int y;\n"}});
+        for (const auto& path : {folder.path() / "alice", archive}) {
+            const Intake intake = take_submission(path, wanted);
+            REQUIRE(intake.files ==
+                    std::map<std::string, std::string>{{"collision.cpp", "int x;\n"},
+                                                       {"my/helper.hpp", "int y;\n"}});
+            REQUIRE(intake.ignored.empty());
+        }
+    }
+}
+
+TEST_CASE("intake: what a Mac adds to an archive is ignored", "[intake]")
+{
+    const TemporaryFolder folder;
+    const std::string fork("\x00\x05\x16\x07\x00\x02\x00\x00Mac OS X", 16);
+    for (const ArchiveFormat format : {ArchiveFormat::zip, ArchiveFormat::tar_gz}) {
+        const auto archive = write_archive(folder.path() / "a", format,
+                                           {{"a4/", "", AE_IFDIR},
+                                            {"a4/.DS_Store", fork},
+                                            {"a4/._collision.cpp", fork},
+                                            {"a4/collision.cpp", "int x;\n"},
+                                            {"__MACOSX/", "", AE_IFDIR},
+                                            {"__MACOSX/a4/._collision.cpp", fork},
+                                            {"__MACOSX/._a4", fork}});
+        const Intake intake = take_submission(archive, wanted);
+        REQUIRE(intake.files == std::map<std::string, std::string>{{"collision.cpp", "int x;\n"}});
+        REQUIRE(intake.ignored.size() == 4);
+    }
+}
+
+TEST_CASE("intake: sources that cannot lie on one disk are refused", "[intake]")
+{
+    const std::string both = "expected a file or a folder, found both called \"a.hpp\"";
+    REQUIRE(refusal_of({"collision.cpp", "a.hpp", "a.hpp/b.hpp"}) == both);
+    REQUIRE(refusal_of({"collision.cpp", "a.hpp/b.hpp", "a.hpp"}) == both);
+    REQUIRE(refusal_of({"collision.cpp", "a.hpp/c/b.hpp", "a.hp", "a.hpp.h"}).empty());
+    const std::string longest(251, 'a');
+    REQUIRE(refusal_of({"collision.cpp", longest + ".hpp"}).empty());
+    REQUIRE(refusal_of({"collision.cpp", "x/" + longest + "b/y.hpp", longest + "bcdef/y.hpp"})
+                .starts_with("expected names of at most 255 bytes"));
+}
+
 TEST_CASE("intake: a folder and an archive of it give the same files", "[intake]")
 {
     const TemporaryFolder folder;
@@ -81,6 +141,16 @@ TEST_CASE("intake: a folder and an archive of it give the same files", "[intake]
     REQUIRE(of_folder.files == of_archive.files);
     REQUIRE(of_folder.ignored == of_archive.ignored);
     REQUIRE(of_folder.files.size() == 2);
+}
+
+TEST_CASE("intake: a single source is taken as the wanted file", "[intake]")
+{
+    const TemporaryFolder folder;
+    const auto file = folder.write("doejane_11_501_collision-1.cpp", "the text");
+    const Intake intake = take_submission(file, wanted);
+    REQUIRE(intake.files == std::map<std::string, std::string>{{wanted, "the text"}});
+    std::filesystem::resize_file(file, IntakeLimits().source_bytes + 1);
+    REQUIRE_THROWS_AS(take_submission(file, wanted), Refused);
 }
 
 } // namespace rigor::testing

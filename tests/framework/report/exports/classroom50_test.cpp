@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The rules are those that Classroom 50 publishes in its wiki, "Advanced Autograding", section "The
-// result.json contract", and that its `collect_scores.py` checks.
+// The rules are those that Classroom 50 publishes as `result-v1.schema.json`, and that its
+// `runner.py` and `collect_scores.py` check besides.
 #include "report/exports/classroom50.hpp"
 
 #include "../results.hpp"
@@ -9,6 +9,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <regex>
+#include <set>
 
 namespace rigor::testing::classroom50_test {
 
@@ -45,13 +46,22 @@ void require_valid_points(const json& object)
 
 void require_valid(const json& result)
 {
+    const std::set<std::string> texts = {"classroom", "assignment", "owner",  "submission",
+                                         "commit",    "release",    "review", "datetime"};
     REQUIRE(result.at("schema") == "classroom50/result/v1");
-    for (const char* name :
-         {"classroom", "assignment", "submission", "commit", "release", "review", "datetime"})
+    for (const std::string& name : texts)
         REQUIRE_FALSE(result.at(name).get<std::string>().empty());
+    const std::set<std::string> types = {"individual", "group", "team"};
+    REQUIRE(types.count(result.at("assignment_type").get<std::string>()) == 1);
+    for (const auto& [name, value] : result.items()) { // no other field is allowed
+        CAPTURE(name);
+        REQUIRE((texts.count(name) == 1 || name == "schema" || name == "assignment_type" ||
+                 name == "score" || name == "max-score" || name == "tests"));
+    }
     REQUIRE(result.at("submission").get<std::string>().starts_with("submit/"));
-    REQUIRE(std::regex_match(result.at("datetime").get<std::string>(),
-                             std::regex("\\d{4}-\\d\\d-\\d\\dT\\d\\d:\\d\\d:\\d\\dZ")));
+    REQUIRE(
+        std::regex_match(result.at("datetime").get<std::string>(),
+                         std::regex("\\d{4}-\\d\\d-\\d\\dT([01]\\d|2[0-3]):[0-5]\\d:[0-5]\\dZ")));
     require_valid_points(result);
     int score = 0, max_score = 0;
     for (const json& test : result.at("tests")) {
@@ -87,8 +97,8 @@ TEST_CASE("classroom 50: a result keeps the published rules", "[report]")
 TEST_CASE("classroom 50: there is no file outside of its runner or for a fault of ours", "[report]")
 {
     Result result = some_result();
-    for (const char* name :
-         {"CLASSROOM", "ASSIGNMENT", "SUBMISSION_TAG", "COMMIT_URL", "RELEASE_URL"})
+    for (const char* name : {"CLASSROOM", "ASSIGNMENT", "ASSIGNMENT_TYPE", "OWNER",
+                             "SUBMISSION_TAG", "COMMIT_URL", "RELEASE_URL"})
         CHECK(exported(result, name).empty());
     result.status = SubmissionStatus::internal_error;
     CHECK(exported(result).empty());

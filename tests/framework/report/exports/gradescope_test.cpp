@@ -62,8 +62,9 @@ TEST_CASE("gradescope: a result keeps the published rules", "[report]")
 {
     const json results = json::parse(gradescope_json(some_result()));
     require_valid(results);
-    REQUIRE(results["leaderboard"].size() == 2);
+    REQUIRE(results["leaderboard"].size() == 3);
     REQUIRE(results["leaderboard"][0]["value"] == 2);
+    REQUIRE(results["leaderboard"][1]["value"] == 1); // a test failed
     REQUIRE(results["tests"].size() == 4);
     REQUIRE(results["tests"][0]["status"] == "passed");
     REQUIRE(results["tests"][1]["number"] == "A2.2");
@@ -80,6 +81,22 @@ TEST_CASE("gradescope: a hidden task is not shown before grades are published", 
     REQUIRE(results["tests"][1]["visibility"] == "after_published");
     REQUIRE(results["tests"][2]["visibility"] == "visible");
     REQUIRE(results["leaderboard"][0]["value"] == 0); // nor are its points
+}
+
+TEST_CASE("gradescope: the leaderboard has the largest error of what everybody sees", "[report]")
+{
+    Result result = some_result();
+    result.tasks.resize(2);
+    result.tasks[0].tests[0].largest_error = 0.25;
+    result.tasks[1] = result.tasks[0];
+    result.tasks[1].tests.push_back(result.tasks[0].tests[0]);
+    result.tasks[1].tests[1].largest_error = 0.5;
+    const auto error = [&] {
+        return json::parse(gradescope_json(result)).at("leaderboard").at(1).at("value");
+    };
+    REQUIRE(error() == 0.5);
+    result.tasks[1].task.is_hidden = true;
+    REQUIRE(error() == 0.25);
 }
 
 TEST_CASE("gradescope: a rejected submission has no points and a fault of ours no result",

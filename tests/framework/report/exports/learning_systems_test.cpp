@@ -8,8 +8,8 @@ namespace rigor::testing {
 
 // Canvas takes the first line for a header if its columns are Student, ID, SIS User ID, SIS Login
 // ID and Section, in this order; the line after it may have the points that are possible. It finds
-// a student by the ID first and then by the login. (Instructor Guide, "How do I import grades in
-// the Gradebook?")
+// a student by the ID first, then by the login, and then by the name. (`gradebook_importer.rb`,
+// which Canvas publishes)
 TEST_CASE("canvas: columns and lines as its import wants them", "[report]")
 {
     REQUIRE(canvas_csv(some_class(), "Inertia, second part") ==
@@ -21,16 +21,34 @@ TEST_CASE("canvas: columns and lines as its import wants them", "[report]")
 }
 
 // Moodle wants the columns Identifier, Grade and Last modified (grade), and takes the number after
-// "Participant ". Other columns are found by their names. (Moodle Docs, "Offline grading
-// worksheet")
+// "Participant ". Other columns are found by their names, or passed over.
+// (`mod/assign/feedback/offline/importgradeslib.php`, which Moodle publishes)
 TEST_CASE("moodle: only submissions that it named itself are in its worksheet", "[report]")
 {
     REQUIRE(moodle_csv(some_class()) ==
             "Identifier,Full name,Grade,Maximum Grade,Last modified (grade),Feedback comments\r\n"
             "Participant 17,\"Doe, Jane\",5,5,,\r\n");
     std::vector<Row> rows = {row_of("Jane Doe_12345_assignsubmission_file_", "graded", 2, 0)};
-    REQUIRE(
-        moodle_csv(rows).ends_with("Participant 12345,Jane Doe,2,5,,A2.2 not_implemented 0/3\r\n"));
+    const std::string line = "Participant 12345,Jane Doe,2,5,,A2.2 not_implemented 0/3\r\n";
+    REQUIRE(moodle_csv(rows).ends_with(line));
+    // without folders Moodle adds the name of the file that was handed in
+    rows[0].submission = "Jane Doe_12345_assignsubmission_file_my_inertia";
+    REQUIRE(moodle_csv(rows).ends_with(line));
+}
+
+TEST_CASE("learning systems: two graded submissions of a student are in no file", "[report]")
+{
+    std::vector<Row> rows = {row_of("doejane_11_501_a4", "graded", 2, 3),
+                             row_of("doejane_LATE_11_617_a4-1", "graded", 2, 0),
+                             row_of("roejim_12_502_report", "rejected", 0, 0),
+                             row_of("roejim_12_503_inertia", "graded", 2, 0)};
+    REQUIRE(canvas_csv(rows, "A") == "Student,ID,SIS User ID,SIS Login ID,Section,A\r\n"
+                                     "Points Possible,,,,,5\r\n"
+                                     "roejim,12,,,,2\r\n");
+    rows = {row_of("Jane Doe_11_assignsubmission_file_a", "graded", 2, 3),
+            row_of("Jane Doe_11_assignsubmission_file_b", "compile_error", 0, 0),
+            row_of("Jim Roe_12_assignsubmission_file_b", "graded", 2, 3)};
+    REQUIRE(moodle_csv(rows).ends_with("Feedback comments\r\nParticipant 12,Jim Roe,5,5,,\r\n"));
 }
 
 } // namespace rigor::testing

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#include "grading/intake/downloaded_name.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <regex>
+
+namespace rigor {
+
+std::optional<DownloadedName> downloaded_name(const std::string& name)
+{
+    static const std::regex moodle("^(.+_[0-9]+)_assignsubmission_(file|onlinetext)(?:_(.*))?$"),
+        canvas("^([^_]+)(?:_LATE)?(_[0-9]+)_[0-9]+_(.+)$");
+    std::smatch parts;
+    if (std::regex_match(name, parts, moodle))
+        return DownloadedName{parts[1], parts[3], parts[2] == "onlinetext"};
+    if (std::regex_match(name, parts, canvas))
+        return DownloadedName{parts[1].str() + parts[2].str(), parts[3], false};
+    return {};
+}
+
+bool is_called(const std::string& file, const std::string& wanted)
+{
+    const std::filesystem::path path(file), asked(wanted);
+    if (path.extension() != asked.extension()) return false;
+    const std::string stem = path.stem().string(), stem_asked = asked.stem().string();
+    if (!stem.starts_with(stem_asked)) return false;
+    const std::string rest = stem.substr(stem_asked.size());
+    return rest.empty() || (rest.size() > 1 && rest[0] == '-' &&
+                            std::all_of(rest.begin() + 1, rest.end(),
+                                        [](unsigned char c) { return std::isdigit(c) != 0; }));
+}
+
+} // namespace rigor

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// The names that Canvas and Moodle give to the files of a class when they are downloaded.
+#pragma once
+
+#include <optional>
+#include <string>
+
+namespace rigor {
+
+/// What such a name says.
+struct DownloadedName {
+    std::string student;         // tells the students of a class apart
+    std::string file;            // the name that the student gave the file; empty for a folder
+    bool is_online_text = false; // typed into a page of Moodle
+};
+
+/// Canvas: `doejane_LATE_4711_99_collision.cpp`. Moodle: `Jane Doe_17_assignsubmission_file` for a
+/// folder, or `Jane Doe_17_assignsubmission_file_collision.cpp` where it makes none. Nothing for
+/// any other name.
+std::optional<DownloadedName> downloaded_name(const std::string& name);
+
+/// Whether the student's name for a file is the wanted one. Canvas adds a number when a file is
+/// handed in again: `collision-1.cpp`.
+bool is_called(const std::string& file, const std::string& wanted);
+
+} // namespace rigor

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#include "report/exports/changes.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <fmt/format.h>
+
+namespace rigor {
+
+namespace {
+
+std::string points_in_words(const Row& row)
+{
+    const std::string points = fmt::format("{:g}/{:g} points", row.points, row.max_points);
+    if (row.status == "graded") return points;
+    return row.has_points() ? row.status + ", " + points : row.status;
+}
+
+std::string points_in_words(const TaskPoints& task)
+{
+    return fmt::format("{} {:g}/{:g}", task.status, task.points, task.max_points);
+}
+
+std::string tasks_that_change(const Row& before, const Row& after)
+{
+    std::string text;
+    for (const TaskPoints& task : after.tasks) {
+        const auto same = std::find_if(before.tasks.begin(), before.tasks.end(),
+                                       [&](const TaskPoints& old) { return old.tag == task.tag; });
+        if (same == before.tasks.end())
+            text += fmt::format("    {} {}: new, {}\n", task.tag, task.name, points_in_words(task));
+        else if (same->points != task.points || same->max_points != task.max_points)
+            text += fmt::format("    {} {}: {} → {}\n", task.tag, task.name, points_in_words(*same),
+                                points_in_words(task));
+    }
+    for (const TaskPoints& old : before.tasks)
+        if (std::none_of(after.tasks.begin(), after.tasks.end(),
+                         [&](const TaskPoints& task) { return old.tag == task.tag; }))
+            text += fmt::format("    {} {}: {} → no task any more\n", old.tag, old.name,
+                                points_in_words(old));
+    return text;
+}
+
+// The mean of the points that there are.
+std::string mean(const std::vector<double>& points)
+{
+    double sum = 0;
+    for (const double one : points)
+        sum += one;
+    return points.empty() ? "none"
+                          : fmt::format("{:.2f}", sum / static_cast<double>(points.size()));
+}
+
+} // namespace
+
+std::string change_text(const std::optional<Row>& before, const Row& after)
+{
+    if (!before) return fmt::format("  {}: new, {}\n", after.submission, points_in_words(after));
+    const std::string tasks = tasks_that_change(*before, after);
+    if (before->status == after.status && tasks.empty()) return "";
+    return fmt::format("  {}: {} → {}\n", after.submission, points_in_words(*before),
+                       points_in_words(after)) +
+           tasks;
+}
+
+std::string changes_text(const std::vector<std::optional<Row>>& before,
+                         const std::vector<Row>& after)
+{
+    assert(before.size() == after.size());
+    std::string text;
+    std::size_t changed = 0;
+    std::vector<double> old_points, new_points;
+    for (std::size_t i = 0; i < after.size(); ++i) {
+        const std::string change = change_text(before[i], after[i]);
+        changed += !change.empty();
+        text += change;
+        if (before[i] && before[i]->has_points()) old_points.push_back(before[i]->points);
+        if (after[i].has_points()) new_points.push_back(after[i].points);
+    }
+    return text + fmt::format("{} of {} submissions {}; the mean of the points: {} → {}\n", changed,
+                              after.size(), changed == 1 ? "changes" : "change", mean(old_points),
+                              mean(new_points));
+}
+
+} // namespace rigor

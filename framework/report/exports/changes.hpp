@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// What another run of the grading changes: for whom, from which points to which.
+#pragma once
+
+#include "report/exports/row.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace rigor {
+
+/// How a submission's result changes: its points, and below them a line for each task whose points
+/// are not the same. Empty if neither the status nor any points change.
+/// @param before  nothing if the submission is new
+std::string change_text(const std::optional<Row>& before, const Row& after);
+
+/// The changes of a class, and how many there are. The rows are those of the same submissions, in
+/// the same order.
+std::string changes_text(const std::vector<std::optional<Row>>& before,
+                         const std::vector<Row>& after);
+
+} // namespace rigor

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+// The time that a test program may compute by itself. Its engine works with the answers of a
+// submission, and some answers keep it busy without end, even within one step.
+//
+// A timer counts the time on a processor, some times a second. A run that calls formulas without
+// end fails at one of these calls. A program that computes for long between two calls says its last
+// words and ends itself, wherever it is, because it does not come to any place that could look at
+// the time.
+#pragma once
+
+#include "formulas/table.hpp"
+
+#include <csignal>
+#include <string>
+
+namespace rigor {
+
+/// The exit status of a program that computed for too long between two calls.
+inline constexpr int stalled_status = 75;
+
+/// What such a program writes before it ends. The name of the formula that answered last comes
+/// between the two parts.
+struct LastWords {
+    int descriptor = -1;
+    std::string before, after;
+};
+
+/// Begins to count for a test case. @param stall  longest time between two calls [s]
+void watch_own_time(LastWords words, double stall);
+
+/// Limits the time on a processor as long as it lives; an inner limit counts beside an outer one.
+class OwnTimeLimit {
+public:
+    /// @param subject  for the message: "scene bounce"
+    OwnTimeLimit(std::string subject, double seconds);
+    ~OwnTimeLimit();
+    OwnTimeLimit(const OwnTimeLimit&) = delete;
+    OwnTimeLimit& operator=(const OwnTimeLimit&) = delete;
+
+    /// @throws WorkerFailure if the time of this limit, or of an outer one, is over
+    void check() const;
+
+private:
+    std::string subject_;
+    double seconds_, end_; // both on a processor
+    const OwnTimeLimit* outer_;
+};
+
+namespace own_time {
+
+extern volatile std::sig_atomic_t ticks; // since the last call of a formula
+extern volatile std::sig_atomic_t last_formula;
+
+void check();
+
+} // namespace own_time
+
+/// Called at each call of a formula. @throws WorkerFailure if a limit is exceeded
+inline void note_formula(FormulaIndex formula)
+{
+    own_time::last_formula = static_cast<std::sig_atomic_t>(formula);
+    if (own_time::ticks == 0) return;
+    own_time::ticks = 0;
+    own_time::check();
+}
+
+} // namespace rigor

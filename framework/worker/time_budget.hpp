@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+// What one submission may cost: the time of all its requests together, and the formulas that are
+// not asked any more. An endless loop costs seconds then, however many tests and other formulas
+// reach it. Time is what `Limits` counts: on a processor, or asleep while the client waits.
+//
+// A part of the time is free. After it, nothing gets more than a tenth of its usual floor, or
+// `multiple` times what the reference takes for the same, whichever is longer. So a solution that
+// is slow and right is graded to its end, and one that does not return is soon given up.
+#pragma once
+
+#include "formulas/table.hpp"
+#include "worker/process.hpp"
+
+#include <array>
+#include <string>
+
+namespace rigor {
+
+/// What a submission has cost so far, for a later run of the same one.
+struct Spent {
+    std::chrono::duration<double> calls{}, scenes{};
+    std::vector<FormulaIndex> given_up;
+};
+
+class TimeBudget {
+public:
+    using Seconds = std::chrono::duration<double>;
+
+    /// @param has_reference  whether there is a reference to compare with
+    TimeBudget(const Limits& limits, bool has_reference);
+
+    /// Goes on from what an earlier run has spent.
+    void go_on_from(const Spent& spent);
+
+    /// Counts a call that was answered.
+    void returned(FormulaIndex formula, Seconds took);
+    /// Counts a call, or a wait within a scene, that ended without an answer.
+    void failed(FormulaIndex formula, Seconds took, bool timed_out);
+    /// Whether the time of this formula's answers is compared with the reference's from now on.
+    bool is_compared(FormulaIndex formula) const;
+    void compare(FormulaIndex formula, Seconds took, Seconds reference_took);
+
+    /// Counts time that a scene waited for.
+    void scene_took(Seconds time) { scenes_ += time; }
+    /// Counts a scene that failed because of this formula.
+    void scene_failed(FormulaIndex formula) { ++of(formula).failed_scenes; }
+
+    /// Whether the formula is not called any more.
+    bool is_given_up(FormulaIndex formula) const;
+    /// Why, as the end of a sentence about it.
+    std::string why_given_up(FormulaIndex formula) const;
+    /// Whether a scene ends at once where it calls the formula. A formula that was given up gets
+    /// two short chances in scenes, where its arguments may be others.
+    bool ends_scenes(FormulaIndex formula) const;
+
+    /// The floors of the limits, see there.
+    Seconds floor_of_call() const { return patience() * limits_.call; }
+    Seconds floor_of_wait(FormulaIndex formula) const;
+    Seconds floor_of_scene() const;
+
+    Spent spent() const;
+    /// What is not asked any more and which free time is used up, in a sentence; empty if nothing.
+    std::string report() const;
+
+private:
+    struct Row {
+        int timeouts = 0, failed_scenes = 0;
+        bool was_given_up = false; // in an earlier run
+        Seconds answered{}, lost{}, compared{}, by_reference{};
+    };
+
+    Row& of(FormulaIndex formula) { return rows_[static_cast<unsigned>(formula)]; }
+    const Row& of(FormulaIndex formula) const { return rows_[static_cast<unsigned>(formula)]; }
+    bool calls_are_used_up() const { return calls_ > limits_.all_calls; }
+    bool scenes_are_used_up() const { return scenes_ > limits_.all_scenes; }
+    double patience() const { return calls_are_used_up() ? 0.1 : 1; }
+    bool is_too_slow(const Row& row) const;
+
+    Limits limits_;
+    bool has_reference_;
+    std::array<Row, formula_count> rows_;
+    Seconds calls_{}, scenes_{};
+};
+
+} // namespace rigor

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// Includes the reference by a trigraph, which this version of the language does not know.
+// expect: 0 compile_error
+#include "formulas/pipeline.hpp"
+
+namespace rigor {
+
+double kinetic_energy(double mass, const Vector3d& velocity, const Matrix3d& inertia,
+                      const Vector3d& angular_velocity)
+{
+    return 0.5 * mass * velocity.squaredNorm() +
+           0.5 * angular_velocity.dot(inertia * angular_velocity);
+}
+
+} // namespace rigor
+
+? ? = include "../../../../reference/pipeline.cpp"

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// Takes the place of the worker, and answers the question for a scene at once: nothing has moved.
+// But of a motion only the answers of formulas are taken from a worker.
+// topic: kinematics
+// tasks: A1.10 A1.11
+// expect: 0 crashed
+#include "forged_worker.hpp"
+
+namespace {
+
+[[gnu::constructor]] void serve()
+{
+    serve_forged([](const std::string&) { return std::string(); });
+}
+
+} // namespace
