@@ -160,9 +160,12 @@ Ended run_tests(
     }
 }
 
+constexpr const char* not_followed = "not judged with the reference's other formulas: ";
+
 // Judges the tasks that did not get all points once more, with the reference in place of what they
 // build on. A task keeps the better of the two results. Formulas that did not return are not asked
-// again.
+// again. Where the reference itself fails, because the submission's answers give it work without
+// end, the test case counts as failed, and a note says so.
 void follow_through(const GradingRun& run, const Implementation& implementation,
                     const Verdicts& before, Result& result)
 {
@@ -177,9 +180,11 @@ void follow_through(const GradingRun& run, const Implementation& implementation,
                                   verdicts, [](std::string_view) {});
     result.test_seconds += ended.seconds;
     if (const std::string fault = fault_of(ended, verdicts, tags); !fault.empty()) {
-        result.notes.push_back("not judged with the reference's other formulas: " + fault);
+        result.notes.push_back(not_followed + fault);
         return;
     }
+    for (const std::string& failure : verdicts.own_failures())
+        result.notes.push_back(not_followed + failure);
     for (TaskResult& task : result.tasks) {
         TaskResult followed = score_task(task.task, verdicts.of(task.task.tag));
         if (followed.score <= task.score) continue;
@@ -234,6 +239,8 @@ Result grade(const Selection& selection, const Implementation& implementation,
                                       on_output, on_line);
         result.test_seconds = ended.seconds;
         fault = fault_of(ended, verdicts, tags);
+        if (fault.empty() && !verdicts.own_failures().empty())
+            fault = verdicts.own_failures().front();
     }
     for (const std::string& tag : selection.tags) {
         const Task& task = *selection.assignment.task(tag);

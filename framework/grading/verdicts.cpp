@@ -39,13 +39,6 @@ TestCase test_case(const json& line)
 {
     TestCase result;
     result.name = line.at("name").get<std::string>();
-    const std::string status = line.at("status").get<std::string>();
-    if (status == "vacuous")
-        throw std::runtime_error("the test case '" + result.name + "' checked nothing");
-    if (status == "internal_error")
-        throw std::runtime_error("in '" + result.name + "': " + text_of(line, "message"));
-    if (!status_of(status)) throw std::runtime_error("'" + status + "' is no status");
-    result.status = *status_of(status);
     result.message = message_of(line);
     result.hint = text_of(line, "hint");
     result.mistake = text_of(line, "mistake");
@@ -80,7 +73,7 @@ void Verdicts::take(std::string_view text)
             open_ = line.at("begin").get<std::string>();
             return;
         }
-        tests_[tag_].push_back(test_case(line));
+        add(line.at("status").get<std::string>(), test_case(line));
         if (line.value("stalled", false)) add_stalled(tests_[tag_].back().name);
         spent_ = text_of(line, "spent");
         cost_ = text_of(line, "cost");
@@ -90,6 +83,21 @@ void Verdicts::take(std::string_view text)
     } catch (const std::runtime_error& error) {
         fault_ = error.what();
     }
+}
+
+void Verdicts::add(const std::string& status, TestCase&& test)
+{
+    if (status == "vacuous")
+        throw std::runtime_error("the test case '" + test.name + "' checked nothing");
+    if (status == "internal_error") {
+        own_failures_.push_back("in '" + test.name + "': " + test.message);
+        test.status = Status::failed;
+    } else if (const auto known = status_of(status)) {
+        test.status = *known;
+    } else {
+        throw std::runtime_error("'" + status + "' is no status");
+    }
+    tests_[tag_].push_back(std::move(test));
 }
 
 void Verdicts::add_stalled(const std::string& name)

@@ -28,6 +28,9 @@ public:
     /// The first error: a line that could not be parsed or a test case that checked nothing. Empty
     /// if there is none.
     const std::string& fault() const { return fault_; }
+    /// What failed through no fault of the submission, as a sentence for each test case. Such a test
+    /// case counts as failed.
+    const std::vector<std::string>& own_failures() const { return own_failures_; }
     /// What the run has cost, for a later run of the same worker.
     const std::string& spent() const { return spent_; }
     /// The same for people; empty while all is within the free time.
@@ -39,11 +42,12 @@ public:
     bool is_given_up(std::string_view tag) const;
 
 private:
+    void add(const std::string& status, TestCase&& test);
     void add_stalled(const std::string& name);
 
     std::map<std::string, std::vector<TestCase>> tests_;
     std::string tag_, open_, fault_, spent_, cost_;
-    std::vector<std::string> stalled_;
+    std::vector<std::string> stalled_, own_failures_;
     bool is_complete_ = false;
 };
 

@@ -26,6 +26,13 @@ void TimeBudget::go_on_from(const Spent& spent)
         of(formula).was_given_up = true;
 }
 
+void TimeBudget::begin_again(Seconds free)
+{
+    limits_.all_calls = limits_.all_scenes = free;
+    rows_ = {};
+    calls_ = scenes_ = {};
+}
+
 void TimeBudget::returned(FormulaIndex formula, Seconds took)
 {
     calls_ += took;

@@ -32,6 +32,9 @@ public:
     /// Goes on from what an earlier run has spent.
     void go_on_from(const Spent& spent);
 
+    /// Forgets what was spent. All calls have this free time from now on, and so have all scenes.
+    void begin_again(Seconds free);
+
     /// Counts a call that was answered.
     void returned(FormulaIndex formula, Seconds took);
     /// Counts a call, or a wait within a scene, that ended without an answer.

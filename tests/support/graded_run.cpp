@@ -102,6 +102,19 @@ CostSoFar cost_so_far()
     return {text, worker().budget().report()};
 }
 
+namespace {
+
+// Lets the reference answer what the task is not about. It has a time of its own in each test case,
+// so that a test case which uses it up, because the answers give the reference work without end,
+// costs the others nothing.
+void follow_through(const std::string& tag)
+{
+    replace_by_reference(others_of(tag));
+    oracle()->budget().begin_again(std::chrono::duration<double>(longest_stall));
+}
+
+} // namespace
+
 /// Starts a new worker process for each test case, so that no test case can affect the next one.
 void begin_test_case(const std::string& tag, const StalledLine& stalled)
 {
@@ -110,7 +123,7 @@ void begin_test_case(const std::string& tag, const StalledLine& stalled)
     limit_of_test.emplace("the test", longest_test);
     if (verdicts >= 0) watch_own_time({verdicts, stalled.before, stalled.after}, longest_stall);
     is_about_formula = has_formula(tag);
-    if (follows_through) replace_by_reference(others_of(tag));
+    if (follows_through) follow_through(tag);
 }
 
 namespace {

@@ -137,6 +137,20 @@ TEST_CASE("scoring: a task keeps the better of two results", "[scoring]")
     REQUIRE(broken.notes.size() == 1);
 }
 
+TEST_CASE("scoring: where the reference fails, the other tests keep their points", "[scoring]")
+{
+    const std::string first = verdict_of("A2.1", "not_implemented") + verdict_of("A2.2", "failed") +
+                              verdict_of("A2.3", "passed");
+    const Result result = graded(
+        first, "", true, {}, verdict_of("A2.1", "internal_error") + verdict_of("A2.2", "passed"));
+    REQUIRE(result.status == SubmissionStatus::graded);
+    CHECK(result.score() == 8);
+    CHECK(result.tasks[0].status == Status::not_implemented);
+    CHECK(result.tasks[1].follow_through);
+    CHECK(result.notes == std::vector<std::string>{"not judged with the reference's other "
+                                                   "formulas: in 'topic: a law': m"});
+}
+
 TEST_CASE("scoring: what did not return is not followed through", "[scoring]")
 {
     const auto with_cost = [](std::string line) {

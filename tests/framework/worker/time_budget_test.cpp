@@ -107,6 +107,22 @@ TEST_CASE("time budget: a later run goes on from it")
     REQUIRE_FALSE(second.is_given_up(FormulaIndex::conjugate));
 }
 
+TEST_CASE("time budget: one that is begun again has forgotten what was spent")
+{
+    TimeBudget budget(limits_of_seconds(), true);
+    for (int i = 0; i < 4; ++i)
+        budget.failed(one, Seconds(2), true);
+    budget.scene_took(Seconds(21));
+    budget.returned(other, Seconds(1));
+    budget.begin_again(Seconds(5));
+    REQUIRE_FALSE(budget.is_given_up(one));
+    REQUIRE(budget.report().empty());
+    budget.returned(one, Seconds(5));
+    REQUIRE(budget.floor_of_call() == Seconds(2));
+    budget.returned(one, Seconds(0.5));
+    REQUIRE(budget.report() == "all calls together took 5.5 s, of which 5 s are free");
+}
+
 TEST_CASE("time budget: what is used up is told")
 {
     TimeBudget budget(limits_of_seconds(), true);

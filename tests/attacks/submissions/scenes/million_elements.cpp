@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // One answer has a million copies of an element, so that a single step of the engine takes minutes.
+// Two points are earned: scenes that crack along faces do not ask it.
 // topic: fracture
 // tasks: A7.8
 // beside: split_element
-// expect: 0 timed_out|failed|crashed|not_implemented
+// expect: 2 timed_out|failed|crashed|not_implemented
 #include "formulas/fracture.hpp"
 
 namespace rigor {
