@@ -24,11 +24,11 @@ Vector3d world_point(const Matrix3d& R, const Vector3d& X, const Vector3d& p);
 /// Lecture: "Kinematics".
 Vector3d object_point(const Matrix3d& R, const Vector3d& X, const Vector3d& x);
 
-/// A1.4 Angular velocity ω [rad/s] of a rotating frame, from Ṙ Rᵀ = ω*.
+/// A1.4 Angular velocity ω [rad/s] of a rotating frame, from A = Ṙ Rᵀ, which is ω* if Ṙ is exact.
 /// Lecture: "Skew-symmetry".
 ///
-/// Rounding or finite differences may make A = Ṙ Rᵀ not exactly skew-symmetric. Then ω is taken
-/// from its skew part, ½ (A - Aᵀ).
+/// Rounding or finite differences may make A not exactly skew-symmetric. So ω is taken from its
+/// skew part, ½ (A - Aᵀ).
 ///
 /// @param R_dot  Ṙ [1/s]
 Vector3d angular_velocity(const Matrix3d& R_dot, const Matrix3d& R);
@@ -44,13 +44,13 @@ Matrix36d velocity_modes(const Vector3d& X, const Vector3d& x);
 /// A1.7 Generalized mass, Sᵀ M S = Σ mᵢ S(xᵢ)ᵀ S(xᵢ), a 6×6 matrix.
 /// Lecture: "Constrained dynamics", "Working it out".
 ///
-/// X is the point to rotate about and may be any point; the off-diagonal blocks vanish exactly when
-/// it is the center of mass. No particle: zero.
+/// X is the point to rotate about. It may be any point; V is then its velocity. The off-diagonal
+/// blocks vanish exactly when it is the center of mass. No particle: zero.
 ///
 /// @param particles  in world space
 Matrix6d generalized_mass(const std::vector<Particle>& particles, const Vector3d& X);
 
-/// A1.8 Net force F = Σ fᵢ and net torque τ = Σ (xᵢ - X) × fᵢ.
+/// A1.8 Net force F = Σ fᵢ and net torque τ = Σ (xᵢ - X) × fᵢ about X, which may be any point.
 /// Lecture: "What about the external forces?".
 ///
 /// This is Sᵀ F_ext; the transpose turns X* - x* into (x - X)*. No force: zero.

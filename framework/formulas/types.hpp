@@ -5,11 +5,12 @@
 // Conventions for every topic:
 //   * SI units. World space is right-handed, y points up.
 //   * X, V, L are the position of the center of mass, its velocity and the angular momentum about
-//     it, in world space.
+//     it, in world space. In A1.7, A1.8 and A1.13, X may be any point.
 //   * R and the unit quaternion q rotate object space into world space: x = R p + X.
 //   * Bodies 1 and 2: the unit normal n points from 2 to 1, v = v1 - v2, body 1 receives +j and
 //     body 2 receives -j. The bodies approach where v.n < 0.
-//   * A static body has inverse mass 0 and inverse inertia 0. No formula divides by its mass.
+//   * A static body is one whose velocity nothing changes. It has inverse mass 0 and inverse
+//     inertia 0, and no formula divides by its mass.
 //   * Every formula is total: finite input, with squares in range, gives a finite result.
 #pragma once
 
@@ -45,7 +46,8 @@ struct PointForce {
     Vector3d point = Vector3d::Zero(); // [m]
 };
 
-/// Net force, and net torque about the center of mass.
+/// Net force, and net torque about the center of mass, or, in A1.8 and A1.13, about the point X
+/// that the function is given.
 struct Wrench {
     Vector3d force = Vector3d::Zero();  // [N]
     Vector3d torque = Vector3d::Zero(); // [N m]
