@@ -58,7 +58,7 @@ Vector3d sliding_friction_impulse(const Matrix3d& K, const Vector3d& v, const Ve
     throw NotImplemented("collision::sliding_friction_impulse");
 }
 
-// A4.9  separating: zero; else the static impulse if it is in the cone; else the sliding impulse
+// A4.9  separating: zero; else the sticking impulse if it is in the cone; else the sliding impulse
 Vector3d collision_impulse(const Matrix3d& K, const Vector3d& v, const Vector3d& n,
                            double restitution, double friction)
 {

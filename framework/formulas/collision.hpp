@@ -48,7 +48,7 @@ Matrix3d impulse_matrix(double inverse_mass, const Matrix3d& I_inverse, const Ve
 Vector3d frictionless_impulse(const Matrix3d& K, const Vector3d& v, const Vector3d& n,
                               double restitution);
 
-/// A4.6 Impulse that stops all tangential motion, j = K⁻¹ (-v - ε vₙ n).
+/// A4.6 Sticking impulse, which stops all tangential motion, j = K⁻¹ (-v - ε vₙ n).
 /// Lecture: "Computing static friction".
 ///
 /// Like A4.5 it also holds for bodies that separate. K is symmetric positive definite unless both
@@ -69,13 +69,13 @@ bool inside_friction_cone(const Vector3d& j, const Vector3d& n, double friction)
 ///   * No tangential velocity, |v - vₙ n| ≤ 1e-12 |v|: the frictionless impulse, since the
 ///     direction of a rounding error means nothing.
 ///   * Both bodies static: zero.
-///   * nᵀ K (n - μ T) ≤ 0, the contact jams: the static impulse, with its tangential part j_T
-///     shortened to |j_T| = μ jₙ if it is longer (zero if the static impulse pulls, jₙ ≤ 0).
+///   * nᵀ K (n - μ T) ≤ 0, the contact jams: the sticking impulse of A4.6, with its tangential part
+///     j_T shortened to |j_T| = μ jₙ if it is longer (zero if the sticking impulse pulls, jₙ ≤ 0).
 Vector3d sliding_friction_impulse(const Matrix3d& K, const Vector3d& v, const Vector3d& n,
                                   double restitution, double friction);
 
 /// A4.9 The impulse of a collision. If the bodies separate (vₙ ≥ 0) it is zero; otherwise it is the
-/// static impulse if that lies in the friction cone, and else the sliding impulse.
+/// sticking impulse if that lies in the friction cone, and else the sliding impulse.
 /// Lecture: "Computing friction".
 Vector3d collision_impulse(const Matrix3d& K, const Vector3d& v, const Vector3d& n,
                            double restitution, double friction);
