@@ -14,13 +14,13 @@ std::vector<Matrix3d> smooth_stress(const std::vector<Matrix3d>& stresses,
     throw NotImplemented("fracture::smooth_stress");
 }
 
-// A7.2  σ d = σ₁ d,  |d| = 1
+// A7.2  σ n = σ₁ n,  |n| = 1
 PrincipalStress principal_stress(const Matrix3d& stress)
 {
     throw NotImplemented("fracture::principal_stress");
 }
 
-// A7.3  d if σ₁ is positive and exceeds the threshold, else empty
+// A7.3  n if σ₁ is positive and exceeds the strength, here `threshold`; else empty
 std::optional<Vector3d> crack_plane(const Matrix3d& stress, double threshold)
 {
     throw NotImplemented("fracture::crack_plane");

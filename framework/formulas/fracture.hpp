@@ -23,8 +23,9 @@ namespace rigor {
 ///     σ̄ₑ = (Vₑ σₑ + Σ Vₘ σₘ) / (Vₑ + Σ Vₘ)    over the neighbours m of e
 ///
 /// @param stresses    one for each element [Pa]
-/// @param neighbours  for each element, the indices of its neighbours; each entry counts, also one
-///                    that repeats another or is the element itself
+/// @param neighbours  for each element, the indices of its neighbours, usually the elements with
+///                    which it shares a face; each entry counts, also one that repeats another or
+///                    is the element itself
 /// @param volumes     one for each element, ≥ 0 [m³]; where all averaged volumes are 0, σₑ is kept
 std::vector<Matrix3d> smooth_stress(const std::vector<Matrix3d>& stresses,
                                     const std::vector<std::vector<int>>& neighbours,
@@ -35,12 +36,15 @@ std::vector<Matrix3d> smooth_stress(const std::vector<Matrix3d>& stresses,
 PrincipalStress principal_stress(const Matrix3d& stress);
 
 /// A7.3 The normal of the crack that a stress opens: the direction of the largest eigenvalue, if
-/// this eigenvalue is positive (tension) and exceeds the threshold; otherwise empty. Compression
+/// this eigenvalue is positive (tension) and exceeds the strength; otherwise empty. Compression
 /// alone opens no crack.
+///
+/// @param threshold  the strength of the solid [Pa], which may also be 0 or negative
 std::optional<Vector3d> crack_plane(const Matrix3d& stress, double threshold);
 
 /// A7.4 The face of a tetrahedron whose normal is nearest to the normal of a crack: the f with the
-/// largest |n_f · n|. The signs of both normals do not matter. Of equal faces, the lowest f.
+/// largest |n_f · n|. The signs of both normals do not matter. Of equal faces, the lowest f; the
+/// values are compared without a tolerance.
 ///
 /// @param tetrahedron  its vertices [m]; for a face without area, |n_f · n| counts as 0
 /// @param normal       n, unit
@@ -52,9 +56,10 @@ int closest_face(const std::array<Vector3d, 4>& tetrahedron, const Vector3d& nor
 /// Consider the tetrahedra around one vertex. Two of them stay connected if they share a face that
 /// has this vertex and is not among `faces`, or if a chain of such faces connects them. Each
 /// connected group gets its own vertex. So no tetrahedron changes its shape, a vertex is duplicated
-/// only where the mesh splits, and the border of a crack that ends inside the solid stays closed. A
+/// only where the mesh splits, and the rim of a crack that ends inside the solid stays closed. A
 /// single face inside the solid stays closed entirely, and is connected again in the next call, so
-/// all faces of a crack must be given at once.
+/// all faces of a crack must be given at once. Each vertex of the result is an old one or a copy of
+/// it; both numbers of its origin are that of the old vertex, and the fraction is 0.
 ///
 /// @param faces  from either side, in any order, possibly repeated; a face of the surface is
 ///               allowed and changes nothing
@@ -64,7 +69,8 @@ SplitMesh split_along_faces(const TetrahedralMesh& mesh, const std::vector<MeshF
 
 /// A7.6 A crack through a vertex, along a plane, that cuts elements (O'Brien and Hodgins 1999).
 ///
-/// The plane through the vertex cuts the tetrahedra that have this vertex. A vertex of these
+/// The plane through the vertex cuts the tetrahedra that have this vertex. The height of a vertex
+/// above the plane is n·(x - x_v) with the place x_v of the given vertex. A vertex of these
 /// tetrahedra counts as lying on the plane if its distance to the plane is less than 0.05 of their
 /// longest edge. Each of their edges with ends on different sides gets a new vertex where it
 /// crosses the plane. All tetrahedra of the mesh that have this edge are halved there, also those
