@@ -225,6 +225,9 @@ TEST_CASE("A4: friction that jams and friction that adds energy", "[numbers]")
                 "spin at 4.242641 rad/s about z while its center falls straight down at 1 m/s",
                 {w, -V.y()});
     check_shown("A4", "1.25 J become 1.953125 J", {energy(rod), energy(after)});
+    const double least_friction = bounce.x() / bounce.y();
+    check_shown("A4", "$(0.9375, 2.5625)$ N s", {bounce.x(), bounce.y()});
+    check_shown("A4", R"($\mu = 15/41 = 0.366$ on)", {least_friction, least_friction});
 }
 
 TEST_CASE("A4: what deepest point and first point miss", "[numbers]")
@@ -278,7 +281,8 @@ TEST_CASE("A6: a piece of steel", "[numbers]")
         plastic = plastic_flow(plastic, trial, sigma_Y, G);
         return Matrix3d(isotropic_stress(total - plastic, lambda, G) / 1e6);
     };
-    const Matrix3d out = stretched(0.005), back = stretched(0);
+    const Matrix3d first = stretched(0.001625), out = stretched(0.005), back = stretched(0);
+    check_shown("A6", "| 0.001625 | 437.5 | 187.5 |", {0.001625, first(0, 0), first(1, 1)});
     check_shown("A6", "| 0.005 | 1000 | 750 |", {0.005, out(0, 0), out(1, 1)});
     check_shown("A6", "| −166.666667 | +83.333333 |", {back(0, 0), back(1, 1)});
 }
