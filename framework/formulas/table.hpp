@@ -14,6 +14,7 @@
 #include "formulas/rotation.hpp"
 #include "formulas/validation.hpp"
 
+#include <bitset>
 #include <string>
 #include <string_view>
 
@@ -120,6 +121,9 @@ enum class FormulaIndex : unsigned { RIGOR_FORMULAS(RIGOR_ROW) };
 #undef RIGOR_ROW
 
 inline constexpr unsigned formula_count = std::size(formulas);
+
+/// Formulas by their index in the table.
+using FormulaSet = std::bitset<formula_count>;
 
 /// The message about a stub: `A4.10 apply_impulse is not implemented yet (student/collision.cpp)`.
 inline std::string describe(const NotImplemented& stub)

@@ -15,13 +15,14 @@
 namespace rigor {
 
 SceneAnswers::SceneAnswers(Worker& worker, const std::string& scene_name, Request kind,
-                           Bytes payload, bool every_step)
+                           Bytes payload, bool every_step, const FormulaSet& given)
     : worker_(worker), scene_name_(scene_name), payload_(std::move(payload))
 {
     SceneOptions options;
     options.streams_answers = true;
     options.every_step = every_step;
     question_ = {kind, options.packed(), payload_};
+    question_.given = given;
     question_.longest_stream = std::numeric_limits<std::size_t>::max(); // nothing of it is kept
     worker_.subject_ = "scene " + scene_name;
     worker_.start();
@@ -60,6 +61,18 @@ std::span<const std::byte> SceneAnswers::next(FormulaIndex formula, std::size_t 
     const std::span answer(part_.data() + at_ + sizeof header, header.size);
     at_ += sizeof header + header.size;
     return answer;
+}
+
+void SceneAnswers::give(FormulaIndex formula, std::span<const std::byte> answer)
+{
+    Allowance allowance{worker_.budget_.floor_of_call()};
+    try {
+        worker_.session_->give(formula, answer, allowance);
+    } catch (const Broken& broken) {
+        worker_.subject_ = "scene " + scene_name_;
+        worker_.fail(broken, nullptr);
+    }
+    taken_before_ += sizeof(StreamedAnswer) + answer.size();
 }
 
 void SceneAnswers::fail_as_given_up(FormulaIndex formula)
@@ -115,8 +128,10 @@ void SceneAnswers::count_wait(FormulaIndex formula, Seconds time)
 
 const Pace& SceneAnswers::reference_pace()
 {
-    if (!reference_pace_)
-        reference_pace_ = worker_.oracle_ ? worker_.oracle_->pace(question_) : Pace();
+    if (reference_pace_) return *reference_pace_;
+    Question whole = question_; // the reference answers all of it by itself
+    whole.given.reset();
+    reference_pace_ = worker_.oracle_ ? worker_.oracle_->pace(whole) : Pace();
     return *reference_pace_;
 }
 

@@ -5,6 +5,9 @@
 // asking for each, which would take far longer. Both engines are the same code and get the same
 // answers, so they call the same formulas. A worker that streams something else has only given
 // wrong answers.
+//
+// Some answers may be given to the worker instead, those of the reference: it waits at each until
+// the client has come to the same call and has sent the answer.
 #pragma once
 
 #include "worker/client.hpp"
@@ -18,8 +21,9 @@ public:
     /// @param kind        run_scene or advance
     /// @param payload     as `kind` expects it
     /// @param every_step  whether every step is recorded: a record of a solid calls formulas
+    /// @param given       the formulas that `give` answers
     SceneAnswers(Worker& worker, const std::string& scene_name, Request kind, Bytes payload,
-                 bool every_step);
+                 bool every_step, const FormulaSet& given = {});
     /// Ends the worker's process, unless it is done with the scene too.
     ~SceneAnswers();
     SceneAnswers(const SceneAnswers&) = delete;
@@ -29,6 +33,10 @@ public:
     /// @param largest  largest size of the answer [bytes]
     /// @throws NotImplemented, FormulaMissing, WorkerFailure
     std::span<const std::byte> next(FormulaIndex formula, std::size_t largest);
+
+    /// Gives the worker the encoded answer of a formula that the engine has called now.
+    /// @throws WorkerFailure
+    void give(FormulaIndex formula, std::span<const std::byte> answer);
 
 private:
     using Seconds = Allowance::Seconds;
@@ -49,7 +57,7 @@ private:
     Question question_;
     Bytes part_;                   // the part of the stream that has come last
     std::size_t at_ = 0;           // how much of it was taken
-    std::size_t taken_before_ = 0; // the size of the parts before that one [bytes]
+    std::size_t taken_before_ = 0; // the size of the parts before that one, and of what was given
     Seconds waited_{};             // for all answers so far
     std::array<Seconds, formula_count> waited_for_{};
     std::optional<Pace> reference_pace_;

@@ -5,6 +5,7 @@
 // checked.
 #include "worker/session.hpp"
 
+#include "worker/protocol/streamed_answer.hpp"
 #include "worker/protocol/wire.hpp"
 
 #include <fmt/format.h>
@@ -69,6 +70,11 @@ void Session::begin(const Question& question)
     channel.argument = question.argument;
     channel.request_size = question.payload.size();
     channel.streamed = channel.taken = taken_ = 0;
+    channel.given = channel.used = given_ = 0;
+    gives_ = question.given.any();
+    for (std::size_t i = 0; i < channel.given_formulas.size(); ++i)
+        channel.given_formulas[i] =
+            (question.given >> (64 * i) & FormulaSet(~std::uint64_t{0})).to_ullong();
     std::copy(question.payload.begin(), question.payload.end(), channel.payload);
     largest_ = question.largest;
     longest_stream_ = question.longest_stream;
@@ -91,8 +97,9 @@ const Reply& Session::ask(const Question& question, Allowance& allowance)
 /// was on a processor. A busy machine may leave a process waiting for seconds. At least a tenth
 /// counts, since the worker could hide behind others.
 /// @param has_replied  whether it sleeps because it is done
-Allowance::Seconds Session::used(Allowance::Seconds passed,
-                                 std::optional<Process::Progress>& before, bool has_replied) const
+Allowance::Seconds Session::counted(Allowance::Seconds passed,
+                                    std::optional<Process::Progress>& before,
+                                    bool has_replied) const
 {
     const std::optional<Process::Progress> now = process_.progress();
     if (!now) return passed;
@@ -113,14 +120,17 @@ Bytes Session::next_part(Allowance& allowance)
     for (;;) {
         if (Bytes part = take_stream(); !part.empty()) return part;
         const Clock::time_point start = Clock::now();
-        const std::uint32_t now = await_change(reply, awaited, sequence_ - 1, slice);
+        // A worker that waits for an answer has streamed little since it last woke this process.
+        const Until streamed{process_.channel().streamed, taken_};
+        const std::uint32_t now =
+            await_change(reply, awaited, sequence_ - 1, slice, gives_ ? &streamed : nullptr);
         const Allowance::Seconds passed = Clock::now() - start;
         // A client that got no processor itself looks late at a reply that was there in time. In
         // the first slice, which is short, nothing is asked about the worker.
         const bool has_replied = now == sequence_;
-        const Allowance::Seconds counted =
-            has_replied && !before ? passed : used(passed, before, has_replied);
-        allowance.waited += has_replied ? std::min<Allowance::Seconds>(counted, slice) : counted;
+        const Allowance::Seconds time =
+            has_replied && !before ? passed : counted(passed, before, has_replied);
+        allowance.waited += has_replied ? std::min<Allowance::Seconds>(time, slice) : time;
         if (now == sequence_) return take_stream();
         if (now != sequence_ - 1) throw Broken{WorkerFailure::malformed, out_of_turn};
         collect_output();
@@ -151,6 +161,49 @@ const Reply& Session::take_reply()
     reply_.status = status;
     reply_.payload.assign(channel.payload, channel.payload + size);
     return reply_;
+}
+
+void Session::give(FormulaIndex formula, std::span<const std::byte> answer, Allowance& allowance)
+{
+    const StreamedAnswer header{static_cast<std::uint32_t>(formula),
+                                static_cast<std::uint32_t>(answer.size())};
+    give_bytes(std::as_bytes(std::span(&header, 1)), allowance);
+    give_bytes(answer, allowance);
+}
+
+void Session::give_bytes(std::span<const std::byte> bytes, Allowance& allowance)
+{
+    Channel& channel = process_.channel();
+    std::optional<Process::Progress> before;
+    while (!bytes.empty()) {
+        const std::uint32_t used = channel.used.load(std::memory_order_acquire);
+        const std::uint32_t waiting = given_ - used;
+        if (waiting > Channel::ring) throw Broken{WorkerFailure::malformed, out_of_turn};
+        if (waiting == Channel::ring) {
+            await_room(used, before, allowance);
+            continue;
+        }
+        const std::uint32_t at = given_ % Channel::ring;
+        const std::size_t n =
+            std::min<std::size_t>({bytes.size(), Channel::ring - waiting, Channel::ring - at});
+        std::copy_n(bytes.begin(), n, channel.answers + at);
+        bytes = bytes.subspan(n);
+        given_ += static_cast<std::uint32_t>(n);
+        post(channel.given, channel.given_awaited, given_);
+    }
+}
+
+/// Waits for a moment until the worker has used some of what was given to it. It cannot be waiting
+/// meanwhile: what it streamed before this answer was read.
+void Session::await_room(std::uint32_t used, std::optional<Process::Progress>& before,
+                         Allowance& allowance)
+{
+    Channel& channel = process_.channel();
+    const Clock::time_point start = Clock::now();
+    await_change(channel.used, channel.used_awaited, used, std::chrono::milliseconds(20));
+    allowance.waited += counted(Clock::now() - start, before, false);
+    if (const auto ending = process_.ending()) throw *ending;
+    if (allowance.used_up()) throw Broken{WorkerFailure::timed_out, allowance.verdict()};
 }
 
 Bytes Session::rest_of_stream()

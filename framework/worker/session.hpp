@@ -29,6 +29,7 @@ struct Question {
     std::size_t largest = 0;        // largest size of an answer [bytes]
     std::size_t longest_stream = 0; // [bytes]
     const ByteSink* sink = nullptr; // takes what is streamed
+    FormulaSet given = {};          // formulas whose answers `give` has for a scene
 };
 
 /// A reply as the worker wrote it. Only its size has been checked.
@@ -59,6 +60,10 @@ public:
     Bytes next_part(Allowance& allowance);
     const Reply& take_reply();
 
+    /// Gives the worker an encoded answer that its scene waits for. Waits only while the worker is
+    /// far behind. @throws Broken
+    void give(FormulaIndex formula, std::span<const std::byte> answer, Allowance& allowance);
+
     /// The rest of the stream that came before the conversation broke.
     Bytes rest_of_stream();
 
@@ -66,16 +71,21 @@ public:
     std::string take_output();
 
 private:
-    Allowance::Seconds used(Allowance::Seconds passed, std::optional<Process::Progress>& before,
-                            bool has_replied) const;
+    Allowance::Seconds counted(Allowance::Seconds passed, std::optional<Process::Progress>& before,
+                               bool has_replied) const;
     Bytes read_stream(std::uint32_t n);
     Bytes take_stream();
+    void give_bytes(std::span<const std::byte> bytes, Allowance& allowance);
+    void await_room(std::uint32_t used, std::optional<Process::Progress>& before,
+                    Allowance& allowance);
     void collect_output();
 
     Limits limits_;
     Process process_;
     std::uint32_t sequence_ = 1; // number of the last question; 1 asks whether it is ready
     std::uint32_t taken_ = 0;    // how much of the stream was read, modulo 2^32 [bytes]
+    std::uint32_t given_ = 0;    // how much was given, modulo 2^32 [bytes]
+    bool gives_ = false;         // whether the last question has answers to give
     std::size_t streamed_ = 0;   // how much of the stream was read [bytes]
     std::size_t largest_ = 0, longest_stream_ = 0; // limits of the last question [bytes]
     std::size_t printed_ = 0; // how much was printed since the last question [bytes]

@@ -3,9 +3,12 @@
 // its answer can be streamed to the client, whose own engine takes the same steps.
 #pragma once
 
+#include "formulas/table.hpp"
+
 #include <cstddef>
 #include <functional>
 #include <span>
+#include <vector>
 
 namespace rigor {
 
@@ -19,10 +22,14 @@ extern "C" {
 extern const AnyFormula rigor_formulas[];
 }
 
-/// Streams the answer of each formula as long as this object lives.
+/// Waits for the next encoded answer that the client gives. `answer` becomes it.
+using TakeAnswer = std::function<void(FormulaIndex formula, std::vector<std::byte>& answer)>;
+
+/// Streams the answer of each formula as long as this object lives, and takes those of `given` from
+/// the client.
 class StreamAnswers {
 public:
-    explicit StreamAnswers(const Stream& stream);
+    StreamAnswers(const Stream& stream, const FormulaSet& given, const TakeAnswer& take);
     ~StreamAnswers();
     StreamAnswers(const StreamAnswers&) = delete;
     StreamAnswers& operator=(const StreamAnswers&) = delete;

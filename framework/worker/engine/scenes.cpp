@@ -63,7 +63,7 @@ void run(const SceneRequest& request, const Stream& stream)
 void rigor_run_scenes(const SceneRequest& request, const Stream& stream, wire::Bytes& result)
 {
     std::optional<StreamAnswers> answers;
-    if (request.options.streams_answers) answers.emplace(stream);
+    if (request.options.streams_answers) answers.emplace(stream, request.given, request.take);
     try {
         if (request.kind == Request::advance)
             result = advance_states(request);

@@ -23,6 +23,9 @@ struct SceneRequest {
     /// Whether the implementation is the reference, so that the engine's faster forms of its
     /// formulas may be used. Other formulas may not be safe to call from several threads either.
     bool is_reference;
+    /// The formulas whose answers the client gives while answers are streamed, and how to take one.
+    FormulaSet given;
+    TakeAnswer take;
 };
 
 extern "C" {

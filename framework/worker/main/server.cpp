@@ -5,6 +5,7 @@
 
 #include "formulas/not_implemented.hpp"
 #include "worker/main/dispatch.hpp"
+#include "worker/protocol/streamed_answer.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -73,10 +74,11 @@ void Server::answer()
 
 void Server::run_scenes(Request kind, std::span<const std::byte> payload)
 {
-    streamed_ = announced_ = 0;
+    streamed_ = announced_ = used_ = 0;
     answer_.clear();
     rigor_run_scenes(
-        {kind, SceneOptions::unpacked(channel_.argument), payload, is_reference_},
+        {kind, SceneOptions::unpacked(channel_.argument), payload, is_reference_, given_formulas(),
+         [this](FormulaIndex formula, wire::Bytes& answer) { take_answer(formula, answer); }},
         [this](std::span<const std::byte> bytes) { stream(bytes); }, answer_);
 }
 
@@ -119,6 +121,44 @@ void Server::stream(std::span<const std::byte> bytes)
     if (streamed_ - announced_ < worth_waking) return;
     announced_ = streamed_;
     wake(channel_.reply, channel_.reply_awaited);
+}
+
+FormulaSet Server::given_formulas() const
+{
+    FormulaSet set;
+    for (std::size_t i = 0; i < channel_.given_formulas.size(); ++i)
+        set |= FormulaSet(channel_.given_formulas[i].load()) << (64 * i);
+    return set;
+}
+
+// The client comes to the same calls in the same order, so the next answer is that of this formula.
+void Server::take_answer(FormulaIndex formula, wire::Bytes& answer)
+{
+    StreamedAnswer header{};
+    take_bytes(std::as_writable_bytes(std::span(&header, 1)));
+    if (header.formula != static_cast<std::uint32_t>(formula) || header.size > Channel::capacity)
+        throw wire::Malformed("the answer that was given is that of another formula");
+    answer.resize(header.size);
+    take_bytes(answer);
+}
+
+void Server::take_bytes(std::span<std::byte> bytes)
+{
+    while (!bytes.empty()) {
+        const std::uint32_t given = channel_.given.load(std::memory_order_acquire);
+        if (given == used_) {
+            wake(channel_.reply, channel_.reply_awaited); // for what has been streamed so far
+            await_change(channel_.given, channel_.given_awaited, given, std::chrono::hours(1));
+            continue;
+        }
+        const std::uint32_t at = used_ % Channel::ring;
+        const std::size_t n =
+            std::min<std::size_t>({bytes.size(), given - used_, Channel::ring - at});
+        std::copy_n(channel_.answers + at, n, bytes.begin());
+        bytes = bytes.subspan(n);
+        used_ += static_cast<std::uint32_t>(n);
+        post(channel_.used, channel_.used_awaited, used_);
+    }
 }
 
 int run_worker(bool is_reference)

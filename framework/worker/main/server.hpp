@@ -29,6 +29,9 @@ private:
     void run_scenes(Request kind, std::span<const std::byte> payload);
     void await_request();
     void stream(std::span<const std::byte> bytes);
+    FormulaSet given_formulas() const;
+    void take_answer(FormulaIndex formula, wire::Bytes& answer);
+    void take_bytes(std::span<std::byte> bytes);
     void reply(ReplyStatus status, std::span<const std::byte> payload);
     void reply_text(ReplyStatus status, std::string text);
 
@@ -36,6 +39,7 @@ private:
     bool is_reference_;
     wire::Bytes answer_; // to the current request; kept, since a test makes thousands of calls
     std::uint32_t streamed_ = 0, announced_ = 0; // bytes, and those that the client was woken for
+    std::uint32_t used_ = 0;                     // bytes of what was given
     std::uint32_t sequence_ = 1;                 // the current request; request 1 is to get ready
 };
 

@@ -62,7 +62,7 @@ std::uint64_t contract_fingerprint()
         for (const char c : text)
             hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211u;
     };
-    add("rigor worker 2");
+    add("rigor worker 3");
     for (const Formula& formula : formulas) {
         add(formula.tag);
         add(formula.name);
@@ -86,8 +86,9 @@ void post(std::atomic<std::uint32_t>& word, const std::atomic<std::uint32_t>& aw
 }
 
 std::uint32_t await_change(std::atomic<std::uint32_t>& word, std::atomic<std::uint32_t>& awaited,
-                           std::uint32_t old, std::chrono::nanoseconds longest)
+                           std::uint32_t old, std::chrono::nanoseconds longest, const Until* other)
 {
+    const auto other_has_changed = [&] { return other && other->word.load() != other->old; };
     if (const Microseconds spin = spinning.next(); spin > Microseconds(0)) {
         // The clock is read only after the first microseconds: most answers come before.
         for (std::optional<Clock::time_point> start;;) {
@@ -95,6 +96,10 @@ std::uint32_t await_change(std::atomic<std::uint32_t>& word, std::atomic<std::ui
                 if (const std::uint32_t now = word.load(std::memory_order_acquire); now != old) {
                     spinning.succeeded();
                     return now;
+                }
+                if (other_has_changed()) {
+                    spinning.succeeded();
+                    return old;
                 }
                 pause_processor();
             }
@@ -109,7 +114,8 @@ std::uint32_t await_change(std::atomic<std::uint32_t>& word, std::atomic<std::ui
     awaited.store(1);
     // Returns at once if the word has changed meanwhile. It may wake early; the
     // caller then waits again.
-    if (word.load() == old) syscall(SYS_futex, &word, FUTEX_WAIT, old, &timeout, nullptr, 0);
+    if (word.load() == old && !other_has_changed())
+        syscall(SYS_futex, &word, FUTEX_WAIT, old, &timeout, nullptr, 0);
     awaited.store(0, std::memory_order_relaxed);
     return word.load(std::memory_order_acquire);
 }

@@ -5,13 +5,17 @@
 // reply over the request and sets `reply` to the same number. The worker may write to this memory
 // at any time: so the client keeps its own values in variables of its own, and copies a reply
 // before it looks at it. What a scene streams goes through a ring buffer beside it, so that all of
-// it can be read even if the worker dies in the next instruction.
+// it can be read even if the worker dies in the next instruction. Another one has the answers that
+// the client gives to a scene in place of the worker's own formulas.
 //
 // Whoever falls asleep says so before in a word beside the one that it waits for. So the other one
 // wakes it only if it may be asleep, since waking is a system call and takes as long as the rest of
 // a call. A worker that lies there is not woken, and is late.
 #pragma once
 
+#include "formulas/table.hpp"
+
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <cstddef>
@@ -75,7 +79,15 @@ struct Channel {
     alignas(64) std::atomic<std::uint32_t> streamed;
     alignas(64) std::atomic<std::uint32_t> taken;
     std::atomic<std::uint32_t> taken_awaited; // whether the worker may be asleep until `taken`
+    // The formulas whose answers the client gives to a scene, 64 in each word.
+    std::array<std::atomic<std::uint64_t>, (formula_count + 63) / 64> given_formulas;
+    // Numbers of bytes given and used since the scene's start, as above for `answers`.
+    alignas(64) std::atomic<std::uint32_t> given;
+    std::atomic<std::uint32_t> given_awaited; // whether the worker may be asleep until `given`
+    alignas(64) std::atomic<std::uint32_t> used;
+    std::atomic<std::uint32_t> used_awaited; // whether the client may be asleep until `used`
     alignas(64) std::byte stream[ring];
+    std::byte answers[ring];
     std::byte payload[capacity];
 };
 
@@ -91,11 +103,19 @@ void wake(std::atomic<std::uint32_t>& word, const std::atomic<std::uint32_t>& aw
 void post(std::atomic<std::uint32_t>& word, const std::atomic<std::uint32_t>& awaited,
           std::uint32_t value);
 
+/// A word and the value that it has until something happens.
+struct Until {
+    const std::atomic<std::uint32_t>& word;
+    std::uint32_t old;
+};
+
 /// Spins for a moment, then sleeps until the word is not `old` any more, until it is woken, or
 /// until the time is over.
 /// @param awaited  is set while this process may be asleep
+/// @param other    ends the wait too, if it changes before this process sleeps
 /// @return the word
 std::uint32_t await_change(std::atomic<std::uint32_t>& word, std::atomic<std::uint32_t>& awaited,
-                           std::uint32_t old, std::chrono::nanoseconds longest);
+                           std::uint32_t old, std::chrono::nanoseconds longest,
+                           const Until* other = nullptr);
 
 } // namespace rigor

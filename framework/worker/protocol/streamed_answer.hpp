@@ -5,7 +5,8 @@
 
 namespace rigor {
 
-/// What stands before each encoded answer of a formula in a stream of answers.
+/// What stands before each encoded answer of a formula, in a stream of answers and in those that
+/// are given to a scene.
 struct StreamedAnswer {
     std::uint32_t formula; // its index in the table
     std::uint32_t size;    // length of the encoded answer [bytes]

@@ -80,6 +80,15 @@ const wire::Bytes& note_call(FormulaIndex formula, const Argument&... arguments)
     return last->arguments;
 }
 
+/// Gives an answer of the reference to the scene that runs in the worker under test, if one does.
+template <FormulaIndex formula, class Result> void give(const Result& result)
+{
+    if (!run) return;
+    static wire::Bytes bytes;
+    wire::encode_all(bytes, result);
+    run->give(formula, bytes);
+}
+
 template <FormulaIndex formula, class Formula, class... Argument>
 typename Formula::Result answer(const Argument&... arguments)
 {
@@ -87,9 +96,13 @@ typename Formula::Result answer(const Argument&... arguments)
     static const std::size_t largest = wire::encoded_size<Result>().most;
     if (!asked) throw std::logic_error("a formula was called before use_worker said whom to ask");
     note_formula(formula);
-    if (replaced[static_cast<unsigned>(formula)] && asked == under_test.get())
-        return by_reference([&] { return answer<formula, Formula>(arguments...); });
-    if (run) {
+    const bool is_by_reference = asked == reference.get();
+    if (replaced[static_cast<unsigned>(formula)] && !is_by_reference) {
+        Result result = by_reference([&] { return answer<formula, Formula>(arguments...); });
+        give<formula>(result);
+        return result;
+    }
+    if (run && !is_by_reference) {
         try {
             Result result = decoded<Result>(formula, run->next(formula, largest));
             check_sizes<formula>(result, arguments...);

@@ -6,7 +6,6 @@
 
 #include "worker/scene_answers.hpp"
 
-#include <bitset>
 #include <filesystem>
 #include <optional>
 #include <span>
@@ -27,12 +26,9 @@ Worker* oracle();
 /// Makes the formulas take their answers from this run of a scene; nullptr: ask for each again.
 void answer_from(SceneAnswers* run);
 
-/// Formulas by their index in the table.
-using FormulaSet = std::bitset<formula_count>;
-
 /// Lets the reference answer these formulas in place of the worker under test, until the next call
-/// of this function. The worker learns nothing of the answers but what becomes an argument of its
-/// own formulas. @throws std::logic_error if there is no reference for them
+/// of this function. Outside of scenes, the worker learns nothing of the answers but what becomes
+/// an argument of its own formulas. @throws std::logic_error if there is no reference for them
 void replace_by_reference(const FormulaSet& these);
 
 /// The formulas that the reference answers at present.

@@ -12,23 +12,22 @@ namespace rigor {
 
 namespace {
 
-// Makes the engine's formulas take their answers from a run of the worker under test. If the
-// reference answers some of them, the worker cannot run ahead, and is asked for each of the others.
+// Makes the engine's formulas take their answers from a run of the worker under test, which is
+// given those that the reference answers.
 class Answered {
 public:
     Answered(const Scene& scene, Request kind, Bytes payload, Record record)
+        : answers_(worker(), scene.name, kind, std::move(payload), record == Record::every_step,
+                   replaced_by_reference())
     {
-        if (replaced_by_reference().any()) return;
-        answers_.emplace(worker(), scene.name, kind, std::move(payload),
-                         record == Record::every_step);
-        answer_from(&*answers_);
+        answer_from(&answers_);
     }
     ~Answered() { answer_from(nullptr); }
     Answered(const Answered&) = delete;
     Answered& operator=(const Answered&) = delete;
 
 private:
-    std::optional<SceneAnswers> answers_;
+    SceneAnswers answers_;
 };
 
 // The longest time of our engine for a scene. With answers that make sense it takes a few seconds;

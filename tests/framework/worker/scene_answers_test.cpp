@@ -63,9 +63,26 @@ Run run_with(const std::string& worker_file)
         [](const ByteSink& sink) { run_scene_with_worker(ball(), Record::every_step, sink); });
 }
 
+constexpr const char* solved = RIGOR_BINARY_DIR "/bin/worker_reference";
+
 Run honest()
 {
-    return run_with(RIGOR_BINARY_DIR "/bin/worker_reference");
+    return run_with(solved);
+}
+
+/// A run where the reference answers all formulas but these.
+Run followed(const std::string& worker_file, const std::vector<FormulaIndex>& own,
+             const Scene& scene = ball())
+{
+    use_worker(worker_file, solved, tight());
+    FormulaSet others = FormulaSet().set();
+    for (const FormulaIndex formula : own)
+        others.reset(static_cast<unsigned>(formula));
+    replace_by_reference(others);
+    Run result =
+        run([&](const ByteSink& sink) { run_scene_with_worker(scene, Record::every_step, sink); });
+    replace_by_reference({});
+    return result;
 }
 
 bool begins_as(const Run& run, const Run& other)
@@ -152,6 +169,56 @@ TEST_CASE("scene answers: an announced size fills no memory")
     CAPTURE(forged.what());
     REQUIRE(forged.what().find("sent no answer: it is out of step") != std::string::npos);
     REQUIRE(next_call_is_answered());
+}
+
+TEST_CASE("scene answers: with answers that are given the bits are the same")
+{
+    const Run right = honest();
+    using enum FormulaIndex;
+    for (const std::vector<FormulaIndex>& own : std::vector<std::vector<FormulaIndex>>{
+             {gravity_wrench}, {world_inverse_inertia, gravity_wrench}, {}}) {
+        CAPTURE(own.size());
+        const Run mixed = followed(solved, own);
+        CAPTURE(mixed.what());
+        REQUIRE(mixed.complete);
+        REQUIRE(mixed.frames == right.frames);
+        REQUIRE(next_call_is_answered());
+    }
+    // Where all are given, a worker without formulas does as well.
+    REQUIRE(followed(RIGOR_BINARY_DIR "/bin/worker_nothing", {}).frames == right.frames);
+}
+
+TEST_CASE("scene answers: more may be given than the memory for it holds")
+{
+    const Scene long_flight = parse_scene(R"({
+  "gravity": [0, -10, 0], "time_step": 0.0001, "end": 2, "frames_per_second": 50,
+  "bodies": [{"name": "ball", "shape": {"sphere": {"radius": 0.5}}, "velocity": [1, 2, 3]}]
+})",
+                                          "long flight");
+    use_worker(solved, {}, tight());
+    const Run right = run(
+        [&](const ByteSink& sink) { run_scene_with_worker(long_flight, Record::frames, sink); });
+    const Run mixed = followed(solved, {FormulaIndex::gravity_wrench}, long_flight);
+    REQUIRE(mixed.complete);
+    REQUIRE(mixed.frames.back() == right.frames.back());
+}
+
+TEST_CASE("scene answers: a failure is the same with answers that are given")
+{
+    const Run right = honest();
+    const auto expect = [&](const char* name, const std::string& text) {
+        const Run run = followed(attack(name).string(), {FormulaIndex::gravity_wrench});
+        CAPTURE(name, run.what());
+        REQUIRE(run.what().find(text) != std::string::npos);
+        REQUIRE_FALSE(run.complete);
+        REQUIRE(run.frames.size() > 20);
+        REQUIRE(begins_as(run, right));
+        REQUIRE(next_call_is_answered());
+    };
+    expect("crash_in_scene", "A3.14 gravity_wrench in scene ball crashed: segmentation fault");
+    expect("loop_in_scene", "A3.14 gravity_wrench in scene ball did not return within 0.6 s");
+    expect("forge_scene", "sent no answer: it is out of step");
+    expect("forge_used", "scene ball answered out of turn");
 }
 
 TEST_CASE("scene answers: when all scenes together took long, each must be faster")
