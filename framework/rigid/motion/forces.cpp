@@ -75,7 +75,7 @@ ForceRate fastest_force_rate(const World& world)
         const BodyInertia& inverse = world.bodies[body].inverse;
         return inverse.inverse_mass + r.squaredNorm() * inverse.inverse_inertia.norm();
     };
-    std::vector<double> stiffness(world.bodies.size(), 0), damping = stiffness; // times K
+    std::vector<double> stiffness(world.bodies.size(), 0), damping = stiffness; // Σ k K and Σ c K
     for (const Spring& spring : world.springs) {
         const double K =
             compliance(spring.body1, spring.point1) + compliance(spring.body2, spring.point2);

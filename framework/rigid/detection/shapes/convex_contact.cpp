@@ -163,9 +163,9 @@ Outline overlap(const Outline& a, const Outline& b)
     return o;
 }
 
-// The middle of the gap where the shapes are nearest. Where a shape turns a single point to the
-// other, that point is known better than from the search for the distance: the closest points of a
-// round shape and a large face depend on the search's last triangle.
+// The middle of the gap where the shapes are nearest. If the feature of a shape is a single point,
+// this point is used, because the closest points from the search for the distance are less exact:
+// for a round shape and a large face they depend on the last triangle of the search.
 Vector3d nearest_middle(const Separation& nearest, const Feature& feature1, const Feature& feature2)
 {
     const Vector3d half = nearest.distance / 2 * nearest.normal;
