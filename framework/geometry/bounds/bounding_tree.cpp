@@ -26,8 +26,8 @@ BoundingTree::BoundingTree(const std::vector<Bounds>& boxes)
 {
 }
 
-// After d halvings there are 2^d parts, and some have one item more than the others. When the
-// smaller parts are leaves, those of leaf_size + 1 items are halved once more.
+// The number of leaves. After d halvings there are 2^d parts, some of them with one item more than
+// the others. Where the smaller parts have leaf_size items, the larger ones are halved once more.
 int BoundingTree::leaves_of(int items)
 {
     int parts = 1;

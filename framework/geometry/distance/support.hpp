@@ -17,7 +17,7 @@ bool is_convex_solid(const Shape& shape);
 Vector3d support(const Shape& shape, const Vector3d& direction);
 
 /// The feature of a convex shape that faces a direction. It is a face, or a line on a round side,
-/// whose normal is within 25 degrees of the direction; else an edge that is nearly perpendicular to
+/// whose normal is within 26 degrees of the direction; else an edge that is nearly perpendicular to
 /// the direction; else a point.
 Feature feature_towards(const Shape& shape, const Vector3d& direction);
 

@@ -203,7 +203,7 @@ bool is_keyword(std::string_view word)
     return !word.empty() && std::isalpha(static_cast<unsigned char>(word.front()));
 }
 
-// Optimisations numbers and comments up to the next keyword.
+// Skips numbers and comments up to the next keyword.
 void skip_section(Tokenizer& tokens)
 {
     for (std::string_view word = tokens.peek(); !word.empty() && !is_keyword(word);

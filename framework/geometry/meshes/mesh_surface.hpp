@@ -46,7 +46,8 @@ public:
 
 private:
     // A normal cone: the normals of the faces around a point, and the directions along the surface
-    // away from it. It contains the directions that make no acute angle with any of the latter.
+    // away from the point. The cone contains the vectors that make no acute angle with any of these
+    // directions.
     struct Cone {
         int first_normal = 0, last_normal = 0, first_direction = 0, last_direction = 0;
     };
