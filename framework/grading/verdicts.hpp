@@ -33,7 +33,7 @@ public:
     const std::vector<std::string>& own_failures() const { return own_failures_; }
     /// What the run has cost, for a later run of the same worker.
     const std::string& spent() const { return spent_; }
-    /// The same for people; empty while all is within the free time.
+    /// The cost in words; empty while all is within the free time.
     const std::string& cost() const { return cost_; }
     /// The test cases at which the program ended itself, because it computed without end with the
     /// answers. What comes after them has not run.

@@ -88,8 +88,8 @@ const Reply& Session::ask(const Question& question, Allowance& allowance)
 }
 
 /// The part of the time that the worker used: all of it while it sleeps, otherwise the time that it
-/// was on a processor. A busy machine may leave a process waiting for seconds. At least a tenth
-/// counts, since the worker could hide behind others.
+/// was on a processor. A busy machine may leave a process waiting for seconds. At least a tenth of
+/// the time counts, since a worker could keep the machine busy itself to gain time.
 /// @param has_replied  whether it sleeps because it is done
 Allowance::Seconds Session::used(Allowance::Seconds passed,
                                  std::optional<Process::Progress>& before, bool has_replied) const
@@ -115,8 +115,8 @@ Bytes Session::next_part(Allowance& allowance)
         const Clock::time_point start = Clock::now();
         const std::uint32_t now = await_change(reply, awaited, sequence_ - 1, slice);
         const Allowance::Seconds passed = Clock::now() - start;
-        // A client that got no processor itself looks late at a reply that was there in time. In
-        // the first slice, which is short, nothing is asked about the worker.
+        // A client that was itself waiting for a processor sees a reply late that was there in
+        // time. In the first slice, which is short, the worker's progress is not asked for.
         const bool has_replied = now == sequence_;
         const Allowance::Seconds counted =
             has_replied && !before ? passed : used(passed, before, has_replied);
@@ -171,8 +171,9 @@ Bytes Session::read_stream(std::uint32_t n)
     bytes.insert(bytes.end(), channel.stream, channel.stream + (n - first));
     taken_ += n;
     streamed_ += n;
-    channel.taken.store(taken_); // before the look at whether it is awaited
-    // A worker that waits found the ring full, and then one of two parts is at least half of it.
+    channel.taken.store(taken_); // before `wake` reads whether it is awaited
+    // A worker waits only if it found the ring full. The client reads a full ring in at most two
+    // parts, and one of them is at least half of it.
     if (n >= Channel::ring / 2) wake(channel.taken, channel.taken_awaited);
     return bytes;
 }

@@ -27,7 +27,7 @@ struct Toolchain {
 /// empty for the compiler of the main build. @throws InputError if there is none
 std::string chosen_compiler();
 
-/// Taken from the commands of the main build, with the chosen compiler.
+/// The toolchain in the commands of the main build, with the chosen compiler.
 Toolchain student_toolchain();
 
 /// The largest file that a tool may write [bytes].

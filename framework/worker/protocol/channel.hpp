@@ -7,9 +7,9 @@
 // before it looks at it. What a scene streams goes through a ring buffer beside it, so that all of
 // it can be read even if the worker dies in the next instruction.
 //
-// Whoever falls asleep says so before in a word beside the one that it waits for. So the other one
-// wakes it only if it may be asleep, since waking is a system call and takes as long as the rest of
-// a call. A worker that lies there is not woken, and is late.
+// Before a process sleeps, it says so in a second word beside the one that it waits for. So the
+// other process wakes it only if it may be asleep, since waking is a system call and takes as long
+// as the rest of a call. A worker with a false value there is not woken, and exceeds its time.
 #pragma once
 
 #include <atomic>

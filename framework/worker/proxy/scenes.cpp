@@ -13,7 +13,8 @@ namespace rigor {
 namespace {
 
 // Makes the engine's formulas take their answers from a run of the worker under test. If the
-// reference answers some of them, the worker cannot run ahead, and is asked for each of the others.
+// reference answers some formulas, the worker cannot run ahead, and is asked for each answer of the
+// others.
 class Answered {
 public:
     Answered(const Scene& scene, Request kind, Bytes payload, Record record)
@@ -54,7 +55,8 @@ void run_scene_with_worker(const Scene& scene, Record record, const ByteSink& wr
     wire::encode(request, scene.text);
     wire::encode(request, scene.name);
     const Answered answered(scene, Request::run_scene, std::move(request), record);
-    // The worker reads the scene from its text too.
+    // The scene is read again from its text, as the worker does, so that both engines start
+    // equally.
     judged(scene, [&](const OwnTimeLimit& limit) {
         run_scene(parse_scene(scene.text, scene.name), record,
                   [&](std::span<const std::byte> bytes) {

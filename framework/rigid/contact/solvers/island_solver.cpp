@@ -64,7 +64,7 @@ double largest(const ContactProblem& problem, std::span<const int> active, const
 
 // The highest speed of a body at a contact, relative to the motion of `ground` [m/s]. Velocity
 // differences below its rounding error are noise.
-// @param ground a body without motion gives the speed in the world
+// @param ground  a body without motion gives the speed in the world
 double fastest(const ContactProblem& problem, const Island& island, std::span<const int> active,
                const Body& ground)
 {
@@ -127,7 +127,7 @@ bool is_at_rest(const ContactProblem& problem, double fastest)
 
 // Whether the island is at rest relative to a body that it stands on, such as the ground, a lift or
 // a belt. An island that touches no static or driven body flies, and is never at rest.
-// @param speed the highest speed in the world, which is also that relative to a ground at rest
+// @param speed  the highest speed in the world, which is also that relative to a ground at rest
 bool rests(const ContactProblem& problem, const Island& island, std::span<const int> active,
            const std::vector<Body>& grounds, double speed)
 {
@@ -151,7 +151,7 @@ std::vector<Vector3d> initial_impulses(const ContactProblem& problem, std::span<
 }
 
 // Whether the impulses would add kinetic energy to the bodies of the island.
-// @param bodies the bodies before these impulses, in the order of the island
+// @param bodies  the bodies before these impulses, in the order of the island
 bool adds_energy(const ContactProblem& problem, const Island& island, std::span<const int> active,
                  std::vector<Body> bodies, const std::vector<Vector3d>& impulses)
 {
