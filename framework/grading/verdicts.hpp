@@ -28,8 +28,8 @@ public:
     /// The first error: a line that could not be parsed or a test case that checked nothing. Empty
     /// if there is none.
     const std::string& fault() const { return fault_; }
-    /// What failed through no fault of the submission, as a sentence for each test case. Such a test
-    /// case counts as failed.
+    /// Sentences about test cases that failed through no fault of the submission. Such a test case
+    /// counts as failed.
     const std::vector<std::string>& own_failures() const { return own_failures_; }
     /// What the run has cost, for a later run of the same worker.
     const std::string& spent() const { return spent_; }

@@ -49,8 +49,8 @@ ConfinedRun run_tool(const ToolRun& tool);
 /// before, and a student's constructor may fail.
 std::string why_it_does_not_start(const std::filesystem::path& worker);
 
-/// Whether there is a regular file. What a tool of students left may be a link to a file of ours, or
-/// a pipe that keeps its reader waiting.
+/// Whether there is a regular file. What a tool of students left may be a link to one of our files,
+/// or a pipe that keeps its reader waiting.
 bool is_plain_file(const std::filesystem::path& path);
 
 /// Moves a file that a tool made to a place of ours. It is a copy, which is ours alone.
