@@ -164,8 +164,8 @@ bool is_fine_enough(const Deformable& solid, const SplitMesh& split)
     return true;
 }
 
-// The vertex of an element through which the crack runs: the one with the largest sum of stresses
-// of the candidates around it.
+// The vertex of an element through which the crack runs: the one with the largest sum of
+// stresses of the candidates around it.
 int crack_tip(const Deformable& solid, const std::vector<double>& pull, int element)
 {
     const auto& t = solid.rest.tetrahedra[element];

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Reads tetrahedral meshes from Gmsh and Medit texts, section by section. Vertices keep the numbers
-// of the text until the end; then the used vertices are numbered again, and the others are removed.
+// Reads tetrahedral meshes from Gmsh and Medit texts, section by section. Vertices keep the
+// numbers of the text until the end; then the used vertices are numbered again, and the others are
+// removed.
 #include "geometry/mesh_files/tetrahedra_files.hpp"
 
 #include "geometry/mesh_files/mesh_text.hpp"

@@ -37,11 +37,11 @@ public:
     const BoundingTree& point_tree() const { return point_tree_; }
     const BoundingTree& edge_tree() const { return edge_tree_; }
 
-    /// The unit vector of a normal cone that is nearest to the unit vector d. From the directions
-    /// of the cone, another body can touch the surface from outside: on a face from its normal, on
-    /// an edge from any direction between two normals, at a vertex from any direction between
-    /// several. A saddle has no tangent plane that stays on one side of the surface; there the
-    /// result is d.
+    /// The unit vector of a normal cone that is nearest to the unit vector d. From the
+    /// directions of the cone, another body can touch the surface from outside: on a face from its
+    /// normal, on an edge from any direction between two normals, at a vertex from any direction
+    /// between several. A saddle has no tangent plane that stays on one side of the surface; there
+    /// the result is d.
     Vector3d nearest_normal(int cone, const Vector3d& d) const;
 
 private:

@@ -5,10 +5,10 @@
 
 namespace rigor {
 
-/// Penetration slop: the overlap that the position correction leaves uncorrected in heaps, in radii
-/// of the smaller body. Detection treats bodies that overlap by less as separated where it looks
-/// ahead to the end of the step. With a much smaller slop a heap would never come to rest, see
-/// `position_corrections`.
+/// Penetration slop: the overlap that the position correction leaves uncorrected in heaps, in
+/// radii of the smaller body. Detection treats bodies that overlap by less as separated where it
+/// looks ahead to the end of the step. With a much smaller slop a heap would never come to rest,
+/// see `position_corrections`.
 inline constexpr double resting_overlap = 1e-4;
 
 /// A contact: a pair of close points of two shapes, or of two bodies of a world. Its point lies in

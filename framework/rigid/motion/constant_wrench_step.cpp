@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // One step under a constant wrench, by Buss's augmented fourth-order method (2000). It computes ω
-// and its derivatives, then the mean angular velocity Ω, and then one rotation by Ω h. The exact Ω
-// of a body without torque can take the place of the series.
+// and its derivatives, then the mean angular velocity Ω, and then one rotation by Ω h. The exact
+// Ω of a body without torque can take the place of the series.
 #include "rigid/motion/constant_wrench_step.hpp"
 
 #include "formulas/rotation.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Wrenches of gravity, springs, applied forces and drag at one time. First it computes the motion
-// of each body and of the points of attachment, then it collects the point forces on each body, and
-// last it adds them up by `net_wrench`.
+// Wrenches of gravity, springs, applied forces and drag at one time. First it computes the
+// motion of each body and of the points of attachment, then it collects the point forces on each
+// body, and last it adds them up by `net_wrench`.
 #include "rigid/motion/forces.hpp"
 
 #include "formulas/kinematics.hpp"

@@ -30,9 +30,9 @@ void answer_from(SceneAnswers* run);
 /// Formulas by their index in the table.
 using FormulaSet = std::bitset<formula_count>;
 
-/// Lets the reference answer these formulas in place of the worker under test, until the next call
-/// of this function. The worker learns nothing of the answers but what becomes an argument of its
-/// own formulas. @throws std::logic_error if there is no reference for them
+/// Lets the reference answer these formulas in place of the worker under test, until the next
+/// call of this function. The worker learns nothing of the answers but what becomes an argument of
+/// its own formulas. @throws std::logic_error if there is no reference for them
 void replace_by_reference(const FormulaSet& these);
 
 /// The formulas that the reference answers at present.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Contacts of shapes that are a core curve with a radius: spheres, capsules and tori. It samples
 // the other shape's distance along the core and refines each minimum by golden section search
-// (Kiefer 1953). Balls on a torus or a mesh have methods of their own. Against a mesh, the points
-// of the mesh are added.
+// (Kiefer 1953). Balls on a torus or a mesh have methods of their own. Against a mesh, the
+// points of the mesh are added.
 #include "rigid/detection/shapes/core_contact.hpp"
 
 #include "geometry/shapes/solid_mesh.hpp"

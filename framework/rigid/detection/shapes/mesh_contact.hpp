@@ -18,8 +18,8 @@ namespace rigor {
 /// Bridson and Fedkiw 2003, "Nonconvex rigid bodies with stacking"): in the level set of a mesh, or
 /// in the exact distance of any other shape. The normal is the gradient there if it is one of the
 /// point's own normals, otherwise the closest of these, so that a corner on an edge pushes along
-/// the face. Edges are tested against edges exactly, so that crossing bars touch although no point
-/// of either lies inside the other.
+/// the face. Edges are tested against edges exactly, so that crossing bars touch although no
+/// point of either lies inside the other.
 ///
 /// @param shape1  a mesh, a box, a cylinder, a cone or an ellipsoid
 /// @param shape2  a mesh
