@@ -203,7 +203,8 @@ void Session::collect_output()
 
 std::string Session::take_output()
 {
-    // Reads no more than a pipe holds, since a process that prints without end would never let go.
+    // Reads no more than a pipe holds, since a process that prints without end would never end this
+    // loop.
     for (std::size_t n = 0; n <= pipe_size;) {
         const std::size_t more = process_.drain(output_, limits_.output_kept);
         if (more == 0) break;

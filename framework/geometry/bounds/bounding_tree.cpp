@@ -42,7 +42,7 @@ std::array<BoundingTree::Branch, 2> BoundingTree::halve(const std::vector<Bounds
                                                         std::vector<Center>& centers)
 {
     const auto [node, leaf, first, last] = branch;
-    Bounds spread; // bounds of twice the centers
+    Bounds spread; // bounds of the centers, all times 2
     for (int k = first; k < last; ++k) {
         const Bounds& box = boxes[order_[k]];
         const Vector3d center = box.low + box.high;

@@ -10,7 +10,7 @@
 
 namespace rigor {
 
-/// Whether the shape is one of these, as the functions below require.
+/// Whether the shape is one of these convex shapes, as the functions below require.
 bool is_convex_solid(const Shape& shape);
 
 /// The point of a convex shape that is farthest along a direction [m].

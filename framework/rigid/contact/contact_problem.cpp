@@ -18,8 +18,8 @@ namespace rigor {
 
 namespace {
 
-// The larger eigenvalue of K in the tangent plane of n. The sum of both is tr K - nᵀKn, and the
-// sum of their squares is |K|² - 2 |K n|² + (nᵀKn)².
+// The larger eigenvalue of K in the tangent plane of n. The two eigenvalues there have the sum tr K
+// - nᵀKn, and their squares have the sum |K|² - 2 |K n|² + (nᵀKn)².
 double tangential_eigenvalue(const Matrix3d& K, const Vector3d& n)
 {
     const Vector3d Kn = optimised::product(K, n);

@@ -18,7 +18,7 @@ namespace rigor {
 
 namespace {
 
-// A static body may be driven, with the mean velocity of this step.
+// A static body in world space. If it is driven, its velocity is the mean over this step.
 Body static_in_world(const RigidBody& rigid, double time, double time_step)
 {
     Body body;

@@ -173,8 +173,8 @@ void clip(Polygon& polygon, int axis, double sign, double limit)
         if (is_inside(from)) kept.add(from);
         if (is_inside(from) == is_inside(to)) continue;
         const double a = sign * from[axis], b = sign * to[axis];
-        // A vertex on the border up to rounding may lie beyond it, and the quotient far outside of
-        // the side.
+        // A vertex that counts as inside may lie slightly beyond the border, and the quotient of
+        // two rounding errors may be any number. The clamp keeps the new vertex on the side.
         kept.add(from + std::clamp((limit - a) / (b - a), 0.0, 1.0) * (to - from));
     }
     polygon = kept;

@@ -116,8 +116,8 @@ Outline left_of(const Outline& o, const Vector2d& a, const Vector2d& b)
         const double from = cross(d, o.places[i] - a), to = cross(d, o.places[j] - a);
         if (from >= border) kept.add(o.places[i], o.heights[i]);
         if (i >= sides || (from >= border) == (to >= border)) continue;
-        // A corner that is on the line up to rounding may lie beyond it, and the quotient far
-        // outside of the side.
+        // A corner that counts as left of the line may lie slightly beyond it, and the quotient of
+        // two rounding errors may be any number. The clamp keeps the new corner on the side.
         const double t = std::clamp(from / (from - to), 0.0, 1.0);
         kept.add(o.places[i] + t * (o.places[j] - o.places[i]),
                  o.heights[i] + t * (o.heights[j] - o.heights[i]));
