@@ -3,7 +3,8 @@
 // Gauss–Seidel on displacements, with the impulse matrices of the step. For each island it makes a
 // row for each contact that penetrates or could come to penetrate. It then sweeps over the rows as
 // the contact solver does, with displacements in place of velocities. Without gravity a speed
-// corrects penetration instead (Baumgarte 1972); the contact stage asks for it.
+// corrects penetration instead (Baumgarte 1972), which the contact stage takes from
+// `correction_speed`.
 #include "rigid/contact/position_correction.hpp"
 
 #include "rigid/bodies/two_bodies.hpp"
