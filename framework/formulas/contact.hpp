@@ -40,8 +40,9 @@ ContactResult resolve_contacts(const std::vector<Body>& bodies,
 ///
 /// A static body has level 0. The level of any other body is one more than the highest level among
 /// the bodies that it rests on (1 if it rests on nothing). Bodies that rest on each other in a
-/// cycle share one level, which is one more than the highest level among the other bodies that any
-/// of them rests on. What a static body rests on is ignored, so no cycle contains a static body.
+/// cycle share one level, which is one more than the highest level among the other bodies that
+/// any of them rests on. What a static body rests on is ignored, so no cycle contains a static
+/// body.
 ///
 /// @param rests_on   for each body, the indices of the bodies that it rests on; an index may
 ///                   repeat, and may be that of the body itself
@@ -70,8 +71,8 @@ ContactResult shock_propagation(const std::vector<Body>& bodies,
 /// shock propagation for multibody dynamics animation".
 ///
 /// First the `impulse` of every contact (the warm start) is applied to its bodies. Then each sweep
-/// visits the contacts in the order given. With the velocity v at that moment, the total impulse j
-/// of the contact is updated:
+/// visits the contacts in the order given. With the velocity v at that moment, the total impulse
+/// j of the contact is updated:
 ///
 ///     jₙ ← max(0, jₙ - (v·n - s) / (nᵀ K n))
 ///     j_T ← j_T - v_T / λ,  shortened to |j_T| = μ jₙ where it is longer

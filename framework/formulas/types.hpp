@@ -9,6 +9,7 @@
 //   * R and the unit quaternion q rotate object space into world space: x = R p + X.
 //   * Bodies 1 and 2: the unit normal n points from 2 to 1, v = v1 - v2, body 1 receives +j and
 //     body 2 receives -j. The bodies approach where v.n < 0.
+//   * δ is the identity matrix, and w* the cross-product matrix of w: w* x = w × x.
 //   * A static body is one whose velocity nothing changes. It has inverse mass 0 and inverse
 //     inertia 0, and no formula divides by its mass.
 //   * Every formula is total: finite input, with squares in range, gives a finite result.

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // A formula that a test of topic `validation` is given, and what the test says of it.
 //
-// The formula itself stays with the grader, on the other side of the pipe, so that a test can learn
-// nothing about it but its results. A test is a function of the results that are known so far.
-// Where it needs one that is not known, it is left with the question, the grader answers it, and
-// the test begins again with one more known result. So a test must make the same calls whenever it
-// gets the same results.
+// The formula itself stays with the grader, in another process, so that a test can learn nothing
+// about it but its results. A test is a function of the results that are known so far. If it needs
+// a result that is not known yet, an exception ends it with this question. The grader answers the
+// question, and the test begins again with one more known result. So a test must make the same
+// calls whenever it gets the same results.
 #pragma once
 
 #include "formulas/fields.hpp"
@@ -23,8 +23,7 @@ struct KnownCall {
     std::vector<double> arguments, result;
 };
 
-/// The question of a test that needs a result which is not known yet. It is not for the test to
-/// catch.
+/// The question of a test that needs a result which is not known yet. The test must not catch it.
 struct UnknownCall {
     int calls_before = 0;
     std::vector<double> arguments;
@@ -44,8 +43,8 @@ inline Judgement accepted()
     return {};
 }
 
-/// The formula breaks a law: `return rejected(); // the momentum changes`. The report names the
-/// line if the formula is right.
+/// The formula breaks a law: `return rejected(); // the momentum changes`. If the formula was
+/// right, the report names the line.
 inline Judgement rejected(int line = __builtin_LINE())
 {
     return {line, 0, {}};
@@ -64,8 +63,8 @@ template <class T> void append(std::vector<double>& to, const T& value)
         to.insert(to.end(), value.data(), value.data() + value.size());
 }
 
-/// Takes the numbers of a value, beginning at index `at`, which moves behind them. A list takes all
-/// that are left.
+/// Reads a value from the numbers, beginning at index `at`, and moves `at` behind it. A list takes
+/// all remaining numbers.
 template <class T> void take(T& value, const std::vector<double>& from, std::size_t& at)
 {
     if constexpr (std::is_same_v<T, double>) {

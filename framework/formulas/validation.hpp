@@ -77,8 +77,8 @@ Judgement test_oscillator_step(const OscillatorStep& step);
 /// A right formula may take roots, so that a factor whose exponent becomes a fraction is rounded.
 ///
 /// @param formula    takes as many numbers as `arguments` has dimensions
-/// @param example    arguments that the formula is made for. They still are if a unit is changed,
-///                   by a factor from 2⁻⁴⁰ to 2⁴⁰
+/// @param example    arguments that the formula is made for, also after a unit is changed by a
+///                   factor from 2⁻⁴⁰ to 2⁴⁰
 /// @param arguments  the dimension of each argument
 /// @param result     the dimension of each number of the result
 Judgement test_units(const UnknownFormula& formula, const std::vector<double>& example,

@@ -57,8 +57,8 @@ std::string TaskResult::mistake() const
 
 namespace {
 
-// Takes out what the task does not disclose. A message can quote the student's own exception, which
-// may have a hidden input in it, so it goes too.
+// Removes what the task does not disclose. A message can quote the student's own exception, which
+// may contain a hidden input, so the message is removed too.
 void hide_undisclosed(TaskResult& result)
 {
     if (result.task.discloses == Disclosure::all) return;

@@ -85,8 +85,9 @@ struct Result {
     bool all_points() const { return status == SubmissionStatus::graded && score() == max_score(); }
 };
 
-/// The result of a submission of which no test ran. Each task gets no points of those that it could
-/// have had. @param tags  all tasks  @param counted  those that could have been judged
+/// The result of a submission of which no test ran. Each task has 0 of the points that it could
+/// have had.
+/// @param tags  all tasks  @param counted  those that could have been judged
 Result ungraded(const Assignment& assignment, const std::vector<std::string>& tags,
                 const std::vector<std::string>& counted, SubmissionStatus status,
                 const std::string& message);

@@ -51,7 +51,7 @@ std::string walls_in_words()
 #endif
 }
 
-// What nobody can promise of a submission's points; empty if nothing.
+// Why a submission's points prove little; empty if nothing speaks against them.
 std::string doubt()
 {
 #ifndef RIGOR_SANITIZED
@@ -78,16 +78,16 @@ std::string specification(const std::vector<std::string>& tags, bool has_oracle,
 #ifdef RIGOR_SANITIZED // a sanitizer reserves terabytes of addresses
 constexpr std::size_t memory_of_tests = 0;
 #else
-// The answers of a submission may be long, and let the engine's meshes grow. Then a test fails, and
-// the machine does not run out of memory.
+// The most memory of the test program. Long answers of a submission may let the engine's meshes
+// grow; then a test fails before the machine runs out of memory.
 constexpr std::size_t memory_of_tests = std::size_t{6} << 30; // [bytes]
 #endif
 
 // Whose answers a task builds on: those of the submission, or those of the reference.
 enum class Others { submission, reference };
 
-// The longest time that the test program computes between two calls of formulas [s]: long for the
-// first test case that does not come to its end, since a task has several, and short for others.
+// The longest time that the test program may compute between two calls of formulas [s]. It is
+// shorter once a test case has not come to its end, since a task has several of them.
 double longest_stall(const Verdicts& before)
 {
     return before.stalled().empty() ? 8 : 2;

@@ -28,12 +28,12 @@ public:
     /// The first error: a line that could not be parsed or a test case that checked nothing. Empty
     /// if there is none.
     const std::string& fault() const { return fault_; }
-    /// What failed through no fault of the submission, as a sentence for each test case. Such a test
-    /// case counts as failed.
+    /// Sentences about test cases that failed through no fault of the submission. Such a test case
+    /// counts as failed.
     const std::vector<std::string>& own_failures() const { return own_failures_; }
     /// What the run has cost, for a later run of the same worker.
     const std::string& spent() const { return spent_; }
-    /// The same for people; empty while all is within the free time.
+    /// The cost in words; empty while all is within the free time.
     const std::string& cost() const { return cost_; }
     /// The test cases at which the program ended itself, because it computed without end with the
     /// answers. What comes after them has not run.

@@ -40,7 +40,8 @@ void check(int result, const char* what)
     if (result < 0) throw_errno(errno, what);
 }
 
-/// A program that was started with SIGCHLD ignored would never learn how its children ended.
+/// Takes SIGCHLD again if it is ignored, because this process would never learn how its children
+/// ended.
 void notice_children()
 {
     struct sigaction now {};
@@ -210,7 +211,7 @@ bool ends_within(pid_t child, int milliseconds)
     if (handle < 0) return false;
     pollfd ended = {handle, POLLIN, 0};
     int result;
-    while ((result = poll(&ended, 1, milliseconds)) < 0 && errno == EINTR) { // by a timer
+    while ((result = poll(&ended, 1, milliseconds)) < 0 && errno == EINTR) { // interrupted
     }
     close(handle);
     return result > 0;

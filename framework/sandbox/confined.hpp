@@ -101,8 +101,8 @@ private:
 
     pid_t warden_ = -1, program_ = -1;
     Descriptor listener_;
-    Descriptor reports_; // the launcher's, until the program runs
-    std::string path_;   // the program's
+    Descriptor reports_; // the socket to the launcher, until the program runs
+    std::string path_;   // the path of the program
     bool asks_ = false;  // whether the start of the program waits for the grader
     std::optional<int> blocked_;
 };

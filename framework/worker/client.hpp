@@ -85,8 +85,9 @@ private:
     Limits limits_;
     Worker* oracle_;
     std::unique_ptr<Session> session_;
-    /// The process before, whose end takes a moment, and one behind walls for the next fresh start,
-    /// which has not begun to run. Once a process was renewed, others will be.
+    /// The previous process, whose end takes a moment, and a spare one behind walls for the next
+    /// fresh start, which has not begun to run. A spare one is made once a process was renewed,
+    /// since others will be.
     std::unique_ptr<Session> ending_, spare_;
     std::string subject_; // what the current request asks for
     std::string output_;

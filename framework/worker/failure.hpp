@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The ways in which an implementation can fail without an answer. With `NotImplemented`, they are
-// all exceptions of a call through a worker that a student's code can cause. Any other exception is
-// a fault of the framework.
+// The ways in which an implementation can fail without an answer. Together with `NotImplemented`,
+// these are all exceptions that a student's code can cause in a call through a worker. Any other
+// exception is a fault of the framework.
 #pragma once
 
 #include <stdexcept>

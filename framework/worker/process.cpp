@@ -51,8 +51,8 @@ ResourceLimits resources(const Limits& limits)
     return resources;
 }
 
-// Lets another user start the executable, as which it runs if root grades. A build under a strict
-// umask does not.
+// Lets other users start the executable, because it runs as another user if root grades. A build
+// under a strict umask does not allow this.
 void let_others_start(const std::filesystem::path& executable)
 {
     using std::filesystem::perms;

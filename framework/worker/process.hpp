@@ -41,9 +41,9 @@ struct Limits {
     bool scene_by_silence = false;
     std::chrono::duration<double> oracle{60 * patience}; // limit for the oracle itself
     double multiple = 50;
-    /// The free time for all calls of formulas together, and for all scenes together: what comes
-    /// after it has a tenth of the floors, see `TimeBudget`. The reference needs less than one
-    /// second for the calls of any assignment, and less than five for its scenes.
+    /// The free time for all calls of formulas together, and for all scenes together. When it is
+    /// used up, the floors are a tenth, see `TimeBudget`. The reference needs less than one second
+    /// for the calls of any assignment, and less than five for its scenes.
     std::chrono::duration<double> all_calls{8 * patience}, all_scenes{20 * patience};
     std::size_t memory = std::size_t{2} << 30; // address space [bytes]; unlimited under a sanitizer
     std::size_t output = std::size_t{1} << 20; // what a request may print [bytes]

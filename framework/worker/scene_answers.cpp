@@ -51,8 +51,8 @@ std::span<const std::byte> SceneAnswers::next(FormulaIndex formula, std::size_t 
     StreamedAnswer header{};
     require(sizeof header, formula);
     std::memcpy(&header, part_.data() + at_, sizeof header);
-    // A single answer is no longer in a scene than alone. So the size that a worker announces does
-    // not fill this process's memory.
+    // An answer in a scene is never longer than the answer to a single call. This check keeps a
+    // size that a worker announces from filling this process's memory.
     if (header.formula != static_cast<std::uint32_t>(formula) ||
         header.size > std::min(largest, Channel::capacity))
         fail({WorkerFailure::malformed, "sent no answer: it is out of step with the scene"},
@@ -81,7 +81,7 @@ void SceneAnswers::fail_as_given_up(FormulaIndex formula)
     worker_.fail({WorkerFailure::timed_out, worker_.budget_.why_given_up(formula)}, nullptr);
 }
 
-/// Waits until this many bytes are there.
+/// Waits until `size` bytes of the stream are there.
 void SceneAnswers::require(std::size_t size, FormulaIndex formula)
 {
     while (part_.size() - at_ < size) {

@@ -94,8 +94,8 @@ const Reply& Session::ask(const Question& question, Allowance& allowance)
 }
 
 /// The part of the time that the worker used: all of it while it sleeps, otherwise the time that it
-/// was on a processor. A busy machine may leave a process waiting for seconds. At least a tenth
-/// counts, since the worker could hide behind others.
+/// was on a processor. A busy machine may leave a process waiting for seconds. At least a tenth of
+/// the time counts, since a worker could keep the machine busy itself to gain time.
 /// @param has_replied  whether it sleeps because it is done
 Allowance::Seconds Session::counted(Allowance::Seconds passed,
                                     std::optional<Process::Progress>& before,
@@ -125,8 +125,8 @@ Bytes Session::next_part(Allowance& allowance)
         const std::uint32_t now =
             await_change(reply, awaited, sequence_ - 1, slice, gives_ ? &streamed : nullptr);
         const Allowance::Seconds passed = Clock::now() - start;
-        // A client that got no processor itself looks late at a reply that was there in time. In
-        // the first slice, which is short, nothing is asked about the worker.
+        // A client that was itself waiting for a processor sees a reply late that was there in
+        // time. In the first slice, which is short, the worker's progress is not asked for.
         const bool has_replied = now == sequence_;
         const Allowance::Seconds time =
             has_replied && !before ? passed : counted(passed, before, has_replied);
@@ -224,8 +224,9 @@ Bytes Session::read_stream(std::uint32_t n)
     bytes.insert(bytes.end(), channel.stream, channel.stream + (n - first));
     taken_ += n;
     streamed_ += n;
-    channel.taken.store(taken_); // before the look at whether it is awaited
-    // A worker that waits found the ring full, and then one of two parts is at least half of it.
+    channel.taken.store(taken_); // before `wake` reads whether it is awaited
+    // A worker waits only if it found the ring full. The client reads a full ring in at most two
+    // parts, and one of them is at least half of it.
     if (n >= Channel::ring / 2) wake(channel.taken, channel.taken_awaited);
     return bytes;
 }
@@ -255,7 +256,8 @@ void Session::collect_output()
 
 std::string Session::take_output()
 {
-    // Reads no more than a pipe holds, since a process that prints without end would never let go.
+    // Reads no more than a pipe holds, since a process that prints without end would never end this
+    // loop.
     for (std::size_t n = 0; n <= pipe_size;) {
         const std::size_t more = process_.drain(output_, limits_.output_kept);
         if (more == 0) break;

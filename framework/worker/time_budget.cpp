@@ -7,8 +7,8 @@ namespace rigor {
 
 namespace {
 
-// How much of the free time of all calls one formula may use before it is compared with the
-// reference, since others must have some of it too. Without a reference it may use all of it.
+// The share of the free time of all calls that one formula may use before it is compared with the
+// reference, so that some is left for the others. Without a reference it may use all of it.
 constexpr double share_with_reference = 0.25;
 
 } // namespace

@@ -43,20 +43,20 @@ public:
     bool is_compared(FormulaIndex formula) const;
     void compare(FormulaIndex formula, Seconds took, Seconds reference_took);
 
-    /// Counts time that a scene waited for.
+    /// Counts time for which a scene has waited.
     void scene_took(Seconds time) { scenes_ += time; }
     /// Counts a scene that failed because of this formula.
     void scene_failed(FormulaIndex formula) { ++of(formula).failed_scenes; }
 
     /// Whether the formula is not called any more.
     bool is_given_up(FormulaIndex formula) const;
-    /// Why, as the end of a sentence about it.
+    /// Why the formula was given up, as the end of a sentence that begins with the formula.
     std::string why_given_up(FormulaIndex formula) const;
     /// Whether a scene ends at once where it calls the formula. A formula that was given up gets
     /// two short chances in scenes, where its arguments may be others.
     bool ends_scenes(FormulaIndex formula) const;
 
-    /// The floors of the limits, see there.
+    /// The floors of `Limits`, which are shorter when the free time is used up.
     Seconds floor_of_call() const { return patience() * limits_.call; }
     Seconds floor_of_wait(FormulaIndex formula) const;
     Seconds floor_of_scene() const;

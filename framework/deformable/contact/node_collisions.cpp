@@ -28,7 +28,8 @@ void collide_nodes(Deformable& solid, const std::vector<char>& is_held,
                    const NodeContacts& contacts, RigidColliders& rigid, double time_step,
                    bool with_restitution, Counters& counters)
 {
-    // Gravity stops slower rebounds within two steps, so such contacts count as resting [m/s].
+    // A contact rests if its rebound would be slower than this [m/s]: gravity stops such a rebound
+    // within two steps.
     const double resting_speed = 2 * time_step * rigid.world.settings.gravity.norm();
     for (const NodeContact& c : contacts.all()) {
         const Vector3d x = solid.positions[c.node], n = c.normal;
@@ -43,7 +44,8 @@ void collide_nodes(Deformable& solid, const std::vector<char>& is_held,
         const Matrix3d K =
             inverse_mass * Matrix3d::Identity() +
             impulse_matrix(body.inverse_mass, body.inverse_inertia, body.position, x);
-        // Without restitution the node may still close the gap within the step.
+        // Without restitution, a node may still close its gap within the step, so only the approach
+        // speed above gap/h is removed.
         const Vector3d closing = with_restitution ? v : v + std::max(c.gap, 0.0) / time_step * n;
         const Vector3d j =
             collision_impulse(K, closing, n, with_restitution ? c.restitution : 0.0, c.friction);

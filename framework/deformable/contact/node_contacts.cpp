@@ -26,7 +26,7 @@ Bounds bounds_of_nodes(const Deformable& solid)
 double reach_of(const Deformable& solid, const Body& body, double radius, const Vector3d& gravity,
                 double time_step)
 {
-    // A factor: nodes may get faster within the step. Chosen by trial.
+    // A factor on the distance, because nodes may get faster within the step. Chosen by trial.
     constexpr double for_acceleration = 1.5;
     // A larger radius belongs to a body with a plane, which does not rotate [m].
     constexpr double unbounded = 1e9;

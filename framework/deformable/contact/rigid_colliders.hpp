@@ -7,8 +7,8 @@
 
 namespace rigor {
 
-/// The rigid bodies during a step of the deformable solids. Impulses act at the poses of the start
-/// of the step, as in the rigid step, so that angular momentum is conserved to rounding. The
+/// The rigid bodies during a step of the deformable solids. Impulses act at the poses of the
+/// start of the step, as in the rigid step, so that angular momentum is conserved to rounding. The
 /// surfaces move in substeps.
 struct RigidColliders {
     explicit RigidColliders(const World& world);

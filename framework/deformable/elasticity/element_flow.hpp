@@ -6,16 +6,18 @@
 
 namespace rigor {
 
-/// The flow of one element, linearised about a guess of its strain at the end of the step. By a
-/// strain d within the step, the element gets the trial stress σ₀ + C d. Its flow takes from that
+/// The flow of one element, linearised about a guess of its strain at the end of the step. A strain
+/// d within the step gives the element the trial stress σ₀ + C d, where C is the elastic stiffness.
+/// The flow reduces this stress by
 ///
 ///     P + 2 G (a (dev d - (k : d) k) + (n : d) n).
 ///
-/// Radial return by a direction of norm 1 that leaves the share θ of the deviator has a = 1 - θ,
-/// n = √θ times this direction and k = 0. What is left of 2 G in the stiffness is then 2 G θ across
-/// n, and nothing along n: the consistent tangent (Simo and Taylor 1985, "Consistent tangent
-/// operators for rate-independent elastoplasticity"). If the plastic strain has reached its limit,
-/// its own direction is k, and n is across it. All are in the element's rest space.
+/// Radial return along a direction m of norm 1 that leaves the share θ of the deviator has a = 1 -
+/// θ, n = √θ m and k = 0. Of the shear stiffness 2 G, the share θ is then left across m, and
+/// nothing along m: the consistent tangent (Simo and Taylor 1985, "Consistent tangent operators for
+/// rate-independent elastoplasticity"). If the plastic strain has reached its limit, k is the
+/// direction of the plastic strain, and n is perpendicular to k. All are in the element's rest
+/// space.
 struct ElementFlow {
     int element = 0;
     double softened = 0;                // a, 0 … 1

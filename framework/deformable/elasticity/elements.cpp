@@ -95,9 +95,9 @@ struct PolarPair {
     const Two det = xx * cxx - S.xy * cxy - S.xz * cxz;
     Two inverse{0, 0};
     for (int lane = 0; lane < 2; ++lane) {
-        // z is 0 below the first conditioning and unreduced above the second. The conditioning is
-        // 0.59 at rest; below 0.01 R itself is inaccurate (see is_exact). Both were chosen by
-        // trial.
+        // z is 0 where the conditioning is below `none`, and not reduced where it is above `all`.
+        // The conditioning is 0.59 at rest; below 0.01 R itself is inaccurate (see is_exact). Both
+        // values were chosen by trial.
         constexpr double none = 0.02, all = 0.1;
         const double part = std::clamp((polar.conditioning[lane] - none) / (all - none), 0.0, 1.0);
         inverse[lane] = part > 0 ? part / det[lane] : 0;
@@ -114,7 +114,8 @@ struct PolarPair {
             S.xy - plastic[3],       S.xz - plastic[4],       S.yz - plastic[5]};
 }
 
-// Ṡ = A - W S with A = Rᵀ Ḟ. The spin W = Rᵀ Ṙ makes it symmetric: (s δ - S) w = axial(A - Aᵀ).
+// Ṡ = A - W S with A = Rᵀ Ḟ. The spin W = [w]× = Rᵀ Ṙ follows because Ṡ is symmetric: (s δ - S) w =
+// axial(A - Aᵀ).
 [[gnu::always_inline]] inline Symmetric strain_rate(const Square3<Two>& A, const PolarPair& polar)
 {
     const auto& a = A.a;
@@ -141,7 +142,8 @@ struct PolarPair {
     c[2] = yx - xy;
 }
 
-// f₁…₃ = -V R (σ - [z]×) Bᵀ, f₀ = -Σ
+// Adds the forces on the corners, (f₁ f₂ f₃) = -V R T Bᵀ with T = σ - [z]×, and f₀ = -(f₁ + f₂ +
+// f₃).
 [[gnu::always_inline]] inline void scatter(const ElementPair& pair, const Square3<Two>& R,
                                            const Square3<Two>& T, std::vector<Vector3d>& forces)
 {

@@ -14,7 +14,7 @@ namespace rigor {
 
 namespace {
 
-// 3/2 ‖dev ε‖²
+// The squared equivalent shear strain, 3/2 ‖dev ε‖².
 double shear_strain2(const Matrix3d& strain)
 {
     const double mean = strain.trace() / 3;
@@ -23,8 +23,8 @@ double shear_strain2(const Matrix3d& strain)
     return 1.5 * dev.squaredNorm();
 }
 
-// The largest ‖ε_p‖. The new shape at rest, δ + ε_p, keeps a third of its height: as ε_p has no
-// trace, its lowest eigenvalue is at least -√⅔ ‖ε_p‖, which has to stay above -⅔.
+// The largest ‖ε_p‖. The new shape at rest, δ + ε_p, then keeps at least a third of its height: as
+// ε_p has no trace, its lowest eigenvalue is at least -√⅔ ‖ε_p‖, which has to stay above -⅔.
 constexpr double most = 0.8; // √(3/2) ⅔ = 0.816, rounded down
 
 // Whether an element yields, by the formula that the solid asks for.
@@ -34,7 +34,7 @@ bool yields(const Deformable& solid, const Matrix3d& strain)
     const double G = m.shear_modulus();
     if (solid.yield_test == YieldTest::strain)
         return von_mises_from_strain(strain, G) > m.yield_stress;
-    // with G = ½, 2 G √(3/2) ‖dev ε‖ is the strain itself
+    // With G = ½ the formula returns √(3/2) ‖dev ε‖, a strain, since 2 G = 1.
     if (solid.yield_test == YieldTest::yield_strain)
         return von_mises_from_strain(strain, 0.5) > yield_strain(m.yield_stress, G);
     const Matrix3d stress = isotropic_stress(strain, m.lame_lambda(), G);

@@ -164,8 +164,8 @@ bool is_fine_enough(const Deformable& solid, const SplitMesh& split)
     return true;
 }
 
-// The vertex of an element through which the crack runs: the one with the largest sum of stresses
-// of the candidates around it.
+// The vertex of an element through which the crack runs: the one with the largest sum of
+// stresses of the candidates around it.
 int crack_tip(const Deformable& solid, const std::vector<double>& pull, int element)
 {
     const auto& t = solid.rest.tetrahedra[element];
@@ -176,7 +176,8 @@ int crack_tip(const Deformable& solid, const std::vector<double>& pull, int elem
 // elements, so the next one finds its vertex by its position at rest. @return the number of cracks
 int crack_elements(Deformable& solid, const std::vector<Candidate>& found)
 {
-    // With a fifth of the height, the stable substep stays above about a fifth of its first value.
+    // The least height of an element after a cut, as a share of the least height in the mesh at
+    // first. With a fifth, the stable substep stays above about a fifth of its first value.
     constexpr double least_share = 0.2;
     if (solid.least_height == 0) solid.least_height = least_share * least_height(solid.rest);
     std::vector<double> pull(solid.rest.vertices.size(), 0.0);
@@ -214,7 +215,7 @@ int crack_elements(Deformable& solid, const std::vector<Candidate>& found)
 // Cracks elements with virtual nodes. @return the number of cracks
 int crack_with_virtual_nodes(Deformable& solid, const std::vector<Candidate>& found)
 {
-    // Cracks of an element; each one may double its copies. Chosen by trial.
+    // The largest number of cracks of an element; each one may double its copies. Chosen by trial.
     constexpr int most_in_element = 3;
     if (solid.uncracked.tetrahedra.empty()) solid.uncracked = solid.rest;
     std::vector<int> count(solid.uncracked.tetrahedra.size(), 0);
@@ -232,7 +233,7 @@ int crack_with_virtual_nodes(Deformable& solid, const std::vector<Candidate>& fo
         const bool is_divisible = std::accumulate(real.begin(), real.end(), 0) > 1;
         const auto& t = solid.rest.tetrahedra[c.element];
         if (!is_divisible || count[parent] >= most_in_element || taken.any(t)) continue;
-        if (edges.has_similar(parent, c.normal)) continue; // the first crack has to open before
+        if (edges.has_similar(parent, c.normal)) continue; // that crack has to open first
         const bool goes_on = edges.meets(parent, real);
         if (one_goes_on && !goes_on) continue;
         one_goes_on |= goes_on;

@@ -204,7 +204,7 @@ void remesh(Deformable& solid, EmbeddedMesh embedded)
         int old = -1;
         for (const int copy : copies[embedded.parents[t]])
             if (solid.embedded.real.empty() || solid.embedded.real[copy][corner]) old = copy;
-        if (old < 0) // a part of the matter was in some copy before
+        if (old < 0) // each part of the matter was in a copy before
             throw std::out_of_range("virtual_nodes returned matter that was in no element");
         parents.push_back(old);
         for (int i = 0; i < 4; ++i) {

@@ -85,8 +85,8 @@ bool ContactSet::revise_free(int k, const Vector3d& velocity)
     const Vector3d surface = step_->bodies.velocity_after(step_->rigid, c.body, arm(c));
     const double depth = -(c.gap + step_->time_step * c.normal.dot(velocity - surface));
     if (depth <= penetration_tolerance * step_->radius) return false;
-    // A contact that was released in this step slides, because it would be released again if it
-    // stuck.
+    // A contact that was released in this step slides now, because as a sticking contact it would
+    // be released again.
     const bool is_new = impulses_[k].isZero();
     modes_[k] = is_new && c.friction > 0 ? ContactMode::sticking : ContactMode::sliding;
     return true;
@@ -97,7 +97,7 @@ bool ContactSet::revise_tied(int k, const Vector3d& velocity, const Matrix3d& di
     const NodeContact& c = step_->contacts[k];
     const Vector3d n = c.normal, j = impulses_[k];
     const double j_n = n.dot(j);
-    if (j_n < 0) { // it would pull
+    if (j_n < 0) { // the contact would pull
         modes_[k] = ContactMode::open;
         return true;
     }

@@ -18,9 +18,9 @@ namespace rigor {
 
 namespace {
 
-constexpr double safety = 0.9; // share of the stable step near rest; large deformations need less
+constexpr double safety = 0.9; // share of the stable step at rest; large deformations need less
 
-// A solid that needs more has an element without thickness: no step of it would end.
+// A solid that needs more substeps has an element without thickness: its step would never end.
 constexpr double most_substeps = 1e6;
 
 int substeps_for(const Deformable& solid, double step, double stable)

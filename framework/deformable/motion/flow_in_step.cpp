@@ -15,13 +15,13 @@ namespace rigor {
 
 namespace {
 
-// The flow in a solve is right if the stress is, up to this share of the yield stress. The error
-// falls quadratically, so that a larger value would hardly save a round.
+// The flow that a solve has assumed is right if its stress is, up to this share of the yield
+// stress. The error falls quadratically, so that a larger value would hardly save a round.
 constexpr double flow_tolerance = 1e-9;
 // The rounding error of a stress, over the trial stress.
 constexpr double rounding = 1e-13;
-// The velocities have gone too far if the slope of the function has turned to more than this share,
-// relative to the slope at the start.
+// The velocities have gone too far beyond the minimum if the slope of the function there is larger
+// than this share of its slope at the guess, with the opposite sign.
 constexpr double largest_turn = 0.5;
 
 Matrix3d deviatoric(const Matrix3d& a)
@@ -34,7 +34,8 @@ double product(const Matrix3d& a, const Matrix3d& b)
     return a.cwiseProduct(b).sum();
 }
 
-// 2 G (a (dev d - (k : d) k) + (n : d) n)
+// The stress that a linearised flow takes from a strain d: 2 G (a (dev d - (k : d) k) + (n : d) n),
+// see element_flow.hpp.
 Matrix3d softening(const ElementFlow& f, double G, const Matrix3d& d)
 {
     Matrix3d across = deviatoric(d);
@@ -60,7 +61,7 @@ void set_tangent(ElementFlow& f, const FlowRule::Flowed& flowed, const Matrix3d&
 
 } // namespace
 
-// C Δε_p, the stress that a flow takes away
+// The stress that a flow takes away: C Δε_p, with the elastic stiffness C.
 Matrix3d FlowInStep::relaxed_stress(const Matrix3d& flow) const
 {
     return 2 * G_ * flow + lambda_ * flow.trace() * Matrix3d::Identity();
@@ -79,7 +80,7 @@ void FlowInStep::start(const Deformable& solid, const ElementWorkspace& work,
     is_first_ = true;
 }
 
-// d = h sym(Rᵀ Σ vᵢ ∇Nᵢᵀ)
+// The strain of an element within the step, d = h sym(Rᵀ Σ vᵢ ∇Nᵢᵀ).
 Matrix3d FlowInStep::strain_in_step(int e, const std::vector<Vector3d>& velocities) const
 {
     const auto nodes = work_->elements.nodes(e);
@@ -130,8 +131,9 @@ void FlowInStep::note_error(int e, const Matrix3d& error, const Matrix3d& trial,
     excess_ += work_->elements.volume(e) * product(error, d - before);
 }
 
-// Goes back towards the guess where the velocities of the latest solve lie beyond the minimum. The
-// slope of the function along the way p between them is -pᵀ A p at the guess and `excess_` now.
+// Goes back towards the guess if the velocities of the latest solve lie too far beyond the minimum.
+// With p the way from the guess to these velocities, the slope of the function along p is -pᵀ A p
+// at the guess and `excess_` at the velocities.
 // @return whether it went back
 bool FlowInStep::backtrack(VelocitySystem& s)
 {

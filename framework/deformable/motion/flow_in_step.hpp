@@ -49,7 +49,7 @@ private:
     std::vector<Vector3d> guess_; // the velocities that the flow was linearised about [m/s]
     std::vector<ElementFlow> flows_, next_; // the linearised flow, elements ascending
     std::vector<int> changed_;
-    double excess_ = 0;         // the work of the error of the linearisation from the guess on [J]
+    double excess_ = 0;         // work of the linearisation's stress error, from the guess on [J]
     std::vector<Vector3d> way_; // buffer
 };
 

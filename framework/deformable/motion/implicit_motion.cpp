@@ -109,8 +109,8 @@ void solve_with_contacts(const NodeMotion& motion)
     }
 }
 
-// Solves, and solves again for the parts in which elements flow otherwise than the solve before has
-// assumed.
+// Solves the system, and solves it again for those parts in which elements flow otherwise than the
+// previous solve has assumed.
 void solve_with_flow(const NodeMotion& motion)
 {
     Workspace& work = motion.work;

@@ -29,7 +29,7 @@ enum class NodeIntegrator {
 /// Which formula decides whether an element yields.
 enum class YieldTest {
     strain,       ///< `von_mises_from_strain`
-    yield_strain, ///< the same against `yield_strain`, without a modulus
+    yield_strain, ///< `von_mises_from_strain` with 2 G = 1, compared with `yield_strain`
     deviator,     ///< `von_mises`
     frobenius,    ///< `von_mises_frobenius`
     principal,    ///< `von_mises_principal`
@@ -37,7 +37,7 @@ enum class YieldTest {
 
 /// When the elements flow.
 enum class FlowTime {
-    in_step,    ///< within the step: its forces are those of the stress after the flow
+    in_step,    ///< within the step, whose forces come from the stress after the flow
     after_step, ///< once after each step, as in the lecture; the step itself is elastic
 };
 
@@ -89,7 +89,8 @@ struct KeptWorkspace {
     }
     ~KeptWorkspace() = default;
 
-    // It is never shared; a shared pointer can free a type that is incomplete here.
+    // The content is never shared. It is a shared pointer because that can free a type which is
+    // incomplete here.
     std::shared_ptr<Workspace> content;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Computes the prescribed velocities of held nodes from the paths of their handles, and the forces
-// of gravity and loads on nodes. A path is interpolated linearly between its moments.
+// Computes the prescribed velocities of held nodes from the paths of their handles, and the
+// forces of gravity and loads on nodes. A path is interpolated linearly between its moments.
 #include "deformable/solid/handles.hpp"
 
 #include <algorithm>

@@ -6,11 +6,11 @@
 
 namespace rigor {
 
-/// A node some coordinates of which a handle prescribes.
+/// A node with one or more coordinates that a handle prescribes.
 struct HeldNode {
     int node = 0;
     std::array<bool, 3> axes = {true, true, true};
-    Vector3d velocity = Vector3d::Zero(); // velocity of these coordinates to their place [m/s]
+    Vector3d velocity = Vector3d::Zero(); // takes these coordinates to their places [m/s]
 };
 
 /// Records the initial places of the nodes of handles that have none yet.

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Assembles the matrix of backward Euler, (1 + α h) M + h (h + β) K, with the corotated stiffness K
-// of each element. The analysis finds a place for each pair of nodes that share an element, and the
-// parts that such pairs connect. Assembly then adds the stiffness of all elements to these places.
+// Assembles the matrix of backward Euler, (1 + α h) M + h (h + β) K, with the corotated stiffness
+// K of each element. The analysis finds a place for each pair of nodes that share an element, and
+// the parts that such pairs connect. Assembly then adds the stiffness of all elements to these
+// places.
 #include "deformable/solvers/block_matrix.hpp"
 
 #include <algorithm>

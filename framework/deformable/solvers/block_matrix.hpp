@@ -20,9 +20,9 @@ public:
                   const std::vector<double>& masses, const SolidMaterial& material,
                   double time_step);
 
-    /// Takes the flow of an element out of its stiffness:
+    /// Takes the flow of an element (a, k and n, see element_flow.hpp) out of its stiffness:
     /// A_ij -= c V (a (½ gⱼ gᵢᵀ + ½ gᵢ·gⱼ δ - ⅓ gᵢ gⱼᵀ - (k gᵢ) (k gⱼ)ᵀ) + (n gᵢ) (n gⱼ)ᵀ), with
-    /// g = R ∇N, and k and n in world space.
+    /// the volume V, g = R ∇N, and k and n in world space.
     ///
     /// @param factor  c = 2 G h² [Pa s²]
     void soften(const Elements& elements, const Matrix3d& R, const ElementFlow& flow,

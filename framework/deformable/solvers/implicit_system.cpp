@@ -47,7 +47,7 @@ double ImplicitSystem::dot(const Vectors& a, const Vectors& b) const
     return sum;
 }
 
-// x ← T x: tied coordinates get the velocities of their bodies.
+// x ← T x, where T gives tied coordinates the velocities of their bodies.
 void ImplicitSystem::expand(Vectors& x) const
 {
     for (const TiedNode& t : *tied_) {
@@ -71,7 +71,7 @@ void ImplicitSystem::reduce(Vectors& x) const
     }
 }
 
-// d (δ - N) (v - V - ω × r)
+// The damping of a tie, d (δ - N) (v - V - ω × r), see ties.hpp.
 Vector3d ImplicitSystem::damping_impulse(const TiedNode& t, const Vectors& x) const
 {
     Vector3d v = x[t.node];
@@ -91,8 +91,8 @@ void ImplicitSystem::add_damping(const Vectors& x, Vectors& y) const
     }
 }
 
-// Factorises A with the ties, P (A + d) P + s N, for the active nodes, with P = δ - N for each
-// node.
+// Factorises A with the ties, P (A + d) P + s N, for the active nodes. For each node, P = δ - N, d
+// is the damping of its tie, and s the trace of its diagonal block of A.
 void ImplicitSystem::factorise()
 {
     for (const int i : *active_) {

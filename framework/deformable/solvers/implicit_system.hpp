@@ -37,10 +37,10 @@ public:
     const BlockMatrix& matrix() const { return matrix_; }
 
     /// Solves for the velocities of some parts by conjugate gradients, which start from the
-    /// velocities passed in. The relative error is 1e-7 in the norm of the preconditioner. If it is
-    /// cheap, the preconditioner is a factorisation of A with its ties; then one iteration is
-    /// enough, apart from rounding and from rigid bodies. Otherwise it consists of the diagonal
-    /// blocks of A.
+    /// velocities passed in. The relative error is 1e-7 in the norm of the preconditioner. If a
+    /// factorisation of A with its ties is cheap, it is the preconditioner; then one iteration is
+    /// enough, apart from rounding and from rigid bodies. Otherwise the preconditioner consists of
+    /// the diagonal blocks of A.
     /// @param nodes  ascending, all nodes of these parts, with every part that is tied to a body
     /// @param tied   the ties of these nodes
     /// @return the number of iterations

@@ -42,7 +42,7 @@ void require_finite(const Deformable& solid, double time)
 void move(Deformable& solid, RigidColliders& rigid, World& world, double time_step)
 {
     Workspace& work = workspace_of(solid);
-    if (is_rigid(solid)) { // it touches nothing and does not flow
+    if (is_rigid(solid)) { // such a solid touches nothing and does not flow
         const NodeMotion motion{solid,      work,      rigid, world.settings.gravity,
                                 world.time, time_step, 0,     world.counters};
         if (solid.integrator == NodeIntegrator::matrix)
@@ -63,7 +63,7 @@ void move(Deformable& solid, RigidColliders& rigid, World& world, double time_st
 
     const SolidMaterial& m = solid.material;
     if (m.yield_stress == never && m.strength == never) return;
-    if (!is_explicit || !flows_in_step(solid)) { // explicit substeps let it flow themselves
+    if (!is_explicit || !flows_in_step(solid)) { // explicit substeps have done so already
         work.elements.strains(solid.positions, work.strains);
         if (m.yield_stress != never) flow(solid, work, world.settings, world.counters);
     }

@@ -17,9 +17,10 @@ namespace {
 
 using Weights = Eigen::Vector4d;
 
-// All weights are between 0 and 1, so these are relative to the element: points that differ by less
-// are the same, an edge that is shorter has no direction, and a piece with less of the area of its
-// face is rounding.
+// Tolerances for barycentric weights, which are between 0 and 1 and so relative to the element.
+// Points that differ by less than `same_point` are the same, an edge shorter than `least_edge` has
+// no direction, and a piece with less than `least_area` of the area of its face is a rounding
+// error.
 constexpr double same_point = 1e-12, least_edge = 1e-9, least_area = 1e-12;
 
 // The part of a polygon where `height` · weights ≥ 0. Points on the plane are appended to `rim`.
@@ -83,7 +84,8 @@ void cut(std::vector<ClippedFace>& faces, const std::array<Vector3d, 4>& corners
     if (closing.weights.size() >= 3) faces.push_back(std::move(closing));
 }
 
-// The result r gives the area of the triangle a b x as r · x, in units of the area of the face.
+// A linear function r of the weights x of a point: r · x is the area of the triangle a b x, in
+// units of the area of the face.
 Weights triangle_height(const Weights& a, const Weights& b, int face)
 {
     const auto& [i, j, k] = tetrahedron_faces[face];

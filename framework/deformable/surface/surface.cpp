@@ -118,8 +118,8 @@ public:
         }
     }
 
-    // Adds the faces of an element on the boundary of the solid, in its cracks, and where no
-    // neighbour is connected to it.
+    // Adds the faces of an element that are on the boundary of the solid, in its cracks, or where
+    // no neighbour is connected to it.
     void show(int element, Builder& builder) const
     {
         const int parent = solid_.embedded.parents[element];

@@ -53,8 +53,8 @@ void ExpandingPolytope::find_nearest()
 
 bool ExpandingPolytope::add(const Vector3d& p)
 {
-    // Remove the faces that see the point. An edge that belongs to only one of them is on the rim
-    // of the hole.
+    // Remove the faces that see the point. An edge that belongs to only one of them is on the
+    // rim of the hole.
     std::vector<std::pair<int, int>> rim;
     std::vector<Face> kept;
     for (const Face& face : faces_) {

@@ -12,10 +12,10 @@ namespace rigor {
 struct Feature {
     /// The largest number of points. More would represent large faces better, but take more time.
     static constexpr int most = 16;
-    /// Cosine and sine of 26°: the largest angle between a direction and the normal of a face that
-    /// counts as turned to it as a whole, and the largest deviation of such an edge from
-    /// perpendicular to it. A larger angle gives a tilted body the contacts of a level one, a
-    /// smaller one leaves a body that begins to rock with fewer contacts. Chosen by trial.
+    /// Cosine and sine of 26°. A whole face counts as turned to a direction if its normal is within
+    /// this angle of the direction, an edge if it is perpendicular to the direction within this
+    /// angle. A larger angle gives a tilted body the contacts of a level one, a smaller one leaves
+    /// a body that begins to rock with fewer contacts. Chosen by trial.
     static constexpr double facing_cosine = 0.9, facing_sine = 0.436;
     std::array<Vector3d, most> points;
     int count = 0;

@@ -63,7 +63,7 @@ bool is_beyond(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& 
 }
 
 // The nearest of those faces of a tetrahedron that `counts` accepts, or no vertices if it accepts
-// none. It is given the three vertices of a face and the fourth one.
+// none. The arguments of `counts` are the three vertices of a face and the fourth vertex.
 template <class Counts> Simplex nearest_face(const std::array<Vertex, 4>& v, const Counts& counts)
 {
     Simplex best;

@@ -36,8 +36,9 @@ Simplex simplex_of(const Vertex& vertex);
 /// "Real-time collision detection", 5.1). If it has all four vertices, the origin is inside.
 Simplex nearest_of(const Simplex& simplex);
 
-/// The face of a tetrahedron that is nearest to the origin, on whichever side of it the origin is.
-/// Where the origin is known to be outside, rounding in a flat tetrahedron then does no harm.
+/// The face of a tetrahedron that is nearest to the origin, on whichever side of the face the
+/// origin is. It is for an origin that is known to be outside, although a flat tetrahedron may seem
+/// to contain it because of rounding.
 Simplex nearest_face_of(const Simplex& tetrahedron);
 
 } // namespace rigor

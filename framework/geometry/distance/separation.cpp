@@ -32,12 +32,12 @@ constexpr double gjk_tolerance = 1e-12;
 //
 // The smallest distance that GJK accepts; at smaller ones the direction is mostly rounding.
 constexpr double least_distance = 1e-6;
-// The same if the shapes are known to be a margin apart.
+// The smallest distance that GJK accepts if the shapes are known to be a margin apart.
 constexpr double least_gjk_length = 1e-9;
 // The shapes touch if the origin is nearer to the simplex than this.
 constexpr double inside_tolerance = 1e-12;
-// If the origin is not inside, the shapes are pushed together by this, then each time by ten times
-// as much.
+// If the origin is not inside the simplex, the shapes are pushed together by `first_push`, then by
+// ten times as much each time.
 constexpr double first_push = 1e-6;
 constexpr double most_push = 1e-3;          // a longer push would change the position too much
 constexpr double polytope_tolerance = 1e-7; // the polytope is finished if it grows by less

@@ -100,9 +100,9 @@ SurfaceDistance signed_distance(const Cone& cone, const Vector3d& p)
 
 namespace {
 
-// The nearest point of an ellipsoid with radii e₀ ≥ e₁ ≥ e₂ to a point with no coordinate < 0:
-// xᵢ = rᵢ yᵢ/(u + rᵢ - 1), rᵢ = (eᵢ/e₂)², where u > 0 is the root of
-// F(u) = Σ (rᵢ zᵢ/(u + rᵢ - 1))² - 1 (rᵢ → eᵢ/e₂ for zᵢ = yᵢ/e₂), which is decreasing and convex.
+// The nearest point x of an ellipsoid with radii e₀ ≥ e₁ ≥ e₂ to a point y with no coordinate < 0:
+// xᵢ = rᵢ yᵢ/(u + rᵢ - 1) with rᵢ = (eᵢ/e₂)². Here u > 0 is the root of the decreasing and convex
+// function F(u) = Σ ((eᵢ/e₂) zᵢ/(u + rᵢ - 1))² - 1 with zᵢ = yᵢ/e₂.
 Vector3d nearest_in_octant(const Vector3d& e, const Vector3d& y)
 {
     // A coordinate of 0 is replaced by a number too small to change the result, because x₂ could be

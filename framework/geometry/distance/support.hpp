@@ -10,14 +10,14 @@
 
 namespace rigor {
 
-/// Whether the shape is one of these, as the functions below require.
+/// Whether the shape is one of these convex shapes, as the functions below require.
 bool is_convex_solid(const Shape& shape);
 
 /// The point of a convex shape that is farthest along a direction [m].
 Vector3d support(const Shape& shape, const Vector3d& direction);
 
 /// The feature of a convex shape that faces a direction. It is a face, or a line on a round side,
-/// whose normal is within 25 degrees of the direction; else an edge that is nearly perpendicular to
+/// whose normal is within 26 degrees of the direction; else an edge that is nearly perpendicular to
 /// the direction; else a point.
 Feature feature_towards(const Shape& shape, const Vector3d& direction);
 

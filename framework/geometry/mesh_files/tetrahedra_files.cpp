@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Reads tetrahedral meshes from Gmsh and Medit texts, section by section. Vertices keep the numbers
-// of the text until the end; then the used vertices are numbered again, and the others are removed.
+// Reads tetrahedral meshes from Gmsh and Medit texts, section by section. Vertices keep the
+// numbers of the text until the end; then the used vertices are numbered again, and the others are
+// removed.
 #include "geometry/mesh_files/tetrahedra_files.hpp"
 
 #include "geometry/mesh_files/mesh_text.hpp"
@@ -203,7 +204,7 @@ bool is_keyword(std::string_view word)
     return !word.empty() && std::isalpha(static_cast<unsigned char>(word.front()));
 }
 
-// Optimisations numbers and comments up to the next keyword.
+// Skips numbers and comments up to the next keyword.
 void skip_section(Tokenizer& tokens)
 {
     for (std::string_view word = tokens.peek(); !word.empty() && !is_keyword(word);

@@ -174,7 +174,7 @@ TriangleMesh cross_mesh(double length, double width)
 {
     const double a = width / 2, b = length / 2;
     TriangleMesh mesh;
-    for (int corner = 0; corner < 8; ++corner) // the cube in the middle; bits are signs
+    for (int corner = 0; corner < 8; ++corner) // the cube in the middle; bits of `corner` are signs
         mesh.vertices.push_back({corner & 1 ? a : -a, corner & 2 ? a : -a, corner & 4 ? a : -a});
     for (int axis = 0; axis < 3; ++axis)
         for (const int side : {0, 1}) {
@@ -200,7 +200,7 @@ TriangleMesh bowl_mesh(double radius, double thickness, int sides)
     std::vector<PlanePoint> profile;
     const auto add_arc = [&](double r, int from, int to) {
         for (int i = from; i != to + (to > from ? 1 : -1); i += to > from ? 1 : -1) {
-            const double angle = pi / 2 * i / steps; // from straight down
+            const double angle = pi / 2 * i / steps; // measured from straight down
             const bool on_axis = i == 0, at_rim = i == steps;
             profile.push_back(
                 {on_axis ? 0 : r * std::sin(angle), at_rim ? 0 : -r * std::cos(angle)});
@@ -214,8 +214,8 @@ TriangleMesh bowl_mesh(double radius, double thickness, int sides)
 TriangleMesh gear_mesh(int teeth, double radius, double bore, double thickness)
 {
     const double pitch = 2 * pi / teeth, depth = radius * pitch / 2;
-    // Heights below and above the pitch circle, in depths. The difference is the clearance between
-    // a tip and the root that it runs over.
+    // Heights below and above the pitch circle, in units of `depth`. Their difference is the
+    // clearance between a tip and the root that it runs over.
     constexpr double dedendum = 0.6, addendum = 0.5;
     const double root = radius - dedendum * depth, tip = radius + addendum * depth;
     // Half the angle of a tooth at its root and at its tip, in pitches. Their mean is below a

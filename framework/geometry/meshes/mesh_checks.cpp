@@ -26,7 +26,7 @@ constexpr double least_area = 1e-12;
 // volume is a rounding error [1].
 constexpr double least_volume = 1e-12;
 
-// Length of the sum of two unit normals that count as opposite.
+// Largest length of the sum of two unit normals that count as opposite.
 constexpr double folded = 1e-9;
 
 // The allowed error of a winding number, which is a whole number or, on a face, a half.

@@ -23,12 +23,12 @@ constexpr double sharp = 0.17;
 // their cosine is. It is far above the rounding of normals and far below any angle that matters.
 constexpr double same = 1e-6;
 
-// A triangle is a sliver if its height is below this fraction of its longest side. It needs no
-// point in its middle: this lies almost on the sides, and rounding makes its distances inaccurate.
+// A triangle is a sliver if its height is below this fraction of its longest side. It gets no point
+// in its middle, which would lie almost on the sides, where rounding makes distances inaccurate.
 constexpr double sliver = 0.05;
 
-// Whether a flat body with the normal -n can touch the surface at one of these vertices. Then their
-// points represent the edges and faces around them.
+// Whether a flat body with the normal -n can touch the surface at one of these vertices. Then the
+// points of the vertices represent the edges and faces around them.
 bool is_touched_at(const MeshSurface& surface, std::initializer_list<int> vertices,
                    const Vector3d& n)
 {
@@ -162,7 +162,7 @@ Vector3d MeshSurface::nearest_normal(int index, const Vector3d& d) const
     };
     for (int i = cone.first_normal; i < cone.last_normal; ++i)
         consider(cone_normals_[i]);
-    for (int i = cone.first_direction; i < cone.last_direction; ++i) { // between two faces
+    for (int i = cone.first_direction; i < cone.last_direction; ++i) { // between two normals
         const Vector3d& along = cone_directions_[i];
         const Vector3d across = d - along.dot(d) * along;
         if (across.norm() > same) consider(across.normalized());

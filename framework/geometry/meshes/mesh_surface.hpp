@@ -37,16 +37,17 @@ public:
     const BoundingTree& point_tree() const { return point_tree_; }
     const BoundingTree& edge_tree() const { return edge_tree_; }
 
-    /// The unit vector of a normal cone that is nearest to the unit vector d. From the directions
-    /// of the cone, another body can touch the surface from outside: on a face from its normal, on
-    /// an edge from any direction between two normals, at a vertex from any direction between
-    /// several. A saddle has no tangent plane that stays on one side of the surface; there the
-    /// result is d.
+    /// The unit vector of a normal cone that is nearest to the unit vector d. From the
+    /// directions of the cone, another body can touch the surface from outside: on a face from its
+    /// normal, on an edge from any direction between two normals, at a vertex from any direction
+    /// between several. A saddle has no tangent plane that stays on one side of the surface; there
+    /// the result is d.
     Vector3d nearest_normal(int cone, const Vector3d& d) const;
 
 private:
     // A normal cone: the normals of the faces around a point, and the directions along the surface
-    // away from it. It contains the directions that make no acute angle with any of the latter.
+    // away from the point. The cone contains the vectors that make no acute angle with any of these
+    // directions.
     struct Cone {
         int first_normal = 0, last_normal = 0, first_direction = 0, last_direction = 0;
     };

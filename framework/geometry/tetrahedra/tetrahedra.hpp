@@ -31,7 +31,7 @@ double tetrahedron_volume(const TetrahedralMesh& mesh, int tetrahedron);
 /// A face of a tetrahedron, its vertices in ascending order.
 struct SortedFace {
     std::array<int, 3> vertices;
-    bool is_even; // an even permutation of the counter-clockwise order
+    bool is_even; // whether the order is an even permutation of the counter-clockwise one
     int tetrahedron, face;
 };
 

@@ -111,7 +111,7 @@ TetrahedralMesh ball_tetrahedra(double radius, int layers)
         int& v = number[p[0] + n + side * (p[1] + n + side * (p[2] + n))];
         if (v >= 0) return v;
         const Vector3d q(p[0], p[1], p[2]);
-        const double layer = q.lpNorm<1>(); // its octahedron becomes a sphere
+        const double layer = q.lpNorm<1>(); // each octahedron of points becomes a sphere
         mesh.vertices.push_back(layer > 0 ? Vector3d(radius * layer / n * q.normalized()) : q);
         return v = static_cast<int>(mesh.vertices.size()) - 1;
     };

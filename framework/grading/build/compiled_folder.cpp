@@ -69,8 +69,8 @@ fs::path made(const fs::path& folder)
     return folder;
 }
 
-// Whether the disk is full, which the message of a compiler alone does not prove: a submission can
-// print it too.
+// Whether the disk is full. The message of a compiler alone does not prove it, because a submission
+// can print the same text.
 bool is_full(const fs::path& disk)
 {
     std::error_code error;

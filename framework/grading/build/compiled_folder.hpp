@@ -51,8 +51,8 @@ public:
 
     bool has(const std::string& topic) const;
 
-    /// Compiles the files of those of these topics that the folder has, as far as they are out of
-    /// date. @param steps  grows by what was compiled
+    /// Compiles the files of these topics, if the folder has them and they are out of date.
+    /// @param steps  grows by what was compiled
     std::map<std::string, CompiledTopic> compile(const std::vector<std::string>& topics,
                                                  const OnBuildStep& on_step,
                                                  std::vector<std::string>& steps);

@@ -15,7 +15,8 @@ namespace rigor {
 
 namespace {
 
-// "rigor::combine(rigor::MassProperties const&, …)" for its linker name; empty if it has no other.
+// The C++ name for a linker name, such as "rigor::combine(rigor::MassProperties const&, …)"; empty
+// if there is none.
 std::string demangled(const std::string& name)
 {
     int status = 0;
@@ -39,8 +40,9 @@ const Formula* formula_of(const std::string& symbol)
 
 // Whether a name that may be defined more than once is shared on purpose: a template or an inline
 // function of C++, or a name that the compiler makes for itself, such as the pointer
-// `DW.ref.__gxx_personality_v0` to what finds the handlers of exceptions. A weak name of C, or a
-// weak `operator new` or `delete`, would stand in for that of the C library and of the worker.
+// `DW.ref.__gxx_personality_v0` to the function that finds exception handlers. A weak name of C, or
+// a weak `operator new` or `delete`, is not shared, because it would replace that of the C library
+// or of the worker.
 bool is_shared(const std::string& name)
 {
     constexpr std::string_view replaceable[] = {"_Znw", "_Zna", "_Zdl", "_Zda"};
@@ -76,7 +78,7 @@ std::map<std::string, std::vector<std::string>>
 names_to_hide(const std::map<std::string, ObjectSymbols>& objects,
               const std::set<std::string>& reserved)
 {
-    // The object whose definition counts, for each name that another object uses or the worker.
+    // For each name that another object or the worker uses, the object whose definition counts.
     std::map<std::string, std::string> keeper;
     for (const auto& [topic, symbols] : objects)
         for (const std::string& name : symbols.defined) {

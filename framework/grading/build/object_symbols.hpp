@@ -11,7 +11,7 @@ namespace rigor {
 
 /// The names of one object, as the linker sees them.
 struct ObjectSymbols {
-    std::set<std::string> defined;   // so that it counts for others too
+    std::set<std::string> defined;   // and visible to other objects
     std::set<std::string> undefined; // used but not defined
 };
 
@@ -19,8 +19,9 @@ struct ObjectSymbols {
 ObjectSymbols parse_symbols(const std::string& listing);
 
 /// For each topic's object, the names that it must keep to itself: all but the formulas and what
-/// another object uses. So two files may have helpers of one name, and a `main` for a try of the
-/// student's own is not in the way. A formula that two objects define counts where its topic is.
+/// another object uses. So two files may have helpers of one name, and a `main` with which a
+/// student tries something out does no harm. If two objects define a formula, that of its topic
+/// counts.
 /// @param reserved  names of the worker and of its libraries, such as `memcpy`: nobody else gets
 ///     an object's own definition of these
 std::map<std::string, std::vector<std::string>>

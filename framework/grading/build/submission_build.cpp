@@ -99,7 +99,7 @@ public:
 
     fs::path worker() const { return folder_ / "worker"; }
 
-    // What the worker is made of: if it has not changed, nor has the worker.
+    // A hash of all that the worker is made of. As long as it is the same, so is the worker.
     std::uint64_t key() const
     {
         std::uint64_t key = hash_of(fmt::format("{}", fmt::join(tools_.link, " ")));
@@ -112,7 +112,8 @@ public:
         return key;
     }
 
-    // Links all objects. Names that each keeps to itself are hidden in a copy first.
+    // Links all objects. The names that an object keeps to itself are hidden first, in a copy of
+    // it.
     Linked run() const
     {
         const fs::path out = folder_ / "out/link";
@@ -176,7 +177,8 @@ private:
                  {from},
                  copy.parent_path()});
         };
-        // A name that is unique in a process becomes local only if it is weak.
+        // A name that must be unique in a process (GNU unique) becomes local only if it is made
+        // weak first.
         const fs::path weak = copy.string() + ".weak";
         const ConfinedRun weakened = copied("--weaken-symbols=", object, weak);
         return weakened.ok() ? copied("--localize-symbols=", weak, copy) : weakened;
@@ -187,7 +189,8 @@ private:
     std::map<std::string, const CompiledTopic*> objects_;
 };
 
-// Adds one object after the other, and leaves out each with which there is no worker that starts.
+// Adds one object after the other, and leaves out each with which no worker can be linked and
+// started.
 Linked link_what_can_be(Link& link, const std::map<std::string, CompiledTopic>& compiled,
                         std::map<std::string, std::string>& broken)
 {

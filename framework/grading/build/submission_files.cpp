@@ -122,7 +122,7 @@ public:
 private:
     fs::path into_;
     std::set<fs::path> kept_;
-    std::string digests_; // those of each name and text, which have one length
+    std::string digests_; // the digests of each name and text, all of one length
 };
 
 // The submission's other sources, sorted by name.

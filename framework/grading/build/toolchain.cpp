@@ -51,7 +51,7 @@ std::vector<std::string> words_of(const std::string& command)
     return words;
 }
 
-// Without what stands before the compiler, such as a compiler cache.
+// Removes the words before the compiler, such as a compiler cache.
 void drop_launcher(std::vector<std::string>& words)
 {
     const auto option = std::find_if(words.begin(), words.end(),
@@ -64,8 +64,8 @@ bool is_student_object(const std::string& word)
     return word.find("formulas_student.dir/") != std::string::npos;
 }
 
-// Puts the compiler that RIGOR_COMPILER names in the place of the build's. One of another family
-// cannot read the precompiled header, and gets its text instead.
+// Replaces the build's compiler by the one that RIGOR_COMPILER names. A compiler of another family
+// cannot read the precompiled header, and gets the header's text instead.
 void exchange_compiler(std::vector<std::string>& words)
 {
     const std::string chosen = chosen_compiler();
@@ -77,7 +77,7 @@ void exchange_compiler(std::vector<std::string>& words)
     const auto at = std::find(words.begin(), words.end(), "-include");
     if (at == words.end())
         throw std::runtime_error("RIGOR_COMPILER: the build's precompiled header is not for it");
-    // Its driver would take the precompiled header of gcc for its own.
+    // Clang's driver would take the precompiled header of gcc for its own.
     words.insert(words.erase(at), {"-Xclang", "-include", "-Xclang"});
 }
 
@@ -119,15 +119,15 @@ void take_link(Toolchain& tools, const std::string& command)
             tools.link.push_back(words[i]);
         }
     }
-    // A name that is defined nowhere costs those who use it only.
+    // A name that is defined nowhere makes only those formulas fail that use it.
     tools.link.emplace_back("-Wl,--warn-unresolved-symbols");
 }
 
-// How much longer a program may take than its time on a processor, on a machine with other work.
+// The largest ratio of a program's running time to its time on a processor, on a busy machine.
 constexpr double busy = 4;
 
-// The most memory of a compiler or linker: a twentieth of it does for a solution. Half the machine's
-// leaves the other half to the grader.
+// The most memory of a compiler or linker: half of the machine's, so that the grader keeps the
+// other half. A solution needs a twentieth of this.
 std::uint64_t memory_of_a_tool()
 {
     constexpr std::uint64_t most = std::uint64_t{6} << 30,

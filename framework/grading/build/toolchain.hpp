@@ -27,7 +27,7 @@ struct Toolchain {
 /// empty for the compiler of the main build. @throws InputError if there is none
 std::string chosen_compiler();
 
-/// Taken from the commands of the main build, with the chosen compiler.
+/// The toolchain in the commands of the main build, with the chosen compiler.
 Toolchain student_toolchain();
 
 /// The largest file that a tool may write [bytes].
@@ -49,8 +49,8 @@ ConfinedRun run_tool(const ToolRun& tool);
 /// before, and a student's constructor may fail.
 std::string why_it_does_not_start(const std::filesystem::path& worker);
 
-/// Whether there is a regular file. What a tool of students left may be a link to a file of ours, or
-/// a pipe that keeps its reader waiting.
+/// Whether there is a regular file. What a tool of students left may be a link to one of our files,
+/// or a pipe that keeps its reader waiting.
 bool is_plain_file(const std::filesystem::path& path);
 
 /// Moves a file that a tool made to a place of ours. It is a copy, which is ours alone.

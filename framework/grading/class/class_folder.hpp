@@ -29,17 +29,17 @@ public:
     const std::filesystem::path& path() const { return folder_; }
     /// The result.json of a submission.
     std::filesystem::path result_of(const std::string& submission) const;
-    /// What it says; nothing if there is none, or if it is not whole.
+    /// The content of result.json; nothing if there is no such file, or if it is not whole.
     std::optional<Row> row_of(const std::string& submission) const;
 
     /// Whether there are results that no control has confirmed: their run was broken off.
     bool has_unconfirmed() const;
-    /// Results with these fingerprints are not confirmed, nor are those that were not before.
+    /// Marks results with these fingerprints as unconfirmed, in addition to those that already are.
     /// @param fingerprints  by the name of the submission
     void begin_unconfirmed(const std::map<std::string, std::string>& fingerprints) const;
     void confirm() const;
-    /// Removes the results that no control has confirmed. They are known by their fingerprints:
-    /// the clocks of machines may differ, and jump.
+    /// Removes the results that no control has confirmed. They are recognised by their fingerprints
+    /// and not by their times, because the clocks of machines may differ, and jump.
     void drop_unconfirmed() const;
 
 private:

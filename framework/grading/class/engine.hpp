@@ -39,9 +39,9 @@ class Engine {
 public:
     virtual ~Engine() = default;
 
-    /// Grades the submissions with these numbers, in this order, between two controls. What a
-    /// fault of the framework keeps from being graded is told as such a fault; an exception of
-    /// `on_graded` ends the run.
+    /// Grades the submissions with these numbers, in this order, between two controls. A submission
+    /// that a fault of the framework keeps from being graded is reported with this fault; an
+    /// exception of `on_graded` ends the run.
     /// @return what is wrong with a control; empty if nothing is
     virtual std::string grade(const ClassWork& work, const std::vector<std::size_t>& numbers,
                               const OnGraded& on_graded, const OnWait& on_wait) = 0;

@@ -83,7 +83,7 @@ private:
             std::swap(to_do_[i - 1], to_do_[random() % i]);
     }
 
-    // @throws InputError if a result is there that other tests gave
+    // @throws InputError if there is a result that was made with other tests
     void require_current() const
     {
         std::vector<std::string> names;
@@ -117,7 +117,7 @@ private:
         if (listener_.on_row) listener_.on_row(*rows_[i], before_[i]);
     }
 
-    // Writes result.json last: it says that the others are there.
+    // Writes result.json last, because its presence says that the other files are there.
     void write(std::size_t i, const ResultFiles& files) const
     {
         const fs::path result = folder_.result_of(name(i));

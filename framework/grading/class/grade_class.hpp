@@ -31,8 +31,8 @@ struct ClassOutcome {
     std::string control_fault;
 };
 
-/// What becomes of a result that other tests, points, seeds or walls gave. A new or changed
-/// submission is graded in both cases.
+/// What happens to a result that was made with other tests, points, seeds or walls. A new or
+/// changed submission is graded in both cases.
 enum class OldResults { stay, are_replaced };
 
 /// Grades the submissions and writes the files of each as soon as they are there. Before the first
@@ -41,7 +41,7 @@ enum class OldResults { stay, are_replaced };
 ///
 /// The submissions are graded in an order that the run's seed draws, so that a slow hour does not
 /// always meet the same students.
-/// @param work  the class, of which the submissions' fingerprints and `out` are still open
+/// @param work  the class, whose `fingerprints` and `out` are not set yet
 /// @throws InputError if a result cannot be written, or if an old one has to stay
 ClassOutcome grade_class(ClassWork work, const ClassFolder& folder, Engine& engine,
                          const ClassListener& listener, OldResults old);

@@ -7,12 +7,12 @@
 
 namespace rigor {
 
-/// Takes each result that is there with the fingerprint that is asked for, and has the others
-/// graded.
+/// Takes each result from the known folder that has the wanted fingerprint, and lets another engine
+/// grade the other submissions.
 class KnownResults : public Engine {
 public:
     /// @param known  the folder with the results; those that no control has confirmed do not count
-    /// @param engine  grades the others; without one, others are an InputError
+    /// @param engine  grades the others; if null, a missing result is an InputError
     KnownResults(const ClassFolder& known, Engine* engine) : known_(known), engine_(engine) {}
 
     std::string grade(const ClassWork& work, const std::vector<std::size_t>& numbers,

@@ -12,9 +12,9 @@ namespace rigor {
 
 namespace {
 
-// The compiler, each call and each scene have limits of their own, so that only a fault of the
-// framework takes this long: hours at the most, and not for ever. The controls were just graded, at
-// this machine's speed and under its load.
+// The time after which the grading of a submission is ended. The compiler, each call and each scene
+// have limits of their own, so that only a fault of the framework takes this long. The controls
+// were just graded, at this machine's speed and under its load.
 std::chrono::duration<double> longest_grading(std::chrono::duration<double> controls)
 {
     constexpr double multiple = 100;

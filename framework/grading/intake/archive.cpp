@@ -109,7 +109,8 @@ private:
     {
         const int state = archive_read_next_header(archive_.get(), &entry);
         if (state != ARCHIVE_OK && state != ARCHIVE_WARN && state != ARCHIVE_EOF) break_off();
-        // What a .zip says of its sizes can be checked against the file only if it is the file.
+        // The sizes that a .zip states can be checked only if the file itself is the .zip, not
+        // compressed again.
         const bool is_zip =
             (archive_format(archive_.get()) & ARCHIVE_FORMAT_BASE_MASK) == ARCHIVE_FORMAT_ZIP;
         if (is_zip && archive_filter_count(archive_.get()) > 1) refuse_compressed_again();

@@ -56,7 +56,8 @@ void Contents::require_new(const std::string& name) const
         throw Refused("expected each file once, found " + in_quotes(name) + " twice");
 }
 
-// A name that cannot stand on a disk beside the others would be a fault of ours when it is written.
+// Refuses a name that cannot be written to a disk beside the others. Otherwise it would fail later,
+// and count as a fault of the framework.
 void Contents::require_place(const std::string& name) const
 {
     for (std::size_t begin = 0, end = 0; end != std::string::npos; begin = end + 1) {

@@ -16,7 +16,7 @@ struct IntakeLimits {
     std::size_t entries = 10'000;                          // files and folders
     std::size_t archive_bytes = std::size_t{64} << 20;     // size of an archive
     std::size_t unpacked_bytes = std::size_t{64} << 20;    // what an archive unpacks to
-    std::size_t unpacked_ratio = 200;                      // unpacked bytes for each byte of it
+    std::size_t unpacked_ratio = 200;                      // unpacked bytes / bytes of the archive
     std::size_t bytes_at_any_ratio = std::size_t{1} << 20; // below this the ratio does not matter
     std::size_t source_bytes = std::size_t{16} << 20;      // all sources together
 };

@@ -27,7 +27,8 @@ bool holds(const fs::path& folder, const std::string& wanted)
     return fs::exists(fs::symlink_status(folder / wanted, error));
 }
 
-// Whether a learning system named a single file, or a folder with nothing but a typed text.
+// Whether the name is one that a learning system gives to a single file, or to a folder with
+// nothing but a typed text.
 bool is_downloaded_alone(const std::string& file, bool is_folder)
 {
     const std::optional<DownloadedName> name = downloaded_name(file);
@@ -39,7 +40,7 @@ bool is_downloaded_alone(const std::string& file, bool is_folder)
 struct Listing {
     std::vector<fs::path> folders, archives, links, others;
     std::vector<fs::path> downloaded; // files and typed texts with the names of a learning system
-    std::vector<fs::path> dotted;     // folders and archives that are taken for such
+    std::vector<fs::path> dotted;     // folders and archives whose names begin with a dot
 
     bool is_empty() const
     {
@@ -177,8 +178,9 @@ private:
         found_[submission.name].push_back(submission);
     }
 
-    // Students who handed in a file without an archive. One whose file has another name, and who
-    // has no other submission, gets a row too: nobody is lost.
+    // Adds the students who handed in a file without an archive. If the file has another name than
+    // the wanted one and the student has no other submission, the student gets a row too, so that
+    // nobody is missing.
     void add_downloaded(const Listing& listing)
     {
         std::set<std::string> students;
@@ -207,7 +209,8 @@ private:
         }
     }
 
-    // Which of them counts, only the instructor knows.
+    // Adds a note for each student with several submissions, since only the instructor knows which
+    // one counts.
     void add_notes_about_several(std::vector<std::string>& notes) const
     {
         std::map<std::string, std::vector<std::string>> files; // by student
@@ -224,7 +227,7 @@ private:
                     in_quotes(student), names.size(), first_names(names)));
     }
 
-    // A name that can be shown, and be that of a folder, for one that cannot.
+    // A name that can be shown and given to a folder, in place of one that cannot.
     static std::string escaped(const std::string& name)
     {
         constexpr std::size_t longest = 200; // [bytes]; a file system takes 255

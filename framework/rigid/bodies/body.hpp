@@ -59,12 +59,12 @@ struct RigidBody {
     // The principal axes Q as columns and the inverse moments along them, I_body⁻¹ = Q diag(J) Qᵀ.
     Matrix3d principal_axes = Matrix3d::Identity();
     Vector3d inverse_moments = Vector3d::Zero(); // J [1/(kg m²)]
-    bool is_isotropic = false; // whether I_body = i δ, and so I(t)⁻¹ = I_body⁻¹
+    bool is_isotropic = false; // whether I_body = i δ (δ: identity), so that I(t)⁻¹ = I_body⁻¹
     // Symmetry axis a of a body of revolution: a unit vector in object space with I_body⁻¹ = i δ +
-    // k a aᵀ. Zero if the body has no such axis.
+    // k a aᵀ for two numbers i and k. Zero if the body has no such axis.
     Vector3d symmetry_axis = Vector3d::Zero();
-    // The only axis that the body turns about, unit and in object space, zero if it never turns. It
-    // is empty if the body turns freely.
+    // The only axis about which the body turns: a unit vector in object space, or zero if the body
+    // never turns. Without a value the body turns freely.
     std::optional<Vector3d> only_axis;
     RigidState state;
     Rest rest;
@@ -72,7 +72,7 @@ struct RigidBody {
     bool is_body_of_revolution() const { return !symmetry_axis.isZero(0); }
 
     /// Whether the body is static or asleep, so that its pose stays the same in this step. A belt
-    /// is still, although it carries others.
+    /// counts as still, although its surface moves the bodies on it.
     bool is_still() const { return (is_static && !changes_place()) || rest.is_asleep(); }
 
     /// Whether the body is driven along a path. A belt stays where it is.

@@ -7,7 +7,7 @@
 //                                             step/lone_body, `is_lone_body`: no stages
 // static_skipped                              motion/free_flight, `fly_all`
 // bodies_asleep         sleep                 step/sleep, `fall_asleep`
-// pairs_tested                                detection/broad_phase: of pairs_possible
+// pairs_tested                                detection/broad_phase, out of `pairs_possible`
 // pair_searches_saved                         detection/broad_phase, `is_valid`: fat bounds
 // islands               islands               contact/islands, `islands_of`
 // warm_starts           warm_start            contact/make_problem, `find_islands`

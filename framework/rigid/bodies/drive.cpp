@@ -52,8 +52,9 @@ DriveVelocity drive_velocity(const Drive& drive, double time)
 DriveVelocity mean_drive_velocity(const Drive& drive, double time, double time_step)
 {
     if (!(time_step > 0)) return drive_velocity(drive, time);
-    // Differences of places would lose digits in a short step, so the time that the body moves is
-    // computed from what the step has too much, and sin a - sin b as a product.
+    // The difference of two positions would lose digits in a short step. So the time in which the
+    // body moves is the step without the times before `start` and after `end`, and the change of
+    // the sine is a product: sin b - sin a = 2 cos((a + b)/2) sin((b - a)/2).
     const double waits = std::max(0.0, drive.start - time);
     const double rests = std::max(0.0, time + time_step - drive.end);
     const double moves = std::max(0.0, time_step - waits - rests);

@@ -6,12 +6,13 @@
 
 namespace rigor {
 
-/// A motion given as a function of time. With s = t - start, at least 0 and at most end - start:
+/// A motion given as a function of time. With the moving time s = t - start, limited to 0 … end -
+/// start:
 ///
 ///     X(t) = X₀ + s V + (sin(2π f s + φ) - sin φ) A,   q(t) = exp(s ω) q₀
 ///
-/// The body turns about the origin of its frame. Of a belt only the surface moves: contacts feel
-/// these velocities, but the body stays where it is.
+/// The body turns about the origin of its frame. If the drive is a belt, only the surface moves:
+/// contacts use the velocities of the motion, but the body stays where it is.
 struct Drive {
     Vector3d velocity = Vector3d::Zero();         // V [m/s]
     Vector3d angular_velocity = Vector3d::Zero(); // ω, world space [rad/s]

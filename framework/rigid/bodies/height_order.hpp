@@ -20,8 +20,8 @@ inline Vector3d up_direction(const Vector3d& gravity)
     return g > 0 ? Vector3d(-gravity / g) : Vector3d::UnitY();
 }
 
-/// Rounds lengths by the distances between some points. The origin has no meaning, so what stands
-/// or moves far away is rounded as it is near the origin.
+/// Rounds lengths to a unit that follows from the extent of a set of points and not from their
+/// distance to the origin. So a set of points is rounded in the same way wherever it is.
 class RoundedLength {
 public:
     /// @param points  the points whose lengths will be rounded
@@ -40,19 +40,21 @@ public:
         shift_ = std::ldexp(1.5, std::max(16 + exponent_of(extent), 6 + exponent_of(farthest)));
     }
 
-    /// With 2^e the power of two below the largest difference of two coordinates, the shift is
-    /// 1.5 · 2^(e + 16). A sum of that size has 52 binary digits after the first one, so digits
-    /// below 2^(e - 36) are rounded away. Far from the origin coordinates have larger errors. So it
-    /// rounds at least to 2^-46 times the power of two below the largest one, 64 of its errors.
+    /// Rounds x to a multiple of a power of two, by adding and subtracting a large number, the
+    /// shift. Let 2^e be the largest power of two up to the extent (the largest difference of two
+    /// coordinates). The shift is 1.5 · 2^(e + 16), and a double of this size has no digits below
+    /// 2^(e - 36). Coordinates far from the origin are less exact. Let 2^f be the largest power of
+    /// two up to the largest coordinate. The shift is therefore at least 1.5 · 2^(f + 6), which
+    /// rounds to 2^(f - 46): 64 times the spacing of doubles at this coordinate.
     double operator()(double x) const { return (x + shift_) - shift_; }
 
-    /// The place of x as seen from the least coordinates of all points.
+    /// The position of x relative to the corner with the least coordinates of all points.
     Vector3d from_least(const Vector3d& x) const { return x - least_; }
 
 private:
     static int exponent_of(double x)
     {
-        constexpr int none = -1000; // far below that of any length
+        constexpr int none = -1000; // the exponent for 0, far below that of any length
         return std::isnormal(x) ? std::ilogb(x) : none;
     }
 

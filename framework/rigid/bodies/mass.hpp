@@ -39,8 +39,8 @@ void set_mass(RigidBody& body, double mass, const Matrix3d& inertia);
 /// @param axis  in object space, of any length
 void let_turn_about(RigidBody& body, const Vector3d& axis);
 
-/// The angular momentum that the motion of a body has. If the body turns about one axis only, the
-/// rest of `state.angular_momentum`, which what holds the axis has taken up, is left out.
+/// The angular momentum R I_body ω of a body's rotation. If the body turns about one axis only, the
+/// other part of `state.angular_momentum` is left out: the bearing of the axis has taken it up.
 Vector3d own_angular_momentum(const RigidBody& body, const RigidState& state);
 
 } // namespace rigor

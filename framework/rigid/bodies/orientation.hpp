@@ -7,8 +7,8 @@
 
 namespace rigor {
 
-/// Rotation matrix of a body, by `to_matrix`. The integrator `matrix` uses Eigen instead, since its
-/// assignment comes before that formula's.
+/// Rotation matrix of a body, by `to_matrix`. The integrator `matrix` uses Eigen instead, because
+/// assignment A1 needs it and `to_matrix` belongs to A3.
 Matrix3d body_rotation(Integrator integrator, const RigidState& state);
 
 /// I(t)⁻¹ = R I_body⁻¹ Rᵀ by `world_inverse_inertia`. For an isotropic body it does not depend on

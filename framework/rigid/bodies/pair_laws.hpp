@@ -21,7 +21,7 @@ struct PairLaw {
 /// Sorts the laws by their bodies, as the other functions expect them.
 void sort_by_pair(std::vector<PairLaw>& laws);
 
-/// The law of two bodies, or null if there is none in particular.
+/// The law of two bodies, or null if they have no law of their own.
 const PairLaw* law_of(std::span<const PairLaw> laws, int body1, int body2);
 
 /// ε and μ of a contact between two bodies: those of their law, or else the smaller restitution and

@@ -10,9 +10,9 @@
 
 namespace rigor {
 
-/// What held a contact in the previous step, from which the sweeps of the next step start.
-/// `warm_contacts` (contact/warm_start) makes it when a step ends, `start_warm` reads it when the
-/// contact problem of the next step is made.
+/// The force that held a contact in the previous step, from which the sweeps of the next step
+/// start. `warm_contacts` (contact/warm_start) makes it when a step ends, `start_warm` reads it
+/// when the contact problem of the next step is made.
 struct WarmContact {
     int body1 = 0, body2 = 0;
     Vector3d point = Vector3d::Zero();      // in object space of body 1 [m]

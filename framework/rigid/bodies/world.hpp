@@ -25,8 +25,9 @@ struct Spring {
     bool only_pulls = false;            // a rope: slack while it is shorter than `rest_length`
 };
 
-/// A force on a point of a body and a torque, from `start` to `end`. With a frequency f, both are
-/// multiplied by sin(2π f t + φ), and with a factor by its value at that time.
+/// A force on a point of a body and a torque, which act from `start` to `end`. If the frequency f
+/// is not 0, both are multiplied by sin(2π f t + φ); if there is a factor, also by its value at
+/// time t.
 struct AppliedForce {
     int body = 0;
     Vector3d force = Vector3d::Zero();         // [N]

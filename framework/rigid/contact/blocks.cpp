@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Division of a large island into blocks for several threads. First it sorts the moving bodies into
-// upright slabs along the island's longest horizontal extent; then it groups the pairs by the slabs
-// of their bodies: within one slab, between two neighbouring slabs, or farther apart. Blocks that
-// share no moving body get the same color (graph coloring) and can be swept at the same time.
+// upright slabs along the island's longest horizontal extent; then it groups the pairs by the
+// slabs of their bodies: within one slab, between two neighbouring slabs, or farther apart. Blocks
+// that share no moving body get the same color (graph coloring) and can be swept at the same time.
 #include "rigid/contact/blocks.hpp"
 
 #include <algorithm>
@@ -14,15 +14,17 @@ namespace rigor {
 
 namespace {
 
-// A large island is divided into 4 or 8 slabs with the same number of bodies, one of which is split
-// into halves that lie at the two ends. So two or four threads share the slabs evenly, and also the
-// borders between neighbouring slabs, first every second border and then the others.
-// Least number of bodies in a slab. Smaller slabs would let threads share smaller islands, but more
-// pairs would lie between two slabs. Chosen by trial; `bench pile` shows
-// what a second thread gains.
+// A large island is divided into 3 or 7 slabs with the same number of bodies, and one slab at each
+// end with half of that number. So two or four threads get equal shares of the bodies, where the
+// two end slabs count as one. They also get equal shares of the borders between slabs: first of
+// every second border, then of the others.
+//
+// The least number of bodies in a slab. Smaller slabs would let threads share smaller islands, but
+// more pairs would lie between two slabs. Chosen by trial; `bench pile` shows what a second thread
+// gains.
 constexpr std::size_t bodies_of_a_slab = 48;
-// At most this many times four slabs: eight slabs are enough for four threads, and more slabs have
-// more pairs between them.
+// The largest number of slabs, in units of four. Eight slabs are enough for four threads; with more
+// slabs, more pairs would lie between two slabs.
 constexpr int most_fours = 2;
 
 // The slab of each body of an island. The slabs lie side by side along the longest horizontal

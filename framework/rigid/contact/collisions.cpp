@@ -23,13 +23,14 @@ constexpr int most_rounds = 4;
 // hardly tilted would bounce on one corner; with a smaller one, a tilted box would bounce as if it
 // were level.
 constexpr double equally_deep = 0.9;
-constexpr double same_normal = 1e-9; // largest 1 - n·n' of two points on one face, for rounding
-// A rolling wheel's point approaches by its rotation without closing the gap (`turning_speed`). The
-// rest of its approach speed is ignored below this share of that part, because the rotation of a
-// step predicts the speed only to first order.
+constexpr double same_normal = 1e-9; // largest 1 - n·n' of equal normals n, n', for rounding
+// The front point of a rolling wheel moves towards the ground by rotation without reaching it in
+// this step; `turning_speed` is this part of v·n. A remaining approach speed below this share of
+// `turning_speed` is ignored, because the rotation of a step predicts the speed only to first
+// order.
 constexpr double negligible_share = 0.1;
-// The same where rounding alone makes a speed differ from zero: a billionth of that share, far
-// above the rounding error of a speed and far below any speed that matters.
+// A remaining speed below this share of `turning_speed` counts as zero. The share is far above the
+// rounding error of a speed and far below any speed that matters.
 constexpr double rounding_share = negligible_share * 1e-9;
 
 // The points of a pair at which a collision may happen now.
@@ -40,8 +41,9 @@ struct Candidates {
 };
 
 // Whether a contact approaches only by a rotation that does not close it, as at the front of a
-// rolling wheel. What gravity adds is left to the contact stage: a bounce at the speed `others`
-// would be over within the step if others ≥ force_speed/2 (see `is_over_in_the_step`).
+// rolling wheel. `others` is the rest of v·n. Where gravity alone causes it, a bounce at this speed
+// would end within the step (2 others ≥ force_speed, see `is_over_in_the_step`), so the contact
+// stage handles it.
 bool only_turns(const ContactConstraint& c, double v_n)
 {
     const double others = v_n - c.turning_speed;
@@ -67,8 +69,9 @@ void collect(const ContactProblem& problem, const ContactPair& pair, Candidates&
         const bool is_over_in_the_step = v_n < 0 && 2 * v_n > c.force_speed;
         if (is_over_in_the_step) continue;
         if (only_turns(c, v_n)) continue;
-        // After a bounce with ε = 0 the formula would choose a point whose speed is rounding again
-        // and again, and the real hits of the pair would not get their turn.
+        // At a point that has bounced with ε = 0, only a rounding error of the speed is left. The
+        // formula could choose this point again and again, and the real hits of the pair would be
+        // left out.
         if (v_n < 0 && -v_n <= problem.rounding_speed(c)) continue;
         candidates.points.push_back({c.point, c.normal, depth, v});
         candidates.contacts.push_back(i);

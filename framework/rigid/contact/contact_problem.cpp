@@ -18,8 +18,8 @@ namespace rigor {
 
 namespace {
 
-// The larger eigenvalue of K in the tangent plane of n. The sum of both is tr K - nᵀKn, and the sum
-// of their squares is |K|² - 2 |K n|² + (nᵀKn)².
+// The larger eigenvalue of K in the tangent plane of n. The two eigenvalues there have the sum tr K
+// - nᵀKn, and their squares have the sum |K|² - 2 |K n|² + (nᵀKn)².
 double tangential_eigenvalue(const Matrix3d& K, const Vector3d& n)
 {
     const Vector3d Kn = optimised::product(K, n);
@@ -65,10 +65,12 @@ std::size_t contact_count(std::span<const ContactPair> pairs)
 
 bool is_heap(const Island& island)
 {
-    // A stack has about one pair of touching bodies for each body, a heap has more. The border
-    // between them, and the size above which a stack is too expensive to be solved like one, were
-    // chosen by trial. tests/stress has towers on one side of the border, `bench pile` has a heap
-    // on the other. With a slope of 1 or 3 instead of 1.25 a test of tests/classics fails.
+    // A stack has about one pair of touching bodies for each body, a heap has more. An island is a
+    // heap if it has more than `pairs_of_a_body` pairs for each body, plus `more_pairs`. With more
+    // than `many_bodies` bodies it always counts as a heap, because the method for stacks would be
+    // too expensive. The values were chosen by trial: tests/stress has towers, which must count as
+    // stacks, and `bench pile` has a heap. With 1 or 3 instead of 1.25 pairs for each body a
+    // test of tests/classics fails.
     constexpr std::size_t many_bodies = 256;
     constexpr double pairs_of_a_body = 1.25, more_pairs = 2;
     const std::size_t bodies = island.bodies.size();
@@ -147,7 +149,7 @@ Vector3d ContactProblem::velocity_between(std::span<const Body> states, const Co
 double ContactProblem::rounding_speed(const ContactConstraint& c) const
 {
     constexpr double few_errors = 64 * std::numeric_limits<double>::epsilon();
-    double speed = std::abs(c.force_speed); // and that of the point on both bodies
+    double speed = std::abs(c.force_speed); // plus the speeds of the point on both bodies
     for (const int i : {c.body1, c.body2}) {
         const Body& body = bodies[i];
         speed += body.velocity.lpNorm<1>() +

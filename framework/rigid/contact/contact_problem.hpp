@@ -19,9 +19,10 @@ namespace rigor {
 struct ContactConstraint : Contact {
     double restitution = 0, friction = 0;
     double radius = 0; // radius of the smaller body that can move [m]
-    // The part of v·n by which rotation moves the point towards the other body without reaching it
-    // in this step, ≤ 0 [m/s], and the distance by which it would go through if it moved on along a
-    // line [m]. The front of a wheel moves down, and forward before it reaches the ground.
+    // The front of a rolling wheel moves down, but also forward, so that it does not reach the
+    // ground in this step. `turning_speed` is the part of v·n with which rotation moves such a
+    // point towards the other body, ≤ 0 [m/s]. `passes_by` is the depth that the point would reach
+    // on a straight line, or 0 if it would not reach the other body there either [m].
     double turning_speed = 0, passes_by = 0;
     double force_speed = 0;        // change of v·n by the forces in this step [m/s]
     double free_speed = 0;         // v·n after the forces without any impulse [m/s]
@@ -39,8 +40,8 @@ struct ContactConstraint : Contact {
 /// A gap up to this fraction of a contact's radius counts as touching, where poses are exact up to
 /// rounding. It is far above the rounding error of a position near the origin.
 inline constexpr double touching_gap = 1e-10;
-/// The same where an iteration that need not have converged has placed the bodies: the solver of
-/// the last step, or the search for the time of an impact.
+/// The same fraction where an iteration has placed the bodies, which may not have converged: the
+/// solver of the last step, or the search for the time of an impact.
 inline constexpr double nearly_touching_gap = 1e-6;
 
 /// The contacts [first, last) of one pair of bodies, from the lowest up.
@@ -74,11 +75,12 @@ inline constexpr std::size_t few_bodies = 8;
 /// Whether the island is a heap rather than a stack: many bodies with many contacts between them.
 bool is_heap(const Island& island);
 
-/// A driven body that contacts touch: its mean velocity over the step, and that at the end of it.
+/// A driven body that has contacts: its mean velocity over the step, and its velocity at the end.
 ///
-/// Along a contact's normal a driven body moves with its mean velocity, so that nothing gets into
-/// it. Along the surface its points have their velocity at the end of the step, where they are
-/// then: otherwise what a turntable carries round would move along tangents and creep outwards.
+/// Along a contact's normal a driven body moves with its mean velocity, so that other bodies do not
+/// end up inside it. Along the surface its points move with their velocity at the end of the step.
+/// With the velocity at the start, a body on a turntable would move along tangents and creep
+/// outwards.
 struct DrivenBody {
     int body = 0;
     DriveVelocity mean, last;
@@ -103,10 +105,11 @@ struct ContactProblem {
     /// The unit vector opposite to gravity, or y without gravity.
     Vector3d up() const;
 
-    /// The motions relative to which an island is at rest, slow or fast: those of the static and
-    /// driven bodies that it touches, from the lowest index, what never moves once. If it touches
-    /// none, the motion of its center of mass. A speed in the world has no meaning, since no
-    /// experiment tells whether a ship stands or moves evenly (Galilei 1632).
+    /// The motions relative to which the speeds of an island are measured: those of the static and
+    /// driven bodies that it touches, in the order of their indices. All bodies that never move
+    /// count as one. If the island touches none, it is the motion of its center of mass. Speeds in
+    /// the world are not used, because a scene that moves evenly has to give the same result as at
+    /// rest (Galilei 1632).
     std::vector<Body> grounds_of(const Island& island) const;
     /// Copies of the bodies of an island, in the order of `island.bodies`.
     std::vector<Body> bodies_of(const Island& island) const;
@@ -124,15 +127,16 @@ struct ContactProblem {
     /// v₁ - v₂ at a point, for other states of the bodies [m/s].
     Vector3d velocity_between(std::span<const Body> states, const Contact& contact,
                               const Vector3d& x) const;
-    /// The size of rounding errors in v₁ - v₂, which a speed has to exceed to mean anything [m/s].
+    /// The size of rounding errors in v₁ - v₂ [m/s]. A smaller speed counts as zero.
     double rounding_speed(const ContactConstraint& contact) const;
     /// K₁ + K₂ at a point [1/kg].
     Matrix3d impulse_matrix_at(const ContactConstraint& contact, const Vector3d& x) const;
     /// Computes K of a contact and the numbers that follow from it.
     void set_impulse_matrix(ContactConstraint& contact) const;
-    /// Gives the driven bodies that an island touches their velocities for it. While the island's
-    /// bodies move with the mean velocity V, the points that they touch move on by h (V - V_d),
-    /// which changes the velocity of the surface there by h ω × (V - V_d).
+    /// Sets the velocities of the driven bodies that an island touches, for the contact stage of
+    /// this island. While the island moves with the mean velocity V, its contact points move over
+    /// the surface of a driven body (with the velocity V_d and the angular velocity ω) by h (V -
+    /// V_d). This changes the velocity of the surface at these points by h ω × (V - V_d).
     void set_drives(const Island& island);
     /// Gives all driven bodies their mean velocities again.
     void reset_drives();

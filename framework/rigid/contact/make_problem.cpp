@@ -18,7 +18,7 @@ namespace rigor {
 
 namespace {
 
-// A static body may be driven, with the mean velocity of this step.
+// A static body in world space. If it is driven, its velocity is the mean over this step.
 Body static_in_world(const RigidBody& rigid, double time, double time_step)
 {
     Body body;
@@ -73,8 +73,8 @@ Vector3d bend_of_path(const Vector3d& turn, const Vector3d& r)
     return (std::sin(angle) / angle - 1) * line + 2 * half * half * turn.cross(line);
 }
 
-// Whether all of a body's shapes have a curved side or rim, on which it may roll. A ball about its
-// center needs no care: rotation moves none of its contacts along the normal.
+// Whether all of a body's shapes have a curved side or rim, on which it may roll. Spheres are left
+// out: rotation of a ball about its center moves none of its contacts along the normal.
 bool rolls(const RigidBody& body)
 {
     return !body.is_static && !body.parts.empty() &&
@@ -92,11 +92,12 @@ bool rolls(const RigidBody& body)
 // straight line may reach the other body, although on its real path, a circle, it does not.
 void set_turning(const ContactProblem& problem, bool rolls1, bool rolls2, ContactConstraint& c)
 {
-    // Share of the bend by which the circle may come nearer than the computed clearance: the bend
-    // holds for a fixed normal, which on a curved surface turns within the step. Chosen by trial;
-    // tests/classics has wheels that roll.
+    // The real path of a point bends away from the straight line. The bend is computed for a fixed
+    // normal, but on a curved surface the normal turns within the step. So the clearance may be
+    // wrong by this share of the bend. Chosen by trial; tests/classics has wheels that roll.
     constexpr double bend_tolerance = 0.1;
-    // The rotation in the step; 0 for a body with corners, which hits with them.
+    // The time in which each body turns: the step, or 0 for a body with corners, because its
+    // corners do hit the other body.
     const Body &body1 = problem.bodies[c.body1], &body2 = problem.bodies[c.body2];
     const double h1 = rolls1 ? problem.time_step : 0, h2 = rolls2 ? problem.time_step : 0;
     const Vector3d turn1 = h1 * body1.angular_velocity, turn2 = h2 * body2.angular_velocity;

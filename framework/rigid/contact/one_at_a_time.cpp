@@ -15,8 +15,8 @@ namespace rigor {
 
 namespace {
 
-// For each of the formulas `resolve_contacts` and `shock_propagation`, as in the paper (Guendelman,
-// Bridson and Fedkiw 2003).
+// The number of iterations of each of the formulas `resolve_contacts` and `shock_propagation`, as
+// in the paper (Guendelman, Bridson and Fedkiw 2003).
 constexpr int iterations = 10;
 // The load of a heavy body passes through a light one in small parts. Before shock propagation the
 // number of iterations is therefore multiplied by `growth` until contacts approach at no more than
@@ -64,7 +64,7 @@ void resolve_one_at_a_time(ContactProblem& problem, std::span<const int> active,
 {
     const LocalIsland local = local_island(problem, active);
     ContactResult result = resolved(problem, local, iterations);
-    if (shock) { // weight that has not reached the ground by now would be lost
+    if (shock) { // it would lose load that has not reached the ground yet
         const double enough = enough_share * fastest_approach(local.bodies, local.contacts);
         const int most = most_visits / static_cast<int>(active.size());
         for (int n = growth * iterations;

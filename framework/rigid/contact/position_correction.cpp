@@ -3,7 +3,8 @@
 // Gauss–Seidel on displacements, with the impulse matrices of the step. For each island it makes a
 // row for each contact that penetrates or could come to penetrate. It then sweeps over the rows as
 // the contact solver does, with displacements in place of velocities. Without gravity a speed
-// corrects penetration instead (Baumgarte 1972); the contact stage asks for it.
+// corrects penetration instead (Baumgarte 1972), which the contact stage takes from
+// `correction_speed`.
 #include "rigid/contact/position_correction.hpp"
 
 #include "rigid/bodies/two_bodies.hpp"
@@ -27,9 +28,9 @@ constexpr double correction_rate = 1;
 // in a heap it is the slop that lets the heap come to rest.
 constexpr double rounding_slop = 1e-6, heap_slop = resting_overlap;
 constexpr double weightless_slop = 1e-3; // without gravity, where a correction adds energy
-// There are as many sweeps, within these bounds, as visit about `most_visits` rows in all. More of
-// them take more time; fewer leave more of the overlap of a large island to the next steps. Chosen
-// by trial; `bench pile` shows the time and the overlap.
+// The sweeps over an island visit about `most_visits` rows in all, but their number stays within
+// these bounds. More sweeps take more time; fewer leave more overlap of a large island to the next
+// steps. Chosen by trial; `bench pile` shows the time and the overlap.
 constexpr int most_visits = 2000, fewest_sweeps = 4, most_sweeps = 20;
 
 using namespace optimised;
@@ -51,7 +52,7 @@ struct CorrectionRow {
 struct Rows {
     std::vector<CorrectionRow> all;
     std::uint64_t penetrating = 0;
-    bool needs_correction = false; // whether any contact does
+    bool needs_correction = false; // whether any contact needs one
 };
 
 CorrectionRow row_of(const ContactProblem& problem, const ContactConstraint& c,

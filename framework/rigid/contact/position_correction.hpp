@@ -34,9 +34,9 @@ std::vector<Displacement> position_corrections(const ContactProblem& problem);
 /// The velocity v·n that corrects the penetration of a contact in a world without gravity [m/s],
 /// known as Baumgarte stabilisation (Baumgarte 1972, "Stabilization of constraints and integrals of
 /// motion in dynamical systems", Comput. Methods Appl. Mech. Eng. 1). It removes a fifth of the
-/// penetration in each step, no faster than one radius per second. Penetration within a thousandth
-/// of the radius is left alone, since the correction adds energy. Momentum and angular momentum are
-/// conserved. With gravity the velocity is 0.
+/// penetration in each step, no faster than one radius per second. Penetration within a
+/// thousandth of the radius is left alone, since the correction adds energy. Momentum and angular
+/// momentum are conserved. With gravity the velocity is 0.
 double correction_speed(const ContactProblem& problem, const ContactConstraint& contact);
 
 } // namespace rigor

@@ -14,7 +14,7 @@ namespace rigor {
 ///
 /// @param before  the contacts of the previous step, sorted by their bodies
 /// @param poses   the poses of all bodies at the start of the step
-/// @param pairs   pairs of contacts, in ascending order of their bodies
+/// @param pairs   pairs of bodies, each with its range of contacts, in ascending order
 /// @return the number of contacts that got an impulse
 std::uint64_t start_warm(std::span<const WarmContact> before, const std::vector<Pose>& poses,
                          double time_step, std::span<const ContactPair> pairs,

@@ -28,8 +28,8 @@ bool reaches(const RigidBody& unbounded, const Pose& pose, const Bounds& bounds)
     });
 }
 
-// Up to this many bodies or pairs, comparing all is faster than a tree or a counting sort. It
-// changes no result; it was chosen by trial.
+// Up to this many bodies or pairs, comparing all of them is faster than a tree or a counting sort.
+// The value changes no result; it was chosen by trial.
 constexpr std::size_t few = 12;
 
 BodyPair pair_of(int i, int j)
@@ -160,7 +160,8 @@ std::vector<BodyPair> cached_near_pairs(World& world, const std::vector<Pose>& p
                                         const std::vector<Bounds>& bounds,
                                         const std::vector<double>& margins, ThreadPool& pool)
 {
-    // Fewer bodies are searched faster than checked. It changes no result; it was chosen by trial.
+    // With fewer bodies, a search takes less time than the check of the cache. The value changes no
+    // result; it was chosen by trial.
     constexpr std::size_t worth_caching = 64;
     world.counters.pairs_possible += pairs_possible(world);
     if (bounds.size() < worth_caching) return near_pairs(world, poses, bounds, pool);

@@ -17,8 +17,8 @@ namespace rigor {
 std::vector<BodyPair> near_pairs(const World& world, const std::vector<Pose>& poses,
                                  const std::vector<Bounds>& bounds, ThreadPool& pool);
 
-/// The same pairs, found among those in the world's pair cache as long as each body stays within
-/// its fat bounds. Changes the cache and the counters.
+/// The pairs of `near_pairs`, found among those in the world's pair cache as long as each body
+/// stays within its fat bounds. Changes the cache and the counters.
 ///
 /// @param margins  for each moving body, by how much its fat bounds exceed its bounds [m]
 std::vector<BodyPair> cached_near_pairs(World& world, const std::vector<Pose>& poses,

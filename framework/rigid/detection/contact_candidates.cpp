@@ -3,8 +3,8 @@
 // each body are swept over its free flight, and the broad phase finds the pairs whose bounds
 // overlap. Impulses that pass from body to body widen the margins; the narrow phase then looks for
 // contacts within path and margin. All motion is measured relative to other bodies and never to the
-// origin, so a scene that moves evenly has the same contacts as at rest. It also lists sleeping
-// bodies that another body may touch, since they have to wake before the step goes on.
+// origin, so a scene that moves evenly has the same contacts as at rest. The search also lists
+// sleeping bodies that another body may touch, since they have to wake before the step goes on.
 #include "rigid/detection/contact_candidates.hpp"
 
 #include "geometry/shapes/shape_bounds.hpp"
@@ -35,8 +35,8 @@ Bounds body_bounds(const RigidBody& body, const Pose& pose)
     return bounds;
 }
 
-// How a body moves in the step: its center along its path, and with its last velocity, and how far
-// rotation moves its other points in addition [m].
+// How a body moves in the step [m]: the displacement of its center along its path, the displacement
+// that its last velocity would give, and how far rotation moves its other points in addition.
 struct Travel {
     Vector3d moved = Vector3d::Zero(), at_last_velocity = Vector3d::Zero();
     double turned = 0;
@@ -64,7 +64,8 @@ struct ImpulseBody {
     bool is_still = false;
 };
 
-// The law of a pair may give it any restitution, up to 1.
+// A body's data for the propagation. If there are pair laws, any of them may give its contacts a
+// restitution up to 1.
 ImpulseBody impulse_body(const World& world, const RigidBody& body)
 {
     const double restitution = world.pair_laws.empty() ? body.material.restitution : 1;
@@ -84,8 +85,8 @@ double speed_transfer(const ImpulseBody& i, const ImpulseBody& j)
 struct ContactSearch {
     const World& world;
     std::vector<Travel> motions;  // one for each body
-    std::vector<Bounds> bounds;   // one for each body, swept over the step in the frame
-    std::vector<double> travels;  // one for each body, relative to what is given in the world [m]
+    std::vector<Bounds> bounds;   // one for each body, swept over the step, see `frame_of_bounds`
+    std::vector<double> travels;  // for each body, the largest travel relative to `frames_of` [m]
     ContactCandidates candidates; // filled in this order: poses and radii, margins, contacts
     double time_step = 0;         // [s]
 };
@@ -99,8 +100,8 @@ bool come_near(const ContactSearch& search, const BodyPair& pair, double reach)
 }
 
 // The margin of body i if impulses may move it by `farthest`. The limit, chosen by trial, keeps one
-// fast body from giving all others margins of its own speed. A body that an impulse moves farther
-// than this meets what lies there in the next step.
+// fast body from giving all others margins as large as its own path. If an impulse moves a body
+// farther than its margin, the contacts there are found in the next step.
 double margin(const ContactSearch& search, int i, double farthest)
 {
     constexpr double most = 0.5; // in radii of the body
@@ -140,8 +141,8 @@ struct ImpulsePropagation {
     }
 };
 
-// The margins of all bodies. A body at rest may be hit in this step and then move on with the share
-// of the speed that the impulse leaves it.
+// The margins of all bodies: how far each may move in this step, by itself or because an impulse
+// passes on a share of another body's speed.
 std::vector<double> margins_of(const ContactSearch& search, const std::vector<BodyPair>& pairs,
                                ThreadPool& pool)
 {
@@ -226,7 +227,7 @@ struct NarrowPhaseResult {
 
 bool never_collide(const World& world, int i, int j)
 {
-    if (world.bodies[i].is_static && world.bodies[j].is_static) return true; // one is driven
+    if (world.bodies[i].is_static && world.bodies[j].is_static) return true; // nothing pushes them
     const int group = world.bodies[i].group;
     if (group != 0 && group == world.bodies[j].group) return true;
     const PairLaw* law = law_of(world.pair_laws, i, j);
@@ -251,15 +252,16 @@ NarrowPhaseResult run_narrow_phase(const ContactSearch& search, std::span<const 
         found.any_may_meet |= may_meet;
         for (int sleeping : {i, j}) {
             if (!search.world.bodies[sleeping].rest.is_asleep()) continue;
-            if (may_meet && path > 0) found.disturbed.push_back(sleeping); // not by what stands
+            if (may_meet && path > 0) found.disturbed.push_back(sleeping); // only by a moving body
             found.contacts.resize(first);
         }
     }
     return found;
 }
 
-// The motions that others are measured by: those of what is still and of driven bodies, each once.
-// In a world without both it is the motion of the center of mass.
+// The motions relative to which the travel of bodies is measured: those of still and of driven
+// bodies, equal motions only once. In a world without such bodies it is the motion of the center of
+// mass.
 std::vector<Travel> frames_of(const World& world, std::span<const RigidState> flown,
                               double time_step)
 {
@@ -287,8 +289,8 @@ std::vector<Travel> frames_of(const World& world, std::span<const RigidState> fl
     return frames;
 }
 
-// The displacement that the swept bounds leave out: none if anything is still, since what is still
-// has bounds that are not swept.
+// The displacement that is subtracted from each body's path before its bounds are swept. It is zero
+// if any body is still, because the bounds of still bodies are not swept.
 Vector3d frame_of_bounds(const World& world, const std::vector<Travel>& frames)
 {
     const bool any_still = std::any_of(world.bodies.begin(), world.bodies.end(),

@@ -12,14 +12,15 @@ namespace rigor {
 struct ContactCandidates {
     std::vector<Contact> contacts; // empty if no bodies are near enough to meet in this step
     std::vector<Pose> poses;       // one for each body, at the start of the step
-    // One for each body, or none if no bodies are near each other; contacts farther apart cannot
-    // matter [m].
+    // One for each body; empty if no bodies are near each other. After free flight, a contact with
+    // a gap of at least both bodies' margins cannot matter [m].
     std::vector<double> margins;
     std::vector<double> radii;  // one for each body, about its center of mass; 0 if static [m]
     std::vector<int> disturbed; // sleeping bodies that have to wake, since another may touch them
 };
 
-/// Finds contact candidates by the broad phase, the margins for impulses, and the narrow phase.
+/// Finds contact candidates in three stages: the broad phase finds pairs of bodies, the margins of
+/// bodies grow by the motion that impulses may add, and the narrow phase finds the contacts.
 ///
 /// @param flown  the states after free flight
 ContactCandidates contact_candidates(World& world, std::span<const RigidState> flown,

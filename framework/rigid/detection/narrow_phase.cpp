@@ -46,7 +46,7 @@ void find_sphere_contacts(const PlacedSphere& a, const PlacedSphere& b, double r
 struct SphereBoxGap {
     Vector3d n = Vector3d::Zero();
     double gap = 0;
-    bool is_inside = false; // whether the center is inside; then through the nearest face
+    bool is_inside = false; // whether the center is inside; then n is that of the nearest face
 };
 
 // @param c  the sphere's center in the frame of the box
@@ -74,10 +74,10 @@ struct SeparatingNormal {
     double now, then;
 };
 
-// Finds the normal along which the sphere and the box overlap least after the move. It is one of
-// the faces' normals, or the normal at the end of the move if they do not meet there. So a sphere
-// that rolls over the joint between two boxes, or falls there, does not run into the edge of the
-// second one.
+// Finds the normal along which the sphere and the box overlap least after the move, among those
+// along which they are apart now. Candidates are the normals of the faces and, if the shapes do not
+// overlap after the move, the normal there. So a sphere that rolls over the joint between two
+// boxes, or falls onto it, does not run into the edge of the second box.
 void improve_by_looking_ahead(const Vector3d& half, const Vector3d& c, const Vector3d& d,
                               double radius, SeparatingNormal& best)
 {
@@ -106,8 +106,8 @@ void find_sphere_contacts(const PlacedSphere& sphere, const Box& box, const Pose
     contacts.push_back({sphere.center - sphere.radius * n, n, best.now});
 }
 
-// Whether the shapes are in the order of the variant, where shapes with a core come first and
-// planes last. For the other half of the pairs, the shapes are exchanged.
+// Whether the shapes are in the order of the variant `Shape`, where shapes with a core come first
+// and planes last. If not, the two shapes are exchanged.
 bool is_in_order(const Shape& a, const Shape& b)
 {
     return a.index() <= b.index();

@@ -16,8 +16,8 @@ namespace rigor {
 /// box_box.hpp, convex_contact.hpp (two other convex shapes) and mesh_contact.hpp (a mesh that is
 /// not convex). Two planes never touch.
 ///
-/// Two capsules have no closed form: like any capsule they take the samples of core_contact.hpp. A
-/// closed form of such a pair would be called in `find_ordered`, before that.
+/// Two capsules have no closed form: they are sampled like any capsule (core_contact.hpp). In
+/// `find_ordered`, a closed form for such a pair would have to come before the samples.
 void find_shape_contacts(const Shape& shape1, const Pose& pose1, const Shape& shape2,
                          const Pose& pose2, double reach, std::vector<Contact>& contacts);
 

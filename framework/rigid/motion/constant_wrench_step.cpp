@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // One step under a constant wrench, by Buss's augmented fourth-order method (2000). It computes ω
-// and its derivatives, then the mean angular velocity Ω, and then one rotation by Ω h. The exact Ω
-// of a body without torque can take the place of the series.
+// and its derivatives, then the mean angular velocity Ω, and then one rotation by Ω h. The exact
+// Ω of a body without torque can take the place of the series.
 #include "rigid/motion/constant_wrench_step.hpp"
 
 #include "formulas/rotation.hpp"
@@ -34,7 +34,8 @@ Vector3d mean_angular_velocity(const Matrix3d& J, const Vector3d& L, const Vecto
            h * h * h / 24 * w2.cross(w);
 }
 
-// Two rotations, see the header.
+// The orientation of a body of revolution after a step without torque: a rotation about its axis
+// and one about L, exp(h i L) exp(h k (L·a) a) q (see the header).
 Quaternion turned_symmetric(const RigidBody& body, const RigidState& state, double h)
 {
     const Matrix3d& J_body = body.inverse.inverse_inertia;
@@ -45,7 +46,7 @@ Quaternion turned_symmetric(const RigidBody& body, const RigidState& state, doub
     return advance_exact(advance_exact(state.orientation, k * L.dot(a) * a, h), i * L, h);
 }
 
-// The exact Ω of a body without torque.
+// The exact mean angular velocity Ω over the step, of a body without torque.
 Vector3d mean_of_free_rotation(const RigidBody& body, const RigidState& state, double h)
 {
     const Matrix3d axes = body_rotation(Integrator::exact, state) * body.principal_axes;
@@ -53,8 +54,8 @@ Vector3d mean_of_free_rotation(const RigidBody& body, const RigidState& state, d
                                              axes.transpose() * state.angular_momentum, h);
 }
 
-// Whether the series for Ω is exact to rounding: the first term that it leaves out is some
-// thousandths of (|I⁻¹| |L| h)⁵.
+// Whether the series for the mean angular velocity Ω is exact to rounding: the first term that it
+// leaves out is some thousandths of (|I⁻¹| |L| h)⁵.
 bool is_series_exact(const RigidBody& body, const RigidState& state, double h)
 {
     constexpr double most = 1e-3; // [rad]

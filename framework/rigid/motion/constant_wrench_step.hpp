@@ -10,7 +10,7 @@ enum class FreeRotation { fourth_order, exact };
 
 /// A step of fourth order under a wrench that is constant over it: Buss's augmented fourth-order
 /// method (Buss 2000, "Accurate and efficient simulation of rigid-body rotations", J. Comput. Phys.
-/// 164), which continues A3.16 by two more derivatives of ω. With J = I(t)⁻¹:
+/// 164). It extends the method of task A3.16 by two more derivatives of ω. With J = I(t)⁻¹:
 ///
 ///     ω = J L    ω̇ = J (τ - ω × L)    J̇ = ω* J - J ω*,  from which ω̈ and ω⃛ follow
 ///     Ω = ω + h/2 ω̇ + h²/6 ω̈ + h³/24 ω⃛ + h²/12 ω̇ × ω + h³/24 ω̈ × ω

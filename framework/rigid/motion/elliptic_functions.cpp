@@ -18,8 +18,8 @@ namespace {
 // The series leave out terms of sixth order, so the arguments may differ by (ε/4)^(1/6).
 const double spread_left = std::pow(std::numeric_limits<double>::epsilon() / 4, 1.0 / 6);
 
-// The arithmetic and the geometric mean converge quadratically: if they differ by less than this,
-// half their sum is their limit to rounding.
+// The arithmetic and the geometric mean converge quadratically. If they differ by less than this,
+// half their sum equals their limit except for rounding.
 constexpr double means_differ = 1e-8;
 constexpr int most_means = 20; // m1 = 1e-300 needs 13
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Elliptic integrals and Jacobi's elliptic functions. They keep their relative accuracy for every
-// parameter m below 1, however near.
+// parameter m below 1, also very near to 1.
 #pragma once
 
 namespace rigor {

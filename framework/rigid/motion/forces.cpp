@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Wrenches of gravity, springs, applied forces and drag at one time. First it computes the motion
-// of each body and of the points of attachment, then it collects the point forces on each body, and
-// last it adds them up by `net_wrench`.
+// Wrenches of gravity, springs, applied forces and drag at one time. First it computes the
+// motion of each body and of the points of attachment, then it collects the point forces on each
+// body, and last it adds them up by `net_wrench`.
 #include "rigid/motion/forces.hpp"
 
 #include "formulas/kinematics.hpp"
@@ -75,7 +75,7 @@ ForceRate fastest_force_rate(const World& world)
         const BodyInertia& inverse = world.bodies[body].inverse;
         return inverse.inverse_mass + r.squaredNorm() * inverse.inverse_inertia.norm();
     };
-    std::vector<double> stiffness(world.bodies.size(), 0), damping = stiffness; // times K
+    std::vector<double> stiffness(world.bodies.size(), 0), damping = stiffness; // Σ k K and Σ c K
     for (const Spring& spring : world.springs) {
         const double K =
             compliance(spring.body1, spring.point1) + compliance(spring.body2, spring.point2);

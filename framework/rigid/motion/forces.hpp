@@ -20,7 +20,7 @@ struct Motion {
 /// False for static bodies.
 std::vector<bool> pulled_bodies(const World& world, double time_step);
 
-/// The same, with the bodies that a medium brakes and that are awake.
+/// The same, and also true for awake bodies that a medium brakes.
 std::vector<bool> with_dragged_bodies(std::vector<bool> pulled, const World& world);
 
 /// A rate and the body that has it; -1 if no body has any.

@@ -87,9 +87,9 @@ int substeps_for(Integrator integrator, const RigidBody& body, const RigidState&
 }
 
 // The number of equal substeps in which no spring vibrates or decays, and no force oscillates, by
-// more than half a unit of its phase. There both methods are accurate: after 30 oscillations the
-// error is 1e-4 of the amplitude, and with dampers, where Runge–Kutta 4 takes the place of the
-// kicks, 4e-3.
+// more than half a unit of its phase. The splitting method then has an error of 1e-4 of the
+// amplitude after 30 oscillations; with dampers, where Runge–Kutta 4 replaces it, the error is
+// 4e-3.
 int substeps_for_forces(const World& world, double h)
 {
     const bool any_drags = std::any_of(world.bodies.begin(), world.bodies.end(),

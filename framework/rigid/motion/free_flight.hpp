@@ -20,8 +20,8 @@
 // ends at 2.8. It needs forces that depend on positions alone.
 //
 // A stiffer spring or damper divides the step of all pulled bodies into substeps, in each of which
-// no spring vibrates or decays by more than half a unit of its phase. The other integrators take
-// the step as it is, to watch where they become unstable.
+// no spring vibrates or decays by more than half a unit of its phase. The other integrators do not
+// divide the step, so that students can watch where they become unstable.
 //
 // If any spring damps or a medium brakes a body, all pulled bodies take the Runge–Kutta method of
 // Munthe-Kaas (1999, "High order Runge–Kutta methods on manifolds", Appl. Numer. Math. 29) with the
@@ -47,7 +47,8 @@ enum class Gravity { acts, left_out };
 /// If a body would rotate by more than a quarter turn, the step is divided into equal substeps of
 /// at most a quarter turn (`max_time_step`). Four kinds of flight need no substeps: any body with
 /// the integrator `exact`, an isotropic body with any integrator but `linear`, a body of revolution
-/// with `runge_kutta`, and the integrator `matrix`, whose assignment comes before that formula's.
+/// with `runge_kutta`, and any body with `matrix`, which A1 uses, while `max_time_step` belongs to
+/// A3.
 ///
 /// @param gravity  `left_out` for a body that contacts hold, which moves by
 ///                 `Settings::integrator_when_held`

@@ -18,7 +18,8 @@ namespace rigor {
 
 namespace {
 
-// A smaller 1 - m does not matter: a pass by the unstable axis already takes 115 units of u.
+// The smallest 1 - m. Smaller values make no difference: with this one, a passage near the unstable
+// axis already takes 115 units of u.
 constexpr double least_m1 = 1e-100;
 
 // The closed curve of the unit vector M/|M| in the body.
@@ -30,7 +31,8 @@ struct Path {
     double m1 = 1;                 // 1 - m
     double rate = 0;               // u̇/|M| [1/(kg m²)]
 
-    // Whether M moves at all. It rests on a principal axis, and if its moments are all equal.
+    // Whether M moves in the body. It does not if it lies along a principal axis or if all moments
+    // are equal.
     bool is_moving() const { return rate != 0 && A1 > 0 && std::isfinite(N); }
 };
 

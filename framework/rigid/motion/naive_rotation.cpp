@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A quaternion becomes a matrix, or angles, takes the step in that form, and becomes a quaternion
-// again. Of the two quaternions of a rotation, the one nearer to the old one is taken.
+// Two simple ways to advance an orientation (lecture "Inertia, rotation, impulses"). A quaternion
+// becomes a matrix, or angles, takes the step in that form, and becomes a quaternion again. Of the
+// two quaternions of a rotation, the one nearer to the old one is taken.
 #include "rigid/motion/naive_rotation.hpp"
 
 #include "formulas/rotation.hpp"

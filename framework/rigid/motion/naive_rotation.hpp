@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Two ways of the lecture to advance an orientation that lead nowhere: a matrix that Gram–Schmidt
-// repairs, and Euler angles. They are here to be watched.
+// Two simple ways from the lecture to advance an orientation, each with a fault that students can
+// watch: a matrix that Gram–Schmidt repairs is biased, and Euler angles fail at gimbal lock.
 #pragma once
 
 #include "rigid/bodies/body.hpp"

@@ -34,10 +34,11 @@ public:
                        [](const void* what, int k) { (*static_cast<const Work*>(what))(k); });
     }
 
-    /// Calls work(first, last) for ranges that cover [0, count), each of at least `grain_size`. A
-    /// larger grain size costs less time to hand out the ranges, a smaller one lets threads share
-    /// less work: the cheaper an item is, the larger its callers choose it. They chose it by trial;
-    /// no result depends on it, and `bench pile` shows what a second thread gains.
+    /// Calls work(first, last) for ranges that cover [0, count), each of at least `grain_size`.
+    /// With a larger grain size, handing out the ranges takes less time; with a smaller one,
+    /// threads can share a smaller amount of work. So cheap items need a large grain size. Callers
+    /// chose it by trial; no result depends on it, and `bench pile` shows what a second thread
+    /// gains.
     template <class Work>
     void for_each_range(std::size_t count, std::size_t grain_size, const Work& work)
     {

@@ -42,7 +42,7 @@ double thickness(const RigidBody& body)
     return least;
 }
 
-// A ball occupies the same space in every orientation.
+// Whether a body is a ball, which occupies the same space in every orientation.
 bool is_ball(const RigidBody& body)
 {
     return body.parts.size() == 1 && std::holds_alternative<Sphere>(body.parts[0].shape);
@@ -154,10 +154,10 @@ private:
     std::vector<Pose> poses_; // poses after the step, set only for the pair that is checked
 };
 
-// The time of the first bounce of two moving balls that is not at its impact yet; 0 if there is
-// none. They collide on a table: the direction in which they part is that of the line of centers
-// when they meet. Their distance is convex along straight paths, so the prediction is never late,
-// and repeated it converges quadratically.
+// The time of the first bounce of two moving balls that was not computed at its impact yet; 0 if
+// there is none. The time matters, as in billiards: balls part along the line of centers that they
+// have at the impact. On straight paths their distance is a convex function of time, so the
+// predicted time is never late, and the prediction, when repeated, converges quadratically.
 double first_impact(const World& world, const ContactProblem& problem, const Island& island)
 {
     constexpr double just_before = 1 - 1e-9; // so that the bounce belongs to the later part
@@ -175,8 +175,8 @@ double first_impact(const World& world, const ContactProblem& problem, const Isl
     return first < problem.time_step ? first : 0;
 }
 
-// The number of pairs that bounced in the attempt that is discarded. The counters include them
-// already.
+// The number of pairs that bounced in the attempt that is discarded. The counters already include
+// them.
 std::uint64_t bounced_pairs(const ContactProblem& problem, const Island& island)
 {
     return std::count_if(island.pairs.begin(), island.pairs.end(), [&](const ContactPair& pair) {

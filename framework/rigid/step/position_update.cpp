@@ -14,8 +14,9 @@ namespace rigor {
 
 namespace {
 
-// Whether the collision stage and the contact stage gave a body an impulse. What changes a velocity
-// by rounding alone, as between bodies that fall together after a hit, holds nothing.
+// Whether the collision stage and the contact stage gave a body an impulse. A contact impulse does
+// not count if it changes a velocity only by a rounding error, as between bodies that fall together
+// after a hit.
 struct Impulses {
     bool has_bounced = false, has_contact_impulse = false;
 };
@@ -59,12 +60,12 @@ bool is_of_higher_order(Integrator integrator_when_held)
 bool holds_along_fixed_normals(const ContactProblem& problem, const Island& island,
                                const std::vector<Body>& before)
 {
-    // A normal velocity above this fraction of the speed relative to the ground means that the
-    // contact opens or closes; a smaller one is what the sweeps leave, and moves no point by more
-    // than 1e-6 of its way. So is a smaller impulse of the collision stage, between bodies that
-    // gravity accelerates alike.
+    // A contact opens or closes if its normal velocity is above this fraction of the speed relative
+    // to the ground. A smaller normal velocity is what the sweeps leave, and moves no point by more
+    // than 1e-6 of its way. The same limit holds for the velocity change by the collision stage,
+    // between bodies that gravity accelerates alike.
     constexpr double opens = 1e-6;
-    // Between bodies at rest the sweeps leave a smaller share of what the forces add.
+    // Between bodies at rest, the sweeps leave at most this share of the speed that the forces add.
     constexpr double left_at_rest = 1e-12;
     const std::vector<Body> grounds = problem.grounds_of(island);
     const auto speed_of = [&](const Body& body) {

@@ -45,7 +45,7 @@ void apply_forces(ContactProblem& problem, const World& world, const std::vector
 
 std::vector<ContactRecord> step(World& world, double time_step, int divisions);
 
-// Steps of the parts of a step that was divided `divisions` times.
+// The function that advances the parts of a step which was divided `divisions` times before.
 Step step_of_parts(int divisions)
 {
     return

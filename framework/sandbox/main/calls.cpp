@@ -130,9 +130,9 @@ std::vector<Rule> worker_rules(const OwnNumbers& own, bool grader_allows_start)
     std::vector<Rule> rules(std::begin(worker_table), std::end(worker_table));
     // abort() and raise() send a signal to their own process.
     rules.push_back({SYS_tgkill, allowed, {Condition::equals, 0, own.process}});
-    // Two calls are still to come before the program starts, and both name a descriptor that is
-    // then closed. An execveat with an absolute path ignores the descriptor: either the grader
-    // allows only the first one, or Landlock allows only this program.
+    // Two more calls follow before the program starts, sendmsg and execveat. Both name a descriptor
+    // that is then closed. Since an execveat with an absolute path ignores the descriptor, either
+    // the grader allows only the first execveat, or Landlock allows only this program.
     rules.push_back({SYS_sendmsg, allowed, {Condition::equals, 0, own.report}});
     if (!grader_allows_start)
         rules.push_back({SYS_execveat, allowed, {Condition::equals, 0, own.program}});

@@ -30,7 +30,7 @@ struct Rule {
     Verdict otherwise = Verdict::refused; // if the condition does not hold
 };
 
-/// What the numbers in the rules of a worker are.
+/// The numbers that the rules of a worker refer to.
 struct OwnNumbers {
     std::uint32_t process; // the number of this process, as it sees it
     std::uint32_t report;  // the socket to the grader, closed when the program starts

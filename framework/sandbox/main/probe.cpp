@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Each wall is put up in a child process, since it stays forever. A wall of which only the name is
-// there (a container may forbid a call that its kernel has) is found out in this way.
+// Each wall is put up in a child process, since it stays forever. This also finds a wall that
+// exists in name only, such as a call that the kernel has but a container forbids.
 #include "sandbox/main/probe.hpp"
 
 #include "sandbox/main/landlock.hpp"

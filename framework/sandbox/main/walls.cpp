@@ -116,7 +116,7 @@ void change_user(unsigned user)
 
 void drop_capabilities()
 {
-    // Without this, a program that is started as root would get all of them again.
+    // Without this, a program that is started as root would get all capabilities again.
     for (int capability = 0; prctl(PR_CAPBSET_READ, capability) >= 0; ++capability)
         prctl(PR_CAPBSET_DROP, capability); // fails if this process had none of them
     __user_cap_header_struct header = {_LINUX_CAPABILITY_VERSION_3, 0};

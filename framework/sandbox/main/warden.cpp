@@ -56,7 +56,7 @@ void kill_children()
 void end_descendants(pid_t program, pid_t init)
 {
     if (init > 0) kill(init, SIGKILL);
-    if (program > 0) kill(-program, SIGKILL); // its group: most of them at once
+    if (program > 0) kill(-program, SIGKILL); // the program's group, most of the processes at once
     for (;;) {
         kill_children();
         pid_t ended;

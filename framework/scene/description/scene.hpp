@@ -35,9 +35,9 @@ struct BodyDescription {
     std::vector<Part> parts; // in the body's own frame, as in the file
     Material material;
     Drag drag;
-    std::string group; // bodies of one group pass through each other; empty: of none
-    // The only axis that the body turns about, world space, zero if it never turns; empty if it
-    // turns freely.
+    std::string group; // bodies of one group pass through each other; empty: in no group
+    // The only axis about which the body turns, in world space, or zero if it never turns. Without
+    // a value the body turns freely.
     std::optional<Vector3d> only_axis;
     bool is_static = false;
     std::optional<Drive> drive; // the given motion of a body that counts as static

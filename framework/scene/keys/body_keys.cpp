@@ -314,7 +314,8 @@ void read_driven(BodyDraft& draft)
     body.is_static = true;
 }
 
-// Which axes the body turns about, if not all. What it turns with at first must fit.
+// Reads the only axis about which the body may turn, if any. An initial angular velocity must be
+// about this axis.
 void read_turning(BodyDraft& draft)
 {
     const Value* value = draft.axis ? draft.axis : draft.turns;
@@ -337,7 +338,7 @@ void read_turning(BodyDraft& draft)
     draft.body.only_axis = a;
 }
 
-// Refuses what only a body that moves has.
+// Refuses the keys that only a moving body may have, if the body is static or driven.
 void check_moving(const BodyDraft& draft)
 {
     for (const Value* value : {draft.drag, draft.turns, draft.axis})

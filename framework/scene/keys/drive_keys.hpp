@@ -8,7 +8,7 @@
 
 namespace rigor {
 
-/// Reads a drive. Where the body is at first is left to the body.
+/// Reads a drive, apart from the first position and orientation, which are those of the body.
 /// @throws Mistake
 Drive read_drive(const Value& value);
 

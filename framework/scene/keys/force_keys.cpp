@@ -114,7 +114,7 @@ constexpr Key<ForceDraft> force_keys[] = {
      [](ForceDraft& d, const Value& v) { d.factor = &v; }},
 };
 
-// The factor of a force; its value at the start must be a number.
+// Reads the factor of a force. Its value at the start of the force must be finite.
 void read_factor(ForceDraft& draft)
 {
     if (!draft.factor) return;

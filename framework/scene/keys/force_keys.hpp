@@ -17,7 +17,7 @@ struct ForcesRead {
 };
 ForcesRead read_forces(const Value& value, const std::vector<BodyDescription>& bodies);
 
-/// Reads what holds for two bodies in particular, sorted by their bodies.
+/// Reads the laws of pairs of bodies, sorted by their bodies.
 /// @throws Mistake
 std::vector<PairLaw> read_pairs(const Value& value, const std::vector<BodyDescription>& bodies);
 

@@ -12,7 +12,7 @@ namespace rigor {
 /// arguments from the top of the stack and puts its result there.
 class Expression {
 public:
-    /// Two arguments at most; those that an instruction lacks are left alone.
+    /// An instruction takes up to two arguments; its function ignores those that it does not take.
     struct Instruction {
         int arguments = 0;
         double (*function)(double a, double b) = nullptr; // null: puts `number` or t on the stack
@@ -22,7 +22,7 @@ public:
 
     explicit Expression(std::vector<Instruction> program) : program_(std::move(program)) {}
 
-    /// The value at a time [s]. It is infinite or no number where the expression has no value.
+    /// The value at a time [s]. It is infinite or NaN where the expression has no value.
     double operator()(double t) const;
 
 private:

@@ -14,7 +14,8 @@ namespace rigor {
 
 namespace {
 
-// An object may name as many meshes as this, and each new key is compared with all before.
+// The largest number of keys in an object, such as "meshes", which has a key for each mesh. Each
+// new key is compared with all keys before it, so the limit guards the time.
 constexpr std::size_t most_keys = 1000;
 // Larger texts and deeper nesting are refused: the limits guard time and memory.
 constexpr std::size_t most_values = 1'000'000, most_levels = 32;

@@ -25,8 +25,8 @@ struct Value {
     std::string key;          // key of this value, if it is part of an object
 };
 
-/// The tree of a text. Limits guard against hostile texts: 1 000 000 values, 32 levels, 64 keys in
-/// one object. Every number is finite, and no object has the same key twice.
+/// The tree of a text. Limits guard against hostile texts: 1 000 000 values, 32 levels, 1000 keys
+/// in one object. Every number is finite, and no object has the same key twice.
 /// @throws Mistake
 Value parse_json(std::string_view text);
 

@@ -17,7 +17,7 @@ namespace {
 Matrix3d pseudo_inverse(const Matrix3d& I)
 {
     const Eigen::SelfAdjointEigenSolver<Matrix3d> eigen(0.5 * (I + I.transpose()));
-    constexpr double zero_moment = 1e-12; // in the largest moment, as in formula `invert_moments`
+    constexpr double zero_moment = 1e-12; // relative to the largest, as in formula `invert_moments`
     const double rounding = zero_moment * eigen.eigenvalues().cwiseAbs().maxCoeff();
     Vector3d inverse = Vector3d::Zero();
     for (int i = 0; i < 3; ++i)

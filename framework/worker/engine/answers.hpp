@@ -18,7 +18,8 @@ using AnyFormula = void (*)();
 using Stream = std::function<void(std::span<const std::byte>)>;
 
 extern "C" {
-/// The implementation's formulas, in the order of the table. The main function's part has them.
+/// The implementation's formulas, in the order of the table. They are defined in the part of the
+/// worker with the main function.
 extern const AnyFormula rigor_formulas[];
 }
 

@@ -16,7 +16,8 @@ namespace rigor {
 
 namespace {
 
-// A client that takes answers calls each formula itself, one after the other.
+// If answers are streamed, the reference runs like any other implementation, on one thread and
+// without faster forms, because the client's engine takes one answer after the other.
 RunSettings settings(const SceneRequest& request)
 {
     if (!request.is_reference || request.options.streams_answers) return {};

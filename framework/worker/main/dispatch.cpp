@@ -12,7 +12,7 @@ namespace rigor {
 
 namespace {
 
-// What a test says of its formula, or the question that it is left with.
+// The judgement of a test about its formula, or the question at which the test stopped.
 template <class Test> Judgement judgement(const Test& test)
 {
     try {
@@ -22,15 +22,15 @@ template <class Test> Judgement judgement(const Test& test)
     }
 }
 
-// What lies behind the list of a level set is not a number. A formula that reads a node beyond the
-// last one, even with the weight 0, gets no finite result; other memory might hide the mistake.
+// Fills the memory behind the list of a level set with NaN. So a formula that reads a node beyond
+// the last one, even with the weight 0, gets no finite result. Other memory might hide the mistake.
 template <class T> void guard_end(T& argument)
 {
     if constexpr (std::is_same_v<T, LevelSet>) {
         std::vector<double>& list = argument.distances;
         const std::size_t size = list.size();
         list.resize(2 * size + 1, std::numeric_limits<double>::quiet_NaN());
-        list.resize(size); // the memory behind keeps its numbers
+        list.resize(size); // the memory behind the list keeps the NaN
     }
 }
 

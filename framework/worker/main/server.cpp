@@ -97,11 +97,11 @@ void Server::reply_text(ReplyStatus status, std::string text)
     reply(status, std::as_bytes(std::span(text)));
 }
 
-// Writes to the ring, which the client reads while the scene goes on. Waking it takes longer than
-// most writes: it also looks by itself from time to time.
+// Writes to the ring, which the client reads while the scene goes on. Waking the client takes
+// longer than most writes, so it is woken rarely; it also looks by itself from time to time.
 void Server::stream(std::span<const std::byte> bytes)
 {
-    // Less is not announced alone: each wake-up costs a system call.
+    // Fewer bytes are not announced alone, because each wake-up costs a system call.
     constexpr std::uint32_t worth_waking = std::uint32_t{1} << 16; // [bytes]
     while (!bytes.empty()) {
         const std::uint32_t taken = channel_.taken.load(std::memory_order_acquire);

@@ -38,7 +38,7 @@ private:
     Channel& channel_;
     bool is_reference_;
     wire::Bytes answer_; // to the current request; kept, since a test makes thousands of calls
-    std::uint32_t streamed_ = 0, announced_ = 0; // bytes, and those that the client was woken for
+    std::uint32_t streamed_ = 0, announced_ = 0; // streamed bytes; their number at the last wake-up
     std::uint32_t used_ = 0;                     // bytes of what was given
     std::uint32_t sequence_ = 1;                 // the current request; request 1 is to get ready
 };

@@ -76,8 +76,9 @@ void wake(std::atomic<std::uint32_t>& word, const std::atomic<std::uint32_t>& aw
     if (awaited.load() != 0) syscall(SYS_futex, &word, FUTEX_WAKE, INT_MAX, nullptr, nullptr, 0);
 }
 
-// One process sets the word and then reads whether it is awaited, the other one says so and then
-// reads the word. All four are sequentially consistent, so at least one of them sees the other's.
+// One process sets the word and then reads `awaited`; the other one sets `awaited` and then reads
+// the word. All four accesses are sequentially consistent, so at least one process sees what the
+// other has set.
 void post(std::atomic<std::uint32_t>& word, const std::atomic<std::uint32_t>& awaited,
           std::uint32_t value)
 {

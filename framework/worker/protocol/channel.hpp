@@ -8,9 +8,9 @@
 // it can be read even if the worker dies in the next instruction. Another one has the answers that
 // the client gives to a scene in place of the worker's own formulas.
 //
-// Whoever falls asleep says so before in a word beside the one that it waits for. So the other one
-// wakes it only if it may be asleep, since waking is a system call and takes as long as the rest of
-// a call. A worker that lies there is not woken, and is late.
+// Before a process sleeps, it says so in a second word beside the one that it waits for. So the
+// other process wakes it only if it may be asleep, since waking is a system call and takes as long
+// as the rest of a call. A worker with a false value there is not woken, and exceeds its time.
 #pragma once
 
 #include "formulas/table.hpp"

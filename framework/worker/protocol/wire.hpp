@@ -71,7 +71,8 @@ template <class T> bool lies_as_encoded()
     }
 }
 
-/// The same, found once for each type. A copy as a whole takes a fraction of the time.
+/// The result of `lies_as_encoded`, computed once for each type. To copy a value as a whole takes a
+/// fraction of the time.
 template <class T> inline const bool is_whole = lies_as_encoded<T>();
 
 inline void put(Bytes& bytes, const void* data, std::size_t size)
@@ -116,7 +117,7 @@ template <class T> void encode(Bytes& bytes, const T& value)
 template <class... T> void encode_all(Bytes& bytes, const T&... values)
 {
     if ((is_whole<T> && ...)) {
-        bytes.resize((sizeof(T) + ...)); // mostly what it was for the call before
+        bytes.resize((sizeof(T) + ...)); // mostly the size for the previous call
         std::byte* end = bytes.data();
         ((end = std::copy_n(reinterpret_cast<const std::byte*>(&values), sizeof(T), end)), ...);
         return;

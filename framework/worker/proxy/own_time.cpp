@@ -82,7 +82,7 @@ void start_timer()
 
 void watch_own_time(LastWords words, double stall)
 {
-    most_ticks = 0x7fffffff; // until the words are in their place
+    most_ticks = 0x7fffffff; // no limit while the last words are being set
     last_words = std::move(words);
     own_time::ticks = 0;
     own_time::last_formula = -1;

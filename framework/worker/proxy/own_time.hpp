@@ -2,10 +2,10 @@
 // The time that a test program may compute by itself. Its engine works with the answers of a
 // submission, and some answers keep it busy without end, even within one step.
 //
-// A timer counts the time on a processor, some times a second. A run that calls formulas without
-// end fails at one of these calls. A program that computes for long between two calls says its last
-// words and ends itself, wherever it is, because it does not come to any place that could look at
-// the time.
+// A timer counts the time on a processor, several times in a second. A run that calls formulas
+// without end fails at one of these calls. A program that computes for too long between two calls
+// writes its last words and ends itself at once, because it may never reach a place that could look
+// at the time.
 #pragma once
 
 #include "formulas/table.hpp"

@@ -22,7 +22,7 @@ SceneAnswers* run = nullptr;
 std::optional<FormulaCall> last;
 std::vector<FormulaCall> recent;
 FormulaSet replaced;
-std::size_t oldest = 0; // index of the recent call that the next one replaces, once it is full
+std::size_t oldest = 0; // index of the recent call that is replaced next, once the list is full
 
 /// Formulas whose result may be infinite: the longest time step of a rotation, which may be
 /// arbitrarily slow, and the yield strain of a material without stiffness.

@@ -53,7 +53,8 @@ void run_scene_with_worker(const Scene& scene, Record record, const ByteSink& wr
     wire::encode(request, scene.text);
     wire::encode(request, scene.name);
     const Answered answered(scene, Request::run_scene, std::move(request), record);
-    // The worker reads the scene from its text too.
+    // The scene is read again from its text, as the worker does, so that both engines start
+    // equally.
     judged(scene, [&](const OwnTimeLimit& limit) {
         run_scene(parse_scene(scene.text, scene.name), record,
                   [&](std::span<const std::byte> bytes) {

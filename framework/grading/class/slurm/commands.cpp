@@ -93,7 +93,7 @@ std::string submit(const ArrayJob& job)
 
 TaskCounts parsed_counts(const std::vector<std::string>& lines)
 {
-    // All other states are those of a task that runs, is about to, or is about to end.
+    // In all other states a task runs, is about to run, or is about to end.
     constexpr std::array<std::string_view, 9> over = {"BOOT_FAIL",     "CANCELLED", "COMPLETED",
                                                       "DEADLINE",      "FAILED",    "NODE_FAIL",
                                                       "OUT_OF_MEMORY", "REVOKED",   "TIMEOUT"};

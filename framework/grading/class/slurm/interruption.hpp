@@ -6,8 +6,9 @@
 
 namespace rigor {
 
-/// While this object lives, SIGINT and SIGTERM are noted. When it ends they do what they usually
-/// do, also one that was noted: so work elsewhere can be called off first. One object at a time.
+/// While this object lives, SIGINT and SIGTERM are only noted, so that work elsewhere can be
+/// cancelled first. When the object ends, a noted signal does what it usually does. There is one
+/// object at a time.
 class Interruption {
 public:
     Interruption();

@@ -37,8 +37,8 @@ std::set<std::string> names_in(const fs::path& folder)
     return names;
 }
 
-// Two tasks may write one file: the second one, while a node that Slurm thinks lost still runs.
-// So each writes to a place of its own first.
+// Two tasks may write the same file: if Slurm takes a node for lost and starts its task again
+// elsewhere, the first task may still run. So each writes a file of its own first, and renames it.
 void write_by_task(const fs::path& file, const std::string& text)
 {
     const fs::path own = fmt::format(

@@ -23,13 +23,13 @@ namespace rigor::slurm {
 
 /// What a job array is to grade.
 struct Plan {
-    unsigned round = 1; // the first job, or the one after what was lost
+    unsigned round = 1; // the first job, or a later one for what was lost
     std::string assignment, out;
     std::uint32_t seed = 0;
     std::string secret_file;                      // absolute path; empty: no secret
     std::uint64_t fingerprint = 0;                // all but the submissions
     std::vector<Submission> submissions;          // those of this job
-    std::vector<std::string> fingerprints;        // theirs
+    std::vector<std::string> fingerprints;        // one for each submission
     std::vector<std::vector<std::size_t>> chunks; // for each task, numbers in `submissions`
 };
 

@@ -30,7 +30,7 @@ constexpr std::chrono::milliseconds look_every(250);
 constexpr std::chrono::seconds ask_every(2);
 // Slurm's daemons are restarted now and then. The tasks go on meanwhile.
 constexpr std::chrono::minutes longest_silence(10);
-// Files of another machine are seen after some seconds: NFS keeps what it knows of a folder.
+// NFS keeps what it knows of a folder for some seconds, so files of another machine appear late.
 constexpr std::chrono::seconds last_look(5);
 
 // A job that is cancelled unless it has ended.
@@ -49,7 +49,7 @@ public:
     RunningJob& operator=(const RunningJob&) = delete;
 
     const std::string& number() const { return number_; }
-    /// It has ended, or nobody can end it.
+    /// The job is not cancelled any more, because it has ended or nobody can end it.
     void release() { has_ended_ = true; }
 
 private:
@@ -81,7 +81,7 @@ public:
                 note(fmt::format("{} of {} tasks of Slurm's job were lost{}", lost,
                                  plan.chunks.size(), reason));
                 if (round_ >= most_rounds && !missing_.empty()) give_up_missing(reason);
-                if (round_ <= most_rounds) continue; // the last time only controls are missing
+                if (round_ <= most_rounds) continue; // in a last round only controls are graded
                 fault = "control after the last submission could not be graded" + reason;
             }
             shared_.remove();
@@ -95,7 +95,8 @@ private:
         if (options_.on_note) options_.on_note(text);
     }
 
-    // The job of a run that was killed is ended; what it has graded is taken, but for its faults.
+    // Cancels the job of a run that was killed. The results that it has made are taken, except
+    // those that report a fault.
     void take_over_from_broken_run()
     {
         if (const std::string job = shared_.job(); !job.empty()) slurm::cancel(job, name_);
@@ -121,7 +122,8 @@ private:
         });
     }
 
-    // Without a submission that is missing, one task grades the controls.
+    // What the next job has to grade. If no submission is missing, it is one task with the
+    // controls.
     slurm::Plan next_plan() const
     {
         slurm::Plan plan;
@@ -269,7 +271,7 @@ private:
     const OnWait& on_wait_;
     std::vector<std::size_t> missing_; // submissions without a result
     slurm::SharedFolder shared_;
-    WorkFolders folders_; // those of the tasks: what a lost one has left is removed
+    WorkFolders folders_; // those of the tasks; what a lost task left there is removed
     std::string name_;
     unsigned round_ = 0;
 };

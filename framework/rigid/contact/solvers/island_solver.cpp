@@ -20,7 +20,7 @@ namespace rigor {
 namespace {
 
 // Islands with at most this many contacts are solved up to rounding, since their sweeps take little
-// time, and so are islands with at most `few_bodies` if Newton's method may help.
+// time. So are islands with at most `few_bodies` bodies if Newton's method may follow.
 constexpr int few_contacts = 16;
 
 // A larger island stops after a limited amount of work, and the remaining error is corrected in the
@@ -37,10 +37,10 @@ constexpr int last_sweeps = 20; // sweeps after Newton's method
 // errors; the others were chosen by trial; `bench pile` shows their effect.
 constexpr double to_rounding = 1e-13, for_newton = 1e-8, for_heaps_at_rest = 1e-4,
                  for_moving_heaps = 1e-3;
-// If moving bodies differ in mass by more than this ratio, and further sweeps would still change an
-// impulse by more than this fraction of the fastest approach, the rest is left to Newton's method.
-// Both were chosen by trial; tests/classics shows their effect where heavy bodies fall on light
-// ones.
+// The sweeps of a stack have ended far from the solution if its bodies differ in mass by more than
+// `large_ratio`, and if further sweeps would still change a velocity by more than the share
+// `far_off` of the fastest approach. Newton's method then continues. Both values were chosen by
+// trial; tests/classics shows their effect where heavy bodies fall on light ones.
 constexpr double large_ratio = 5, far_off = 1e-3;
 constexpr double rounding = 2 * std::numeric_limits<double>::epsilon();
 
@@ -62,9 +62,9 @@ double largest(const ContactProblem& problem, std::span<const int> active, const
     return *std::max_element(found.begin(), found.end());
 }
 
-// The highest speed of a body at a contact [m/s]. Velocity differences below its rounding error are
-// noise.
-// @param ground  its motion does not count; a body without motion gives the speed in the world
+// The highest speed of a body at a contact, relative to the motion of `ground` [m/s]. Velocity
+// differences below its rounding error are noise.
+// @param ground  a body without motion gives the speed in the world
 double fastest(const ContactProblem& problem, const Island& island, std::span<const int> active,
                const Body& ground)
 {
@@ -117,17 +117,17 @@ std::unique_ptr<Sweeps> sweeps_of(ContactProblem& problem, const Island& island,
     return collision_law_sweeps(problem, active);
 }
 
-// Whether bodies have little more velocity than gravity has given them in this step. Gravity alone
-// gives 1 in units of |g| h; the rest is a margin.
+// Whether the highest speed is little more than |g| h, the speed that gravity gives a body in one
+// step.
 bool is_at_rest(const ContactProblem& problem, double fastest)
 {
     constexpr double speed_at_rest = 2; // in |g| h
     return fastest <= speed_at_rest * problem.settings.gravity.norm() * problem.time_step;
 }
 
-// The same relative to what the island stands on, such as the ground, a lift or a belt. Bodies that
-// fly together stand on nothing.
-// @param speed  `fastest` in the world, which is the speed relative to a ground without motion
+// Whether the island is at rest relative to a body that it stands on, such as the ground, a lift or
+// a belt. An island that touches no static or driven body flies, and is never at rest.
+// @param speed  the highest speed in the world, which is also that relative to a ground at rest
 bool rests(const ContactProblem& problem, const Island& island, std::span<const int> active,
            const std::vector<Body>& grounds, double speed)
 {
@@ -151,7 +151,7 @@ std::vector<Vector3d> initial_impulses(const ContactProblem& problem, std::span<
 }
 
 // Whether the impulses would add kinetic energy to the bodies of the island.
-// @param bodies  as they are without them, in the order of the island
+// @param bodies  the bodies before these impulses, in the order of the island
 bool adds_energy(const ContactProblem& problem, const Island& island, std::span<const int> active,
                  std::vector<Body> bodies, const std::vector<Vector3d>& impulses)
 {
@@ -169,16 +169,16 @@ bool adds_energy(const ContactProblem& problem, const Island& island, std::span<
     return kinetic_energy_of(bodies, V) > (1 + least_gain) * before;
 }
 
-// Where Newton's method starts, and when its result counts.
+// The start of Newton's method, and the condition under which its result is accepted.
 struct NewtonStart {
     const std::vector<Body>& free; // the island's bodies before any impulse
     const std::vector<Vector3d>& impulses;
-    double allowed = 0; // largest change by a sweep over the result [m/s]
+    double allowed = 0; // the first sweep after it may change a velocity by this [m/s]
 };
 
-// Continues by Newton's method, and with a few sweeps that check its result. The result counts if
-// the first of them changes it by less than the earlier sweeps changed theirs.
-// @return whether it does
+// Continues by Newton's method and checks the result by a few sweeps. The result is accepted if the
+// first of these sweeps changes it by no more than `start.allowed`.
+// @return whether the result is accepted
 bool solve_by_newton(ContactProblem& problem, const Island& island, std::span<const int> active,
                      const NewtonStart& start, const SweepLimits& check, Sweeps& sweeps)
 {
@@ -189,12 +189,12 @@ bool solve_by_newton(ContactProblem& problem, const Island& island, std::span<co
     return run_sweeps(problem, sweeps, active.size(), check).first <= start.allowed;
 }
 
-// How an island is solved.
+// The limits of the sweeps over an island, and whether Newton's method may follow them.
 struct SolvePlan {
     double approach = 0; // speed that the impulses have to remove [m/s]
     SweepLimits limits;
-    bool may_use_newton = false; // whenever the sweeps do not converge
-    bool is_stack = false;       // a heap's sparse matrix would have too many entries (fill-in)
+    bool may_use_newton = false; // it follows whenever the sweeps do not converge
+    bool is_stack = false;       // a heap's matrix would get too many entries (fill-in)
     std::vector<Body> free;      // the bodies of a stack before any impulse
 };
 
@@ -222,7 +222,7 @@ SolvePlan plan_for(const ContactProblem& problem, const Island& island, std::spa
             is_stack ? problem.bodies_of(island) : std::vector<Body>()};
 }
 
-// Whether much would be missing of the impulses in a stack of bodies of very different mass.
+// Whether the sweeps have ended far from the solution, in a stack of bodies of very different mass.
 bool is_far_off(const ContactProblem& problem, const Island& island, const SolvePlan& plan,
                 const Residuals& swept)
 {
@@ -230,11 +230,12 @@ bool is_far_off(const ContactProblem& problem, const Island& island, const Solve
            swept.missing() > far_off * plan.approach;
 }
 
-// Continues by Newton's method after the sweeps have not converged. It starts from the better of
-// two sets of impulses: those after the sweeps or those before them. After the impact of a heavy
-// body these are far from what holds it at rest, and both may fail. Then it starts again from none.
-// If that fails too, and the sweeps end with impulses that add energy, they start again from none:
-// so they never add any.
+// Continues by Newton's method after the sweeps have not converged. It starts from the impulses
+// after the sweeps, or from the initial ones if the sweeps made the residual larger. After the
+// impact of a heavy body both may be far from the solution; if Newton's method fails then, it
+// starts again from zero impulses. If it fails again, sweeps continue from the first start. If
+// their result may add energy, sweeps start a last time from zero impulses, from where they never
+// add any.
 void continue_by_newton(ContactProblem& problem, const Island& island, std::span<const int> active,
                         const SolvePlan& plan, const Residuals& swept, Sweeps& sweeps)
 {
@@ -253,7 +254,8 @@ void continue_by_newton(ContactProblem& problem, const Island& island, std::span
     set_impulses(sweeps, start);
     run_sweeps(problem, sweeps, active.size(), check);
     if (!may_be_lost) return;
-    // Among more than two bodies, single ones may keep too much speed although energy is lost.
+    // With more than two bodies, the total energy is no proof: one body may keep too much speed
+    // although the total has decreased.
     const bool is_pair = island.bodies.size() <= 2;
     if (is_pair && !adds_energy(problem, island, active, plan.free, sweeps.impulses())) return;
     set_impulses(sweeps, none);

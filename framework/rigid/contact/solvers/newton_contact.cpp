@@ -27,26 +27,30 @@ using Eigen::VectorXd;
 // error, but with a large weight Newton's method finds which contacts touch and which slide only if
 // it starts close to the solution. So the weight grows from round to round.
 constexpr double first_weight = 1000, least_last_weight = 1e6, growth = 10;
-// Through a light body a heavy one feels only a small part of the penalty. Above this ratio of a
-// body's mass to what a contact feels, 1/(nᵀKn), the last weight grows with the ratio.
+// Through a light body a heavy one feels only a small part of the penalty. So the last weight grows
+// with the largest ratio of a body's mass to the mass 1/(nᵀKn) that a contact feels, where this
+// ratio exceeds 1/light.
 constexpr double light = 1e-3;
 // Limits that guard the time; solvable islands need fewer. 30 bisections find a step to 1e-9.
 constexpr int most_rounds = 14, most_steps = 40, most_bisections = 30;
-// An inverse inertia J is singular if its determinant is below this, in units of |J|³. It gets
-// this share of |J| on its diagonal: a moment of inertia so large that the axis does not turn. For
-// a point mass, J = 0, 1/(M m²) takes the place of |J|.
+// An inverse inertia J is singular if det J is at most `singular_determinant` |J|³. Then
+// `least_inverse_inertia` |J| is added to its diagonal: it stands for a moment of inertia so large
+// that the body does not turn about this axis. For a point mass, J = 0, 1/(M m²) takes the place of
+// |J|.
 constexpr double singular_determinant = 1e-12, least_inverse_inertia = 1e-9;
 // The m² in 1/(M m²), which gives 1/M the unit of an inverse inertia. It is so large that a point
 // mass hardly turns: at a lever of 100 m, 1e-5 of the compliance of a contact is rotation.
 constexpr double point_area = 1;  // [m²]
-constexpr double settled = 1e-13; // a change of the impulses, relative to their size
-// A round must reduce the change by this factor, or more rounds do not help.
+constexpr double settled = 1e-13; // the rounds end at this relative change of the impulses
+// A round must reduce the change of the impulses to this share of the change before; otherwise more
+// rounds do not help.
 constexpr double gain = 0.5;
-// A line search ends at this fraction of its first slope. A smaller value takes more bisections, a
-// larger one more steps of Newton's method.
+// A line search ends where the slope has fallen to this share of its first value. A smaller share
+// takes more bisections, a larger one more steps of Newton's method.
 constexpr double flat = 0.1;
-constexpr double converged = 1e-13; // a Newton step, relative to the size of the velocities
-// Rounding error of a velocity, relative to the fastest body; for j - ρ u, `weight` times that.
+constexpr double converged = 1e-13; // last step of Newton's method, relative to the velocities
+// Rounding error of a velocity, relative to the highest speed. In j - ρ u it is multiplied by the
+// weight of the penalty.
 constexpr double u_rounding = 1e-15;
 
 // Indices in `island.bodies`, sorted by the height of the bodies. The order does not depend on how
@@ -65,8 +69,9 @@ std::vector<int> from_the_lowest(const ContactProblem& problem, const Island& is
     return indices;
 }
 
-// The part of v₁ - v₂ that no impulse changes: that of static and driven bodies, which have no
-// unknowns. Like all velocities it is relative to V.
+// Minus the velocity of the static and driven bodies in v₁ - v₂, relative to V. These bodies have
+// no unknowns and no impulse changes them, so this velocity becomes a part of the target velocity
+// s.
 Vector3d surface_velocity(const ContactProblem& problem, const ContactConstraint& c,
                           const Vector3d& V)
 {
@@ -156,7 +161,7 @@ public:
     const std::vector<NewtonRow>& rows() const { return rows_; }
 
 private:
-    // The largest mass divided by the smallest that a contact feels.
+    // The largest mass of a body, divided by the smallest mass 1/(nᵀKn) that a contact feels.
     double largest_ratio() const
     {
         double most_mass = 0, most_K = 0;
@@ -167,7 +172,7 @@ private:
         return most_mass * most_K;
     }
 
-    // M⁻¹ Jᵀ j
+    // The change of all velocities by the impulses: M⁻¹ Jᵀ j.
     VectorXd momentum_change() const
     {
         VectorXd change = VectorXd::Zero(v_free_.size());
@@ -183,8 +188,9 @@ private:
         return change;
     }
 
-    // Line search for the minimum of Φ(v) = ½ (v - v_free)ᵀ M (v - v_free) + Σ φ(j - ρ u(v)) along
-    // dv. Its slope at v + t dv,
+    // Line search along dv for the minimum of Φ(v) = ½ (v - v_free)ᵀ M (v - v_free) + Σ φ(y). Here
+    // y = j - ρ u(v), and φ is the convex function with the gradient P/ρ. The slope of Φ at v + t
+    // dv,
     //
     //     dvᵀ M (v + t dv - v_free) - Σ P(y - t ρ du)·du,   du = J dv
     //
@@ -222,7 +228,7 @@ private:
         return low;
     }
 
-    // Gradient and Hessian of Φ at v.
+    // Gradient and Hessian of Φ (see `line_search`) at v.
     void linearise(VectorXd& gradient, Eigen::SparseMatrix<double>& H) const
     {
         gradient = VectorXd::Zero(v_.size());
@@ -235,7 +241,8 @@ private:
                 diagonal[i] * (v_.segment<6>(6 * i) - v_free_.segment<6>(6 * i));
         }
         std::vector<Eigen::Triplet<double>> entries;
-        // Coupling block of a pair of bodies, whose rows follow each other.
+        // Sum of the coupling blocks of one pair of bodies. The rows of a pair follow each other in
+        // `rows_`.
         Matrix6d coupling = Matrix6d::Zero();
         for (std::size_t k = 0; k < rows_.size(); ++k) {
             const NewtonRow& row = rows_[k];

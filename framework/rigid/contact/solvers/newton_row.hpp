@@ -40,13 +40,13 @@ inline Vector3d velocity(const Eigen::VectorXd& v, int body, const Vector3d& r)
     return V + w.cross(r);
 }
 
-// u = J v - s
+// The velocity error u = J v - s of a contact.
 inline Vector3d u(const NewtonRow& row, const Eigen::VectorXd& v, const Vector3d& s)
 {
     return velocity(v, row.body1, row.r1) - velocity(v, row.body2, row.r2) - s;
 }
 
-// P(y)
+// The projection P(y): the normal part not negative, the tangential part at most `limit` long.
 inline Vector3d projected(const NewtonRow& row, const Vector3d& y)
 {
     auto [normal, tangential] = split(row, y);
@@ -55,7 +55,7 @@ inline Vector3d projected(const NewtonRow& row, const Vector3d& y)
     return std::max(0.0, normal) * row.n + tangential;
 }
 
-// P'(y)
+// The derivative P'(y) of the projection.
 inline Matrix3d slope(const NewtonRow& row, const Vector3d& y)
 {
     const auto [normal, tangential] = split(row, y);

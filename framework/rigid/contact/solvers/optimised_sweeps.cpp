@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Projected Gauss–Seidel sweeps in a form that the compiler can turn into SIMD code. The quantities
-// of body 1 and body 2 are side by side in a register while the contacts of a pair are visited one
-// after the other. The blocks of one color are swept by several threads at the same time.
+// Projected Gauss–Seidel sweeps in a form that the compiler can turn into SIMD code. The
+// quantities of body 1 and body 2 are side by side in a register while the contacts of a pair are
+// visited one after the other. The blocks of one color are swept by several threads at the same
+// time.
 #include "rigid/contact/solvers/optimised_sweeps.hpp"
 
 #include "rigid/bodies/two_bodies.hpp"

@@ -5,8 +5,8 @@
 
 namespace rigor {
 
-/// Makes the same sweeps as the reference's formulas, for both methods that sweep, but without
-/// calling the formulas.
+/// Makes the same sweeps as the reference's formulas for the methods `built_in` and `simultaneous`,
+/// but without calling the formulas.
 ///
 /// @param island  must have its blocks, which the threads of the problem's pool share
 std::unique_ptr<Sweeps> optimised_sweeps(ContactProblem& problem, const Island& island,

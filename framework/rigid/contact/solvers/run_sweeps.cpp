@@ -12,11 +12,12 @@ namespace rigor {
 
 namespace {
 
-// Sweeps over more contacts are not accelerated: more plain sweeps gain more in the same time.
-// Chosen by trial; `bench pile` has islands above it and `bench contact` stacks below.
+// Islands with more contacts are swept without acceleration, because plain sweeps gain more in the
+// same time. Chosen by trial; `bench pile` has islands above this number and `bench contact` stacks
+// below.
 constexpr std::size_t many_contacts = 1000;
-// A residual above this many times the smallest one so far shows that the acceleration diverges. It
-// may grow a little in sweeps that converge; the factor was chosen by trial.
+// The acceleration diverges if the residual exceeds this many times the smallest one so far. In
+// sweeps that converge the residual may grow a little; the factor was chosen by trial.
 constexpr double divergence = 2;
 constexpr double rounding = 2 * std::numeric_limits<double>::epsilon();
 
@@ -24,7 +25,8 @@ constexpr double rounding = 2 * std::numeric_limits<double>::epsilon();
 
 double Residuals::missing() const
 {
-    // Decay of the residual in a sweep; it guards the division where the sweeps reduced nothing.
+    // The slowest decay of the residual in a sweep that is assumed. It guards the division where
+    // the sweeps reduced nothing.
     constexpr double slowest_decay = 1e-7;
     return last / std::max(slowest_decay, std::log(first / last) / sweeps);
 }

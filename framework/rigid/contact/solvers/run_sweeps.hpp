@@ -18,16 +18,18 @@ struct Residuals {
     int sweeps = 0;
     bool has_converged = false; // whether the last sweep changed nothing that matters
 
-    /// The sum of the changes that further sweeps would make, if each changes the same fraction of
-    /// the one before as these sweeps did on average [m/s]. Under a heavy body each sweep changes
-    /// little, although much is missing: a ten millionth of it at a mass ratio of 1e7. Rounding,
-    /// which does not decay, is not missing.
+    /// An estimate of the sum of all changes that further sweeps would make [m/s], if each sweep
+    /// reduces the change as much as these sweeps did on average. Under a heavy body the change of
+    /// one sweep is a small part of this sum: a ten millionth of it at a mass ratio of 1e7. The
+    /// assumed decay has a lower limit, so that a rounding error, which does not decay, adds up to
+    /// little.
     double missing() const;
 };
 
 /// Sweeps until the changes are negligible or the limit is reached. After each sweep the impulses
 /// also move on in the direction of the previous sweeps, as long as this helps (nonlinear conjugate
-/// gradients): directions = steps + β directions, impulses += β directions.
+/// gradients). With the changes of the sweep as steps: directions = steps + β directions, impulses
+/// += β directions.
 Residuals run_sweeps(ContactProblem& problem, Sweeps& sweeps, std::size_t count,
                      const SweepLimits& limits);
 

@@ -39,8 +39,8 @@ struct Axis {
     Vector3d direction = Vector3d::Zero();
 };
 
-// Numbers that all axes need: C = AᵀB, |C|, and the vector between the centers in the frame of each
-// box.
+// Numbers that all axes need: C = AᵀB with the axes of both boxes as the columns of A and B, |C|,
+// and the vector between the centers in the frame of each box.
 struct RelativePose {
     Matrix3d C, C_abs;
     Vector3d d_a, d_b;
@@ -63,7 +63,7 @@ Vector3d turned_towards(const Vector3d& axis, const Vector3d& towards)
     return axis.dot(towards) < 0 ? Vector3d(-axis) : axis;
 }
 
-// The best of the three faces of `a`. The direction points towards b.
+// The face of `a` with the largest separation. The direction points towards b.
 Axis best_face(const PlacedBox& a, const PlacedBox& b, const RelativePose& of)
 {
     Axis best;
@@ -76,7 +76,7 @@ Axis best_face(const PlacedBox& a, const PlacedBox& b, const RelativePose& of)
     return best;
 }
 
-// The best of the three faces of `b`, whose index is stored in `axis1`. The direction points
+// The face of `b` with the largest separation; its index is stored in `axis1`. The direction points
 // towards a.
 Axis best_other_face(const PlacedBox& a, const PlacedBox& b, const RelativePose& of)
 {
@@ -90,8 +90,8 @@ Axis best_other_face(const PlacedBox& a, const PlacedBox& b, const RelativePose&
     return best;
 }
 
-// The best of the nine pairs of edges (Gottschalk, Lin and Manocha 1996), if it is better than
-// `least`. Parallel edges are skipped, since they separate no better than a face does.
+// The pair of edges with the largest separation (Gottschalk, Lin and Manocha 1996), if this is
+// larger than `least`. Parallel edges are skipped, since a face separates the boxes as well.
 Axis best_edges(const PlacedBox& a, const PlacedBox& b, const RelativePose& of, double least)
 {
     Axis best;
@@ -102,7 +102,7 @@ Axis best_edges(const PlacedBox& a, const PlacedBox& b, const RelativePose& of, 
             const double distance = std::abs(of.d_a[i2] * of.C(i1, j) - of.d_a[i1] * of.C(i2, j));
             const double reach = a.half[i1] * of.C_abs(i2, j) + a.half[i2] * of.C_abs(i1, j) +
                                  b.half[j1] * of.C_abs(i, j2) + b.half[j2] * of.C_abs(i, j1);
-            const double between = distance - reach; // times the axis length ≤ 1
+            const double between = distance - reach; // separation times axis length, which is ≤ 1
             if (between <= std::min(best.separation, 0.0)) continue;
             const double c = of.C(i, j), squared = 1 - c * c; // squared axis length
             if (squared < parallel_squared) continue;
@@ -173,8 +173,8 @@ void clip(Polygon& polygon, int axis, double sign, double limit)
         if (is_inside(from)) kept.add(from);
         if (is_inside(from) == is_inside(to)) continue;
         const double a = sign * from[axis], b = sign * to[axis];
-        // A vertex on the border up to rounding may lie beyond it, and the quotient far outside of
-        // the side.
+        // A vertex that counts as inside may lie slightly beyond the border, and the quotient of
+        // two rounding errors may be any number. The clamp keeps the new vertex on the side.
         kept.add(from + std::clamp((limit - a) / (b - a), 0.0, 1.0) * (to - from));
     }
     polygon = kept;
@@ -203,8 +203,9 @@ Polygon incident_face(const PlacedBox& box, const Matrix3d& R, const Vector3d& o
     return face;
 }
 
-// Clips the incident face of `other` against the face of `reference` that `axis` gives. That face
-// is extended by the way along which `other` will come.
+// Clips the incident face of `other` against the face of `reference` that `axis` names. The
+// reference face is first extended towards the side that `other` comes from, by the length of the
+// move.
 // @param normal  contact normal, from box 2 to box 1
 // @param move    displacement of `other` relative to `reference` in this step
 void find_face_contacts(const PlacedBox& reference, const PlacedBox& other, const Axis& axis,
@@ -262,7 +263,8 @@ void find_edge_contacts(const PlacedBox& a, const PlacedBox& b, const Axis& axis
     contacts.push_back({(on_a + on_b) / 2, -axis.direction, axis.separation});
 }
 
-// Whether the boxes overlap after the move of the first one: no axis separates them then.
+// Whether the boxes overlap after the move of the first one, which means that no axis separates
+// them.
 bool overlap_after(const PlacedBox& a, const PlacedBox& b, const Vector3d& move)
 {
     const PlacedBox moved{a.R, a.center + move, a.half};
@@ -302,7 +304,7 @@ void find_box_contacts(const Box& box1, const Pose& pose1, const Box& box2, cons
     const Axis& best = is_edges ? edges : face;
     const double then =
         best.separation - (is_edges || is_first ? 1 : -1) * move.dot(best.direction);
-    Vector3d comes = Vector3d::Zero(); // move of the other box relative to the face's
+    Vector3d comes = Vector3d::Zero(); // move of the other box relative to the reference box
     if (best.separation > -slop && then < -slop) {
         const FaceAhead ahead = best_face_ahead(a, b, relation, move, slop);
         if (ahead.separation > then + slop) {
@@ -320,7 +322,8 @@ void find_box_contacts(const Box& box1, const Pose& pose1, const Box& box2, cons
     const PlacedBox &reference = is_first ? a : b, &other = is_first ? b : a;
     const std::size_t before = contacts.size();
     find_face_contacts(reference, other, face, normal, comes, reach, contacts);
-    // Boxes that meet diagonally are not opposite each other yet.
+    // Boxes that move towards each other diagonally may not be opposite each other yet; then the
+    // face is extended by the move.
     if (contacts.size() > before || then >= -slop || !overlap_after(a, b, move)) return;
     comes = is_first ? Vector3d(-move) : move;
     find_face_contacts(reference, other, face, normal, comes, reach, contacts);

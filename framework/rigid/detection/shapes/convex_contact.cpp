@@ -116,8 +116,8 @@ Outline left_of(const Outline& o, const Vector2d& a, const Vector2d& b)
         const double from = cross(d, o.places[i] - a), to = cross(d, o.places[j] - a);
         if (from >= border) kept.add(o.places[i], o.heights[i]);
         if (i >= sides || (from >= border) == (to >= border)) continue;
-        // A corner that is on the line up to rounding may lie beyond it, and the quotient far
-        // outside of the side.
+        // A corner that counts as left of the line may lie slightly beyond it, and the quotient of
+        // two rounding errors may be any number. The clamp keeps the new corner on the side.
         const double t = std::clamp(from / (from - to), 0.0, 1.0);
         kept.add(o.places[i] + t * (o.places[j] - o.places[i]),
                  o.heights[i] + t * (o.heights[j] - o.heights[i]));
@@ -163,9 +163,9 @@ Outline overlap(const Outline& a, const Outline& b)
     return o;
 }
 
-// The middle of the gap where the shapes are nearest. Where a shape turns a single point to the
-// other, that point is known better than from the search for the distance: the closest points of a
-// round shape and a large face depend on the search's last triangle.
+// The middle of the gap where the shapes are nearest. If the feature of a shape is a single point,
+// this point is used, because the closest points from the search for the distance are less exact:
+// for a round shape and a large face they depend on the last triangle of the search.
 Vector3d nearest_middle(const Separation& nearest, const Feature& feature1, const Feature& feature2)
 {
     const Vector3d half = nearest.distance / 2 * nearest.normal;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Contacts of shapes that are a core curve with a radius: spheres, capsules and tori. It samples
 // the other shape's distance along the core and refines each minimum by golden section search
-// (Kiefer 1953). Balls on a torus or a mesh have methods of their own. Against a mesh, the points
-// of the mesh are added.
+// (Kiefer 1953). Balls on a torus or a mesh have methods of their own. Against a mesh, the
+// points of the mesh are added.
 #include "rigid/detection/shapes/core_contact.hpp"
 
 #include "geometry/shapes/solid_mesh.hpp"
@@ -130,9 +130,9 @@ public:
 private:
     double gap(double s) const { return field_.ball_distance(core_.at(s), core_.radius); }
 
-    // Adds points of a ring: eight fixed ones if the other shape is as near everywhere, else the
-    // nearest one and the three at quarters of a turn from it. Fixed points of a ring that rolls
-    // would hit the other shape one after the other like the spokes of a wheel without a rim.
+    // Adds points of a ring: eight fixed ones if the other shape is equally near everywhere, else
+    // the nearest one and the three at quarters of a turn from it. Fixed points of a ring that
+    // rolls would hit the other shape one after the other like the spokes of a wheel without a rim.
     // @return the parameter of the nearest point
     double add_around_lowest(const std::vector<double>& gaps, double step)
     {
@@ -237,7 +237,7 @@ void find_core_contacts(const Shape& shape1, const Pose& pose1, const Shape& sha
     if (!mesh) return;
     std::vector<Contact> points;
     find_point_contacts(shape1, pose1, *mesh->solid, pose2, reach, counters, points);
-    constexpr double all = 1; // contacts along the core lie on the core's surface
+    constexpr double all = 1; // these contacts are a whole gap away from the mesh
     remove_points_ahead(points, shape1, pose1, std::span(contacts).subspan(first), all);
     contacts.insert(contacts.end(), points.begin(), points.end());
     reduce_contacts(contacts, first, reach);

@@ -13,8 +13,8 @@ namespace rigor {
 
 namespace {
 
-// Cosine of the angle between the gradient and the way to the surface. Below it, 60° about the way
-// back, the exact direction replaces the gradient.
+// Largest cosine of the angle between the gradient and the way to the surface at which the gradient
+// points back to the center, within 60°. Then the exact direction replaces the gradient.
 constexpr double points_back = -0.5;
 constexpr double no_bound = -1e300; // a lower bound of every distance [m]
 
@@ -51,7 +51,7 @@ bool DistanceField::is_in_grid(const Vector3d& p) const
     return true;
 }
 
-// The way to a point one cell before the surface, where the grid is most accurate.
+// The length of the way to a point one cell before the surface, where the grid is most accurate.
 double DistanceField::way_to_grid(double away) const
 {
     return std::max(away - grid_->cell_size, 0.0);

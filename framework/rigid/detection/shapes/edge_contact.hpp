@@ -10,8 +10,8 @@ namespace rigor {
 /// Appends the contacts where sharp edges of a mesh or a box cross sharp edges of a mesh that are
 /// closer than `reach`.
 ///
-/// The normal of such a contact is perpendicular to both edges. It is a contact only if the faces
-/// of each edge lie on their own side of the plane across the normal. Overlaps that are deep
+/// The normal of such a contact is perpendicular to both edges. It is a contact only if the
+/// faces of each edge lie on their own side of the plane across the normal. Overlaps that are deep
 /// relative to the size of the mesh are left to the surface points.
 ///
 /// @param shape1   a mesh or a box, which have sharp edges; other shapes have no edge contacts

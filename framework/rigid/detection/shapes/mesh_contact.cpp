@@ -22,11 +22,13 @@ namespace rigor {
 
 namespace {
 
-// At a larger distance, in radii of a node, one point represents all points of the node. A smaller
-// value tests fewer points, but the represented points may be nearer by more.
+// If a node of the tree is farther from the shape than this many radii of the node, only one of its
+// points is tested. A smaller value tests fewer points, but other points of the node may then be
+// nearer by more.
 constexpr double far = 6;
-// In spacings of the surface points: the radius of a node in which the nearest point represents
-// all, and the difference of distances below which two points count as equally near.
+// In spacings of the surface points. A node with a radius below `small_node` has one contact, at
+// its nearest point. Two points are equally near if their distances differ by less than
+// `equally_near`.
 constexpr double small_node = 1.5, equally_near = 1e-3;
 
 // The surface points of a mesh that are near another shape.
@@ -48,9 +50,9 @@ public:
     }
 
 private:
-    // All points of a node have about the distance of its middle. If that is large for the size of
-    // the node, one of the points represents all. In a node of the size of one or two cells, the
-    // nearest point represents all.
+    // All points of a node have about the distance of its middle. If this distance is large for the
+    // size of the node, only one of the points is tested. In a node with the size of one or two
+    // spacings, only the nearest point makes a contact.
     void descend(int index, std::vector<Contact>& contacts)
     {
         const BoundingTree::Node& node = surface_.point_tree().nodes()[index];
@@ -120,8 +122,8 @@ Contact contact_of_deepest(const DeepestPoint& deepest, const DistanceField& fie
     return {deepest.point - deepest.gap / 2 * n, n, deepest.gap};
 }
 
-// A contact in the frame of shape 1, with a normal from 1 to 2, in the frame of shape 2 with a
-// normal from 2 to 1.
+// Converts a contact in the frame of shape 1, with a normal from 1 to 2, to a contact in the
+// frame of shape 2, with a normal from 2 to 1.
 Contact seen_from_2(const Contact& contact, const Pose& from_1)
 {
     return {from_1 * contact.point, -(from_1.R * contact.normal), contact.gap};
@@ -148,8 +150,8 @@ DeepestPoint add_points(const Shape& shape1, const Pose& from_1, const SolidMesh
     return deepest;
 }
 
-// Whether a point of a flat face is not the one nearest to the shape, although another contact has
-// the same face.
+// Whether a point of a flat face has a gap and is not the point of the face nearest to the shape,
+// although another contact with the same face is nearer.
 bool is_ahead_on_face(const Contact& point, const Shape& shape1, const Pose& pose1,
                       std::span<const Contact> others, double share)
 {

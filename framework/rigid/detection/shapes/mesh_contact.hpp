@@ -18,8 +18,8 @@ namespace rigor {
 /// Bridson and Fedkiw 2003, "Nonconvex rigid bodies with stacking"): in the level set of a mesh, or
 /// in the exact distance of any other shape. The normal is the gradient there if it is one of the
 /// point's own normals, otherwise the closest of these, so that a corner on an edge pushes along
-/// the face. Edges are tested against edges exactly, so that crossing bars touch although no point
-/// of either lies inside the other.
+/// the face. Edges are tested against edges exactly, so that crossing bars touch although no
+/// point of either lies inside the other.
 ///
 /// @param shape1  a mesh, a box, a cylinder, a cone or an ellipsoid
 /// @param shape2  a mesh
@@ -33,13 +33,13 @@ void find_point_contacts(const Shape& shape1, const Pose& pose1, const SolidMesh
                          const Pose& pose2, double reach, Counters& counters,
                          std::vector<Contact>& contacts);
 
-/// Removes those contacts of points of flat faces that have a gap and are not nearest to shape 1,
-/// if another contact has the same face. Such points lie ahead of a wheel that rolls. They do not
-/// come nearer, but with a little more rotation in the step they would stop it.
+/// Removes contacts of points of flat faces that have a gap and are not nearest to shape 1, if
+/// another contact with the same face is nearer. Such points lie ahead of a rolling wheel. They do
+/// not come nearer to the wheel, but if it turned a little more in the step, they would stop it.
 ///
 /// @param points  contacts of a mesh's surface points with shape 1, which is no mesh
 /// @param others  contacts of points of shape 1 with the mesh
-/// @param share   which part of their gap their points are away from the mesh, 1/2 or 1
+/// @param share   distance of their points from the mesh, divided by their gap: 1/2 or 1
 void remove_points_ahead(std::vector<Contact>& points, const Shape& shape1, const Pose& pose1,
                          std::span<const Contact> others, double share);
 
