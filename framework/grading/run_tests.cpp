@@ -187,9 +187,14 @@ void follow_through(const GradingRun& run, const Implementation& implementation,
         result.notes.push_back(not_followed + failure);
     for (TaskResult& task : result.tasks) {
         TaskResult followed = score_task(task.task, verdicts.of(task.task.tag));
-        if (followed.score <= task.score) continue;
+        const bool is_better = followed.score > task.score;
+        // A task that met another one's stub is better told what is wrong with itself.
+        const bool tells_more = followed.score == task.score && !followed.tests.empty() &&
+                                task.status == Status::not_implemented &&
+                                verdicts.own_failures().empty();
+        if (!is_better && !tells_more) continue;
         task = std::move(followed);
-        task.follow_through = true;
+        task.follow_through = is_better;
     }
 }
 

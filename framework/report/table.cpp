@@ -35,7 +35,7 @@ Look look_of(Status status)
     case Status::not_implemented:
         return {Color::yellow, "not implemented yet"};
     case Status::compile_error:
-        return {Color::red, "does not compile"};
+        return {Color::red, "not defined"};
     case Status::failed:
         return {Color::red, "failed"};
     case Status::not_finite:
@@ -165,11 +165,13 @@ std::string failure_text(const Result& result, const TaskResult& task,
                        "  " + colored(look.words, look.color, color) + "\n";
     if (task.task.discloses == Disclosure::nothing)
         return text + row("hint", task.task.hint) + row("to read", handout(result, task));
+    if (task.status == Status::compile_error) // no law was broken
+        return text + row("what happened", shortened(test.message)) +
+               row("declared", declaration_of(result.assignment.topic, task.task.formula)) +
+               row("your code", implementation.shown_file(result.assignment.topic));
     text += row("the law", law_of(test.name));
     if (!compared) text += row("what happened", shortened(test.message));
     text += row("the mistake", task.mistake());
-    if (task.status == Status::compile_error)
-        text += row("declared", declaration_of(result.assignment.topic, task.task.formula));
     text += row("the case", compared ? noted(test) : "");
     text += row("where in it", compared ? place_in_words(test.place) : "");
     text += row("expected", shortened(test.expected));
@@ -202,6 +204,13 @@ std::string stub_of(const TaskResult& task)
     return is_tag ? tag : "";
 }
 
+// The points of a task. One that is judged elsewhere has a dash.
+std::string points_of(const TaskResult& task)
+{
+    if (task.max_score == 0) return fmt::format("-/{:g}", task.task.points);
+    return fmt::format("{:g}/{:g}", task.score, task.max_score);
+}
+
 std::string task_row(const TaskResult& task, bool color)
 {
     const Look look = look_of(task.status);
@@ -213,12 +222,11 @@ std::string task_row(const TaskResult& task, bool color)
         std::count_if(task.tests.begin(), task.tests.end(),
                       [](const TestCase& test) { return test.status != Status::passed; });
     const std::string stub = stub_of(task);
-    if (!stub.empty() && stub != task.task.tag) words = "waits for " + stub;
-    if (is_wrong(task) && task.tests.size() > 1)
+    if (!stub.empty() && stub != task.task.tag) words = "calls " + stub + ", a stub";
+    if (is_wrong(task) && task.status != Status::compile_error && task.tests.size() > 1)
         words += fmt::format(", {} of {} laws broken", wrong, task.tests.size());
     return fmt::format("  {:<6} {} {:>5} {}\n", task.task.tag, padded(task.task.name(), 32),
-                       fmt::format("{:g}/{:g}", task.score, task.max_score),
-                       "  " + colored(words, look.color, color));
+                       points_of(task), "  " + colored(words, look.color, color));
 }
 
 // The row of the table of formulas with this tag; null for a task without a formula.

@@ -174,6 +174,10 @@ private:
                                    const std::string& detail) {
             progress_.update(done, total, doing, detail);
         };
+        listener.on_kept = [&](std::size_t kept, std::size_t total) {
+            say(fmt::format("{} of {} submissions have not changed: their results are kept", kept,
+                            total));
+        };
         listener.on_row = [&](const Row& row, const std::optional<Row>& before) {
             if (before) changes_.push_back(change_text(before, row));
         };

@@ -107,7 +107,10 @@ int release(const ReleaseOptions& options)
     if (!places().has_reference())
         throw InputError("this tree has no reference/: only the instructor's tree is released");
     if (options.out.empty() && options.gradescope.empty() && options.classroom.empty())
-        throw InputError("expected --out DIR, --gradescope FILE or --classroom DIR");
+        throw InputError("expected --out DIR, --gradescope FILE or --classroom DIR" +
+                         (options.assignment.empty()
+                              ? std::string()
+                              : ", found only " + in_quotes(options.assignment)));
     // Everything wrong with the options is said before anything is built.
     const bool is_about_one = !options.gradescope.empty() || !options.classroom.empty();
     Assignment assignment;

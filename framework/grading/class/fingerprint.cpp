@@ -4,6 +4,7 @@
 #include "grading/build/submission_files.hpp"
 #include "grading/build/toolchain.hpp"
 #include "grading/intake/folder.hpp"
+#include "grading/intake/intake.hpp"
 #include "grading/intake/refused.hpp"
 #include "grading/places.hpp"
 #include "sandbox/tier.hpp"
@@ -90,6 +91,8 @@ std::string fingerprint_of(const Submission& submission, std::uint64_t all_but_t
             hash = hash_of(name + '\0' + content + '\0', hash);
         for (const std::string& name : contents.others())
             hash = hash_of(name + '\0', hash);
+        if (const std::string archive = only_archive_in(contents); !archive.empty())
+            hash = hash_of_file(submission.path / archive, hash);
     } catch (const Refused& refused) {
         hash = hash_of(refused.what(), hash);
     }

@@ -35,6 +35,8 @@ public:
     {
         find_known();
         if (old_ == OldResults::stay) require_current();
+        const std::size_t total = rows_.size(), kept = total - to_do_.size();
+        if (listener_.on_kept && kept > 0) listener_.on_kept(kept, total);
         ClassOutcome outcome;
         outcome.graded = to_do_.size();
         if (!to_do_.empty() || folder_.has_unconfirmed()) {
@@ -94,9 +96,9 @@ private:
         std::sort(names.begin(), names.end());
         if (names.empty()) return;
         throw InputError(fmt::format(
-            "{}: expected results of these tests, points, seeds and walls, found {} of others, "
-            "such as that of {}: --regrade shows what would change, and --regrade --apply writes "
-            "it",
+            "{}: expected results of these tests, points, seeds, walls and files of other topics "
+            "in student/, found {} of others, such as that of {}: --regrade shows what would "
+            "change, and --regrade --apply writes it",
             folder_.path().string(), names.size(), in_quotes(names[0])));
     }
 

@@ -19,6 +19,8 @@ struct ClassListener {
     std::function<void(std::size_t done, std::size_t total, const std::string& doing,
                        const std::string& detail)>
         on_progress;
+    /// Called once, if submissions have a result that is kept.
+    std::function<void(std::size_t kept, std::size_t total)> on_kept;
     /// Called for each submission that was graded. @param before  its old result, if there is one
     std::function<void(const Row& row, const std::optional<Row>& before)> on_row;
 };

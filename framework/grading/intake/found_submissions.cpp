@@ -219,12 +219,27 @@ private:
                 const std::string file = one.path.filename().string();
                 if (const auto name = downloaded_name(file)) files[name->student].push_back(file);
             }
+        for (const auto& [submission, same_name] : found_)
+            if (const std::string original = without_number(submission); found_.count(original) > 0)
+                notes.push_back(fmt::format("{} may be a copy of {}: both are graded",
+                                            in_quotes(submission), in_quotes(original)));
         for (const auto& [student, names] : files)
             if (names.size() > 1)
                 notes.push_back(fmt::format(
                     "{} has {} submissions: {}: if several get a grade, canvas.csv and moodle.csv "
                     "have none of them",
                     in_quotes(student), names.size(), first_names(names)));
+    }
+
+    // What a browser or a file manager made the name of a second file from: "kim" of "kim (1)".
+    // Empty if it did not.
+    static std::string without_number(const std::string& name)
+    {
+        const std::size_t open = name.rfind(" (");
+        const bool has_number = open != std::string::npos && name.size() > open + 3 &&
+                                name.ends_with(')') &&
+                                name.find_first_not_of("0123456789", open + 2) == name.size() - 1;
+        return has_number ? name.substr(0, open) : "";
     }
 
     // A name that can be shown and given to a folder, in place of one that cannot.

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <iterator>
 
 namespace rigor {
 
@@ -32,9 +33,9 @@ std::vector<std::string> files_called(const std::string& wanted, const Contents&
     for (const std::string& name : contents.others())
         if (!is_by_product(name)) found.push_back(name);
     const bool has_archive = std::any_of(found.begin(), found.end(), is_archive_name);
-    throw Refused(fmt::format("expected {}, found {}{}", wanted,
-                              found.empty() ? "no file" : first_names(found),
-                              has_archive ? ": an archive in a submission is not opened" : ""));
+    throw Refused(fmt::format(
+        "expected {}, found {}{}", wanted, found.empty() ? "no file" : first_names(found),
+        has_archive ? ": an archive in an archive, or beside other files, is not opened" : ""));
 }
 
 } // namespace
@@ -46,6 +47,17 @@ std::string first_names(const std::vector<std::string>& names)
     for (std::size_t i = 0; i < names.size() && i < most; ++i)
         text += (i == 0 ? "" : ", ") + in_quotes(names[i]);
     return names.size() > most ? fmt::format("{} and {} more", text, names.size() - most) : text;
+}
+
+std::string only_archive_in(const Contents& folder)
+{
+    const auto is_by_student = [](const auto& file) { return !is_by_product(file); };
+    std::vector<std::string> found;
+    std::copy_if(folder.others().begin(), folder.others().end(), std::back_inserter(found),
+                 is_by_student);
+    for (const auto& [name, text] : folder.sources())
+        if (is_by_student(name)) found.push_back(name);
+    return found.size() == 1 && is_archive_name(found[0]) ? found[0] : "";
 }
 
 Intake take_files_for(const std::string& wanted, const Contents& contents)
@@ -69,10 +81,14 @@ Intake take_files_for(const std::string& wanted, const Contents& contents)
 
 Intake take_submission(const fs::path& path, const std::string& wanted)
 {
-    return take_files_for(wanted, fs::is_directory(path) ? read_folder(path)
-                                  : is_source(path.filename().string())
-                                      ? read_single_file(path, wanted)
-                                      : read_archive_behind_walls(path));
+    if (!fs::is_directory(path))
+        return take_files_for(wanted, is_source(path.filename().string())
+                                          ? read_single_file(path, wanted)
+                                          : read_archive_behind_walls(path));
+    const Contents contents = read_folder(path);
+    const std::string archive = only_archive_in(contents);
+    return take_files_for(wanted,
+                          archive.empty() ? contents : read_archive_behind_walls(path / archive));
 }
 
 } // namespace rigor

@@ -22,7 +22,12 @@ struct Intake {
 /// @throws Refused if there is no such file, or if there are several
 Intake take_files_for(const std::string& wanted, const Contents& contents);
 
-/// Reads an archive or a folder, and takes the files for an assignment. @throws Refused
+/// The archive that lies in a folder with no other file of the student, as Moodle downloads it;
+/// empty if there is none.
+std::string only_archive_in(const Contents& folder);
+
+/// Reads an archive or a folder, and takes the files for an assignment. A folder with nothing but an
+/// archive is taken for that archive. @throws Refused
 Intake take_submission(const std::filesystem::path& path, const std::string& wanted);
 
 /// The first names of a list, in quotes, and how many there are beside them: `"a", "b" and 4 more`.

@@ -3,6 +3,7 @@
 
 #include "report/exports/csv.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <regex>
 #include <set>
@@ -16,6 +17,14 @@ bool has_grade(const Row& row)
     return row.status == "graded" || row.status == "compile_error";
 }
 
+// A status for people: "timed out".
+std::string in_words(std::string status)
+{
+    if (status == "compile_error") return "not defined";
+    std::replace(status.begin(), status.end(), '_', ' ');
+    return status;
+}
+
 // The tasks that did not get all points.
 std::string feedback(const Row& row)
 {
@@ -24,7 +33,7 @@ std::string feedback(const Row& row)
     for (const TaskPoints& task : row.tasks)
         if (task.points < task.max_points)
             text += fmt::format("{}{} {} {:g}/{:g}", text.empty() ? "" : "; ", task.tag,
-                                task.status, task.points, task.max_points);
+                                in_words(task.status), task.points, task.max_points);
     return text;
 }
 
@@ -47,11 +56,23 @@ std::set<std::string> ambiguous(const std::vector<Row>& rows, const std::regex& 
     return several;
 }
 
+// The names that the systems give to what they download.
+const std::regex& from_canvas()
+{
+    static const std::regex name("^([^_]+)_(?:LATE_)?([0-9]+)_[0-9]+(?:_.*)?$");
+    return name;
+}
+const std::regex& from_moodle()
+{
+    static const std::regex name("^(.+)_([0-9]+)_assignsubmission_file(?:_.*)?$");
+    return name;
+}
+
 } // namespace
 
 std::string canvas_csv(const std::vector<Row>& rows, const std::string& assignment_title)
 {
-    static const std::regex downloaded("^([^_]+)_(?:LATE_)?([0-9]+)_[0-9]+(?:_.*)?$");
+    const std::regex& downloaded = from_canvas();
     std::string text =
         csv_line({"Student", "ID", "SIS User ID", "SIS Login ID", "Section", assignment_title});
     const std::set<std::string> several = ambiguous(rows, downloaded);
@@ -62,7 +83,7 @@ std::string canvas_csv(const std::vector<Row>& rows, const std::string& assignme
         std::smatch parts;
         if (std::regex_match(row.submission, parts, downloaded))
             text += csv_line({parts[1], parts[2], "", "", "", csv_number(row.points)});
-        else
+        else if (!std::regex_match(row.submission, from_moodle()))
             text += csv_line({row.submission, "", "", row.submission, "", csv_number(row.points)});
     }
     return text;
@@ -70,7 +91,7 @@ std::string canvas_csv(const std::vector<Row>& rows, const std::string& assignme
 
 std::string moodle_csv(const std::vector<Row>& rows)
 {
-    static const std::regex downloaded("^(.+)_([0-9]+)_assignsubmission_file(?:_.*)?$");
+    const std::regex& downloaded = from_moodle();
     std::string text = csv_line({"Identifier", "Full name", "Grade", "Maximum Grade",
                                  "Last modified (grade)", "Feedback comments"});
     const std::set<std::string> several = ambiguous(rows, downloaded);

@@ -40,12 +40,12 @@ TEST_CASE("report: the table says what broke and where and what to do next", "[r
     REQUIRE(has(table, "./rigor check A2.2 --seed 17"));
     REQUIRE(has(table, "student/inertia.cpp:"));
     REQUIRE(has(table, "assignments/a2-inertia/README.md, A2.2"));
-    REQUIRE(has(table, "waits for A2.3"));
+    REQUIRE(has(table, "calls A2.3, a stub"));
     REQUIRE(has(table, "Next: A2.3 world_inverse_inertia (2 tasks are not implemented yet)"));
     REQUIRE(has(table, "2 of 8 points"));
 }
 
-TEST_CASE("report: the next step is the formula that a task waits for", "[report]")
+TEST_CASE("report: the next step is the stub that a task calls", "[report]")
 {
     Result result = some_result();
     TestCase waits;
@@ -56,7 +56,7 @@ TEST_CASE("report: the next step is the formula that a task waits for", "[report
         result.tasks = {score_task(task_of("A4.9", formula, 3), {waits})};
         const std::string table = table_of(result);
         CAPTURE(table);
-        REQUIRE(has(table, "waits for A4.8"));
+        REQUIRE(has(table, "calls A4.8, a stub"));
         REQUIRE(has(table, "Next: A4.8 sliding_friction_impulse\n"));
         REQUIRE(has(table, "student/collision.cpp:"));
         REQUIRE(has(table, "assignments/a4-collision/README.md, A4.8"));

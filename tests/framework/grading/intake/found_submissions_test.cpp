@@ -146,6 +146,16 @@ TEST_CASE("submissions: a student with several by Canvas or Moodle gets a note",
                                        ", \"doejane_LATE_11_617_a4-1.zip\": "));
 }
 
+TEST_CASE("submissions: a name that a second file got gets a note", "[intake]")
+{
+    const TemporaryFolder folder;
+    for (const char* name : {"kim.zip", "kim (1).zip", "lee (2).zip", "ann ().zip", "ann.zip"})
+        folder.write(name, "");
+    const FoundSubmissions found = found_in({folder.path()});
+    REQUIRE(found.submissions.size() == 5);
+    REQUIRE(found.notes == Names{"\"kim (1)\" may be a copy of \"kim\": both are graded"});
+}
+
 TEST_CASE("submissions: a text typed into Moodle is a row only of a student without a file",
           "[intake]")
 {

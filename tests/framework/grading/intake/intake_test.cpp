@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "grading/intake/intake.hpp"
 
+#include "grading/class/fingerprint.hpp"
 #include "grading/intake/refused.hpp"
 #include "support/catch.hpp"
 #include "support/temporary_folder.hpp"
@@ -66,9 +67,10 @@ TEST_CASE("intake: a missing file is told with what is there instead", "[intake]
 
 TEST_CASE("intake: an archive in a submission is named and not opened", "[intake]")
 {
-    REQUIRE(refusal_of({"a4/solution.zip", "a4/report.pdf"}) ==
-            "expected collision.cpp, found \"a4/report.pdf\", \"a4/solution.zip\": an archive in a "
-            "submission is not opened");
+    REQUIRE(
+        refusal_of({"a4/solution.zip", "a4/report.pdf"}) ==
+        "expected collision.cpp, found \"a4/report.pdf\", \"a4/solution.zip\": an archive in an "
+        "archive, or beside other files, is not opened");
     REQUIRE(taken({"a4/collision.cpp", "a4/old.zip"}).ignored ==
             std::vector<std::string>{"a4/old.zip"});
 }
@@ -141,6 +143,25 @@ TEST_CASE("intake: a folder and an archive of it give the same files", "[intake]
     REQUIRE(of_folder.files == of_archive.files);
     REQUIRE(of_folder.ignored == of_archive.ignored);
     REQUIRE(of_folder.files.size() == 2);
+}
+
+TEST_CASE("intake: an archive that lies alone in a folder is the submission", "[intake]")
+{
+    const TemporaryFolder folder;
+    const auto student = folder.path() / "Jane Doe_17_assignsubmission_file";
+    folder.write("Jane Doe_17_assignsubmission_file/.DS_Store", "");
+    write_archive(student / "a4.zip", ArchiveFormat::zip, {{"a4/collision.cpp", "int x;\n"}});
+    REQUIRE(take_submission(student, wanted).files ==
+            std::map<std::string, std::string>{{"collision.cpp", "int x;\n"}});
+    Submission submission{"Jane Doe_17", student, ""};
+    const std::string before = fingerprint_of(submission, 1);
+    write_archive(student / "a4.zip", ArchiveFormat::zip, {{"a4/collision.cpp", "int y;\n"}});
+    REQUIRE(fingerprint_of(submission, 1) != before);
+
+    folder.write("Jane Doe_17_assignsubmission_file/report.pdf", "");
+    REQUIRE_THROWS_AS(take_submission(student, wanted), Refused);
+    write_archive(folder.path() / "bob.zip", ArchiveFormat::zip, {{"inner.zip", "PK"}});
+    REQUIRE_THROWS_AS(take_submission(folder.path() / "bob.zip", wanted), Refused);
 }
 
 TEST_CASE("intake: a single source is taken as the wanted file", "[intake]")
