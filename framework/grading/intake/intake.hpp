@@ -26,8 +26,8 @@ Intake take_files_for(const std::string& wanted, const Contents& contents);
 /// empty if there is none.
 std::string only_archive_in(const Contents& folder);
 
-/// Reads an archive or a folder, and takes the files for an assignment. A folder with nothing but an
-/// archive is taken for that archive. @throws Refused
+/// Reads an archive or a folder, and takes the files for an assignment. A folder with nothing but
+/// an archive is taken for that archive. @throws Refused
 Intake take_submission(const std::filesystem::path& path, const std::string& wanted);
 
 /// The first names of a list, in quotes, and how many there are beside them: `"a", "b" and 4 more`.
