@@ -203,6 +203,11 @@ void CompiledFolder::compile_topic(const std::string& topic, CompiledTopic& comp
         compiled.errors = file + ": its object cannot be read\n" + shown_errors(names.output);
         return;
     }
+    if (const std::string line = line_with_unreadable_name(names.output); !line.empty()) {
+        compiled.errors = fmt::format("{}: invalid character in a name for the linker: {:.80}\n",
+                                      file, printable(line));
+        return;
+    }
     take_over(object, compiled.object);
     fs::remove_all(out);
     compiled.symbols = parse_symbols(names.output);

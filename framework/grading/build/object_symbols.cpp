@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "grading/build/object_symbols.hpp"
 
+#include "errors/utf8.hpp"
 #include "formulas/table.hpp"
 
 #include <algorithm>
@@ -8,6 +9,7 @@
 #include <cxxabi.h>
 #include <iterator>
 #include <memory>
+#include <regex>
 #include <sstream>
 #include <string_view>
 
@@ -72,6 +74,17 @@ ObjectSymbols parse_symbols(const std::string& listing)
             symbols.defined.insert(name);
     }
     return symbols;
+}
+
+std::string line_with_unreadable_name(const std::string& listing)
+{
+    static const std::regex readable(R"(\S+ [A-Za-z?-]( [0-9a-f]*){0,2} *)"); // name, kind, numbers
+    constexpr std::string_view empty = ": no symbols"; // what `nm` says of an object without names
+    std::istringstream lines(listing);
+    for (std::string line; std::getline(lines, line);)
+        if (!line.ends_with(empty) && (!is_plain_utf8(line) || !std::regex_match(line, readable)))
+            return line;
+    return "";
 }
 
 std::map<std::string, std::vector<std::string>>

@@ -18,6 +18,10 @@ struct ObjectSymbols {
 /// Parses what `nm -P` prints about one object.
 ObjectSymbols parse_symbols(const std::string& listing);
 
+/// The first line of such a listing whose name has a space or a control character, which a compiler
+/// may take from an `asm` label; empty if there is none. No compiler makes such a name by itself.
+std::string line_with_unreadable_name(const std::string& listing);
+
 /// For each topic's object, the names that it must keep to itself: all but the formulas and what
 /// another object uses. So two files may have helpers of one name, and a `main` with which a
 /// student tries something out does no harm. If two objects define a formula, that of its topic

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Does not assemble. The message says nothing about files of ours.
-// expect: 0 compile_error: no such instruction
+// expect: 0 compile_error: instruction
 #include "formulas/pipeline.hpp"
 
 namespace rigor {

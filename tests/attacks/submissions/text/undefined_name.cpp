@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Uses a function whose linker name clears a terminal.
-// expect: 0 compile_error: Error: invalid character
+// expect: 0 compile_error: invalid character
 #include "formulas/pipeline.hpp"
 
 extern "C" double lost(double) asm("\033[2Jlost");

@@ -34,6 +34,21 @@ TEST_CASE("object symbols: strong definitions and uses are told apart", "[build]
     REQUIRE(symbols("/usr/bin/nm: x: file format not recognized\n").undefined.empty());
 }
 
+TEST_CASE("object symbols: a name that cannot be shown is found", "[build]")
+{
+    CHECK(line_with_unreadable_name("_Z1gd T 0 43\n.LC0 r 8 \nlost U         \n").empty());
+    CHECK(line_with_unreadable_name("_Z7gr\xc3\xb6\xc3\x9f"
+                                    "ed T 50 1d\n")
+              .empty());
+    CHECK(line_with_unreadable_name("nm: out/collision.o: no symbols\n").empty());
+    for (const char* line : {"\033[2Jlost U         ", "a b U         ", "a b 0 0 T 0 1",
+                             "\xff T 0 1", " T 0 1", "a\tT 0 1"}) {
+        CAPTURE(line);
+        CHECK(line_with_unreadable_name(std::string("_Z1gd T 0 43\n") + line + "\nb T 0 1\n") ==
+              line);
+    }
+}
+
 TEST_CASE("object symbols: each file keeps its helpers to itself", "[build]")
 {
     const auto hidden = names_to_hide({
