@@ -19,7 +19,7 @@ std::uint64_t fingerprint()
         for (const char c : text)
             hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211u;
     };
-    add("rigor worker 2");
+    add("rigor worker 3");
     for (const rigor::Formula& formula : rigor::formulas) {
         add(formula.tag);
         add(formula.name);
@@ -30,11 +30,12 @@ std::uint64_t fingerprint()
 
 [[gnu::constructor]] void serve()
 {
-    constexpr std::size_t ring = std::size_t{4} << 20, size = ring + (std::size_t{64} << 20) + 4096;
+    constexpr std::size_t ring = std::size_t{4} << 20,
+                          size = 2 * ring + (std::size_t{64} << 20) + 4096;
     void* memory = mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_SHARED, 3, 0);
     if (memory == MAP_FAILED) return; // nobody asks
     auto* words = static_cast<volatile std::uint32_t*>(memory);
-    auto* payload = static_cast<volatile std::byte*>(memory) + 256 + ring;
+    auto* payload = static_cast<volatile std::byte*>(memory) + 384 + 2 * ring;
     std::uint64_t answer = fingerprint();
     for (std::uint32_t turn = 1;; ++turn) {
         while (turn > 1 && words[0] != turn) // the first answer is a greeting

@@ -22,7 +22,7 @@ inline std::uint64_t fingerprint()
         for (const char c : text)
             hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211u;
     };
-    add("rigor worker 2");
+    add("rigor worker 3");
     for (const rigor::Formula& formula : rigor::formulas) {
         add(formula.tag);
         add(formula.name);
@@ -34,12 +34,12 @@ inline std::uint64_t fingerprint()
 // @param stream_for  returns what is streamed for the text of a question
 template <typename StreamFor> void serve_forged(const StreamFor& stream_for)
 {
-    constexpr std::size_t size = ring + (std::size_t{64} << 20) + 4096;
+    constexpr std::size_t size = 2 * ring + (std::size_t{64} << 20) + 4096;
     void* memory = mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_SHARED, 3, 0);
     if (memory == MAP_FAILED) return; // nobody asks
     auto* words = static_cast<volatile std::uint32_t*>(memory);
-    auto* stream = static_cast<char*>(memory) + 256;
-    auto* payload = static_cast<char*>(memory) + 256 + ring;
+    auto* stream = static_cast<char*>(memory) + 384;
+    auto* payload = static_cast<char*>(memory) + 384 + 2 * ring;
     const std::uint64_t greeting = fingerprint();
     std::memcpy(payload, &greeting, sizeof greeting);
     for (std::uint32_t turn = 1;; ++turn) {

@@ -3,7 +3,7 @@
 // a parent, an origin. Each of them would point far past an array of the grader.
 // topic: fracture
 // tasks: A7.4 A7.5 A7.6 A7.7 A7.8
-// expect: 0 failed|crashed|not_implemented
+// expect: 0 failed|crashed|not_implemented|compile_error
 #include "formulas/fracture.hpp"
 
 #include <climits>
