@@ -11,18 +11,18 @@ namespace {
 constexpr auto optimised_of = [](HandMade& problem, std::span<const int> active) {
     return optimised_sweeps(problem, problem.island, active);
 };
-constexpr auto optimised_of_heap = [](Heap& heap) { return optimised_of(heap, heap.active); };
+constexpr auto optimised_of_pile = [](Pile& pile) { return optimised_of(pile, pile.active); };
 
 } // namespace
 
 TEST_CASE("optimised sweeps: n of them are n sweeps of resolve_simultaneously", "[rigid]")
 {
-    check_sweeps_are_those_of_the_formula(optimised_of_heap);
+    check_sweeps_are_those_of_the_formula(optimised_of_pile);
 }
 
 TEST_CASE("optimised sweeps: impulses that are added act on the bodies", "[rigid]")
 {
-    check_added_impulses_act_on_the_bodies(optimised_of_heap);
+    check_added_impulses_act_on_the_bodies(optimised_of_pile);
 }
 
 TEST_CASE("optimised sweeps: one sweep stops a lone body", "[rigid]")
