@@ -200,7 +200,7 @@ TEST_CASE("layout: a comment of a script is as wide as that of a source", "[layo
           "rigor:1" + wide + "tests/CMakeLists.txt:1" + wide + "tests/a.sh:1" + wide);
 }
 
-TEST_CASE("layout: prose is wrapped but tables and code and lone links are not", "[layout]")
+TEST_CASE("layout: prose is wrapped but tables and code and unbroken links are not", "[layout]")
 {
     const Tree tree;
     const std::string link = "- [" + columns(90) + "](https://example.org/page).\n";

@@ -3,7 +3,7 @@
 // rigid bodies with stacking", ACM Trans. Graph. 22). Each stage is a call or two in step.cpp:
 //
 // stage                 reads                     writes               where
-//   a lone body         its state, gravity        its state            step/lone_body: no stages
+//   a single body       its state, gravity        its state            step/single_body: no stages
 //   wake up             forces, springs           sleeping bodies      step/sleep, `wake_pulled`
 // 1 free flight         states, forces            flown states         motion/free_flight
 // 2 find contacts       states, flown states      contact candidates   detection/contact_candidates

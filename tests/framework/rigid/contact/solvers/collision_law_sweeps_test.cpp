@@ -36,9 +36,9 @@ TEST_CASE("collision law sweeps: impulses that are added act on the bodies", "[r
     check_added_impulses_act_on_the_bodies(pile_by_collision_law);
 }
 
-TEST_CASE("collision law sweeps: one sweep stops a lone body", "[rigid]")
+TEST_CASE("collision law sweeps: one sweep stops a single body", "[rigid]")
 {
-    check_progress_of_a_lone_contact(by_collision_law);
+    check_progress_of_a_single_contact(by_collision_law);
 }
 
 TEST_CASE("collision law sweeps: without approach or contacts nothing changes", "[rigid]")

@@ -25,9 +25,9 @@ TEST_CASE("optimised sweeps: impulses that are added act on the bodies", "[rigid
     check_added_impulses_act_on_the_bodies(optimised_of_pile);
 }
 
-TEST_CASE("optimised sweeps: one sweep stops a lone body", "[rigid]")
+TEST_CASE("optimised sweeps: one sweep stops a single body", "[rigid]")
 {
-    check_progress_of_a_lone_contact(optimised_of);
+    check_progress_of_a_single_contact(optimised_of);
 }
 
 TEST_CASE("optimised sweeps: without approach or contacts nothing changes", "[rigid]")

@@ -38,9 +38,9 @@ TEST_CASE("simultaneous sweeps: impulses that are added act on the bodies", "[ri
     check_added_impulses_act_on_the_bodies(pile_by_formula);
 }
 
-TEST_CASE("simultaneous sweeps: one sweep stops a lone body", "[rigid]")
+TEST_CASE("simultaneous sweeps: one sweep stops a single body", "[rigid]")
 {
-    check_progress_of_a_lone_contact(by_formula);
+    check_progress_of_a_single_contact(by_formula);
 }
 
 TEST_CASE("simultaneous sweeps: without approach or contacts nothing changes", "[rigid]")

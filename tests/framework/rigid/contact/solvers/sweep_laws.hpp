@@ -130,7 +130,7 @@ template <class Make> void check_added_impulses_act_on_the_bodies(const Make& ma
 
 /// One contact below a body of 2 kg that arrives at -3 m/s: the first sweep stops the body, the
 /// second one finds nothing to do.
-template <class Make> void check_progress_of_a_lone_contact(const Make& make)
+template <class Make> void check_progress_of_a_single_contact(const Make& make)
 {
     HandMade problem;
     const int ball = problem.add(ball_at({0, 0.5, 0}, 2, {0, -3, 0}));
