@@ -37,10 +37,11 @@ constexpr int last_sweeps = 20; // sweeps after Newton's method
 // errors; the others were chosen by trial; `bench pile` shows their effect.
 constexpr double to_rounding = 1e-13, for_newton = 1e-8, for_piles_at_rest = 1e-4,
                  for_moving_piles = 1e-3;
-// The sweeps of a stack have ended far from the solution if its bodies differ in mass by more than
-// `large_ratio`, and if further sweeps would still change a velocity by more than the share
-// `far_off` of the fastest approach. Newton's method then continues. Both values were chosen by
-// trial; tests/classics shows their effect where heavy bodies fall on light ones.
+// The sweeps of a stack have ended far from the solution if its heaviest body has more than
+// `large_ratio` times the mass of its lightest one, and if further sweeps would still change a
+// velocity by more than the share `far_off` of the fastest approach. Newton's method then
+// continues. Both values were chosen by trial; tests/classics shows their effect where heavy bodies
+// fall on light ones.
 constexpr double large_ratio = 5, far_off = 1e-3;
 constexpr double rounding = 2 * std::numeric_limits<double>::epsilon();
 
