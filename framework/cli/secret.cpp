@@ -11,7 +11,8 @@ namespace rigor {
 
 namespace {
 
-// Sixteen random letters cannot be guessed, and nobody means a larger file.
+// Sixteen random letters cannot be guessed. A secret has no use for more than 4096 bytes: a larger
+// file was probably named by mistake.
 constexpr std::size_t shortest = 16, longest = 4096; // [bytes]
 
 } // namespace

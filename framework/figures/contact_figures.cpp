@@ -61,7 +61,7 @@ Drawing flat_rod()
 Drawing levels()
 {
     Drawing drawing(
-        "A heap, who rests on whom, and the levels: two cards that lean on each other share "
+        "A pile, who rests on whom, and the levels: two cards that lean on each other share "
         "one.",
         660, 380);
     struct Item {

@@ -139,7 +139,8 @@ std::string noted(const TestCase& test)
     return shortened(text);
 }
 
-// The other laws that the task broke, each whole or only counted.
+// The laws that the task broke besides the first: the names of as many as fit, and the number of
+// the rest.
 std::string also_broken(const TaskResult& task)
 {
     std::string text;

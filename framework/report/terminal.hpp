@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Colours and widths for text that a person reads on a terminal.
+// Colors and widths for text that a person reads on a terminal.
 #pragma once
 
 #include <string>
@@ -12,11 +12,11 @@ enum class Color { none, bold, dim, green, yellow, red };
 /// Whether this descriptor is a terminal.
 bool is_terminal(int descriptor);
 
-/// Whether output to this descriptor is coloured: if it is a terminal, NO_COLOR is not set, and
+/// Whether output to this descriptor is colored: if it is a terminal, NO_COLOR is not set, and
 /// TERM is not "dumb".
 bool wants_color(int descriptor);
 
-/// The text in a colour, or unchanged if no colour is wanted.
+/// The text in a color, or unchanged if no color is wanted.
 std::string colored(std::string_view text, Color color, bool wanted);
 
 /// The columns that a UTF-8 text takes. Every character counts as one.

@@ -2,7 +2,7 @@
 // Starts a program in four steps: the launcher is spawned with the options for its walls; it
 // reports that the walls are up and hands over the listener of blocked calls; the grader allows the
 // one call that starts the program; and the launcher's end of the socket closes, because the
-// program has started. Ends it by a signal to the warden, which ends all the others first.
+// program has started. Ends it by a signal to the monitor, which ends all the others first.
 #include "sandbox/confined.hpp"
 
 #include "sandbox/argument_pointers.hpp"
@@ -260,8 +260,8 @@ void Confined::start(const Confinement& confinement, const std::vector<std::stri
     Sockets sockets;
     std::vector<int> given(descriptors.begin(), descriptors.end());
     given.push_back(sockets.launcher);
-    warden_ = SpawnPlan(given).run(command_line(confinement, descriptors.size(), arguments, user),
-                                   confinement.environment);
+    monitor_ = SpawnPlan(given).run(command_line(confinement, descriptors.size(), arguments, user),
+                                    confinement.environment);
     sockets.launcher = {};
     reports_ = std::move(sockets.grader);
     asks_ = walls.listener && confinement.profile == Profile::worker;
@@ -301,21 +301,21 @@ std::optional<int> Confined::blocked_call()
 
 void Confined::begin_end()
 {
-    if (warden_ <= 0) return;
-    kill(warden_, SIGTERM);
-    kill(warden_, SIGCONT);
+    if (monitor_ <= 0) return;
+    kill(monitor_, SIGTERM);
+    kill(monitor_, SIGCONT);
 }
 
 rusage Confined::end()
 {
     rusage used = {};
-    if (warden_ <= 0) return used;
+    if (monitor_ <= 0) return used;
     begin_end();
     constexpr int patience = 3000; // [ms]; a process may be busy in the kernel, giving back memory
-    if (!ends_within(warden_, patience)) kill(warden_, SIGKILL);
-    while (wait4(warden_, nullptr, 0, &used) < 0 && errno == EINTR) {
+    if (!ends_within(monitor_, patience)) kill(monitor_, SIGKILL);
+    while (wait4(monitor_, nullptr, 0, &used) < 0 && errno == EINTR) {
     }
-    warden_ = -1;
+    monitor_ = -1;
     return used;
 }
 

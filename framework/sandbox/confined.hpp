@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // A program behind walls, from start to end.
 //
-// The grader starts the launcher `confine`, which stays as the warden outside the walls; its child
-// puts up the walls around itself and becomes the program. The warden ends in the way in which the
+// The grader starts the launcher `confine`, which stays as the monitor outside the walls; its child
+// puts up the walls around itself and becomes the program. The monitor ends in the way in which the
 // program ends, and nothing that the program started outlives it. A call that is not allowed waits
 // for the grader, who learns which call it is from the kernel; the program never sees an answer.
 #pragma once
@@ -77,8 +77,8 @@ public:
     /// @throws std::system_error if it cannot be started behind these walls
     void await_start();
 
-    /// The warden. It ends as the program ends, and stops as it stops.
-    pid_t warden() const { return warden_; }
+    /// The monitor. It ends as the program ends, and stops as it stops.
+    pid_t monitor() const { return monitor_; }
 
     /// The program itself. Its number is only good for a look at `/proc`.
     pid_t program() const { return program_; }
@@ -99,7 +99,7 @@ private:
     void start(const Confinement& confinement, const std::vector<std::string>& arguments,
                std::span<const int> descriptors);
 
-    pid_t warden_ = -1, program_ = -1;
+    pid_t monitor_ = -1, program_ = -1;
     Descriptor listener_;
     Descriptor reports_; // the socket to the launcher, until the program runs
     std::string path_;   // the path of the program

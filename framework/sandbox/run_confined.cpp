@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Waits on three things at once: the output, the end of the warden, and a blocked call. Whatever
+// Waits on three things at once: the output, the end of the monitor, and a blocked call. Whatever
 // ends the run first, the rest of the output is read after all processes have ended.
 #include "sandbox/run_confined.hpp"
 
@@ -25,7 +25,7 @@ public:
           program_(
               confinement, arguments,
               std::array<int, 3>{input >= 0 ? input : int(empty_), output_.write, output_.write}),
-          ended_(static_cast<int>(syscall(SYS_pidfd_open, program_.warden(), 0)), "pidfd_open")
+          ended_(static_cast<int>(syscall(SYS_pidfd_open, program_.monitor(), 0)), "pidfd_open")
     {
         output_.write = {};
     }
@@ -85,7 +85,7 @@ private:
     void look_at_ending()
     {
         siginfo_t info{};
-        if (waitid(P_PID, program_.warden(), &info, WEXITED | WNOHANG | WNOWAIT) != 0) return;
+        if (waitid(P_PID, program_.monitor(), &info, WEXITED | WNOHANG | WNOWAIT) != 0) return;
         if (info.si_pid == 0) return; // it was ended by a limit
         (info.si_code == CLD_EXITED ? result_.status : result_.signal) = info.si_status;
     }
@@ -95,7 +95,7 @@ private:
     Descriptor empty_;
     Ends output_;
     Confined program_;
-    Descriptor ended_; // readable when the warden has ended
+    Descriptor ended_; // readable when the monitor has ended
     bool has_ended_ = false, output_is_open_ = true, listener_is_open_ = true;
     std::size_t printed_ = 0; // [bytes]
     ConfinedRun result_;

@@ -29,7 +29,8 @@ class Worker {
 public:
     using Start = Moment;
 
-    /// @param oracle  is asked how long a slow request may take; it must outlive this worker
+    /// @param oracle  the worker of the reference, which is asked how long a slow request may take;
+    ///                it must outlive this worker
     explicit Worker(std::filesystem::path executable, Limits limits = {}, Worker* oracle = nullptr);
 
     /// The encoded result of a formula on encoded arguments, valid until the next request.

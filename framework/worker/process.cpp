@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Starts and ends a worker process. It is started by the launcher with only a null input, a pipe
 // for its output and the shared memory, and with limits on its resources. Its output is read
-// without waiting, and its warden ends it and all that it started.
+// without waiting, and its monitor ends it and all that it started.
 #include "worker/process.hpp"
 
 #include "sandbox/blocked_calls.hpp"
@@ -124,8 +124,8 @@ std::optional<Broken> Process::ending()
     if (const std::optional<int> call = program_.blocked_call())
         return Broken{WorkerFailure::crashed, "tried to " + words_for_blocked_call(*call)};
     siginfo_t info{};
-    // WNOWAIT leaves the warden to `Confined`, which collects it in the end.
-    if (waitid(P_PID, program_.warden(), &info, WEXITED | WSTOPPED | WNOHANG | WNOWAIT) != 0)
+    // WNOWAIT leaves the monitor to `Confined`, which collects it in the end.
+    if (waitid(P_PID, program_.monitor(), &info, WEXITED | WSTOPPED | WNOHANG | WNOWAIT) != 0)
         return Broken{WorkerFailure::crashed, "disappeared"};
     if (info.si_pid == 0) return {};
     switch (info.si_code) {

@@ -27,10 +27,11 @@ enum class Trust {
     students, // formulas that are graded: the walls of the usual tier; needs a static worker
 };
 
-/// The limits of an implementation. A time limit is the greater of its floor and `multiple` times
-/// what the oracle took for the same request; without an oracle it is the floor. Time counts from
-/// the request, while the client waits and the worker is on a processor or sleeps. While the worker
-/// waits for a processor on a busy machine, a tenth of the time counts.
+/// The limits of an implementation. The oracle is a second worker, which runs the reference. A time
+/// limit is the greater of its floor and `multiple` times the time that the oracle took for the
+/// same request; without an oracle it is the floor. Time counts from the request, while the client
+/// waits and the worker is on a processor or sleeps. While the worker waits for a processor on a
+/// busy machine, a tenth of the time counts.
 struct Limits {
     Trust trust = Trust::ours;
     std::chrono::duration<double> start{10}; // from exec until the worker is ready

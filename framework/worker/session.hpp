@@ -8,7 +8,8 @@
 
 namespace rigor {
 
-/// The time that a question may take. The oracle is asked only after the floor is used up.
+/// The time that a question may take. The oracle, the worker of the reference, is asked for its
+/// time only after the floor is used up.
 struct Allowance {
     using Seconds = std::chrono::duration<double>;
 

@@ -43,7 +43,7 @@ public:
     bool is_compared(FormulaIndex formula) const;
     void compare(FormulaIndex formula, Seconds took, Seconds reference_took);
 
-    /// Counts time for which a scene has waited.
+    /// Counts time for which the engine has waited, within a scene, for answers of formulas.
     void scene_took(Seconds time) { scenes_ += time; }
     /// Counts a scene that failed because of this formula.
     void scene_failed(FormulaIndex formula) { ++of(formula).failed_scenes; }

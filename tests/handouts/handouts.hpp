@@ -32,7 +32,7 @@ std::vector<std::vector<std::string>> table_rows(const std::string& text);
 std::vector<std::string> formulas_of(const std::string& text);
 
 /// The symbols of a formula, such as `\omega`, `x`, `v_n`, `I_body` or `\Delta t`. Left out are
-/// names like `\mathrm{Tr}`, exponents that are numbers, transposes or stars, and lone indices.
+/// names like `\mathrm{Tr}`, exponents that are numbers, transposes or stars, and single indices.
 std::vector<std::string> symbols_of(const std::string& formula);
 
 /// A symbol without its index.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The rules of the tree, one function each. They look at folders, includes, the width of comments
-// and prose, and the first lines of files. `check_tree` applies all of them.
+// The rules of the tree, one function each. They look at folders, includes, the places of tests,
+// the width of comments and prose, and the first lines of files. `check_tree` applies all of them.
 #include "layout/layout.hpp"
 
 #include "layout/comments.hpp"
@@ -103,6 +103,28 @@ Violations sources_without_header(const Files& sources)
     return violations;
 }
 
+Violations misplaced_tests(const Files& sources)
+{
+    const std::string ending = "_test.cpp";
+    std::map<std::string, std::set<fs::path>> folders; // those that hold a source of this name
+    for (const File& file : sources)
+        if (*file.path.begin() == "framework")
+            folders[file.path.stem().string()].insert(file.path.parent_path());
+    Violations violations;
+    for (const File& file : sources) {
+        const std::string path = file.path.generic_string(), name = file.path.filename().string();
+        if (!path.starts_with("tests/framework/") || !name.ends_with(ending)) continue;
+        const auto found = folders.find(name.substr(0, name.size() - ending.size()));
+        if (found == folders.end()) continue; // a test of several sources
+        const fs::path mirrored = file.path.parent_path().lexically_relative("tests");
+        if (found->second.count(mirrored)) continue;
+        const std::string source = (*found->second.begin() / found->first).generic_string();
+        violations.push_back({path, "a test with the name of " + source + " belongs in tests/" +
+                                        found->second.begin()->generic_string() + "/"});
+    }
+    return violations;
+}
+
 Violations wide_comments(const Files& sources)
 {
     Violations violations;
@@ -193,8 +215,8 @@ Violations check_tree(const fs::path& top)
     if (sources.empty()) violations.push_back({top.generic_string(), "no sources found"});
     if (texts.empty()) violations.push_back({top.generic_string(), "no Markdown found"});
     for (const auto rule :
-         {large_folders, including_each_other, sources_without_header, wide_comments,
-          trailing_of_comments, graded_checks_without_words, missing_first_lines})
+         {large_folders, including_each_other, sources_without_header, misplaced_tests,
+          wide_comments, trailing_of_comments, graded_checks_without_words, missing_first_lines})
         append(violations, rule(sources));
     append(violations, wide_script_comments(scripts(top)));
     append(violations, wide_prose(texts));

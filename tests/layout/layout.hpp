@@ -21,6 +21,7 @@ using Violations = std::vector<Violation>;
 Violations large_folders(const Files& sources);
 Violations including_each_other(const Files& sources);
 Violations sources_without_header(const Files& sources);
+Violations misplaced_tests(const Files& sources);
 Violations wide_comments(const Files& sources);
 Violations wide_script_comments(const Files& scripts);
 Violations wide_prose(const Files& texts);

@@ -142,6 +142,24 @@ TEST_CASE("layout: a source of the framework needs a header of its name or a mai
           "framework/room/mass.cpp: a source of the framework without a header of its name\n");
 }
 
+TEST_CASE("layout: a test lies in the folder that mirrors the source of its name", "[layout]")
+{
+    const Tree tree;
+    tree.write("framework/other/body.hpp", header);
+    tree.write("framework/other/mass.hpp", header);
+    tree.write("tests/framework/room/body_test.cpp", licence);
+    tree.write("tests/framework/room/several_sources_test.cpp", licence);
+    tree.write("tests/framework/room/mass.hpp", header); // no test
+    tree.write("tests/graded/room/mass_test.cpp", licence);
+    CHECK(tree.violations().empty());
+    tree.write("tests/framework/room/mass_test.cpp", licence);
+    tree.write("tests/framework/mass_test.cpp", licence);
+    const std::string rule = ": a test with the name of framework/other/mass belongs in "
+                             "tests/framework/other/\n";
+    CHECK(tree.violations() ==
+          "tests/framework/mass_test.cpp" + rule + "tests/framework/room/mass_test.cpp" + rule);
+}
+
 TEST_CASE("layout: a comment has 100 characters and not 101", "[layout]")
 {
     const Tree tree;
@@ -182,7 +200,7 @@ TEST_CASE("layout: a comment of a script is as wide as that of a source", "[layo
           "rigor:1" + wide + "tests/CMakeLists.txt:1" + wide + "tests/a.sh:1" + wide);
 }
 
-TEST_CASE("layout: prose is wrapped but tables and code and lone links are not", "[layout]")
+TEST_CASE("layout: prose is wrapped but tables and code and unbroken links are not", "[layout]")
 {
     const Tree tree;
     const std::string link = "- [" + columns(90) + "](https://example.org/page).\n";

@@ -17,8 +17,8 @@ constexpr std::array<std::array<int, 2>, 6> tetrahedron_edges = {
     {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
 constexpr double least_cosine = 0.5;   // cos 60°, for the largest turn of a crack as it continues
 constexpr double similar_cosine = 0.7; // about cos 45°; nearer planes count as the same crack
-// Least distance of a corner from the plane of a crack, relative to the farthest corner. A copy of
-// a nearer corner would have almost no material.
+// Least distance of a corner from the plane of a crack, relative to the farthest corner. Between
+// the plane and a nearer corner there would be almost no material.
 constexpr double least_corner_height = 1e-6;
 
 std::pair<int, int> edge_of(const std::array<int, 4>& t, const std::array<int, 2>& edge)
@@ -54,9 +54,10 @@ struct Best {
         cosine = c;
         crack = ElementCrack{0, point, normal};
     }
-    // Whether corners lie on both sides and none of them is nearly on the plane; the copy of such a
-    // corner would have no material and its node no mass. Heights are compared relative to the
-    // largest one.
+    // Whether corners with material lie on both sides of the plane and none of them almost in it.
+    // A crack splits the element into two copies, each with the material of one side. The material
+    // between the plane and a corner that almost lies in it would have no volume, and the node of
+    // this corner no mass. Heights are compared relative to the largest one.
     bool separates(const Vector3d& point, const Vector3d& normal) const
     {
         int above = 0, below = 0;

@@ -11,8 +11,9 @@ namespace rigor {
 
 namespace {
 
-// The strain caused by the motion of a node with gradient g, as (xx, yy, zz, √2 xy, √2 xz, √2 yz),
-// a vector of norm ‖ε‖.
+// The matrix B of a node of an element: a displacement u of this node alone strains the element by
+// ε = B u = ½ (u gᵀ + g uᵀ), written as (xx, yy, zz, √2 xy, √2 xz, √2 yz), a vector of norm ‖ε‖.
+// @param g  ∇N, the gradient of the node's shape function in the element [1/m]
 Eigen::Matrix<double, 6, 3> strain_of_motion(const Vector3d& g)
 {
     const double r = std::sqrt(0.5);

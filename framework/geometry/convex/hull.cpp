@@ -16,8 +16,9 @@ namespace rigor {
 
 namespace {
 
-// A point is in a plane if its distance, divided by the size, is below this. It is above the
-// rounding of coordinates from a file, and far below any intended dent.
+// A point is in a plane if its distance from the plane, divided by the size of the mesh
+// (`size_of`), is below this. The value is above the rounding of coordinates from a file, and far
+// below the depth of any hollow that somebody models on purpose.
 constexpr double flat = 1e-9;
 
 // Triangles are in one flat face if their unit normals differ by less than this. It is more than
@@ -28,6 +29,7 @@ constexpr double same_normal = 1e-7;
 // one attempt.
 constexpr std::size_t most_normals = 32;
 
+// The longest edge of the box that bounds the mesh [m].
 double size_of(const TriangleMesh& mesh)
 {
     const Bounds bounds = bounds_of(mesh);

@@ -9,7 +9,9 @@ namespace rigor {
 class LocalEngine : public Engine {
 public:
     /// @param jobs  how many submissions are graded at the same time
-    /// @param part  the part of a run that this engine grades; empty: all of it
+    /// @param part  a name of its own for each of several engines that grade parts of one run, such
+    ///              as `JOB_RESTARTS` of a task of Slurm: the engine's working folders have it in
+    ///              their names. Empty for an engine that grades the whole run.
     explicit LocalEngine(unsigned jobs, std::string part = {}) : jobs_(jobs), part_(std::move(part))
     {
     }

@@ -4,7 +4,7 @@
 //
 // counter               switch in a scene     decided by
 // isotropic_shortcuts                         motion/free_flight, `fly`: no substeps, a constant ω
-//                                             step/lone_body, `is_lone_body`: no stages
+//                                             step/single_body, `is_single_body`: no stages
 // static_skipped                              motion/free_flight, `fly_all`
 // bodies_asleep         sleep                 step/sleep, `fall_asleep`
 // pairs_tested                                detection/broad_phase, out of `pairs_possible`

@@ -17,7 +17,8 @@ enum class Integrator {
     gram_schmidt, ///< symplectic Euler with `advance_matrix` and `gram_schmidt`, to watch its bias
     euler_angles, ///< symplectic Euler with `euler_rates`, to watch it at gimbal lock
     /// The default: a body that only gravity acts on flies exactly, by Jacobi's solution for the
-    /// free rotor. A body that springs, forces or contacts act on takes `runge_kutta`.
+    /// free rotor. A body that springs, forces or contacts act on takes `runge_kutta`. It stays the
+    /// last value, by which lists of integrators are checked.
     exact,
 };
 

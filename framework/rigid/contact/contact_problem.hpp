@@ -72,8 +72,8 @@ std::size_t contact_count(std::span<const ContactPair> pairs);
 /// method then has at most 48 unknowns.
 inline constexpr std::size_t few_bodies = 8;
 
-/// Whether the island is a heap rather than a stack: many bodies with many contacts between them.
-bool is_heap(const Island& island);
+/// Whether the island is a pile rather than a stack: many bodies with many contacts between them.
+bool is_pile(const Island& island);
 
 /// A driven body that has contacts: its mean velocity over the step, and its velocity at the end.
 ///

@@ -19,14 +19,14 @@ namespace rigor {
 namespace {
 
 // The share of the excess overlap that a step removes, and a limit of the speed of this correction,
-// in radii of the smaller body per second [1/s]. Larger values remove penetration sooner, but heaps
+// in radii of the smaller body per second [1/s]. Larger values remove penetration sooner, but piles
 // jitter and bodies that overlap deeply jump apart. A fifth is the usual share in engines (0.2 in
 // Box2D, Bullet and ODE); the rate was chosen by trial.
 constexpr double corrected_fraction = 0.2;
 constexpr double correction_rate = 1;
 // Overlap that is left, as a fraction of the radius. In a stack it has the size of rounding errors;
-// in a heap it is the slop that lets the heap come to rest.
-constexpr double rounding_slop = 1e-6, heap_slop = resting_overlap;
+// in a pile it is the slop that lets the pile come to rest.
+constexpr double rounding_slop = 1e-6, pile_slop = resting_overlap;
 constexpr double weightless_slop = 1e-3; // without gravity, where a correction adds energy
 // The sweeps over an island visit about `most_visits` rows in all, but their number stays within
 // these bounds. More sweeps take more time; fewer leave more overlap of a large island to the next
@@ -153,7 +153,7 @@ void correct(const ContactProblem& problem, const Island& island,
              std::vector<Displacement>& displacements)
 {
     std::vector<Rows> rows(island.blocks.size());
-    const double slop = is_heap(island) ? heap_slop : rounding_slop;
+    const double slop = is_pile(island) ? pile_slop : rounding_slop;
     problem.pool->for_each_task(static_cast<int>(rows.size()), [&](int k) {
         rows[k] = rows_of(problem, island, island.blocks[k], slop);
     });

@@ -21,9 +21,9 @@ struct Displacement {
 /// correction adds no kinetic energy and bodies do not jump.
 ///
 /// In a stack, every penetration above rounding is corrected; otherwise the errors of its contacts
-/// would add up and the stack would lean. In a heap, a slop of 1e-4 of the radius is kept and
+/// would add up and the stack would lean. In a pile, a slop of 1e-4 of the radius is kept and
 /// overlap below twice the slop is left alone, because each correction disturbs other contacts and
-/// the heap would never come to rest.
+/// the pile would never come to rest.
 ///
 /// Without gravity nothing is corrected here, since a displacement does not conserve angular
 /// momentum. There, `correction_speed` corrects penetration.

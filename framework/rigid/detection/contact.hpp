@@ -5,9 +5,9 @@
 
 namespace rigor {
 
-/// Penetration slop: the overlap that the position correction leaves uncorrected in heaps, in
+/// Penetration slop: the overlap that the position correction leaves uncorrected in piles, in
 /// radii of the smaller body. Detection treats bodies that overlap by less as separated where it
-/// looks ahead to the end of the step. With a much smaller slop a heap would never come to rest,
+/// looks ahead to the end of the step. With a much smaller slop a pile would never come to rest,
 /// see `position_corrections`.
 inline constexpr double resting_overlap = 1e-4;
 

@@ -86,8 +86,9 @@ int substeps_for(Integrator integrator, const RigidBody& body, const RigidState&
     return static_cast<int>(std::clamp(std::ceil(h / limit), 1.0, most_substeps));
 }
 
-// The number of equal substeps in which no spring vibrates or decays, and no force oscillates, by
-// more than half a unit of its phase. The splitting method then has an error of 1e-4 of the
+// The number of equal substeps h for the rates of all springs, dampers, drag and forces. Each rate
+// times h is at most 0.5: the angle by which a spring or an oscillating force advances, √(k/M) h or
+// 2π f h, and the exponent of a decay, c h/M. The splitting method then has an error of 1e-4 of the
 // amplitude after 30 oscillations; with dampers, where Runge–Kutta 4 replaces it, the error is
 // 4e-3.
 int substeps_for_forces(const World& world, double h)
@@ -96,15 +97,15 @@ int substeps_for_forces(const World& world, double h)
                                        [](const RigidBody& body) { return body.drag.acts(); });
     if (world.springs.empty() && world.forces.empty() && !any_drags) return 1;
     if (world.settings.integrator_when_held() != Integrator::runge_kutta) return 1;
-    constexpr double most_phase = 0.5; // [rad]
+    constexpr double most_change = 0.5; // rate times substep, [rad] for an oscillation
     const auto [rate, body] = fastest_force_rate(world);
-    const double needed = std::ceil(rate * h / most_phase);
+    const double needed = std::ceil(rate * h / most_change);
     if (needed > most_substeps) {
         std::ostringstream text;
         text << "body '" << world.bodies[body].name
              << "': a spring or damper is too stiff or a force too fast for the step: expected "
                 "sqrt(k/M) h, c h/M and 2 pi f h up to "
-             << most_substeps * most_phase << ", found " << std::setprecision(4) << rate * h;
+             << most_substeps * most_change << ", found " << std::setprecision(4) << rate * h;
         throw std::domain_error(text.str());
     }
     return needed > 1 ? static_cast<int>(needed) : 1; // a NaN is reported at the end of the step

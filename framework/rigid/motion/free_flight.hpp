@@ -19,8 +19,8 @@
 // for any number of swings, and on a spring it is stable up to √(k/M) h = 5, where Runge–Kutta 4
 // ends at 2.8. It needs forces that depend on positions alone.
 //
-// A stiffer spring or damper divides the step of all pulled bodies into substeps, in each of which
-// no spring vibrates or decays by more than half a unit of its phase. The other integrators do not
+// A stiffer spring or damper divides the step of all pulled bodies into substeps h, so short that
+// √(k/M) h of each spring and c h/M of each damper are at most 0.5. The other integrators do not
 // divide the step, so that students can watch where they become unstable.
 //
 // If any spring damps or a medium brakes a body, all pulled bodies take the Runge–Kutta method of

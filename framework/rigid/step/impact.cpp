@@ -211,18 +211,18 @@ std::optional<std::vector<ContactRecord>> bounce_at_impact(const World& world,
 }
 
 // The only pair of an island that bounced; null if another pair did too or if any contact was held.
-const ContactPair* lone_bounce(const ContactProblem& problem, const Island& island)
+const ContactPair* single_bounce(const ContactProblem& problem, const Island& island)
 {
-    const ContactPair* lone = nullptr;
+    const ContactPair* single = nullptr;
     for (const ContactPair& pair : island.pairs)
         for (int i = pair.first; i < pair.last; ++i) {
             const ContactConstraint& c = problem.contacts[i];
             if (!c.contact_impulse.isZero(0)) return nullptr;
             if (c.collision_impulse.isZero(0)) continue;
-            if (lone && lone != &pair) return nullptr;
-            lone = &pair;
+            if (single && single != &pair) return nullptr;
+            single = &pair;
         }
-    return lone;
+    return single;
 }
 
 } // namespace
@@ -234,7 +234,7 @@ std::vector<ContactRecord> bounce_at_impacts(const World& world, ContactProblem&
 {
     std::vector<ContactRecord> records;
     for (const Island& island : problem.islands) {
-        const ContactPair* pair = lone_bounce(problem, island);
+        const ContactPair* pair = single_bounce(problem, island);
         if (!pair) continue;
         const ContactConstraint& c = problem.contacts[pair->first];
         const auto moves_otherwise = [&](int i) {

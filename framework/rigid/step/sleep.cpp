@@ -19,7 +19,7 @@ constexpr double needed_rest = 0.5;
 // moves would sleep at once.
 constexpr double first_rest = needed_rest / 2;
 // Largest move, in radii, and largest rotation [rad] of a body at rest. With a larger value, bodies
-// that creep would sleep; with a smaller one, the errors of the solver would keep heaps awake.
+// that creep would sleep; with a smaller one, the errors of the solver would keep piles awake.
 constexpr double rest_fraction = 1e-4;
 
 bool is_near(const RigidState& a, const RigidState& b, double radius)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Advances a world by one time step in the order of Guendelman, Bridson and Fedkiw (2003):
 // collisions, velocities, contact, positions. Free flight and the search for contacts come first.
-// Last, lone bounces are computed at their exact times, islands with too much overlap are repeated
-// in two halves, and islands at rest fall asleep.
+// Last, single bounces are computed at their exact times, islands with too much overlap are
+// repeated in two halves, and islands at rest fall asleep.
 #include "rigid/step/step.hpp"
 
 #include "rigid/bodies/non_finite.hpp"
@@ -14,8 +14,8 @@
 #include "rigid/motion/free_flight.hpp"
 #include "rigid/step/adaptive_substeps.hpp"
 #include "rigid/step/impact.hpp"
-#include "rigid/step/lone_body.hpp"
 #include "rigid/step/position_update.hpp"
+#include "rigid/step/single_body.hpp"
 #include "rigid/step/sleep.hpp"
 #include "rigid/step/step_result.hpp"
 
@@ -106,7 +106,7 @@ std::vector<ContactRecord> step(World& world, double time_step, int divisions)
 
 std::vector<ContactRecord> step(World& world, double time_step)
 {
-    if (is_lone_body(world)) return step_lone_body(world, time_step);
+    if (is_single_body(world)) return step_single_body(world, time_step);
     return step(world, time_step, 0);
 }
 

@@ -3,7 +3,7 @@
 // rigid bodies with stacking", ACM Trans. Graph. 22). Each stage is a call or two in step.cpp:
 //
 // stage                 reads                     writes               where
-//   a lone body         its state, gravity        its state            step/lone_body: no stages
+//   a single body       its state, gravity        its state            step/single_body: no stages
 //   wake up             forces, springs           sleeping bodies      step/sleep, `wake_pulled`
 // 1 free flight         states, forces            flown states         motion/free_flight
 // 2 find contacts       states, flown states      contact candidates   detection/contact_candidates
@@ -32,7 +32,9 @@
 // The normal and the friction part of an impulse are found together, so there is no file of
 // friction. Its law stands in contact/solvers/: optimised_sweeps and collision_law_sweeps for one
 // contact, newton_row for Newton's method; simultaneous_sweeps and contact/one_at_a_time call the
-// formulas of topic `contact`. Stage 3 has friction in the formula `collision_impulse`.
+// formulas of topic `contact`. Stage 3 has friction in the formula `collision_impulse`. Nodes of
+// deformable solids have friction once more: deformable/contact/node_collisions calls
+// `collision_impulse`, and deformable/motion/contact_set has the law for the implicit step.
 //
 // Papers of the stages: 1 Buss (2000), Blanes and Moan (2002), Munthe-Kaas (1999), see
 // free_flight.hpp; 2 Verlet (1967) for the pair cache, Gottschalk et al. (1996) for boxes, the 2003

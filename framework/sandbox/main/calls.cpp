@@ -145,7 +145,7 @@ std::vector<Rule> compiler_rules()
     for (const int call : never_by_a_compiler)
         rules.push_back({call, refused});
     // Processes, but no user namespaces. The flags of clone3 are in memory, where no filter can see
-    // them, and the C library does without it.
+    // them. So clone3 fails as on a kernel that lacks it, and the C library calls clone instead.
     rules.push_back({SYS_clone, allowed, {Condition::lacks_bits, 0, CLONE_NEWUSER}});
     rules.push_back({SYS_clone3, missing});
     return rules;

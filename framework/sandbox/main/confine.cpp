@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // The launcher `confine`: starts one program behind walls. It makes the namespaces, stays outside
-// the walls as the warden, and forks a child that puts up the walls around itself and becomes the
+// the walls as the monitor, and forks a child that puts up the walls around itself and becomes the
 // program. It is static and does little else, so that a fresh worker costs milliseconds.
 #include "sandbox/main/failure.hpp"
+#include "sandbox/main/monitor.hpp"
 #include "sandbox/main/namespaces.hpp"
 #include "sandbox/main/options.hpp"
 #include "sandbox/main/probe.hpp"
 #include "sandbox/main/walls.hpp"
-#include "sandbox/main/warden.hpp"
 
 #include <csignal>
 #include <fcntl.h>
@@ -23,7 +23,7 @@ pid_t start_init()
 {
     const pid_t init = must(fork(), "start the first process");
     if (init > 0) return init;
-    leave_warden();
+    leave_monitor();
     signal(SIGCHLD, SIG_IGN); // the kernel removes orphans that have ended
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     close_range(0, ~0u, 0);
@@ -36,11 +36,11 @@ pid_t start_init()
     must(fcntl(report_socket, F_SETFD, FD_CLOEXEC), "keep the socket from the program");
     close_range(static_cast<unsigned>(report_socket) + 1, ~0u, 0);
     if (options.namespaces) enter_namespaces(options.user_namespace);
-    become_warden();
+    become_monitor();
     const pid_t init = options.namespaces ? start_init() : 0;
     const pid_t program = must(fork(), "start a process");
     if (program == 0) {
-        leave_warden();
+        leave_monitor();
         become_program(options);
     }
     watch(program, init);

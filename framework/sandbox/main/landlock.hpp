@@ -22,8 +22,9 @@ struct Grant {
     Access access;
 };
 
-/// Gives up access to all files but these, to the network, and to processes outside, as far as the
-/// kernel's version of Landlock covers each. Descriptors that are open already stay as they are.
+/// Gives up access to all files but these, to the network, and to all processes that do not share
+/// this restriction (those that this process starts do), as far as the kernel's version of Landlock
+/// covers each. Descriptors that are open already stay as they are.
 void restrict_files(const std::vector<Grant>& grants);
 
 } // namespace rigor::confine

@@ -7,9 +7,9 @@
 
 #include "sandbox/main/calls.hpp"
 #include "sandbox/main/failure.hpp"
+#include "sandbox/main/monitor.hpp"
 #include "sandbox/main/namespaces.hpp"
 #include "sandbox/main/seccomp.hpp"
-#include "sandbox/main/warden.hpp"
 
 #include <csignal>
 #include <cstring>
@@ -126,7 +126,7 @@ void drop_capabilities()
 
 void become_program(const Options& options)
 {
-    setsid(); // its group can be killed without the warden
+    setsid(); // its group can be killed without the monitor
     const int program = open_program(options.program[0]);
     const std::vector<OpenPath> paths = open_paths(options);
     if (options.namespaces) enter_empty_root(paths);
@@ -135,7 +135,7 @@ void become_program(const Options& options)
     if (has_walls) drop_capabilities();
     must(chdir(options.folder), "enter the working directory");
     must(prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0), "refuse new privileges");
-    must(prctl(PR_SET_PDEATHSIG, SIGKILL), "end with the warden"); // lost by a change of user
+    must(prctl(PR_SET_PDEATHSIG, SIGKILL), "end with the monitor"); // lost by a change of user
     set_limits(options);
     if (options.landlock) restrict_to(paths, program);
     const int listener = options.seccomp ? put_filter_in_force(options, program) : -1;

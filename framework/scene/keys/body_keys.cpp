@@ -114,7 +114,7 @@ constexpr Key<BodyDraft> body_keys[] = {
      "\"bounding_box\" or, for a cylinder, \"thin_rod\", default the first",
      [](BodyDraft& d, const Value& v) {
          d.method = &v;
-         d.body.mass_method = static_cast<MassMethod>(one_of(v, mass_methods));
+         d.body.mass_method = enumerator<MassMethod::thin_rod>(v, mass_methods);
      }},
     {"mass_samples",
      "with `mass_by`: cells along the longest edge, from 1 to 100, default 20; of \"samples\" the "

@@ -48,7 +48,7 @@ constexpr Key<Overlays> overlay_keys[] = {
      "what the colors of solids say: \"color\", \"stress\" (of von Mises) or "
      "\"plastic_strain\" (equivalent), default the first",
      [](Overlays& o, const Value& v) {
-         o.solids = static_cast<SolidColors>(one_of(v, solid_colors));
+         o.solids = enumerator<SolidColors::plastic_strain>(v, solid_colors);
      }},
     {"solids_range",
      "[low, high] that those colors span [Pa, or none]; default from 0 to the least yield stress "

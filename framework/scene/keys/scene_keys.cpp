@@ -73,13 +73,14 @@ constexpr Key<SceneDraft> scene_keys[] = {
      "of free flight: \"matrix\", \"linear\", \"exponential\", \"buss\", \"runge_kutta\", "
      "\"gram_schmidt\", \"euler_angles\" or \"exact\", default \"exact\"",
      [](SceneDraft& d, const Value& v) {
-         d.scene.settings.integrator = static_cast<Integrator>(one_of(v, integrators));
+         d.scene.settings.integrator = enumerator<Integrator::exact>(v, integrators);
      }},
     {"contact",
      "how contacts hold: \"built_in\", \"one_at_a_time\", \"shock_propagation\" or "
      "\"simultaneous\", default the first",
      [](SceneDraft& d, const Value& v) {
-         d.scene.settings.contact_method = static_cast<ContactMethod>(one_of(v, contact_methods));
+         d.scene.settings.contact_method =
+             enumerator<ContactMethod::simultaneous>(v, contact_methods);
      }},
     {"optimisations", "which optimisations are used",
      [](SceneDraft& d, const Value& v) {

@@ -62,11 +62,11 @@ constexpr Key<SolidDraft> solid_keys[] = {
      "the formula that finds out whether an element flows: \"strain\", \"yield_strain\", "
      "\"deviator\", \"frobenius\" or \"principal\", default the first",
      [](SolidDraft& d, const Value& v) {
-         d.solid.yield_test = static_cast<YieldTest>(one_of(v, yield_tests));
+         d.solid.yield_test = enumerator<YieldTest::principal>(v, yield_tests);
      }},
     {"flow", "when elements flow: \"in_step\" or once \"after_step\", default the first",
      [](SolidDraft& d, const Value& v) {
-         d.solid.flow_time = static_cast<FlowTime>(one_of(v, flow_times));
+         d.solid.flow_time = enumerator<FlowTime::after_step>(v, flow_times);
      }},
     {"strength", "> 0: the largest principal stress it bears, it cracks beyond, default any [Pa]",
      [](SolidDraft& d, const Value& v) {
@@ -85,13 +85,13 @@ constexpr Key<SolidDraft> solid_keys[] = {
      "of its nodes: \"explicit\", in substeps as short as the mesh needs, \"implicit\", one linear "
      "system a step, or as one rigid body \"velocity_modes\" or \"matrix\"; default the second",
      [](SolidDraft& d, const Value& v) {
-         d.solid.integrator = static_cast<NodeIntegrator>(one_of(v, node_integrators));
+         d.solid.integrator = enumerator<NodeIntegrator::matrix>(v, node_integrators);
      }},
     {"fracture",
      "how a crack changes the mesh: \"faces\", \"elements\" or \"virtual_nodes\", default the "
      "first",
      [](SolidDraft& d, const Value& v) {
-         d.solid.fracture_method = static_cast<FractureMethod>(one_of(v, fracture_methods));
+         d.solid.fracture_method = enumerator<FractureMethod::virtual_nodes>(v, fracture_methods);
      }},
     {"position", "of the frame's origin, default [0, 0, 0] [m]",
      [](SolidDraft& d, const Value& v) { d.solid.position = vector3(v); }},

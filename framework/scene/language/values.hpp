@@ -37,4 +37,13 @@ const std::vector<Value>& array(const Value& value, std::string_view what);
 /// Reads one of several words. Returns its index.
 std::size_t one_of(const Value& value, std::span<const std::string_view> words);
 
+/// Reads one of the words for the values of an enumeration, which stand in its order. `last` is its
+/// last value: an enumeration that has more values than words, or fewer, does not compile.
+template <auto last, std::size_t count>
+decltype(last) enumerator(const Value& value, const std::string_view (&words)[count])
+{
+    static_assert(count == static_cast<std::size_t>(last) + 1, "each value needs a word");
+    return static_cast<decltype(last)>(one_of(value, words));
+}
+
 } // namespace rigor

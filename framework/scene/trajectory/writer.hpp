@@ -21,7 +21,7 @@ Bytes encode_end(const Counters& counters);
 /// be read at the same time.
 class TrajectoryFile {
 public:
-    /// @throws InputError if the file cannot be written, as `write` does
+    /// @throws InputError if the file cannot be written; `write` throws it too
     explicit TrajectoryFile(const std::filesystem::path& path);
     ~TrajectoryFile();
     TrajectoryFile(const TrajectoryFile&) = delete;

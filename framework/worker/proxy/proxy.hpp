@@ -12,8 +12,9 @@
 
 namespace rigor {
 
-/// Makes the formulas ask this worker from now on. The oracle, if there is one, tells how long a
-/// slow call may take and answers `by_reference`.
+/// Makes the formulas ask this worker from now on. The oracle, the worker of the reference, tells
+/// how long a slow call may take and answers `by_reference`.
+/// @param oracle  its program; nothing: there is no reference
 void use_worker(const std::filesystem::path& executable,
                 const std::optional<std::filesystem::path>& oracle = {}, const Limits& limits = {});
 

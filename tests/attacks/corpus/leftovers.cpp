@@ -36,7 +36,7 @@ std::string line_in(const char* list, const std::string& word)
     return "";
 }
 
-// Whether there is a process below this one that does not end within some seconds. A warden whose
+// Whether there is a process below this one that does not end within some seconds. A monitor whose
 // grader has ended takes a moment to end all the others.
 bool has_process()
 {

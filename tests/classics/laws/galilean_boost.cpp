@@ -78,7 +78,7 @@ World stack()
     return solved(bodies);
 }
 
-World heap()
+World pile()
 {
     Bodies bodies{deck(dead)};
     for (int i = 0; i < 6; ++i)
@@ -144,7 +144,7 @@ const std::vector<std::pair<std::string, std::function<World()>>> problems = {
     {"a block slides", sliding_block},
     {"a block slides down a slope", block_on_a_slope},
     {"a stack whose top slides", stack},
-    {"boxes fall on a heap", heap},
+    {"boxes fall on a pile", pile},
     {"a heavy box falls on a light one", heavy_on_light},
     {"a ball rolls", [] { return wheel(Sphere{0.2}); }},
     {"a cylinder rolls",

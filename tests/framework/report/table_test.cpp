@@ -92,7 +92,7 @@ TEST_CASE("report: the table fits into 80 columns", "[report]")
     }
 }
 
-TEST_CASE("report: a table without colour has no escape sequence", "[report]")
+TEST_CASE("report: a table without color has no escape sequence", "[report]")
 {
     REQUIRE_FALSE(has(table_of(some_result()), "\033"));
 }

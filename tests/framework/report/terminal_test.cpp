@@ -4,7 +4,7 @@
 
 namespace rigor::testing {
 
-TEST_CASE("report: colour is only where it is wanted", "[report]")
+TEST_CASE("report: color is only where it is wanted", "[report]")
 {
     REQUIRE(colored("x", Color::red, false) == "x");
     REQUIRE(colored("x", Color::red, true) == "\033[31mx\033[0m");

@@ -13,7 +13,7 @@ using namespace rigor;
 
 namespace {
 
-std::string heap(const std::string& body_name)
+std::string pile(const std::string& body_name)
 {
     return R"({"time_step": 0.0166, "end": 0.7, "contact": "simultaneous", "bodies": [
         {"name": "floor", "shape": {"plane": {}}, "static": true},
@@ -35,7 +35,7 @@ Motion run(const std::string& text, Record record = Record::every_step)
         [&](Frame frame) { motion.hash.take(frame); },
         [](const Counters&) {},
     });
-    run_scene(parse_scene(text, "heap"), record, [&](std::span<const std::byte> bytes) {
+    run_scene(parse_scene(text, "pile"), record, [&](std::span<const std::byte> bytes) {
         reader.feed(bytes);
         motion.bytes.insert(motion.bytes.end(), bytes.begin(), bytes.end());
     });
@@ -47,7 +47,7 @@ Motion run(const std::string& text, Record record = Record::every_step)
 
 TEST_CASE("determinism: a scene gives the same bytes twice", "[scene]")
 {
-    const Motion first = run(heap("box")), second = run(heap("box"));
+    const Motion first = run(pile("box")), second = run(pile("box"));
     REQUIRE(first.bytes.size() > 10000);
     REQUIRE(first.bytes == second.bytes);
     REQUIRE(first.hash.value() == second.hash.value());
@@ -55,7 +55,7 @@ TEST_CASE("determinism: a scene gives the same bytes twice", "[scene]")
 
 TEST_CASE("determinism: the names of the bodies have no part in the motion", "[scene]")
 {
-    const Motion plain = run(heap("box")), renamed = run(heap("a much longer name"));
+    const Motion plain = run(pile("box")), renamed = run(pile("a much longer name"));
     REQUIRE(plain.bytes != renamed.bytes); // they contain the text of the scene
     REQUIRE(plain.hash.text() == renamed.hash.text());
 }
@@ -92,7 +92,7 @@ TEST_CASE("determinism: what is recorded does not change the motion", "[scene]")
         TrajectoryReader reader({[](const Scene&, const std::vector<RecordedBody>&) {},
                                  [&](Frame frame) { bodies = std::move(frame.bodies); },
                                  [](const Counters&) {}});
-        run_scene(parse_scene(heap("box"), "heap"), record,
+        run_scene(parse_scene(pile("box"), "pile"), record,
                   [&](std::span<const std::byte> bytes) { reader.feed(bytes); });
         Frame end;
         end.bodies = bodies;

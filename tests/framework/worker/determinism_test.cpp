@@ -16,7 +16,7 @@ namespace {
 
 const char* const reference = RIGOR_BINARY_DIR "/bin/worker_reference";
 
-std::string heap(int seed)
+std::string pile(int seed)
 {
     return R"({"time_step": 0.0166, "end": 0.5, "contact": "simultaneous", "bodies": [
         {"name": "floor", "shape": {"plane": {}}, "static": true},
@@ -32,7 +32,7 @@ std::string hash_of(Worker& worker, int seed)
     TrajectoryReader reader(
         {[&](const Scene&, const std::vector<RecordedBody>& bodies) { hash.take(bodies); },
          [&](Frame frame) { hash.take(frame); }, [](const Counters&) {}});
-    worker.run_scene(heap(seed), "heap", Record::every_step,
+    worker.run_scene(pile(seed), "pile", Record::every_step,
                      [&](std::span<const std::byte> bytes) { reader.feed(bytes); });
     REQUIRE(reader.complete());
     return hash.text();

@@ -132,34 +132,34 @@ inline ContactCase random_case(unsigned seed, bool with_statics)
     return result;
 }
 
-/// A heap of balls of different sizes, some of which touch each other, and a static body. For balls
+/// A pile of balls of different sizes, some of which touch each other, and a static body. For balls
 /// K does not couple normal and tangential motion, so the impulse does not jump where a contact
 /// starts to slide.
-inline ContactCase heap_of_balls(unsigned seed)
+inline ContactCase pile_of_balls(unsigned seed)
 {
     Random random(seed);
-    ContactCase heap;
+    ContactCase pile;
     std::vector<double> radii;
     for (int i = 0; i < 6; ++i) {
         radii.push_back(random.uniform(0.5, 1));
-        heap.bodies.push_back(random.body());
-        heap.bodies[i].inverse_inertia =
-            2.5 * heap.bodies[i].inverse_mass / (radii[i] * radii[i]) * Matrix3d::Identity();
-        heap.bodies[i].angular_momentum = heap.bodies[i].angular_velocity *
-                                          (0.4 * radii[i] * radii[i] / heap.bodies[i].inverse_mass);
+        pile.bodies.push_back(random.body());
+        pile.bodies[i].inverse_inertia =
+            2.5 * pile.bodies[i].inverse_mass / (radii[i] * radii[i]) * Matrix3d::Identity();
+        pile.bodies[i].angular_momentum = pile.bodies[i].angular_velocity *
+                                          (0.4 * radii[i] * radii[i] / pile.bodies[i].inverse_mass);
     }
-    heap.bodies[0] = Body();
+    pile.bodies[0] = Body();
     for (int i = 0; i < 6; ++i)
         for (int j = 0; j < i; ++j) {
-            const Vector3d d = heap.bodies[i].position - heap.bodies[j].position;
+            const Vector3d d = pile.bodies[i].position - pile.bodies[j].position;
             if (d.norm() > radii[i] + radii[j]) continue;
             BodyContact c = touch(i, j, radii[i] + radii[j] - d.norm());
             c.normal = d.normalized();
-            c.point = heap.bodies[j].position + d * radii[j] / (radii[i] + radii[j]);
+            c.point = pile.bodies[j].position + d * radii[j] / (radii[i] + radii[j]);
             c.friction = random.uniform(0, 1);
-            heap.contacts.push_back(c);
+            pile.contacts.push_back(c);
         }
-    return heap;
+    return pile;
 }
 
 /// A rod that falls on both its ends, the left contact first.

@@ -29,7 +29,7 @@ void check_levels(const Edges& rests_on, const Levels& expected)
     REQUIRE_THAT(contact_levels(rests_on, on_the_ground(rests_on.size())), IsExactly(expected));
 }
 
-struct Heap {
+struct Pile {
     Edges rests_on;
     std::vector<bool> is_static;
     Levels levels;
@@ -50,62 +50,62 @@ std::vector<int> shuffled(int n, Random& random)
     return number;
 }
 
-Heap renumbered(const Heap& heap, Random& random)
+Pile renumbered(const Pile& pile, Random& random)
 {
-    const std::size_t n = heap.levels.size();
+    const std::size_t n = pile.levels.size();
     const std::vector<int> number = shuffled(static_cast<int>(n), random);
-    Heap result{Edges(n), std::vector<bool>(n, false), Levels(n)};
+    Pile result{Edges(n), std::vector<bool>(n, false), Levels(n)};
     for (std::size_t i = 0; i < n; ++i) {
-        result.levels[number[i]] = heap.levels[i];
-        result.is_static[number[i]] = heap.is_static[i];
-        for (int below : heap.rests_on[i])
+        result.levels[number[i]] = pile.levels[i];
+        result.is_static[number[i]] = pile.is_static[i];
+        for (int below : pile.rests_on[i])
             result.rests_on[number[i]].push_back(number[below]);
     }
     return result;
 }
 
-// Puts bodies that lean on each other in a ring, or a single body, at this level of a heap.
-void add_group(Heap& heap, int size, int level, Random& random)
+// Puts bodies that lean on each other in a ring, or a single body, at this level of a pile.
+void add_group(Pile& pile, int size, int level, Random& random)
 {
-    const int first = static_cast<int>(heap.levels.size());
+    const int first = static_cast<int>(pile.levels.size());
     std::vector<int> lower, next_below;
     for (int i = 0; i < first; ++i) {
-        if (heap.levels[i] < level) lower.push_back(i);
-        if (heap.levels[i] == level - 1) next_below.push_back(i);
+        if (pile.levels[i] < level) lower.push_back(i);
+        if (pile.levels[i] == level - 1) next_below.push_back(i);
     }
     for (int i = 0; i < size; ++i) {
-        heap.rests_on.emplace_back();
-        heap.levels.push_back(level);
-        heap.is_static.push_back(false);
-        if (size > 1) heap.rests_on.back().push_back(first + (i + 1) % size);
+        pile.rests_on.emplace_back();
+        pile.levels.push_back(level);
+        pile.is_static.push_back(false);
+        if (size > 1) pile.rests_on.back().push_back(first + (i + 1) % size);
     }
     const auto member = [&] { return first + random_index(random, size); };
     if (level > 1)
-        heap.rests_on[member()].push_back(next_below[random_index(random, next_below.size())]);
+        pile.rests_on[member()].push_back(next_below[random_index(random, next_below.size())]);
     for (int extra = random_index(random, 4); extra > 0; --extra)
-        heap.rests_on[member()].push_back(lower[random_index(random, lower.size())]);
-    if (random.uniform(0, 1) < 0.3) heap.rests_on[member()].push_back(member());
+        pile.rests_on[member()].push_back(lower[random_index(random, lower.size())]);
+    if (random.uniform(0, 1) < 0.3) pile.rests_on[member()].push_back(member());
 }
 
-// A heap whose levels are known, because it is built from below: each group rests on something of
+// A pile whose levels are known, because it is built from below: each group rests on something of
 // the next lower level and on nothing higher. What rests on static bodies alone, or on nothing, has
 // level 1. The static bodies rest on anything.
-Heap random_heap(Random& random)
+Pile random_pile(Random& random)
 {
-    Heap heap;
+    Pile pile;
     const int statics = 1 + random_index(random, 3), group_count = 1 + random_index(random, 7);
-    heap.rests_on.resize(statics);
-    heap.levels.assign(statics, 0);
-    heap.is_static.assign(statics, true);
+    pile.rests_on.resize(statics);
+    pile.levels.assign(statics, 0);
+    pile.is_static.assign(statics, true);
     int highest = 0;
     for (int group = 0; group < group_count; ++group) {
         const int level = 1 + random_index(random, highest + 1);
-        add_group(heap, 1 + random_index(random, 3), level, random);
+        add_group(pile, 1 + random_index(random, 3), level, random);
         highest = std::max(highest, level);
     }
     for (int i = 0; i < statics; ++i)
-        heap.rests_on[i].push_back(random_index(random, heap.levels.size()));
-    return renumbered(heap, random);
+        pile.rests_on[i].push_back(random_index(random, pile.levels.size()));
+    return renumbered(pile, random);
 }
 
 } // namespace
@@ -164,20 +164,20 @@ TEST_CASE("contact: no cycle leads through a static body", "[A5.3][contact]")
                  IsExactly(Levels{0, 1, 0, 2}));
 }
 
-TEST_CASE("contact: a heap that is built level by level has these levels", "[A5.3][contact]")
+TEST_CASE("contact: a pile that is built level by level has these levels", "[A5.3][contact]")
 {
     for (Random random : seeds(300)) {
-        const Heap heap = random_heap(random);
-        REQUIRE_THAT(contact_levels(heap.rests_on, heap.is_static), IsExactly(heap.levels));
+        const Pile pile = random_pile(random);
+        REQUIRE_THAT(contact_levels(pile.rests_on, pile.is_static), IsExactly(pile.levels));
     }
 }
 
 TEST_CASE("contact: levels do not depend on how bodies are numbered", "[A5.3][contact]")
 {
-    Heap heap{{{}, {0}, {1}, {2}, {0, 5}, {3, 4}, {4}, {6, 1}}, {}, {0, 1, 2, 3, 4, 4, 5, 6}};
-    heap.is_static = on_the_ground(heap.levels.size());
+    Pile pile{{{}, {0}, {1}, {2}, {0, 5}, {3, 4}, {4}, {6, 1}}, {}, {0, 1, 2, 3, 4, 4, 5, 6}};
+    pile.is_static = on_the_ground(pile.levels.size());
     for (Random random : seeds(50)) {
-        const Heap other = renumbered(heap, random);
+        const Pile other = renumbered(pile, random);
         REQUIRE_THAT(contact_levels(other.rests_on, other.is_static), IsExactly(other.levels));
     }
 }

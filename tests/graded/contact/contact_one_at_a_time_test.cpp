@@ -99,17 +99,17 @@ TEST_CASE("contact: one at a time it does not matter which body is called the fi
           "[A5.2][contact]")
 {
     for (unsigned seed : seeds(50)) {
-        const ContactCase heap = heap_of_balls(seed);
-        ContactCase swapped = heap;
+        const ContactCase pile = pile_of_balls(seed);
+        ContactCase swapped = pile;
         for (BodyContact& c : swapped.contacts) {
             std::swap(c.body1, c.body2);
             c.normal = -c.normal;
         }
-        const ContactResult result = resolved(heap);
+        const ContactResult result = resolved(pile);
         ContactResult again = resolved(swapped);
         for (Vector3d& j : again.impulses)
             j = -j;
-        const double k = 64.0 * (1 + visits(heap)), size = impulse_size(heap, result);
+        const double k = 64.0 * (1 + visits(pile)), size = impulse_size(pile, result);
         REQUIRE_THAT(again.impulses, IsClose(result.impulses, Rounding(k, size)));
     }
 }
@@ -133,17 +133,17 @@ TEST_CASE("contact: one at a time starts from nothing and spares those who touch
     }
 }
 
-TEST_CASE("contact: a heap of balls turned by 17 degrees is resolved the same way",
+TEST_CASE("contact: a pile of balls turned by 17 degrees is resolved the same way",
           "[A5.2][contact]")
 {
     std::size_t contacts = 0;
     for (unsigned seed : seeds(50)) {
-        const ContactCase heap = heap_of_balls(seed);
+        const ContactCase pile = pile_of_balls(seed);
         const Matrix3d R = turn(17, Random(seed).unit_vector());
-        const ContactResult result = resolved(heap), again = resolved(turned(heap, R));
-        contacts += heap.contacts.size();
-        const double k = 64.0 * (1 + visits(heap)), size = impulse_size(heap, result);
-        for (std::size_t i = 0; i < heap.contacts.size(); ++i)
+        const ContactResult result = resolved(pile), again = resolved(turned(pile, R));
+        contacts += pile.contacts.size();
+        const double k = 64.0 * (1 + visits(pile)), size = impulse_size(pile, result);
+        for (std::size_t i = 0; i < pile.contacts.size(); ++i)
             REQUIRE_THAT(again.impulses[i],
                          IsClose(Vector3d(R * result.impulses[i]), Rounding(k, size)));
     }

@@ -43,7 +43,7 @@ ContactCase renumbered(ContactCase problem)
 }
 
 // Two results, one of which has its bodies in opposite order. The sums of a contact may be formed
-// in another order; the balls of a heap magnify their rounding errors by much less than 2^20.
+// in another order; the balls of a pile magnify their rounding errors by much less than 2^20.
 void check_same(ContactResult result, const ContactResult& expected)
 {
     std::reverse(result.bodies.begin(), result.bodies.end());
@@ -93,7 +93,7 @@ TEST_CASE("contact: simultaneously a world without motion at the origin stays", 
 TEST_CASE("contact: one at a time the numbers of bodies do not matter", "[A5.2][contact]")
 {
     for (unsigned seed : seeds(20)) {
-        const ContactCase one = heap_of_balls(seed), other = renumbered(one);
+        const ContactCase one = pile_of_balls(seed), other = renumbered(one);
         check_same(resolve_contacts(other.bodies, other.contacts, 3),
                    resolve_contacts(one.bodies, one.contacts, 3));
     }
@@ -103,7 +103,7 @@ TEST_CASE("contact: level by level the numbers of bodies do not matter", "[A5.4]
 {
     for (unsigned seed : seeds(20)) {
         Random random(seed);
-        const ContactCase one = heap_of_balls(seed), other = renumbered(one);
+        const ContactCase one = pile_of_balls(seed), other = renumbered(one);
         std::vector<int> levels = levels_of(one.bodies, random);
         const ContactResult expected = shock_propagation(one.bodies, one.contacts, levels, 3);
         std::reverse(levels.begin(), levels.end());
@@ -114,7 +114,7 @@ TEST_CASE("contact: level by level the numbers of bodies do not matter", "[A5.4]
 TEST_CASE("contact: simultaneously the numbers of bodies do not matter", "[A5.5][contact]")
 {
     for (unsigned seed : seeds(20)) {
-        const ContactCase one = heap_of_balls(seed), other = renumbered(one);
+        const ContactCase one = pile_of_balls(seed), other = renumbered(one);
         check_same(resolve_simultaneously(other.bodies, other.contacts, 3),
                    resolve_simultaneously(one.bodies, one.contacts, 3));
     }

@@ -58,7 +58,7 @@ TEST_CASE("contact: the deeper contact comes first however little deeper it is",
     }
 }
 
-TEST_CASE("contact: a heap of many contacts is resolved whole", "[A5.2][contact]")
+TEST_CASE("contact: a pile of many contacts is resolved whole", "[A5.2][contact]")
 {
     ContactCase problem = {{Body()}, {}};
     for (int i = 1; i <= 3000; ++i) {

@@ -122,19 +122,19 @@ TEST_CASE("fracture: a small component of the normal decides between two faces",
         }
 }
 
-TEST_CASE("fracture: through elements a lone vertex at the origin stays", "[A7.6][fracture]")
+TEST_CASE("fracture: through elements an isolated vertex at the origin stays", "[A7.6][fracture]")
 {
     const TetrahedralMesh mesh = {{{0, 0, 0}}, {}};
     check_count(vertex_count(split_element(mesh, 0, Vector3d::UnitY()).mesh), 1, "vertices");
 }
 
-TEST_CASE("fracture: along faces a lone vertex at the origin stays", "[A7.5][fracture]")
+TEST_CASE("fracture: along faces an isolated vertex at the origin stays", "[A7.5][fracture]")
 {
     const TetrahedralMesh mesh = {{{0, 0, 0}}, {}};
     check_count(vertex_count(split_along_faces(mesh, {}).mesh), 1, "vertices");
 }
 
-TEST_CASE("fracture: with virtual nodes a lone vertex at the origin stays", "[A7.7][fracture]")
+TEST_CASE("fracture: with virtual nodes an isolated vertex at the origin stays", "[A7.7][fracture]")
 {
     const TetrahedralMesh mesh = {{{0, 0, 0}}, {}};
     check_count(vertex_count(virtual_nodes(mesh, {}).mesh), 1, "vertices");

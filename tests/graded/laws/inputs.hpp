@@ -149,17 +149,17 @@ template <FormulaIndex f, auto& formula> Arguments<formula> random_arguments(uns
     }
     if constexpr (f == F::resolve_contacts || f == F::shock_propagation ||
                   f == F::resolve_simultaneously) {
-        ContactCase heap = heap_of_balls(seed);
-        for (BodyContact& c : heap.contacts)
+        ContactCase pile = pile_of_balls(seed);
+        for (BodyContact& c : pile.contacts)
             c.impulse = c.normal * random.uniform(0, 0.1);
-        std::get<0>(arguments) = heap.bodies;
-        std::get<1>(arguments) = heap.contacts;
+        std::get<0>(arguments) = pile.bodies;
+        std::get<1>(arguments) = pile.contacts;
         constexpr std::size_t last = std::tuple_size_v<Arguments<formula>> - 1;
         std::get<last>(arguments) = 1 + random_index(random, 4);
         if constexpr (f == F::shock_propagation) {
             auto& levels = std::get<2>(arguments);
             levels.clear();
-            for (const Body& body : heap.bodies)
+            for (const Body& body : pile.bodies)
                 levels.push_back(body.is_static() ? 0 : 1 + random_index(random, 3));
         }
     }

@@ -24,23 +24,24 @@ namespace {
 constexpr int few_contacts = 16;
 
 // A larger island stops after a limited amount of work, and the remaining error is corrected in the
-// next steps. A heap at rest gets more work, since the remaining error would let it creep and it
+// next steps. A pile at rest gets more work, since the remaining error would let it creep and it
 // would never fall asleep. The numbers were chosen by trial; `bench pile` shows what they cost and
 // how much they let overlap.
 constexpr int most_visits = 4000; // contacts visited in all sweeps together
-constexpr int times_at_rest = 3;  // a heap at rest gets this many times the work
+constexpr int times_at_rest = 3;  // a pile at rest gets this many times the work
 constexpr int fewest_sweeps = 5, most_sweeps = 50;
 constexpr int last_sweeps = 20; // sweeps after Newton's method
 
 // The sweeps end when they change velocities by less than these fractions of the fastest approach
-// speed. Larger values save sweeps, but let heaps creep. The first is a few hundred rounding
+// speed. Larger values save sweeps, but let piles creep. The first is a few hundred rounding
 // errors; the others were chosen by trial; `bench pile` shows their effect.
-constexpr double to_rounding = 1e-13, for_newton = 1e-8, for_heaps_at_rest = 1e-4,
-                 for_moving_heaps = 1e-3;
-// The sweeps of a stack have ended far from the solution if its bodies differ in mass by more than
-// `large_ratio`, and if further sweeps would still change a velocity by more than the share
-// `far_off` of the fastest approach. Newton's method then continues. Both values were chosen by
-// trial; tests/classics shows their effect where heavy bodies fall on light ones.
+constexpr double to_rounding = 1e-13, for_newton = 1e-8, for_piles_at_rest = 1e-4,
+                 for_moving_piles = 1e-3;
+// The sweeps of a stack have ended far from the solution if its heaviest body has more than
+// `large_ratio` times the mass of its lightest one, and if further sweeps would still change a
+// velocity by more than the share `far_off` of the fastest approach. Newton's method then
+// continues. Both values were chosen by trial; tests/classics shows their effect where heavy bodies
+// fall on light ones.
 constexpr double large_ratio = 5, far_off = 1e-3;
 constexpr double rounding = 2 * std::numeric_limits<double>::epsilon();
 
@@ -194,7 +195,7 @@ struct SolvePlan {
     double approach = 0; // speed that the impulses have to remove [m/s]
     SweepLimits limits;
     bool may_use_newton = false; // it follows whenever the sweeps do not converge
-    bool is_stack = false;       // a heap's matrix would get too many entries (fill-in)
+    bool is_stack = false;       // a pile's matrix would get too many entries (fill-in)
     std::vector<Body> free;      // the bodies of a stack before any impulse
 };
 
@@ -205,14 +206,14 @@ SolvePlan plan_for(const ContactProblem& problem, const Island& island, std::spa
     const bool is_resting = rests(problem, island, active, problem.grounds_of(island), speed);
     const std::size_t bodies = island.bodies.size();
     const bool is_on_joint = bodies == 1 && island.pairs.size() > 1; // sweeps converge slowly there
-    const bool is_stack = !is_heap(island);
+    const bool is_stack = !is_pile(island);
     const bool may_use_newton = (is_resting || is_on_joint) && is_stack;
     const double approach = fastest_approach(problem, active);
     const bool is_small = count <= few_contacts || (may_use_newton && bodies <= few_bodies);
     const double tolerance = is_small         ? to_rounding
                              : may_use_newton ? for_newton
-                             : is_resting     ? for_heaps_at_rest
-                                              : for_moving_heaps;
+                             : is_resting     ? for_piles_at_rest
+                                              : for_moving_piles;
     const int times = is_resting && !may_use_newton ? times_at_rest : 1;
     const int sweeps = std::clamp(times * most_visits / count, times * fewest_sweeps, most_sweeps);
     return {approach,

@@ -3,7 +3,7 @@
 // `runner.py` and `collect_scores.py` check besides.
 #include "report/exports/classroom50.hpp"
 
-#include "../results.hpp"
+#include "framework/report/results.hpp"
 #include "support/catch.hpp"
 
 #include <map>

@@ -3,7 +3,7 @@
 // Specifications", section "Output format".
 #include "report/exports/gradescope.hpp"
 
-#include "../results.hpp"
+#include "framework/report/results.hpp"
 #include "support/catch.hpp"
 
 #include <nlohmann/json.hpp>

@@ -2,7 +2,7 @@
 // The rules are those of junit-10.xsd, the schema of Jenkins' xUnit plugin.
 #include "report/exports/junit.hpp"
 
-#include "../results.hpp"
+#include "framework/report/results.hpp"
 #include "support/catch.hpp"
 
 #include <map>

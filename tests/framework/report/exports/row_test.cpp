@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "report/exports/row.hpp"
 
-#include "../results.hpp"
+#include "framework/report/results.hpp"
 #include "report/result_json.hpp"
 #include "support/catch.hpp"
 

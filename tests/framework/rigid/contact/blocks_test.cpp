@@ -15,7 +15,7 @@ using namespace rigor::testing;
 namespace {
 
 // A layer of cubes that lie on the ground and touch each other, with more cubes on top of them.
-World large_heap()
+World large_pile()
 {
     Random random(5);
     std::vector<RigidBody> bodies = {fixed(Plane{}, {0, 0.5})};
@@ -85,9 +85,9 @@ TEST_CASE("blocks: those of one color share no body and no pair is lost", "[rigi
     }
 }
 
-TEST_CASE("blocks: a large heap moves by the same bits with any number of threads", "[rigid]")
+TEST_CASE("blocks: a large pile moves by the same bits with any number of threads", "[rigid]")
 {
-    World one = large_heap(), three = one;
+    World one = large_pile(), three = one;
     three.pool = ThreadPool(3);
     for (int i = 0; i < 8; ++i) {
         step(one, 1.0 / 60);

@@ -158,15 +158,15 @@ TEST_CASE("contact problem: contacts of pairs are counted", "[rigid]")
     CHECK(contact_count(pairs) == 8);
 }
 
-TEST_CASE("contact problem: a stack is no heap and bodies that touch many others are one",
+TEST_CASE("contact problem: a stack is no pile and bodies that touch many others are one",
           "[rigid]")
 {
-    CHECK_FALSE(is_heap(island_with(0, 0)));
-    CHECK_FALSE(is_heap(island_with(8, 28)));    // few bodies, although each touches each
-    CHECK_FALSE(is_heap(island_with(100, 100))); // a stack on the ground
-    CHECK_FALSE(is_heap(island_with(256, 256)));
-    CHECK(is_heap(island_with(257, 257)));   // too many to be solved like a stack
-    CHECK(is_heap(island_with(27, 54 + 9))); // a cube of 3 × 3 × 3 bodies on the ground
+    CHECK_FALSE(is_pile(island_with(0, 0)));
+    CHECK_FALSE(is_pile(island_with(8, 28)));    // few bodies, although each touches each
+    CHECK_FALSE(is_pile(island_with(100, 100))); // a stack on the ground
+    CHECK_FALSE(is_pile(island_with(256, 256)));
+    CHECK(is_pile(island_with(257, 257)));   // too many to be solved like a stack
+    CHECK(is_pile(island_with(27, 54 + 9))); // a cube of 3 × 3 × 3 bodies on the ground
 }
 
 namespace {

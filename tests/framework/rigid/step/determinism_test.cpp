@@ -11,7 +11,7 @@ using namespace rigor::testing;
 
 namespace {
 
-// A heap that falls together, a stack and a few single bodies: several islands, some of them at
+// A pile that falls together, a stack and a few single bodies: several islands, some of them at
 // rest.
 World busy_world(ContactMethod method)
 {

@@ -13,7 +13,7 @@ namespace {
 constexpr double h = 1.0 / 60;
 
 // Randomly placed cubes that fall on each other in a room without a roof.
-World heap(int side)
+World cubic_pile(int side)
 {
     const double w = 0.75 * side + 0.5;
     std::vector<RigidBody> bodies = {fixed(Plane{}, {0, 0.5})};
@@ -92,9 +92,9 @@ TEST_CASE("sleep: a block that begins to slip does not sleep", "[rigid]")
     CHECK(world.bodies[1].state.velocity.norm() > 0.01);
 }
 
-TEST_CASE("sleep: a heap comes to rest and sleeps where it would lie awake", "[rigid]")
+TEST_CASE("sleep: a pile comes to rest and sleeps where it would lie awake", "[rigid]")
 {
-    World sleeping = heap(4), awake = sleeping;
+    World sleeping = cubic_pile(4), awake = sleeping;
     const auto all_sleep = [&] {
         return std::all_of(sleeping.bodies.begin(), sleeping.bodies.end(),
                            [](const RigidBody& body) { return body.is_still(); });
@@ -106,7 +106,7 @@ TEST_CASE("sleep: a heap comes to rest and sleeps where it would lie awake", "[r
     REQUIRE(all_sleep());
     const std::uint64_t before = sleeping.counters.bodies_asleep;
 
-    // Awake, the heap would stay in its place for the next half second as it did for the last one.
+    // Awake, the pile would stay in its place for the next half second as it did for the last one.
     awake.settings.optimisations.sleep = false;
     for (RigidBody& body : awake.bodies)
         body.rest = {};

@@ -11,8 +11,8 @@ namespace {
 constexpr auto by_collision_law = [](ContactProblem& problem, std::span<const int> active) {
     return collision_law_sweeps(problem, active);
 };
-constexpr auto heap_by_collision_law = [](Heap& heap) {
-    return collision_law_sweeps(heap, heap.active);
+constexpr auto pile_by_collision_law = [](Pile& pile) {
+    return collision_law_sweeps(pile, pile.active);
 };
 
 // A rod of 2 kg that stands askew on the ground and slides; its contact point is at the origin.
@@ -28,17 +28,17 @@ Body askew_rod()
 // With K̃ the impulse of a single contact is that of the formula of topic `contact`.
 TEST_CASE("collision law sweeps: n of them are n sweeps of resolve_simultaneously", "[rigid]")
 {
-    check_sweeps_are_those_of_the_formula(heap_by_collision_law);
+    check_sweeps_are_those_of_the_formula(pile_by_collision_law);
 }
 
 TEST_CASE("collision law sweeps: impulses that are added act on the bodies", "[rigid]")
 {
-    check_added_impulses_act_on_the_bodies(heap_by_collision_law);
+    check_added_impulses_act_on_the_bodies(pile_by_collision_law);
 }
 
-TEST_CASE("collision law sweeps: one sweep stops a lone body", "[rigid]")
+TEST_CASE("collision law sweeps: one sweep stops a single body", "[rigid]")
 {
-    check_progress_of_a_lone_contact(by_collision_law);
+    check_progress_of_a_single_contact(by_collision_law);
 }
 
 TEST_CASE("collision law sweeps: without approach or contacts nothing changes", "[rigid]")

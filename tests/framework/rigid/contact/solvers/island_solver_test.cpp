@@ -134,13 +134,13 @@ TEST_CASE("island solver: impulses are in their cones and are all that changes t
     for (const Way way : ways)
         for (Random random : seeds(20)) {
             CAPTURE(static_cast<int>(way));
-            Heap heap(random);
-            choose(heap, way);
-            const Vector3d before = momentum(heap.bodies);
-            solve(heap);
+            Pile pile(random);
+            choose(pile, way);
+            const Vector3d before = momentum(pile.bodies);
+            solve(pile);
             Vector3d from_ground(0, 0, 0);
             double total = 1;
-            for (const ContactConstraint& c : heap.contacts) {
+            for (const ContactConstraint& c : pile.contacts) {
                 const Vector3d j = c.contact_impulse;
                 const double j_n = j.dot(c.normal), j_T = (j - j_n * c.normal).norm();
                 check_at_least(j_n, 0, "the normal impulse", j.norm());
@@ -148,7 +148,7 @@ TEST_CASE("island solver: impulses are in their cones and are all that changes t
                 if (c.body2 == 0) from_ground += j;
                 total += j.norm();
             }
-            CHECK_THAT(Vector3d(momentum(heap.bodies) - before),
+            CHECK_THAT(Vector3d(momentum(pile.bodies) - before),
                        IsClose(from_ground, Rounding(2000, 10 * total)));
         }
 }

@@ -11,23 +11,23 @@ namespace {
 constexpr auto optimised_of = [](HandMade& problem, std::span<const int> active) {
     return optimised_sweeps(problem, problem.island, active);
 };
-constexpr auto optimised_of_heap = [](Heap& heap) { return optimised_of(heap, heap.active); };
+constexpr auto optimised_of_pile = [](Pile& pile) { return optimised_of(pile, pile.active); };
 
 } // namespace
 
 TEST_CASE("optimised sweeps: n of them are n sweeps of resolve_simultaneously", "[rigid]")
 {
-    check_sweeps_are_those_of_the_formula(optimised_of_heap);
+    check_sweeps_are_those_of_the_formula(optimised_of_pile);
 }
 
 TEST_CASE("optimised sweeps: impulses that are added act on the bodies", "[rigid]")
 {
-    check_added_impulses_act_on_the_bodies(optimised_of_heap);
+    check_added_impulses_act_on_the_bodies(optimised_of_pile);
 }
 
-TEST_CASE("optimised sweeps: one sweep stops a lone body", "[rigid]")
+TEST_CASE("optimised sweeps: one sweep stops a single body", "[rigid]")
 {
-    check_progress_of_a_lone_contact(optimised_of);
+    check_progress_of_a_single_contact(optimised_of);
 }
 
 TEST_CASE("optimised sweeps: without approach or contacts nothing changes", "[rigid]")

@@ -12,10 +12,10 @@
 namespace rigor::testing {
 
 /// Random bodies that touch each other and the ground, and their active contacts.
-struct Heap : HandMade {
+struct Pile : HandMade {
     UninitializedVector<int> active;
 
-    explicit Heap(Random random)
+    explicit Pile(Random random)
     {
         for (int i = 1; i < 7; ++i)
             add(random_body(random));
@@ -74,24 +74,24 @@ private:
 
 /// n sweeps give the impulses and bodies of `resolve_simultaneously` with n sweeps.
 ///
-/// @param make  makes the sweeps of a heap
+/// @param make  makes the sweeps of a pile
 template <class Make> void check_sweeps_are_those_of_the_formula(const Make& make)
 {
     for (Random random : seeds(20))
         for (int sweeps : {0, 1, 7}) {
             CAPTURE(sweeps);
-            Heap heap(random);
-            REQUIRE(heap.active.size() > 8);
+            Pile pile(random);
+            REQUIRE(pile.active.size() > 8);
             const ContactResult expected =
-                resolve_simultaneously(heap.bodies, heap.for_formula(), sweeps);
-            const std::unique_ptr<Sweeps> made = make(heap);
-            std::vector<Vector3d> steps(heap.active.size());
+                resolve_simultaneously(pile.bodies, pile.for_formula(), sweeps);
+            const std::unique_ptr<Sweeps> made = make(pile);
+            std::vector<Vector3d> steps(pile.active.size());
             for (int i = 0; i < sweeps; ++i)
                 made->sweep(steps);
             made->finish();
             // Each sweep adds some rounding error of velocities up to 10 m/s and impulses up to 10
             // N s.
-            heap.check_result(expected, Rounding(1000.0 * (sweeps + 1), 10));
+            pile.check_result(expected, Rounding(1000.0 * (sweeps + 1), 10));
         }
 }
 
@@ -102,18 +102,18 @@ template <class Make> void check_added_impulses_act_on_the_bodies(const Make& ma
         for (const int combination : {0, 1, 2, 3}) {
             const int sweeps_before = combination / 2, sweeps_after = combination % 2;
             CAPTURE(sweeps_before, sweeps_after);
-            Heap heap(random);
-            std::vector<Vector3d> steps(heap.active.size()), changes;
-            std::vector<BodyContact> contacts = heap.for_formula();
+            Pile pile(random);
+            std::vector<Vector3d> steps(pile.active.size()), changes;
+            std::vector<BodyContact> contacts = pile.for_formula();
             const ContactResult before =
-                resolve_simultaneously(heap.bodies, contacts, sweeps_before);
+                resolve_simultaneously(pile.bodies, contacts, sweeps_before);
             for (std::size_t k = 0; k < contacts.size(); ++k) {
                 changes.emplace_back(0.1 * random.uniform(-1, 1) * contacts[k].normal);
                 contacts[k].impulse = before.impulses[k] + changes[k];
             }
             const ContactResult expected =
-                resolve_simultaneously(heap.bodies, contacts, sweeps_after);
-            const std::unique_ptr<Sweeps> made = make(heap);
+                resolve_simultaneously(pile.bodies, contacts, sweeps_after);
+            const std::unique_ptr<Sweeps> made = make(pile);
             for (int i = 0; i < sweeps_before; ++i)
                 made->sweep(steps);
             made->add(changes);
@@ -124,13 +124,13 @@ template <class Make> void check_added_impulses_act_on_the_bodies(const Make& ma
             for (int i = 0; i < sweeps_after; ++i)
                 made->sweep(steps);
             made->finish();
-            heap.check_result(expected, Rounding(3000, 10));
+            pile.check_result(expected, Rounding(3000, 10));
         }
 }
 
 /// One contact below a body of 2 kg that arrives at -3 m/s: the first sweep stops the body, the
 /// second one finds nothing to do.
-template <class Make> void check_progress_of_a_lone_contact(const Make& make)
+template <class Make> void check_progress_of_a_single_contact(const Make& make)
 {
     HandMade problem;
     const int ball = problem.add(ball_at({0, 0.5, 0}, 2, {0, -3, 0}));

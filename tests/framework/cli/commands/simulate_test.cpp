@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // `simulate --json` prints the hash of a motion, which is the same in every process.
-#include "command.hpp"
+#include "framework/cli/command.hpp"
 
 #include <nlohmann/json.hpp>
 

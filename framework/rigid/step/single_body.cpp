@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: MIT
 // Advances a world with a single body by one free flight. There are no stages for contacts, because
 // the body can touch nothing.
-#include "rigid/step/lone_body.hpp"
+#include "rigid/step/single_body.hpp"
 
 #include "rigid/bodies/non_finite.hpp"
 #include "rigid/motion/free_flight.hpp"
 
 namespace rigor {
 
-bool is_lone_body(const World& world)
+bool is_single_body(const World& world)
 {
     return world.bodies.size() == 1 && !world.bodies[0].is_static && !world.bodies[0].is_still() &&
            world.springs.empty() && world.forces.empty() && !world.bodies[0].drag.acts();
 }
 
-std::vector<ContactRecord> step_lone_body(World& world, double time_step)
+std::vector<ContactRecord> step_single_body(World& world, double time_step)
 {
     RigidBody& body = world.bodies[0];
     const RigidState flown = fly(world.settings, body, body.state, time_step, world.counters);

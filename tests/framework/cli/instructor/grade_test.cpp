@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // `rigor grade`, run as an instructor runs it: a small class of assignment A0.
-#include "../grading/intake/written_archive.hpp"
-#include "command.hpp"
-#include "graded_class.hpp"
+#include "framework/cli/command.hpp"
+#include "framework/cli/graded_class.hpp"
+#include "framework/grading/intake/written_archive.hpp"
 #include "support/catch.hpp"
 #include "support/temporary_folder.hpp"
 

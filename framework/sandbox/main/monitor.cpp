@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The kernel gives orphans to the nearest ancestor that has asked for them, so every descendant
-// becomes a child of the warden when its parents have died, in whatever session it is. The warden
+// becomes a child of the monitor when its parents have died, in whatever session it is. The monitor
 // kills its children until it has none. In a process namespace, killing the first process does it.
-#include "sandbox/main/warden.hpp"
+#include "sandbox/main/monitor.hpp"
 
 #include "sandbox/main/failure.hpp"
 
@@ -100,7 +100,7 @@ void collect_children(pid_t program, pid_t init)
 
 } // namespace
 
-void become_warden()
+void become_monitor()
 {
     must(prctl(PR_SET_CHILD_SUBREAPER, 1), "become the parent of orphans");
     const sigset_t signals = awaited();
@@ -108,7 +108,7 @@ void become_warden()
     must(prctl(PR_SET_PDEATHSIG, SIGTERM), "end with the grader");
 }
 
-void leave_warden()
+void leave_monitor()
 {
     const sigset_t signals = awaited();
     must(sigprocmask(SIG_UNBLOCK, &signals, nullptr), "unblock signals");

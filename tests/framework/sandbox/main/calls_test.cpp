@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Tests of the tables of system calls: each number is called behind walls, also those that no
 // kernel has yet.
-#include "confine.hpp"
+#include "framework/sandbox/confine.hpp"
 #include "sandbox/main/calls.hpp"
 #include "support/catch.hpp"
 

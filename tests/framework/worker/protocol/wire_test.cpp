@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Tests with hostile bytes: a reader accepts one encoding of each value and nothing else.
-#include "echo/echo.hpp"
+#include "framework/worker/echo/echo.hpp"
 #include "support/catch.hpp"
 #include "worker/protocol/finite.hpp"
 

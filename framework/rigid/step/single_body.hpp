@@ -7,10 +7,10 @@
 namespace rigor {
 
 /// Whether a world has exactly one body, which moves and on which only gravity acts.
-bool is_lone_body(const World& world);
+bool is_single_body(const World& world);
 
 /// The step of such a world, without lists and stages.
 /// @return an empty list: such a world has no contacts
-std::vector<ContactRecord> step_lone_body(World& world, double time_step);
+std::vector<ContactRecord> step_single_body(World& world, double time_step);
 
 } // namespace rigor

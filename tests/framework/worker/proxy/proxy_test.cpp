@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "attack.hpp"
-#include "echo/echo.hpp"
 #include "formulas/table.hpp"
+#include "framework/worker/attack.hpp"
+#include "framework/worker/echo/echo.hpp"
 #include "support/catch.hpp"
 #include "worker/protocol/finite.hpp"
 #include "worker/proxy/proxy.hpp"

@@ -4,7 +4,7 @@
 #include "support/catch.hpp"
 #include "worker/protocol/wire.hpp"
 
-namespace rigor::scene_test {
+namespace rigor::client_test {
 
 namespace {
 
@@ -138,4 +138,4 @@ TEST_CASE("worker: whoever takes a trajectory may give up")
     REQUIRE(Run().complete);
 }
 
-} // namespace rigor::scene_test
+} // namespace rigor::client_test

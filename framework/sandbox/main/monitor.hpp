@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The warden is the process that stays outside the walls while the program runs inside. Nothing
+// The monitor is the process that stays outside the walls while the program runs inside. Nothing
 // that the program starts outlives it.
 #pragma once
 
@@ -11,12 +11,12 @@ namespace rigor::confine {
 /// still hand a core over to a program that collects them; with a limit of 1 it does not.
 inline constexpr unsigned no_core = 1; // [bytes]
 
-/// Makes this process the warden of all processes that it starts from now on, also of those whose
+/// Makes this process the monitor of all processes that it starts from now on, also of those whose
 /// parents have died. If the grader dies, it gets SIGTERM.
-void become_warden();
+void become_monitor();
 
-/// To be called in a child of the warden: unblocks the signals that the warden waits for.
-void leave_warden();
+/// To be called in a child of the monitor: unblocks the signals that the monitor waits for.
+void leave_monitor();
 
 /// Waits until the program ends or until SIGTERM comes, ends every other descendant, and then ends
 /// this process in the way in which the program ended. If the program is stopped, this process

@@ -3,7 +3,7 @@
 #include "framework/rigid/worlds.hpp"
 #include "rigid/step/step.hpp"
 
-namespace lone_body_test {
+namespace single_body_test {
 
 using namespace rigor;
 using namespace rigor::testing;
@@ -14,7 +14,7 @@ constexpr double h = 1.0 / 60; // [s]
 
 } // namespace
 
-TEST_CASE("lone body: a body that is alone flies as it does far from others", "[rigid]")
+TEST_CASE("single body: a body that is alone flies as it does far from others", "[rigid]")
 {
     RigidBody body = body_of(Box{{1, 2, 3}}, {0, 5, 0});
     body.state.velocity = {1, 2, 3};
@@ -41,4 +41,4 @@ TEST_CASE("lone body: a body that is alone flies as it does far from others", "[
     }
 }
 
-} // namespace lone_body_test
+} // namespace single_body_test

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // `rigor release` with wrong input, and in the long tests the whole command.
-#include "command.hpp"
+#include "framework/cli/command.hpp"
 #include "support/catch.hpp"
 #include "support/temporary_folder.hpp"
 
