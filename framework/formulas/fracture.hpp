@@ -92,15 +92,17 @@ SplitMesh split_element(const TetrahedralMesh& mesh, int vertex, const Vector3d&
 /// 2004).
 ///
 /// The cracks of a tetrahedron divide its corners into parts: two corners are in the same part if
-/// no crack has them on different sides. A corner with n·(x - p) ≥ 0, also one on the plane, is on
-/// the side that the normal points to. The tetrahedron is copied once for each part. In each copy
-/// the corners of its part are real and the others are virtual. Two copies of tetrahedra that share
-/// a face are joined if a corner of that face is real in both: then all three corners of the face
-/// are the same vertices in both. Vertices that are not joined are separate.
+/// no crack has them on different sides. A crack is the plane through its `point` with the normal
+/// n. A corner x with n·(x - point) ≥ 0, also one on the plane, is on the side that n points to.
+/// The tetrahedron is copied once for each part. In each copy the corners of its part are real and
+/// the others are virtual. Two copies of tetrahedra that share a face are joined if a corner of
+/// that face is real in both: then all three corners of the face are the same vertices in both.
+/// Vertices that are not joined are separate.
 ///
 /// A copy's share of the volume is the share of its part. The cracks of a tetrahedron are applied
 /// in order. Each crack divides, along its plane, the material of the parts whose corners it
-/// separates, and it ends at the other parts. So the shares of a tetrahedron sum to 1.
+/// separates, and it ends at the other parts. The planes stay where they are: unlike in A7.6, no
+/// corner that is near a plane counts as lying on it. So the shares of a tetrahedron sum to 1.
 ///
 /// @param cracks  any number for each tetrahedron, in the order in which they opened
 /// @return  copies in the order of their parents, those of one parent ordered by their first real

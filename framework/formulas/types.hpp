@@ -5,14 +5,16 @@
 // Conventions for every topic:
 //   * SI units. World space is right-handed, y points up.
 //   * X, V, L are the position of the center of mass, its velocity and the angular momentum about
-//     it, in world space. In A1.7, A1.8 and A1.13, X may be any point.
+//     it, in world space. In A1.7 and A1.13, X may be any point that moves with the body, and in
+//     A1.8 any point.
 //   * R and the unit quaternion q rotate object space into world space: x = R p + X.
 //   * Bodies 1 and 2: the unit normal n points from 2 to 1, v = v1 - v2, body 1 receives +j and
 //     body 2 receives -j. The bodies approach where v.n < 0.
 //   * δ is the identity matrix, and w* the cross-product matrix of w: w* x = w × x.
 //   * A static body is one whose velocity nothing changes. It has inverse mass 0 and inverse
 //     inertia 0, and no formula divides by its mass.
-//   * Every formula is total: finite input, with squares in range, gives a finite result.
+//   * Every formula is total: finite input, with squares in range, gives a finite result. The
+//     exceptions are A3.13 (at rest) and A6.7 (G = 0), which say that they are infinite.
 #pragma once
 
 #include <Eigen/Dense>

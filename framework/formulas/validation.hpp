@@ -16,16 +16,16 @@
 
 namespace rigor {
 
-/// The velocities of two bodies on a line [m/s].
+/// The velocities of two bodies on a line [m/s]. After a collision they are u₁ and u₂.
 struct LineVelocities {
     double v1 = 0, v2 = 0;
 };
 
-/// The formula (m₁, m₂, v₁, v₂, ε) → the velocities after a collision on a line. Body 1 touches
-/// body 2 from the left; the positive direction is to the right.
+/// The formula (m₁, m₂, v₁, v₂, ε) → the velocities u₁, u₂ after a collision on a line. Body 1
+/// touches body 2 from the left; the positive direction is to the right.
 ///
-///     v₁ ≤ v₂, they do not approach: the velocities stay as they are
-///     otherwise  v₁' - v₂' = -ε (v₁ - v₂)   and   m₁ v₁' + m₂ v₂' = m₁ v₁ + m₂ v₂
+///     v₁ ≤ v₂, they do not approach: u₁ = v₁ and u₂ = v₂
+///     otherwise  u₁ - u₂ = -ε (v₁ - v₂)   and   m₁ u₁ + m₂ u₂ = m₁ v₁ + m₂ v₂
 ///
 /// with the masses m₁, m₂ > 0 [kg] and the restitution 0 ≤ ε ≤ 1.
 using LineCollision = UnderTest<LineVelocities, double, double, double, double, double>;

@@ -39,12 +39,29 @@ TEST_CASE("A3: how fast a symmetric top goes around its angular momentum", "[num
 TEST_CASE("A4: the rod that jams first", "[numbers]")
 {
     // the upper end is behind the tip, which slides along x
+    const auto K_at = [](double slope) {
+        const Vector3d d(-std::cos(slope), std::sin(slope), 0);
+        const Matrix3d I_inverse = 12 * (Matrix3d::Identity() - d * d.transpose());
+        return impulse_matrix(1, I_inverse, d / 2, Vector3d::Zero());
+    };
+    const Vector3d n = Vector3d::UnitY(), T = Vector3d::UnitX();
+    const auto jams_from = [&](double slope) {
+        const Matrix3d K = K_at(slope);
+        return n.dot(K * n) / n.dot(K * T);
+    };
     const double angle = std::atan(2.0);
-    const Vector3d d(-std::cos(angle), std::sin(angle), 0), n = Vector3d::UnitY();
-    const Matrix3d I_inverse = 12 * (Matrix3d::Identity() - d * d.transpose());
-    const Matrix3d K = impulse_matrix(1, I_inverse, d / 2, Vector3d::Zero());
     check_shown("A4", "at 63.4349° above the floor, jams from $\\mu = 4/3$ on.",
-                {angle * 180 / std::numbers::pi, n.dot(K * n) / n.dot(K * Vector3d::UnitX())});
+                {angle * 180 / std::numbers::pi, jams_from(angle)});
+
+    for (const double theta : {0.3, 0.9, 1.4}) {
+        CAPTURE(theta);
+        const Matrix3d K = K_at(theta);
+        const double c = std::cos(theta), s = std::sin(theta), t = std::tan(theta);
+        CHECK(std::abs(n.dot(K * n) - (1 + 3 * c * c)) < 1e-14);
+        CHECK(std::abs(n.dot(K * T) - 3 * s * c) < 1e-14);
+        CHECK(std::abs(jams_from(theta) - (4 + t * t) / (3 * t)) < 1e-12);
+        CHECK(jams_from(theta) > jams_from(angle));
+    }
 }
 
 TEST_CASE("A3: steps of the derivation", "[numbers]")

@@ -202,6 +202,10 @@ TEST_CASE("A4: friction that jams and friction that adds energy", "[numbers]")
     check_shown("A4", R"(3 & 2 & 2 \\ 2 & 4 & 1 \\ 2 & 1 & 2)", rows_of(K));
     check_shown("A4", "j = (-4, 2, 3)", listed(static_friction_impulse(K, v, up, 0.5)));
     check_shown("A4", "j = (-3.2, 2, 2.4)", listed(collision_impulse(K, v, up, 0.5, 2)));
+    const Vector3d jammed = collision_impulse(K, v, up, 0.5, 2), separates = v + K * jammed;
+    check_shown("A4", "$v + K j$ is $(1.2, 2, 0.4)$", listed(separates));
+    check_shown("A4", "separate at 2 m/s and not at 1 m/s", {separates.y(), -0.5 * v.y()});
+    check_shown("A4", "they lose 4.64 J.", {-jammed.dot(v + separates) / 2});
     const Vector3d j = collision_impulse(K, v, up, 0, 1.75);
     check_shown("A4", "$j = (-7, 4, 0)$", listed(j));
     check_shown("A4", "takes 22 J by its work on $v$ and adds 49.5 J",
