@@ -94,6 +94,7 @@ TEST_CASE("scenes: the first step of the seesaw", "[numbers]")
     }
     const double together = torque / inertia;
     check_says("a5-contact", "= " + number(together, "%.8f") + " \\ \\mathrm{rad}/\\mathrm{s}^2");
+    check_says("a5-contact", "turns with " + number(together, "%.8f") + " rad/s²");
     step(world, scene.time_step);
     const RigidBody& plank = world.bodies.at(2);
     const double w = plank.state.angular_momentum.z() / plank.inertia(2, 2);
