@@ -34,7 +34,7 @@ TEST_CASE("A2: how much of a sphere an icosphere fills", "[numbers]")
     for (int levels = 0; levels < 4; ++levels)
         parts.push_back(mesh_mass_properties(icosphere(1, levels), 1).mass /
                         (4 * std::numbers::pi / 3));
-    check_shown("A2", "which fill 0.6055, 0.8735, 0.9662 and 0.9914 of their sphere", parts);
+    check_shown("A2", "such bodies fill 0.6055, 0.8735, 0.9662 and 0.9914 of their sphere", parts);
 }
 
 TEST_CASE("A3: the box that tumbles, and a top", "[numbers]")
