@@ -22,6 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view style = R"(
+@page { size: A4; margin: 18mm 16mm; @bottom-center { content: counter(page) } }
 body { font: 17px/1.5 serif; max-width: 46em; margin: 2em auto; padding: 0 1em }
 h1 { margin-top: 3em; page-break-before: always } h1, h2, h3 { line-height: 1.2 }
 figure { margin: 1.5em 0; text-align: center } figure svg, img { max-width: 100%; height: auto }

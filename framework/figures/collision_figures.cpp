@@ -77,7 +77,7 @@ void draw_cone(Drawing& drawing, const Vector3d& v, double mu, const std::string
     drawing.label({mu * 2.8, 2.8}, "cone", Side::right, "grey");
     if (!inside_friction_cone(sticks, up, mu)) {
         drawing.arrow({0, 0}, flat(sticks), "red dashed");
-        drawing.label(flat(sticks), "static", Side::left, "red");
+        drawing.label(flat(sticks), "sticking", Side::left, "red");
     }
     drawing.arrow({0, 0}, flat(j), "blue thick");
     drawing.label(flat(j), "j", Side::above, "blue");
@@ -87,7 +87,7 @@ void draw_cone(Drawing& drawing, const Vector3d& v, double mu, const std::string
 Drawing friction_cone()
 {
     Drawing drawing(
-        "The static impulse of a ball lies inside the cone of μ = 0.5 and outside that of "
+        "The sticking impulse of a ball lies inside the cone of μ = 0.5 and outside that of "
         "μ = 0.1, where the sliding impulse on its edge takes its place.",
         660, 350);
     const Vector3d v(3, -2, 0);

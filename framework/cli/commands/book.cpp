@@ -72,6 +72,7 @@ void print_pdf(const std::string& browser, const std::string& page, const fs::pa
                          "--headless",
                          "--no-sandbox",
                          "--disable-gpu",
+                         "--no-pdf-header-footer",
                          "--print-to-pdf=" + printed.file().string(),
                          address(paper.file())};
     const Ended ended = run(command, [&last](std::string_view line) {
