@@ -48,10 +48,11 @@ TEST_CASE("A3: the box that tumbles, and a top", "[numbers]")
     check_shown("A3", "its period of 3.672 s", {period(I, {1, 2, 3})});
     check_shown("A3", "like a tennis racket every 9.410 s", {period(I, {0.1, 2, 0.1}) / 2});
 
-    // A cone on its apex: |w × L| = m g c sin θ of a steady precession w.
+    // A cone of 1 kg on its apex: |w × L| = m g c sin θ of a steady precession w. J is its moment
+    // about its axis, I1 the one across it at the apex.
     const double height = 0.1, radius = 0.05, c = 0.75 * height, spin = 500;
-    const double J = 0.3 * radius * radius, // of 1 kg, about its axis and across it at the apex
-        I1 = 0.6 * (radius * radius / 4 + height * height);
+    const double J = 0.3 * radius * radius;
+    const double I1 = 0.6 * (radius * radius / 4 + height * height);
     const double a = I1 * std::cos(std::numbers::pi / 6), b = J * spin;
     check_shown("A3", "precesses at 2.022 rad/s",
                 {(b - std::sqrt(b * b - 4 * a * 9.81 * c)) / (2 * a)});
