@@ -42,7 +42,7 @@ TEST_CASE("object symbols: a name that cannot be shown is found", "[build]")
               .empty());
     CHECK(line_with_unreadable_name("nm: out/collision.o: no symbols\n").empty());
     for (const char* line : {"\033[2Jlost U         ", "a b U         ", "a b 0 0 T 0 1",
-                             "\xff T 0 1", " T 0 1", "a\tT 0 1"}) {
+                             "\xff T 0 1", "a: no symbols", " T 0 1", "a\tT 0 1"}) {
         CAPTURE(line);
         CHECK(line_with_unreadable_name(std::string("_Z1gd T 0 43\n") + line + "\nb T 0 1\n") ==
               line);
