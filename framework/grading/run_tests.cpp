@@ -183,8 +183,10 @@ void follow_through(const GradingRun& run, const Implementation& implementation,
         result.notes.push_back(not_followed + fault);
         return;
     }
-    for (const std::string& failure : verdicts.own_failures())
-        result.notes.push_back(not_followed + failure);
+    std::set<std::string> failed; // what happened in a test may be hidden from the student
+    for (const auto& [tag, what] : verdicts.own_failures())
+        if (failed.insert(tag).second)
+            result.notes.push_back(not_followed + ("the reference failed in a test of " + tag));
     for (TaskResult& task : result.tasks) {
         TaskResult followed = score_task(task.task, verdicts.of(task.task.tag));
         const bool is_better = followed.score > task.score;
@@ -245,7 +247,7 @@ Result grade(const Selection& selection, const Implementation& implementation,
         result.test_seconds = ended.seconds;
         fault = fault_of(ended, verdicts, tags);
         if (fault.empty() && !verdicts.own_failures().empty())
-            fault = verdicts.own_failures().front();
+            fault = verdicts.own_failures().front().second;
     }
     for (const std::string& tag : selection.tags) {
         const Task& task = *selection.assignment.task(tag);

@@ -90,7 +90,7 @@ void Verdicts::add(const std::string& status, TestCase&& test)
     if (status == "vacuous")
         throw std::runtime_error("the test case '" + test.name + "' checked nothing");
     if (status == "internal_error") {
-        own_failures_.push_back("in '" + test.name + "': " + test.message);
+        own_failures_.emplace_back(tag_, "in '" + test.name + "': " + test.message);
         test.status = Status::failed;
     } else if (const auto known = status_of(status)) {
         test.status = *known;

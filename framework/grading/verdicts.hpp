@@ -28,9 +28,12 @@ public:
     /// The first error: a line that could not be parsed or a test case that checked nothing. Empty
     /// if there is none.
     const std::string& fault() const { return fault_; }
-    /// Sentences about test cases that failed through no fault of the submission. Such a test case
-    /// counts as failed.
-    const std::vector<std::string>& own_failures() const { return own_failures_; }
+    /// What failed through no fault of the submission: for each test case the tag of its task, and
+    /// a sentence. Such a test case counts as failed.
+    const std::vector<std::pair<std::string, std::string>>& own_failures() const
+    {
+        return own_failures_;
+    }
     /// What the run has cost, for a later run of the same worker.
     const std::string& spent() const { return spent_; }
     /// The cost in words; empty while all is within the free time.
@@ -47,7 +50,8 @@ private:
 
     std::map<std::string, std::vector<TestCase>> tests_;
     std::string tag_, open_, fault_, spent_, cost_;
-    std::vector<std::string> stalled_, own_failures_;
+    std::vector<std::string> stalled_;
+    std::vector<std::pair<std::string, std::string>> own_failures_;
     bool is_complete_ = false;
 };
 

@@ -36,9 +36,12 @@ SceneAnswers::SceneAnswers(Worker& worker, const std::string& scene_name, Reques
 SceneAnswers::~SceneAnswers()
 {
     if (!worker_.session_) return; // it has failed
+    const bool has_engine_failed = std::uncaught_exceptions() > exceptions_;
     try {
         Allowance allowance{Seconds(1)};
-        if (at_ == part_.size() && worker_.session_->next_part(allowance).empty()) return;
+        if (!has_engine_failed && at_ == part_.size() &&
+            worker_.session_->next_part(allowance).empty())
+            return;
     } catch (...) {
         // The engine needs no more answers, so this failure does not matter.
     }
@@ -65,14 +68,21 @@ std::span<const std::byte> SceneAnswers::next(FormulaIndex formula, std::size_t 
 
 void SceneAnswers::give(FormulaIndex formula, std::span<const std::byte> answer)
 {
+    const auto fail_scene = [this](const Broken& broken) {
+        worker_.subject_ = "scene " + scene_name_;
+        worker_.fail(broken, nullptr);
+    };
     Allowance allowance{worker_.budget_.floor_of_call()};
     try {
         worker_.session_->give(formula, answer, allowance);
     } catch (const Broken& broken) {
-        worker_.subject_ = "scene " + scene_name_;
-        worker_.fail(broken, nullptr);
+        count_time(allowance.waited);
+        fail_scene(broken);
     }
     taken_before_ += sizeof(StreamedAnswer) + answer.size();
+    if (allowance.waited.count() == 0) return;
+    count_time(allowance.waited);
+    if (takes_too_long()) fail_scene({WorkerFailure::timed_out, too_long()});
 }
 
 void SceneAnswers::fail_as_given_up(FormulaIndex formula)
@@ -114,16 +124,29 @@ Bytes SceneAnswers::await_part(FormulaIndex formula)
 /// blame.
 void SceneAnswers::count_wait(FormulaIndex formula, Seconds time)
 {
-    waited_ += time;
+    count_time(time);
     waited_for_[static_cast<unsigned>(formula)] += time;
-    worker_.budget_.scene_took(time);
-    if (waited_ <= worker_.budget_.floor_of_scene() || waited_ <= time_for_answers()) return;
+    if (!takes_too_long()) return;
     const auto most = std::max_element(waited_for_.begin(), waited_for_.end());
     const FormulaIndex slowest{static_cast<unsigned>(most - waited_for_.begin())};
     worker_.budget_.failed(slowest, Seconds(0), true);
-    fail({WorkerFailure::timed_out,
-          fmt::format("did not return: the scene takes more than {:.3g} s", waited_.count())},
-         slowest);
+    fail({WorkerFailure::timed_out, too_long()}, slowest);
+}
+
+void SceneAnswers::count_time(Seconds time)
+{
+    waited_ += time;
+    worker_.budget_.scene_took(time);
+}
+
+bool SceneAnswers::takes_too_long()
+{
+    return waited_ > worker_.budget_.floor_of_scene() && waited_ > time_for_answers();
+}
+
+std::string SceneAnswers::too_long() const
+{
+    return fmt::format("did not return: the scene takes more than {:.3g} s", waited_.count());
 }
 
 const Pace& SceneAnswers::reference_pace()

@@ -12,6 +12,8 @@
 
 #include "worker/client.hpp"
 
+#include <exception>
+
 namespace rigor {
 
 class SceneAnswers {
@@ -44,6 +46,9 @@ private:
     void require(std::size_t size, FormulaIndex formula);
     Bytes await_part(FormulaIndex formula);
     void count_wait(FormulaIndex formula, Seconds time);
+    void count_time(Seconds time);
+    bool takes_too_long();
+    std::string too_long() const;
     const Pace& reference_pace();
     Seconds time_for_answers();
     std::string subject(FormulaIndex formula) const;
@@ -58,7 +63,8 @@ private:
     Bytes part_;                   // the part of the stream that has come last
     std::size_t at_ = 0;           // how much of it was taken
     std::size_t taken_before_ = 0; // the size of the parts before that one, and of what was given
-    Seconds waited_{};             // for all answers so far
+    int exceptions_ = std::uncaught_exceptions(); // when the scene began
+    Seconds waited_{};                            // for all answers so far
     std::array<Seconds, formula_count> waited_for_{};
     std::optional<Pace> reference_pace_;
 };

@@ -128,11 +128,13 @@ Bytes Session::next_part(Allowance& allowance)
         // A client that was itself waiting for a processor sees a reply late that was there in
         // time. In the first slice, which is short, the worker's progress is not asked for.
         const bool has_replied = now == sequence_;
+        const bool has_come = has_replied || (gives_ && streamed.word.load() != taken_);
         const Allowance::Seconds time =
-            has_replied && !before ? passed : counted(passed, before, has_replied);
-        allowance.waited += has_replied ? std::min<Allowance::Seconds>(time, slice) : time;
-        if (now == sequence_) return take_stream();
+            has_come && !before ? passed : counted(passed, before, has_come);
+        allowance.waited += has_come ? std::min<Allowance::Seconds>(time, slice) : time;
+        if (has_replied) return take_stream();
         if (now != sequence_ - 1) throw Broken{WorkerFailure::malformed, out_of_turn};
+        if (Bytes part = has_come ? take_stream() : Bytes(); !part.empty()) return part;
         collect_output();
         if (const auto ending = process_.ending()) {
             if (reply.load(std::memory_order_acquire) == sequence_) continue; // it answered before
@@ -140,7 +142,8 @@ Bytes Session::next_part(Allowance& allowance)
             throw *ending;
         }
         if (allowance.used_up()) throw Broken{WorkerFailure::timed_out, allowance.verdict()};
-        slice = std::min(2 * slice, std::chrono::milliseconds(20));
+        // A wake-up for what was streamed may be missed, so such a wait is never long.
+        if (!gives_) slice = std::min(2 * slice, std::chrono::milliseconds(20));
     }
 }
 

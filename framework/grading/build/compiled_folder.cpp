@@ -203,6 +203,10 @@ void CompiledFolder::compile_topic(const std::string& topic, CompiledTopic& comp
         compiled.errors = file + ": its object cannot be read\n" + shown_errors(names.output);
         return;
     }
+    if (names.output.size() >= RunLimits().output_kept) { // the rest of them is not known
+        compiled.errors = file + ": expected fewer or shorter names for the linker\n";
+        return;
+    }
     if (const std::string line = line_with_unreadable_name(names.output); !line.empty()) {
         compiled.errors = fmt::format("{}: invalid character in a name for the linker: {:.80}\n",
                                       file, printable(line));

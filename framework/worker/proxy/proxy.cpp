@@ -105,6 +105,8 @@ typename Formula::Result answer(const Argument&... arguments)
     if (run && !is_by_reference) {
         try {
             Result result = decoded<Result>(formula, run->next(formula, largest));
+            // It may become an argument of the reference, which must not fail by it.
+            if (replaced.any()) refuse_non_finite(formula, result);
             check_sizes<formula>(result, arguments...);
             return result;
         } catch (...) {

@@ -199,6 +199,7 @@ TEST_CASE("scene answers: more may be given than the memory for it holds")
     const Run right = run(
         [&](const ByteSink& sink) { run_scene_with_worker(long_flight, Record::frames, sink); });
     const Run mixed = followed(solved, {FormulaIndex::gravity_wrench}, long_flight);
+    CAPTURE(mixed.what());
     REQUIRE(mixed.complete);
     REQUIRE(mixed.frames.back() == right.frames.back());
 }
@@ -219,6 +220,10 @@ TEST_CASE("scene answers: a failure is the same with answers that are given")
     expect("loop_in_scene", "A3.14 gravity_wrench in scene ball did not return within 0.6 s");
     expect("forge_scene", "sent no answer: it is out of step");
     expect("forge_used", "scene ball answered out of turn");
+    // What is not finite does not reach the reference.
+    const Run lost = followed(attack("nan_in_scene").string(), {FormulaIndex::gravity_wrench});
+    REQUIRE_THROWS_AS(std::rethrow_exception(lost.failure), NotFinite);
+    REQUIRE(lost.what().starts_with("A3.14 gravity_wrench: "));
 }
 
 TEST_CASE("scene answers: when all scenes together took long, each must be faster")
