@@ -14,7 +14,7 @@ namespace rigor {
 
 namespace {
 
-// The squared equivalent shear strain, 3/2 ‖dev ε‖².
+// 3/2 ‖dev ε‖², the square of the von Mises stress of this strain over 2 G.
 double shear_strain2(const Matrix3d& strain)
 {
     const double mean = strain.trace() / 3;

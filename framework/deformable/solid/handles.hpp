@@ -13,7 +13,7 @@ struct HeldNode {
     Vector3d velocity = Vector3d::Zero(); // takes these coordinates to their places [m/s]
 };
 
-/// Records the initial places of the nodes of handles that have none yet.
+/// Records, for each handle that has no record yet, the initial places of its nodes.
 void remember_first_places(Deformable& solid);
 
 /// The nodes that handles hold in a substep that ends at `time`, with the velocities that take them

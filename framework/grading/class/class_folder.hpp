@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The folder with the results of a class. Its subfolder `.rigor` says what the results are about.
+// The folder with the results of a class. Its subfolder `.rigor` has the
+// names of the assignment and of the submissions, a lock, and which results no control has
+// confirmed.
 #pragma once
 
 #include "report/exports/row.hpp"

@@ -3,8 +3,8 @@
 // left out ("skips" in messages and benchmarks). `rigor bench skips` measures what each saves.
 //
 // counter               switch in a scene     decided by
-// isotropic_shortcuts                         motion/free_flight, `fly`: no substeps, a constant ω
-//                                             step/single_body, `is_single_body`: no stages
+// isotropic_shortcuts                         motion/free_flight, `fly`: a constant ω
+//  (not counted)                              step/single_body, `is_single_body`: no stages
 // static_skipped                              motion/free_flight, `fly_all`
 // bodies_asleep         sleep                 step/sleep, `fall_asleep`
 // pairs_tested                                detection/broad_phase, out of `pairs_possible`
@@ -12,7 +12,7 @@
 // islands               islands               contact/islands, `islands_of`
 // warm_starts           warm_start            contact/make_problem, `find_islands`
 // early_exits           early_exit            contact/solvers/run_sweeps
-//                       optimised_formulas    bodies/settings, `uses_optimised_formulas`
+//  (not counted)        optimised_formulas    bodies/settings, `uses_optimised_formulas`
 // level_sets_built                            detection/shapes/distance_field: when first needed
 // flow_skipped                                deformable/elasticity/flow
 // eigenvalues_skipped   stress_bound          deformable/fracture/fracture

@@ -166,7 +166,8 @@ struct Filter {
         c.radius = pair.radius;
     }
 
-    // Those of the contacts that may close in this step. The contacts of a pair follow each other.
+    // The contacts that may close in this step. In `contacts`, those of a pair of bodies must
+    // follow each other.
     UninitializedVector<ContactConstraint> take(std::span<const Contact> contacts) const
     {
         UninitializedVector<ContactConstraint> taken;

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The narrow phase: contacts of two bodies, part by part. Each pair of shapes is put in a fixed
-// order and handed to the method for its kinds of shapes. Spheres and boxes are tested here, with a
-// look ahead to the end of the step; all other methods are in shapes/. Last, the contacts are
-// sorted by height.
+// order and handed to the method for its kinds of shapes. Two spheres, and a sphere and a box, are
+// tested here; all other methods are in shapes/. Last, the contacts are sorted by height.
 #include "rigid/detection/narrow_phase.hpp"
 
 #include "geometry/distance/support.hpp"

@@ -10,8 +10,10 @@ namespace rigor {
 
 /// Appends the contacts of two shapes that are closer than `reach`.
 ///
-/// A sphere has one contact, on its surface or, for two spheres, in the middle of the gap. Its
-/// normal passes through the center of the sphere, so an impulse without friction never spins it.
+/// A sphere has one contact with a plane, a box or another sphere (then in the middle of the gap),
+/// and maybe several with a torus or a mesh. Each normal passes through the center of the sphere,
+/// so an impulse without friction never spins it.
+///
 /// The methods for other shapes are in plane_contact.hpp, core_contact.hpp (capsules and tori),
 /// box_box.hpp, convex_contact.hpp (two other convex shapes) and mesh_contact.hpp (a mesh that is
 /// not convex). Two planes never touch.

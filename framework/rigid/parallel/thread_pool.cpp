@@ -39,7 +39,8 @@ template <class T, class IsWanted> T wait_for(std::atomic<T>& value, const IsWan
 
 } // namespace
 
-// The work at hand, and how many of its tasks were taken from either end.
+// The number of the work at hand (works are counted), and how many of its tasks were taken from
+// either end.
 struct alignas(std::uint64_t) TakenTasks {
     std::uint32_t work = 0;
     std::uint16_t from_first = 0, from_last = 0;

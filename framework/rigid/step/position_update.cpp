@@ -46,8 +46,9 @@ void displace(RigidState& state, const Displacement& by)
     if (!by.turn.isZero(0)) state.orientation = advance_exact(state.orientation, by.turn, 1);
 }
 
-// Whether positions after free flight converge with an order above the first. Then bodies held by
-// contacts should converge as fast.
+// Whether positions converge with an order above the first where forces change within a step, as
+// those of springs. (`buss` does so only without them.) Then bodies held by contacts should
+// converge as fast.
 bool is_of_higher_order(Integrator integrator_when_held)
 {
     return integrator_when_held == Integrator::runge_kutta ||

@@ -15,8 +15,8 @@ namespace {
 // Least time at rest before a body sleeps [s]. With a shorter time, a body would sleep at a turning
 // point of its motion; a longer one costs steps of bodies at rest.
 constexpr double needed_rest = 0.5;
-// The largest time that the step to a new place counts as rest [s]. With a longer step, a body that
-// moves would sleep at once.
+// At most this much of a step counts as rest of a body that the step has moved to a new place [s].
+// Otherwise a body that moves would sleep at once where steps are long.
 constexpr double first_rest = needed_rest / 2;
 // Largest move, in radii, and largest rotation [rad] of a body at rest. With a larger value, bodies
 // that creep would sleep; with a smaller one, the errors of the solver would keep piles awake.

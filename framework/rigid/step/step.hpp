@@ -36,11 +36,11 @@
 // deformable solids have friction once more: deformable/contact/node_collisions calls
 // `collision_impulse`, and deformable/motion/contact_set has the law for the implicit step.
 //
-// Papers of the stages: 1 Buss (2000), Blanes and Moan (2002), Munthe-Kaas (1999), see
-// free_flight.hpp; 2 Verlet (1967) for the pair cache, Gottschalk et al. (1996) for boxes, the 2003
-// paper for level sets; 3 the 2003 paper; 5 the 2003 paper, Silcowitz-Hansen et al. (2010), Alart
-// and Curnier (1991); 6 Catto (2009), and Baumgarte (1972) without gravity. Stages 7 to 9 are
-// Rigor's.
+// Papers of the stages: 1 Buss (2000), see constant_wrench_step.hpp, Blanes and Moan (2002) and
+// Munthe-Kaas (1999), see free_flight.hpp; 2 Verlet (1967) for the pair cache, Gottschalk et al.
+// (1996) for boxes, the 2003 paper for level sets; 3 the 2003 paper; 5 the 2003 paper,
+// Silcowitz-Hansen et al. (2010), Alart and Curnier (1991); 6 Catto (2009), and Baumgarte (1972)
+// without gravity. Stages 7 to 9 are Rigor's.
 #pragma once
 
 #include "rigid/bodies/world.hpp"

@@ -13,8 +13,8 @@ namespace rigor {
 
 namespace {
 
-// Largest cosine of the angle between the gradient and the way to the surface at which the gradient
-// points back to the center, within 60°. Then the exact direction replaces the gradient.
+// Below this cosine of the angle between the gradient and the way to the surface, the gradient
+// points backward: the angle is more than 120°. Then the exact direction replaces the gradient.
 constexpr double points_back = -0.5;
 constexpr double no_bound = -1e300; // a lower bound of every distance [m]
 
