@@ -91,12 +91,12 @@ ObjectSymbols parse_symbols(const std::string& listing)
 
 std::string line_with_unreadable_name(const std::string& listing)
 {
-    const bool has_no_names = listing.ends_with(": no symbols\n") &&
-                              std::count(listing.begin(), listing.end(), '\n') == 1;
-    if (has_no_names) return "";
+    constexpr std::string_view own_words = "/usr/bin/nm: "; // such as "…: no symbols"
     std::istringstream lines(listing);
     for (std::string line; std::getline(lines, line);)
-        if (!is_plain_utf8(line) || !is_name_kind_and_numbers(line)) return line;
+        if (!is_plain_utf8(line) ||
+            (!line.starts_with(own_words) && !is_name_kind_and_numbers(line)))
+            return line;
     return "";
 }
 

@@ -40,7 +40,7 @@ TEST_CASE("object symbols: a name that cannot be shown is found", "[build]")
     CHECK(line_with_unreadable_name("_Z7gr\xc3\xb6\xc3\x9f"
                                     "ed T 50 1d\n")
               .empty());
-    CHECK(line_with_unreadable_name("nm: out/collision.o: no symbols\n").empty());
+    CHECK(line_with_unreadable_name("/usr/bin/nm: out/collision.o: no symbols\n").empty());
     for (const char* line : {"\033[2Jlost U         ", "a b U         ", "a b 0 0 T 0 1",
                              "\xff T 0 1", "a: no symbols", " T 0 1", "a\tT 0 1"}) {
         CAPTURE(line);
