@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Defines a name that has a newline, and a name that looks like a list of names.
-// expect: 1 passed
+// Defines a name that has a newline, so that it looks like a list of names.
+// expect: 0 compile_error: invalid character in a name
 #include "formulas/pipeline.hpp"
 
 namespace rigor {
