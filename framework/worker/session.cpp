@@ -69,8 +69,8 @@ void Session::begin(const Question& question)
     channel.kind = question.kind;
     channel.argument = question.argument;
     channel.request_size = question.payload.size();
-    channel.streamed = channel.taken = taken_ = 0;
-    channel.given = channel.used = given_ = 0;
+    channel.stream.written = channel.stream.read = taken_ = 0;
+    channel.answers.written = channel.answers.read = given_ = 0;
     gives_ = question.given.any();
     for (std::size_t i = 0; i < channel.given_formulas.size(); ++i)
         channel.given_formulas[i] =
@@ -121,7 +121,7 @@ Bytes Session::next_part(Allowance& allowance)
         if (Bytes part = take_stream(); !part.empty()) return part;
         const Clock::time_point start = Clock::now();
         // A worker that waits for an answer has streamed little since it last woke this process.
-        const Until streamed{process_.channel().streamed, taken_};
+        const Until streamed{process_.channel().stream.written, taken_};
         const std::uint32_t now =
             await_change(reply, awaited, sequence_ - 1, slice, gives_ ? &streamed : nullptr);
         const Allowance::Seconds passed = Clock::now() - start;
@@ -176,23 +176,21 @@ void Session::give(FormulaIndex formula, std::span<const std::byte> answer, Allo
 
 void Session::give_bytes(std::span<const std::byte> bytes, Allowance& allowance)
 {
-    Channel& channel = process_.channel();
+    Ring& answers = process_.channel().answers;
     std::optional<Process::Progress> before;
     while (!bytes.empty()) {
-        const std::uint32_t used = channel.used.load(std::memory_order_acquire);
-        const std::uint32_t waiting = given_ - used;
-        if (waiting > Channel::ring) throw Broken{WorkerFailure::malformed, out_of_turn};
-        if (waiting == Channel::ring) {
+        const std::uint32_t used = answers.read.load(std::memory_order_acquire);
+        const std::uint32_t unread = given_ - used;
+        if (unread > Ring::size) throw Broken{WorkerFailure::malformed, out_of_turn};
+        if (unread == Ring::size) {
             await_room(used, before, allowance);
             continue;
         }
-        const std::uint32_t at = given_ % Channel::ring;
-        const std::size_t n =
-            std::min<std::size_t>({bytes.size(), Channel::ring - waiting, Channel::ring - at});
-        std::copy_n(bytes.begin(), n, channel.answers + at);
+        const std::size_t n = std::min<std::size_t>(bytes.size(), Ring::size - unread);
+        answers.copy_in(bytes.first(n), given_);
         bytes = bytes.subspan(n);
         given_ += static_cast<std::uint32_t>(n);
-        post(channel.given, channel.given_awaited, given_);
+        post(answers.written, answers.written_awaited, given_);
     }
 }
 
@@ -201,9 +199,9 @@ void Session::give_bytes(std::span<const std::byte> bytes, Allowance& allowance)
 void Session::await_room(std::uint32_t used, std::optional<Process::Progress>& before,
                          Allowance& allowance)
 {
-    Channel& channel = process_.channel();
+    Ring& answers = process_.channel().answers;
     const Clock::time_point start = Clock::now();
-    await_change(channel.used, channel.used_awaited, used, std::chrono::milliseconds(20));
+    await_change(answers.read, answers.read_awaited, used, std::chrono::milliseconds(20));
     allowance.waited += counted(Clock::now() - start, before, false);
     if (const auto ending = process_.ending()) throw *ending;
     if (allowance.used_up()) throw Broken{WorkerFailure::timed_out, allowance.verdict()};
@@ -211,39 +209,39 @@ void Session::await_room(std::uint32_t used, std::optional<Process::Progress>& b
 
 Bytes Session::rest_of_stream()
 {
-    Channel& channel = process_.channel();
-    const std::uint32_t n = channel.streamed.load(std::memory_order_acquire) - taken_;
-    if (n > Channel::ring || streamed_ + n > longest_stream_) return {};
+    const std::uint32_t n =
+        process_.channel().stream.written.load(std::memory_order_acquire) - taken_;
+    if (n > Ring::size || streamed_ + n > longest_stream_) return {};
     return read_stream(n);
 }
 
 /// Copies the next n bytes of the stream, which are there, and makes room for others.
 Bytes Session::read_stream(std::uint32_t n)
 {
-    Channel& channel = process_.channel();
-    const std::uint32_t at = taken_ % Channel::ring;
-    const std::uint32_t first = std::min(n, Channel::ring - at);
-    Bytes bytes(channel.stream + at, channel.stream + at + first);
-    bytes.insert(bytes.end(), channel.stream, channel.stream + (n - first));
+    Ring& stream = process_.channel().stream;
+    Bytes bytes(n);
+    stream.copy_out(taken_, bytes);
     taken_ += n;
     streamed_ += n;
-    channel.taken.store(taken_); // before `wake` reads whether it is awaited
+    stream.read.store(taken_); // before `wake` reads whether it is awaited
     // A worker waits only if it found the ring full. The client reads a full ring in at most two
     // parts, and one of them is at least half of it.
-    if (n >= Channel::ring / 2) wake(channel.taken, channel.taken_awaited);
+    if (n >= Ring::size / 2) wake(stream.read, stream.read_awaited);
     return bytes;
 }
 
 Bytes Session::take_stream()
 {
-    const std::uint32_t streamed = process_.channel().streamed.load(std::memory_order_acquire);
-    if (streamed == taken_) return {};
+    const std::uint32_t n =
+        process_.channel().stream.written.load(std::memory_order_acquire) - taken_;
+    if (n == 0) return {};
     // Whichever word of the channel a worker overwrites first, the verdict is the same.
-    if (streamed - taken_ > Channel::ring) throw Broken{WorkerFailure::malformed, out_of_turn};
-    const std::uint32_t n = streamed - taken_;
+    if (n > Ring::size) throw Broken{WorkerFailure::malformed, out_of_turn};
     if (streamed_ + n > longest_stream_)
         throw Broken{WorkerFailure::flooded,
-                     fmt::format("streamed more than {} MB", longest_stream_ >> 20)};
+                     longest_stream_ == 0
+                         ? "streamed, although no scene was asked for"
+                         : fmt::format("streamed more than {} MB", longest_stream_ >> 20)};
     return read_stream(n);
 }
 

@@ -103,20 +103,20 @@ void Server::stream(std::span<const std::byte> bytes)
 {
     // Fewer bytes are not announced alone, because each wake-up costs a system call.
     constexpr std::uint32_t worth_waking = std::uint32_t{1} << 16; // [bytes]
+    Ring& ring = channel_.stream;
     while (!bytes.empty()) {
-        const std::uint32_t taken = channel_.taken.load(std::memory_order_acquire);
-        const std::uint32_t room = Channel::ring - (streamed_ - taken);
+        const std::uint32_t taken = ring.read.load(std::memory_order_acquire);
+        const std::uint32_t room = Ring::size - (streamed_ - taken);
         if (room == 0) { // the scene waits only while the ring is full
             wake(channel_.reply, channel_.reply_awaited);
-            await_change(channel_.taken, channel_.taken_awaited, taken, std::chrono::hours(1));
+            await_change(ring.read, ring.read_awaited, taken, std::chrono::hours(1));
             continue;
         }
-        const std::uint32_t at = streamed_ % Channel::ring;
-        const std::size_t n = std::min<std::size_t>({bytes.size(), room, Channel::ring - at});
-        std::copy_n(bytes.begin(), n, channel_.stream + at);
+        const std::size_t n = std::min<std::size_t>(bytes.size(), room);
+        ring.copy_in(bytes.first(n), streamed_);
         bytes = bytes.subspan(n);
         streamed_ += static_cast<std::uint32_t>(n);
-        channel_.streamed.store(streamed_, std::memory_order_release);
+        ring.written.store(streamed_, std::memory_order_release);
     }
     if (streamed_ - announced_ < worth_waking) return;
     announced_ = streamed_;
@@ -144,20 +144,19 @@ void Server::take_answer(FormulaIndex formula, wire::Bytes& answer)
 
 void Server::take_bytes(std::span<std::byte> bytes)
 {
+    Ring& ring = channel_.answers;
     while (!bytes.empty()) {
-        const std::uint32_t given = channel_.given.load(std::memory_order_acquire);
+        const std::uint32_t given = ring.written.load(std::memory_order_acquire);
         if (given == used_) {
             wake(channel_.reply, channel_.reply_awaited); // for what has been streamed so far
-            await_change(channel_.given, channel_.given_awaited, given, std::chrono::hours(1));
+            await_change(ring.written, ring.written_awaited, given, std::chrono::hours(1));
             continue;
         }
-        const std::uint32_t at = used_ % Channel::ring;
-        const std::size_t n =
-            std::min<std::size_t>({bytes.size(), given - used_, Channel::ring - at});
-        std::copy_n(channel_.answers + at, n, bytes.begin());
+        const std::size_t n = std::min<std::size_t>(bytes.size(), given - used_);
+        ring.copy_out(used_, bytes.first(n));
         bytes = bytes.subspan(n);
         used_ += static_cast<std::uint32_t>(n);
-        post(channel_.used, channel_.used_awaited, used_);
+        post(ring.read, ring.read_awaited, used_);
     }
 }
 

@@ -62,7 +62,7 @@ std::uint64_t contract_fingerprint()
         for (const char c : text)
             hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211u;
     };
-    add("rigor worker 3");
+    add("rigor worker 4");
     for (const Formula& formula : formulas) {
         add(formula.tag);
         add(formula.name);

@@ -14,6 +14,7 @@
 #pragma once
 
 #include "formulas/table.hpp"
+#include "worker/protocol/ring.hpp"
 
 #include <array>
 #include <atomic>
@@ -63,31 +64,20 @@ struct Channel {
     // Sizes [bytes].
     static constexpr std::size_t capacity = std::size_t{64} << 20; // only used pages take memory
     static constexpr std::size_t longest_text = 4096;              // longest text of a failure
-    static constexpr std::uint32_t ring = std::uint32_t{4} << 20;  // a power of two
 
     alignas(64) std::atomic<std::uint32_t> request;
     std::atomic<Request> kind;
     std::atomic<std::uint32_t> argument;
     std::atomic<std::uint64_t> request_size;
     std::atomic<std::uint32_t> request_awaited; // whether the worker may be asleep until `request`
+    // The formulas whose answers the client gives to a scene, 64 in each word.
+    std::array<std::atomic<std::uint64_t>, (formula_count + 63) / 64> given_formulas;
     alignas(64) std::atomic<std::uint32_t> reply;
     std::atomic<ReplyStatus> status;
     std::atomic<std::uint64_t> reply_size;
     std::atomic<std::uint32_t> reply_awaited; // whether the client may be asleep until `reply`
-    // Numbers of bytes streamed and read since the scene's start, modulo 2^32. Byte n is
-    // stream[n % ring].
-    alignas(64) std::atomic<std::uint32_t> streamed;
-    alignas(64) std::atomic<std::uint32_t> taken;
-    std::atomic<std::uint32_t> taken_awaited; // whether the worker may be asleep until `taken`
-    // The formulas whose answers the client gives to a scene, 64 in each word.
-    std::array<std::atomic<std::uint64_t>, (formula_count + 63) / 64> given_formulas;
-    // Numbers of bytes given and used since the scene's start, as above for `answers`.
-    alignas(64) std::atomic<std::uint32_t> given;
-    std::atomic<std::uint32_t> given_awaited; // whether the worker may be asleep until `given`
-    alignas(64) std::atomic<std::uint32_t> used;
-    std::atomic<std::uint32_t> used_awaited; // whether the client may be asleep until `used`
-    alignas(64) std::byte stream[ring];
-    std::byte answers[ring];
+    Ring stream;                              // from the worker
+    Ring answers;                             // from the client
     std::byte payload[capacity];
 };
 

@@ -15,10 +15,9 @@ ContactResult resolve_contacts(const std::vector<Body>&, const std::vector<BodyC
     Channel& channel = find_channel();
     const StreamedAnswer header{static_cast<std::uint32_t>(FormulaIndex::resolve_contacts),
                                 0xfffffff0u};
-    const std::uint32_t at = channel.streamed % Channel::ring;
-    if (at + sizeof header <= Channel::ring)
-        std::memcpy(channel.stream + at, &header, sizeof header);
-    channel.streamed = channel.streamed + static_cast<std::uint32_t>(sizeof header);
+    const std::uint32_t written = channel.stream.written;
+    channel.stream.copy_in(std::as_bytes(std::span(&header, 1)), written);
+    channel.stream.written = written + static_cast<std::uint32_t>(sizeof header);
     wake(channel.reply, channel.reply_awaited);
     for (;;)
         pause();

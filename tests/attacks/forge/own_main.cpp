@@ -20,7 +20,7 @@ int main()
         for (std::uint32_t now = number - 1; now != number;)
             now = await_change(channel.request, channel.request_awaited, number - 1,
                                std::chrono::hours(1));
-        if (channel.kind != Request::call) channel.streamed = Channel::ring;
+        if (channel.kind != Request::call) channel.stream.written = Ring::size;
         std::memset(channel.payload, 0, 72);
         channel.reply_size = channel.kind == Request::call ? 72 : 0;
         post(channel.reply, channel.reply_awaited, number);

@@ -3,19 +3,9 @@
 // the worker, and a call that writes says which addresses can be read.
 #pragma once
 
-#include <cstdint>
-#include <unistd.h>
+#include "channel_words.hpp"
 
-// The words of the channel that these attacks write to.
-struct ChannelWords {
-    volatile std::uint32_t request;
-    std::uint32_t kind, argument, unused;
-    std::uint64_t request_size;
-    std::uint32_t rest[10];
-    volatile std::uint32_t reply;
-    volatile std::uint32_t status;
-    volatile std::uint64_t reply_size;
-};
+#include <unistd.h>
 
 inline bool is_readable(std::uintptr_t address)
 {

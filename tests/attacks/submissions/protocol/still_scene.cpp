@@ -10,7 +10,7 @@ namespace {
 
 [[gnu::constructor]] void serve()
 {
-    serve_forged([](const std::string&) { return std::string(); });
+    serve_forged([](const Asked&) { return Forged(); });
 }
 
 } // namespace

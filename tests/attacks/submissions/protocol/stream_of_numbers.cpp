@@ -10,11 +10,12 @@ namespace {
 
 [[gnu::constructor]] void serve()
 {
-    serve_forged([](const std::string&) {
-        std::string stream(ring, '\0');
-        for (std::size_t i = 0; i < ring; ++i)
-            stream[i] = static_cast<char>(i / 8 % 2);
-        return stream;
+    serve_forged([](const Asked& asked) {
+        if (!asked.for_scene) return Forged();
+        Forged forged{std::string(ring_size, '\0'), ""};
+        for (std::size_t i = 0; i < ring_size; ++i)
+            forged.streamed[i] = static_cast<char>(i / 8 % 2);
+        return forged;
     });
 }
 

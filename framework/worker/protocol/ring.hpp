@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// A ring buffer of bytes in shared memory: one process writes, the other one reads. Each waits for
+// the other in its own way, so only where the bytes lie is decided here.
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace rigor {
+
+struct Ring {
+    static constexpr std::uint32_t size = std::uint32_t{4} << 20; // [bytes], a power of two
+
+    // Numbers of bytes written and read since the scene's start, modulo 2^32.
+    alignas(64) std::atomic<std::uint32_t> written;
+    std::atomic<std::uint32_t> written_awaited; // whether the reader may be asleep until `written`
+    alignas(64) std::atomic<std::uint32_t> read;
+    std::atomic<std::uint32_t> read_awaited; // whether the writer may be asleep until `read`
+    alignas(64) std::byte bytes[size];       // byte n is bytes[n % size]
+
+    /// Sets the bytes from number `at` on. @param from  at most `size` of them
+    void copy_in(std::span<const std::byte> from, std::uint32_t at)
+    {
+        const std::uint32_t start = at % size;
+        const std::size_t before_end = std::min<std::size_t>(from.size(), size - start);
+        std::ranges::copy(from.first(before_end), bytes + start);
+        std::ranges::copy(from.subspan(before_end), bytes);
+    }
+
+    /// Copies the bytes from number `at` on. @param to  at most `size` of them
+    void copy_out(std::uint32_t at, std::span<std::byte> to) const
+    {
+        const std::uint32_t start = at % size;
+        const std::size_t before_end = std::min<std::size_t>(to.size(), size - start);
+        std::copy_n(bytes + start, before_end, to.begin());
+        std::copy_n(bytes, to.size() - before_end, to.begin() + before_end);
+    }
+};
+
+} // namespace rigor
