@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The figures of A4.
+// The figures of assignment A4, about collisions.
 #pragma once
 
 #include "figures/figure.hpp"

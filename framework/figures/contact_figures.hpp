@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The figures of A5.
+// The figures of assignment A5, about contact.
 #pragma once
 
 #include "figures/figure.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The figures of A7.
+// The figures of assignment A7, about fracture.
 #pragma once
 
 #include "figures/figure.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The figures of A2.
+// The figures of assignment A2, about inertia.
 #pragma once
 
 #include "figures/figure.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The figures of A4 about level sets.
+// The figures of assignment A4 that are about level sets.
 #pragma once
 
 #include "figures/figure.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The figures of A1.
+// The figures of assignment A1, about rigid motion.
 #pragma once
 
 #include "figures/figure.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The figures of A6.
+// The figures of assignment A6, about plasticity.
 #pragma once
 
 #include "figures/figure.hpp"

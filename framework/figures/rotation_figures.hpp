@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The figures of A3.
+// The figures of assignment A3, about rotation.
 #pragma once
 
 #include "figures/figure.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The figures of A8.
+// The figures of assignment A8, about tests.
 #pragma once
 
 #include "figures/figure.hpp"

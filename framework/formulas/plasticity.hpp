@@ -39,7 +39,7 @@ double von_mises(const Matrix3d& stress);
 Matrix3d isotropic_stress(const Matrix3d& strain, double lame_lambda, double shear_modulus);
 
 /// A6.6 The von Mises stress of such a solid, directly from its elastic strain [Pa]:
-/// 2 G √(3/2) ‖dev ε‖. To find out whether the solid yields, the stress itself is not needed.
+/// 2 G √(3/2) ‖dev ε‖. So the stress tensor is not needed to find out whether the solid yields.
 double von_mises_from_strain(const Matrix3d& strain, double shear_modulus);
 
 /// A6.7 The yield limit in terms of strain, σ_Y / (2 G): the solid yields where √(3/2) ‖dev ε‖

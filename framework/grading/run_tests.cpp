@@ -78,8 +78,9 @@ std::string specification(const std::vector<std::string>& tags, bool has_oracle,
 #ifdef RIGOR_SANITIZED // a sanitizer reserves terabytes of addresses
 constexpr std::size_t memory_of_tests = 0;
 #else
-// The most memory of the test program. Long answers of a submission may let the engine's meshes
-// grow; then a test fails before the machine runs out of memory.
+// The most memory that the test program may use. Its engine makes meshes from the answers of a
+// submission, and wrong answers can make them larger and larger. With this limit a test fails
+// before the machine runs out of memory.
 constexpr std::size_t memory_of_tests = std::size_t{6} << 30; // [bytes]
 #endif
 

@@ -19,7 +19,7 @@ inline constexpr bool is_sanitized = true;
 inline constexpr bool is_sanitized = false;
 #endif
 /// A factor for time limits. It is larger than the slowdown of a scene by a sanitizer.
-inline constexpr double patience = is_sanitized ? 20 : 1;
+inline constexpr double sanitizer_factor = is_sanitized ? 20 : 1;
 
 /// Whose formulas a worker runs. It decides which walls there are around it.
 enum class Trust {
@@ -35,17 +35,20 @@ enum class Trust {
 struct Limits {
     Trust trust = Trust::ours;
     std::chrono::duration<double> start{10}; // from exec until the worker is ready
-    std::chrono::duration<double> call{2};   // floor for a formula, or 256 kB of states to advance
-    std::chrono::duration<double> scene{20 * patience}; // floor for a whole scene
+    // Floor for a formula, or 256 kB of states to advance. Even under a sanitizer no formula comes
+    // near it.
+    std::chrono::duration<double> call{2};
+    std::chrono::duration<double> scene{20 * sanitizer_factor}; // floor for a whole scene
     /// Whether a scene's limit is for the time between two records instead of the whole scene. This
     /// is for scenes that someone watches.
     bool scene_by_silence = false;
-    std::chrono::duration<double> oracle{60 * patience}; // limit for the oracle itself
+    std::chrono::duration<double> oracle{60 * sanitizer_factor}; // limit for the oracle itself
     double multiple = 50;
     /// The free time for all calls of formulas together, and for all scenes together. When it is
     /// used up, the floors are a tenth, see `TimeBudget`. The reference needs less than one second
     /// for the calls of any assignment, and less than five for its scenes.
-    std::chrono::duration<double> all_calls{8 * patience}, all_scenes{20 * patience};
+    std::chrono::duration<double> all_calls{8 * sanitizer_factor},
+        all_scenes{20 * sanitizer_factor};
     std::size_t memory = std::size_t{2} << 30; // address space [bytes]; unlimited under a sanitizer
     std::size_t output = std::size_t{1} << 20; // what a request may print [bytes]
     std::size_t trajectory = std::size_t{1} << 30; // what a scene may stream [bytes]

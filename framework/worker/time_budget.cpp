@@ -49,7 +49,7 @@ void TimeBudget::failed(FormulaIndex formula, Seconds took, bool timed_out)
 bool TimeBudget::is_compared(FormulaIndex formula) const
 {
     const double share = has_reference_ ? share_with_reference : 1;
-    return of(formula).answered > share * patience() * limits_.all_calls;
+    return of(formula).answered > share * floor_factor() * limits_.all_calls;
 }
 
 void TimeBudget::compare(FormulaIndex formula, Seconds took, Seconds reference_took)

@@ -57,7 +57,7 @@ public:
     bool ends_scenes(FormulaIndex formula) const;
 
     /// The floors of `Limits`, which are shorter when the free time is used up.
-    Seconds floor_of_call() const { return patience() * limits_.call; }
+    Seconds floor_of_call() const { return floor_factor() * limits_.call; }
     Seconds floor_of_wait(FormulaIndex formula) const;
     Seconds floor_of_scene() const;
 
@@ -76,7 +76,7 @@ private:
     const Row& of(FormulaIndex formula) const { return rows_[static_cast<unsigned>(formula)]; }
     bool calls_are_used_up() const { return calls_ > limits_.all_calls; }
     bool scenes_are_used_up() const { return scenes_ > limits_.all_scenes; }
-    double patience() const { return calls_are_used_up() ? 0.1 : 1; }
+    double floor_factor() const { return calls_are_used_up() ? 0.1 : 1; }
     bool is_too_slow(const Row& row) const;
 
     Limits limits_;

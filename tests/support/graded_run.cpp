@@ -29,7 +29,7 @@ int verdicts = -1;
 double longest_stall = 0; // [s] on a processor
 
 // The longest time on a processor for a test case with all its scenes [s].
-constexpr double longest_test = 60 * patience;
+constexpr double longest_test = 60 * sanitizer_factor;
 std::optional<OwnTimeLimit> limit_of_test;
 bool is_about_formula = false; // the running test case, and not about scenes
 
@@ -89,7 +89,7 @@ void prepare(const RunOptions& options)
         throw std::runtime_error("graded_tests: expected --others reference with --oracle FILE");
     follows_through = !options.others.empty();
     verdicts = options.verdicts;
-    longest_stall = options.stall * patience;
+    longest_stall = options.stall * sanitizer_factor;
     if (!options.spent.empty()) worker().budget().go_on_from(spent_in(options.spent));
 }
 

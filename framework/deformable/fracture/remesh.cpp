@@ -193,8 +193,8 @@ void remesh(Deformable& solid, EmbeddedMesh embedded)
     for (int t = 0; t < old_count; ++t)
         copies[solid.embedded.parents.empty() ? t : solid.embedded.parents[t]].push_back(t);
 
-    // The parent of a copy is the old copy in which its first real corner was real, because cracks
-    // only divide material.
+    // The parent of a new copy is the old copy that had the new one's first real corner as a real
+    // corner. There is one, because cracks only divide material.
     std::vector<int> parents;
     std::vector<VertexOrigin> origins(embedded.mesh.vertices.size());
     std::vector<char> has_matter(embedded.mesh.vertices.size(), 0);

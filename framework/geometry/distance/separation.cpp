@@ -40,7 +40,7 @@ constexpr double inside_tolerance = 1e-12;
 // ten times as much each time.
 constexpr double first_push = 1e-6;
 constexpr double most_push = 1e-3;          // a longer push would change the position too much
-constexpr double polytope_tolerance = 1e-7; // the polytope is finished if it grows by less
+constexpr double polytope_tolerance = 1e-7; // the polytope is done if a step grows it by less
 constexpr double first_margin = 0.02;       // at this margin the direction is free of rounding
 constexpr double least_margin = 1e-5;       // `push_out` ends with the shapes this far apart
 constexpr double margin_decay = 0.2;        // each step shortens the margin to this share

@@ -15,8 +15,8 @@ namespace rigor {
 /// @param cells  number of cells along the longest side of the bounds
 LevelSet make_level_set(const TriangleMesh& mesh, int cells);
 
-/// The resolution at which a wall is three cells thick, within 32 … 64 cells along the longest
-/// side. The thickness is that of the thinnest tenth of the surface.
+/// The number of cells along the longest side, from 32 to 64, at which a wall of the mesh is three
+/// cells thick. Its thickness is such that a tenth of the surface has thinner walls.
 int suggested_cells(const TriangleMesh& mesh);
 
 } // namespace rigor

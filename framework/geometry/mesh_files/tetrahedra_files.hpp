@@ -25,7 +25,7 @@ TetrahedraText read_msh(std::string_view text);
 /// @throws MeshError
 TetrahedraText read_medit(std::string_view text);
 
-/// Reads either format, as the first token says.
+/// Reads a mesh in the format of Gmsh or of Medit, which its first token tells.
 /// @throws MeshError
 TetrahedraText read_tetrahedra(std::string_view text);
 

@@ -11,7 +11,7 @@ namespace rigor {
 /// A half-edge: an edge as a side of one triangle.
 struct HalfEdge {
     int low = 0, high = 0; // its vertices
-    bool is_upward = true; // from low to high
+    bool is_upward = true; // whether its triangle runs along it from `low` to `high`
     int triangle = 0;
 
     bool same_edge(const HalfEdge& other) const { return low == other.low && high == other.high; }

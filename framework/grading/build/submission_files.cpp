@@ -74,8 +74,8 @@ Content read_file(const fs::path& file)
     return {text, ""};
 }
 
-// Whether a file, by its ending, may be included by the file of a topic.
-bool is_source(const fs::path& file)
+// Whether a file has the ending of a header or a source. The files of topics may include these.
+bool is_code(const fs::path& file)
 {
     static const std::set<std::string> endings = {".hpp", ".h",   ".hh",  ".hxx", ".inl",
                                                   ".ipp", ".inc", ".cpp", ".cc"};
@@ -138,7 +138,7 @@ std::vector<fs::path> other_sources(const fs::path& folder)
         const fs::path name = entry->path().lexically_relative(folder);
         const bool is_topic = !name.has_parent_path() && name.extension() == ".cpp" &&
                               std::find(all.begin(), all.end(), name.stem()) != all.end();
-        if (!is_topic && is_source(name) && is_plain_utf8(name.string())) found.push_back(name);
+        if (!is_topic && is_code(name) && is_plain_utf8(name.string())) found.push_back(name);
     }
     std::sort(found.begin(), found.end());
     return found;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The text between the two programs is a list of entries: a letter for the kind, the lengths of the
-// name and the text, a newline, and then both. An entry "end" closes it.
+// What `unpack` prints and the grader reads is a list of entries: a letter for the kind, the
+// lengths of the name and the text, a newline, and then name and text. An entry of kind `e` ends
+// the list.
 #include "grading/intake/unpacked.hpp"
 
 #include "grading/intake/refused.hpp"

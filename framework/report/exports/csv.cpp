@@ -18,8 +18,7 @@ constexpr std::string_view signs[] = {"=",      "+",      "-",      "@",
                                       "\t",     "\r",     "\n", // plain
                                       "\uFF1D", "\uFF0B", "\uFF0D", "\uFF20"};
 
-// Spaces that are not seen: the space, those that do not break, wide ones, and the mark of a file
-// in UTF-8.
+// Invisible characters: spaces, spaces that do not break, wide spaces, and the byte-order mark.
 constexpr std::string_view spaces[] = {" ",      "\u00A0", "\u2002", "\u2003", "\u2007",
                                        "\u2009", "\u200B", "\u202F", "\u3000", "\uFEFF"};
 

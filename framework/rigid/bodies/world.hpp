@@ -37,7 +37,7 @@ struct AppliedForce {
     bool turns_with_body = false;              // whether force and torque are in object space
     double frequency = 0;                      // f [Hz]; 0: constant
     double phase = 0;                          // φ [rad]
-    std::function<double(double)> factor = {}; // by the time [s]; empty: 1
+    std::function<double(double)> factor = {}; // a function of the time [s]; empty: 1
 };
 
 /// Everything that a time step reads and changes: state, settings, and the memory of the last step.

@@ -29,7 +29,8 @@ double tangential_eigenvalue(const Matrix3d& K, const Vector3d& n)
     return (sum + std::sqrt(std::max(0.0, 2 * squares - sum * sum))) / 2;
 }
 
-// The mean velocity and the mean normal of the bodies of an island that touch a driven body.
+// What touches a driven body in an island: the mean velocity of the touching bodies, and the mean
+// normal of their contacts. Each contact counts once.
 struct Touching {
     Vector3d velocity = Vector3d::Zero(); // [m/s]
     Vector3d normal = Vector3d::Zero();   // away from the driven body; zero if nothing touches it

@@ -40,7 +40,7 @@ struct ContactConstraint : Contact {
 /// A gap up to this fraction of a contact's radius counts as touching, where poses are exact up to
 /// rounding. It is far above the rounding error of a position near the origin.
 inline constexpr double touching_gap = 1e-10;
-/// The same fraction where an iteration has placed the bodies, which may not have converged: the
+/// The same fraction for bodies placed by an iteration that may have ended before it converged: the
 /// solver of the last step, or the search for the time of an impact.
 inline constexpr double nearly_touching_gap = 1e-6;
 

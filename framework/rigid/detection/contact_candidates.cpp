@@ -86,7 +86,7 @@ struct ContactSearch {
     const World& world;
     std::vector<Travel> motions;  // one for each body
     std::vector<Bounds> bounds;   // one for each body, swept over the step, see `frame_of_bounds`
-    std::vector<double> travels;  // for each body, the largest travel relative to `frames_of` [m]
+    std::vector<double> travels;  // for each body, its largest path, see `frames_of` [m]
     ContactCandidates candidates; // filled in this order: poses and radii, margins, contacts
     double time_step = 0;         // [s]
 };

@@ -13,7 +13,7 @@ struct ContactCandidates {
     std::vector<Contact> contacts; // empty if no bodies are near enough to meet in this step
     std::vector<Pose> poses;       // one for each body, at the start of the step
     // One for each body; empty if no bodies are near each other. After free flight, a contact with
-    // a gap of at least both bodies' margins cannot matter [m].
+    // a gap of at least the sum of both bodies' margins cannot matter [m].
     std::vector<double> margins;
     std::vector<double> radii;  // one for each body, about its center of mass; 0 if static [m]
     std::vector<int> disturbed; // sleeping bodies that have to wake, since another may touch them

@@ -18,8 +18,8 @@ namespace rigor {
 /// box_box.hpp, convex_contact.hpp (two other convex shapes) and mesh_contact.hpp (a mesh that is
 /// not convex). Two planes never touch.
 ///
-/// Two capsules have no closed form: they are sampled like any capsule (core_contact.hpp). In
-/// `find_ordered`, a closed form for such a pair would have to come before the samples.
+/// Two capsules are sampled like any capsule (core_contact.hpp), although their distance has a
+/// closed form. In `find_ordered`, such a form would have to come before the samples.
 void find_shape_contacts(const Shape& shape1, const Pose& pose1, const Shape& shape2,
                          const Pose& pose2, double reach, std::vector<Contact>& contacts);
 

@@ -255,7 +255,7 @@ std::vector<RigidState> fly_all(World& world, const std::vector<bool>& pulled, d
         fly_pulled(world, wrenches, together, states, h,
                    {world.time + k * h, world.time + (k + 0.5) * h});
     for (int i : together)
-        states[i] = with_unit_orientation(world.settings.integrator, states[i]);
+        states[i] = with_unit_orientation(world.settings.integrator_when_held(), states[i]);
     return states;
 }
 

@@ -71,7 +71,7 @@ ContactCandidates find_contacts(World& world, const std::vector<bool>& pulled, d
 // @param divisions  how often the original step was divided to get this one
 std::vector<ContactRecord> step(World& world, double time_step, int divisions)
 {
-    // Formulas other than the reference's may not be thread-safe and run on one thread.
+    // Only the reference's formulas are sure to be thread-safe. All others run on one thread.
     ThreadPool alone;
     ThreadPool& pool = world.settings.formulas_are_reference ? world.pool : alone;
     const std::vector<bool> forced = pulled_bodies(world, time_step);

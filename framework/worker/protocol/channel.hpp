@@ -69,20 +69,21 @@ struct Channel {
     std::atomic<Request> kind;
     std::atomic<std::uint32_t> argument;
     std::atomic<std::uint64_t> request_size;
-    std::atomic<std::uint32_t> request_awaited; // whether the worker may be asleep until `request`
+    std::atomic<std::uint32_t>
+        request_awaited; // not 0: the worker may sleep until `request` changes
     // The formulas whose answers the client gives to a scene, 64 in each word.
     std::array<std::atomic<std::uint64_t>, (formula_count + 63) / 64> given_formulas;
     alignas(64) std::atomic<std::uint32_t> reply;
     std::atomic<ReplyStatus> status;
     std::atomic<std::uint64_t> reply_size;
-    std::atomic<std::uint32_t> reply_awaited; // whether the client may be asleep until `reply`
+    std::atomic<std::uint32_t> reply_awaited; // not 0: the client may sleep until `reply` changes
     Ring stream;                              // from the worker
     Ring answers;                             // from the client
     std::byte payload[capacity];
 };
 
-/// A hash of the contract and of this protocol. A worker that was built with
-/// another one is refused.
+/// A hash of the table of formulas (tags, names, names of arguments) and of the version of this
+/// protocol. A worker whose hash is another one is refused.
 std::uint64_t contract_fingerprint();
 
 /// Wakes the process that sleeps until the word changes, if there may be one.

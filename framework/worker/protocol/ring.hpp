@@ -16,9 +16,10 @@ struct Ring {
 
     // Numbers of bytes written and read since the scene's start, modulo 2^32.
     alignas(64) std::atomic<std::uint32_t> written;
-    std::atomic<std::uint32_t> written_awaited; // whether the reader may be asleep until `written`
+    std::atomic<std::uint32_t>
+        written_awaited; // not 0: the reader may sleep until `written` changes
     alignas(64) std::atomic<std::uint32_t> read;
-    std::atomic<std::uint32_t> read_awaited; // whether the writer may be asleep until `read`
+    std::atomic<std::uint32_t> read_awaited; // not 0: the writer may sleep until `read` changes
     alignas(64) std::byte bytes[size];       // byte n is bytes[n % size]
 
     /// Sets the bytes from number `at` on. @param from  at most `size` of them

@@ -32,7 +32,7 @@ private:
 
 // The longest time of our engine for a scene. With answers that make sense it takes a few seconds;
 // others may give it meshes that grow without end.
-constexpr double longest_run = 30 * patience; // on a processor [s]
+constexpr double longest_run = 30 * sanitizer_factor; // on a processor [s]
 
 // Runs the engine for a scene. @throws NotFinite, WorkerFailure
 template <class Run> auto judged(const Scene& scene, const Run& run)

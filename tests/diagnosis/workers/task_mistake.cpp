@@ -13,7 +13,7 @@ namespace {
 
 using Seconds = std::chrono::duration<double>;
 
-constexpr Seconds for_a_task{1.0 * patience}, for_a_call{0.1 * patience};
+constexpr Seconds for_a_task{1.0 * sanitizer_factor}, for_a_call{0.1 * sanitizer_factor};
 
 struct TaskState {
     Seconds used{};

@@ -60,7 +60,7 @@ TEST_CASE("attack: each failure has its verdict and the run goes on")
                 REQUIRE(failure.subject == subject);
                 REQUIRE(std::string(failure.what()).find(expected.text) != std::string::npos);
             }
-            REQUIRE(Seconds(Clock::now() - start) < Seconds(3 * patience));
+            REQUIRE(Seconds(Clock::now() - start) < Seconds(3 * sanitizer_factor));
             REQUIRE(next_call_is_answered());
         }
     }
@@ -107,7 +107,7 @@ TEST_CASE("attack: a program that does not start says so and is not tried for ev
     const Clock::time_point start = Clock::now();
     for (int repeat = 0; repeat < 50; ++repeat)
         REQUIRE_THROWS_AS(next_call_is_answered(), WorkerFailure);
-    REQUIRE(Seconds(Clock::now() - start) < Seconds(3 * patience));
+    REQUIRE(Seconds(Clock::now() - start) < Seconds(3 * sanitizer_factor));
 }
 
 TEST_CASE("attack: what it printed before its end is kept and only the beginning")

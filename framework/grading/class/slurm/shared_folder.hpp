@@ -57,7 +57,7 @@ public:
     void remove_graded(const std::string& fingerprint) const;
 
     void write_ended(unsigned round, std::size_t task) const;
-    /// The tasks of a job that have ended with controls that were right.
+    /// The tasks of a job that have ended and whose controls were right.
     std::set<std::size_t> ended(unsigned round) const;
 
     void write_control_fault(const std::string& fault) const;
@@ -65,7 +65,7 @@ public:
 
     /// The pattern of the names of log files, for sbatch.
     std::filesystem::path log_pattern(unsigned round) const;
-    /// Whether a task of a job has printed anything here, or at least tried to.
+    /// Whether there is a log file of any task of a job, even an empty one.
     bool has_log(unsigned round) const;
     /// The last line that a task printed; empty if there is none.
     std::string last_words(unsigned round, std::size_t task) const;

@@ -195,7 +195,7 @@ struct SolvePlan {
     double approach = 0; // speed that the impulses have to remove [m/s]
     SweepLimits limits;
     bool may_use_newton = false; // it follows whenever the sweeps do not converge
-    bool is_stack = false;       // a pile's matrix would get too many entries (fill-in)
+    bool is_stack = false;       // not a pile, whose matrix has too much fill-in for Newton
     std::vector<Body> free;      // the bodies of a stack before any impulse
 };
 

@@ -62,11 +62,11 @@ TEST_CASE("own time: a program that computes without end says so and ends itself
 {
     const Child ended = watched(0.5, [] {
         note_formula(FormulaIndex::split_element);
-        compute_for(60 * patience);
+        compute_for(60 * sanitizer_factor);
     });
     CHECK(ended.status == stalled_status);
     CHECK(ended.said == "after split_element it stopped\n");
-    CHECK(watched(0.5, [] { compute_for(60 * patience); }).said == "after  it stopped\n");
+    CHECK(watched(0.5, [] { compute_for(60 * sanitizer_factor); }).said == "after  it stopped\n");
 }
 
 TEST_CASE("own time: calls of formulas show that a program goes on", "[worker]")
