@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// SIMD arithmetic on a quantity of body 1 and the same quantity of body 2. A contact acts on both
-// bodies in the same way, so one instruction can update both.
+// SIMD arithmetic on pairs of numbers: a quantity of body 1, and the same quantity of body 2. A
+// contact acts on both bodies in the same way, so one instruction can update both.
 #pragma once
 
 #include "formulas/types.hpp"
@@ -26,7 +26,7 @@ struct TwoVectors {
     return {Two{a[0], b[0]}, Two{a[1], b[1]}, Two{a[2], b[2]}};
 }
 
-/// The vector of body 1, and the vector of body 2.
+/// The vector of body 1 (`of_first`) and of body 2 (`of_second`).
 inline Vector3d of_first(const TwoVectors& a)
 {
     return {a.x[0], a.y[0], a.z[0]};

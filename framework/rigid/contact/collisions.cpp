@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The collision stage (Guendelman, Bridson and Fedkiw 2003). For each pair of bodies it
-// collects the points that would penetrate, lets the formula choose the deepest approaching one,
-// averages the points that are equally deep, and applies the formula's impulse there.
+// The collision stage (Guendelman, Bridson and Fedkiw 2003). For each pair of bodies it collects
+// the points that would penetrate, lets the formula `deepest_approaching_point` choose one of them,
+// averages the points that are equally deep, and applies the impulse of the formula
+// `collision_impulse` at their mean.
 #include "rigid/contact/collisions.hpp"
 
 #include "formulas/collision.hpp"
@@ -15,8 +16,8 @@ namespace rigor {
 namespace {
 
 // The largest number of sweeps over the pairs of an island, and of bounces of one pair in a sweep.
-// More of them would let an impact pass through more bodies with restitution, but take more time.
-// Contacts that still approach are left to the contact stage.
+// With larger numbers, an impact would pass through more bodies with restitution, but the stage
+// would take more time. Contacts that still approach are left to the contact stage.
 constexpr int most_sweeps = 10;
 constexpr int most_rounds = 4;
 // Points whose depths have at least this ratio are averaged. With a larger value, a box that is
@@ -41,9 +42,9 @@ struct Candidates {
 };
 
 // Whether a contact approaches only by a rotation that does not close it, as at the front of a
-// rolling wheel. `others` is the rest of v·n. Where gravity alone causes it, a bounce at this speed
-// would end within the step (2 others ≥ force_speed, see `is_over_in_the_step`), so the contact
-// stage handles it.
+// rolling wheel. `others` is the rest of v·n. If gravity alone causes this rest, a bounce at its
+// speed would end within the step (2 others ≥ force_speed, see `is_over_in_the_step`), so the
+// contact stage handles it.
 bool only_turns(const ContactConstraint& c, double v_n)
 {
     const double others = v_n - c.turning_speed;
@@ -79,7 +80,7 @@ void collect(const ContactProblem& problem, const ContactPair& pair, Candidates&
     }
 }
 
-// The index that the formula chose. Throws std::out_of_range if it is not valid.
+// The index that `deepest_approaching_point` chose. Throws std::out_of_range if it is not valid.
 int checked(int index, std::size_t size)
 {
     if (index < 0 || static_cast<std::size_t>(index) >= size)
@@ -89,8 +90,8 @@ int checked(int index, std::size_t size)
 }
 
 // The impulse, scaled down if it would increase the energy. With restitution and friction together,
-// Newton's law of restitution may do so (Kane and Levinson 1985, "Dynamics: theory and
-// applications"): ΔE = j·v + ½ jᵀKj.
+// Newton's law of restitution may increase the energy (Kane and Levinson 1985, "Dynamics: theory
+// and applications"): ΔE = j·v + ½ jᵀKj.
 Vector3d without_energy_gain(const Matrix3d& K, const Vector3d& v, const Vector3d& j)
 {
     const double work = j.dot(v), stored = j.dot(optimised::product(K, j)) / 2;

@@ -8,8 +8,8 @@
 namespace rigor {
 
 /// For two bodies that only bounced off each other in this step, moves the bounce to the time of
-/// impact: they fly until they meet, bounce there, and fly on for the rest of the step. A bounce
-/// then keeps the order of accuracy of free flight and, without loss (ε = 1), the energy.
+/// impact: they fly until they meet, bounce there, and fly on for the rest of the step. Such a
+/// bounce has the order of accuracy of free flight and conserves the energy if ε = 1.
 ///
 /// The time of impact is found from the gaps along the flight, by the secant method from a
 /// prediction. The bounce stays as it was if the bodies would meet again within the step, if they
