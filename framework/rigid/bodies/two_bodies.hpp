@@ -42,7 +42,7 @@ inline Vector3d of_second(const TwoVectors& a)
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-/// The same vector for both bodies.
+/// The vector a for body 1 and again for body 2.
 [[gnu::always_inline]] inline TwoVectors broadcast(const Vector3d& a)
 {
     return {Two{a[0], a[0]}, Two{a[1], a[1]}, Two{a[2], a[2]}};

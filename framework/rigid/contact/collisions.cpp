@@ -24,7 +24,7 @@ constexpr int most_rounds = 4;
 // hardly tilted would bounce on one corner; with a smaller one, a tilted box would bounce as if it
 // were level.
 constexpr double equally_deep = 0.9;
-constexpr double same_normal = 1e-9; // largest 1 - n·n' of equal normals n, n', for rounding
+constexpr double same_normal = 1e-9; // largest 1 - n·n' of two normals that count as equal
 // The front point of a rolling wheel moves towards the ground by rotation without reaching it in
 // this step; `turning_speed` is this part of v·n. A remaining approach speed below this share of
 // `turning_speed` is ignored, because the rotation of a step predicts the speed only to first
@@ -37,7 +37,7 @@ constexpr double rounding_share = negligible_share * 1e-9;
 // The points of a pair at which a collision may happen now.
 struct Candidates {
     std::vector<ContactPoint> points;
-    std::vector<int> contacts; // their indices in the problem
+    std::vector<int> contacts; // indices of the same contacts in the problem
     bool any_approaches = false;
 };
 

@@ -108,8 +108,8 @@ struct ContactProblem {
     /// The motions relative to which the speeds of an island are measured: those of the static and
     /// driven bodies that it touches, in the order of their indices. All bodies that never move
     /// count as one. If the island touches none, it is the motion of its center of mass. Speeds in
-    /// the world are not used, because a scene that moves evenly has to give the same result as at
-    /// rest (Galilei 1632).
+    /// the world are not used, because a scene that moves at a constant velocity has to give the
+    /// same result as at rest (Galilei 1632).
     std::vector<Body> grounds_of(const Island& island) const;
     /// Copies of the bodies of an island, in the order of `island.bodies`.
     std::vector<Body> bodies_of(const Island& island) const;

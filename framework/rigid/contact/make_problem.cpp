@@ -48,7 +48,7 @@ void take_bodies(const World& world, std::span<const RigidState> flown,
                                       drive_velocity(*drive, world.time + problem.time_step)});
     problem.bodies.resize(world.bodies.size());
     after_forces.resize(world.bodies.size());
-    constexpr std::size_t grain_size = 64; // bodies
+    constexpr std::size_t grain_size = 64; // least number of bodies in a range
     problem.pool->for_each_range(
         touching.size(), grain_size, [&](std::size_t first, std::size_t last) {
             for (std::size_t k = first; k < last; ++k) {
@@ -186,7 +186,7 @@ struct Filter {
 void take_contacts(const Filter& filter, ContactProblem& problem)
 {
     const std::vector<Contact>& contacts = filter.candidates.contacts;
-    constexpr std::size_t grain_size = 256; // contacts
+    constexpr std::size_t grain_size = 256; // least number of contacts in a range
     problem.contacts = concatenate_ranges(
         *problem.pool, contacts.size(), grain_size, [&](std::size_t first, std::size_t last) {
             return filter.take(std::span(contacts).subspan(first, last - first));
@@ -207,7 +207,7 @@ void find_islands(const World& world, const ContactCandidates& candidates, Conta
         method == ContactMethod::built_in || method == ContactMethod::simultaneous;
     if (!is_iterative || !problem.settings.optimisations.warm_start) return find();
 
-    constexpr std::size_t grain_size = 128; // pairs
+    constexpr std::size_t grain_size = 128; // least number of pairs in a range
     std::atomic<std::uint64_t> started = 0;
     problem.pool->for_each_range_beside(
         find, pairs.size(), grain_size, [&](std::size_t first, std::size_t last) {
@@ -220,7 +220,7 @@ void find_islands(const World& world, const ContactCandidates& candidates, Conta
 // Computes the impulse matrices and, at the same time, splits the island into blocks.
 void prepare(ContactProblem& problem, Island& island)
 {
-    constexpr std::size_t grain_size = 64; // pairs
+    constexpr std::size_t grain_size = 64; // least number of pairs in a range
     const std::span<const ContactPair> pairs = island.pairs;
     std::vector<ContactPair> replaced; // keeps `pairs` valid until all threads are done
     problem.pool->for_each_range_beside(

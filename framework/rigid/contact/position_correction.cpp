@@ -43,7 +43,7 @@ struct CorrectionRow {
     TwoVectors torque;           // r × n
     TwoVectors turn;             // I⁻¹ (r × n)
     double inverse_normal_K = 0; // 1/(nᵀKn)
-    double distance = 0;         // least change of the gap; negative where it may shrink [m]
+    double distance = 0;         // least change of the gap; < 0: the gap may shrink [m]
     double correction = 0;       // sum of the corrections so far, ≥ 0 [kg m]
 };
 

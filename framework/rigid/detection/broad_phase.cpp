@@ -63,7 +63,7 @@ std::vector<BodyPair> in_order(std::vector<BodyPair> pairs, std::size_t bodies)
 // threads; `in_order` sorts them later.
 std::vector<BodyPair> overlapping(const OverlapTree& tree, std::size_t members, ThreadPool& pool)
 {
-    constexpr std::size_t grain_size = 128; // bodies
+    constexpr std::size_t grain_size = 128; // least number of bodies in a range
     const int ranges = pool.range_count(members, grain_size);
     if (ranges == 0) return {};
     constexpr std::size_t parts_per_range = 4; // several, since they differ in size
@@ -84,7 +84,7 @@ std::vector<BodyPair> overlapping(const OverlapTree& tree, std::size_t members, 
 std::vector<BodyPair> search_tree(const std::vector<Bounds>& bounds, const std::vector<int>& moving,
                                   const std::vector<int>& still, ThreadPool& pool)
 {
-    constexpr std::size_t grain_size = 256; // bodies
+    constexpr std::size_t grain_size = 256; // least number of bodies in a range
     const auto parts = static_cast<std::size_t>(pool.range_count(moving.size(), grain_size));
     const OverlapTree tree(bounds, moving, parts, [&pool](int tasks, const auto& build) {
         pool.for_each_task(tasks, build);

@@ -104,7 +104,7 @@ bool come_near(const ContactSearch& search, const BodyPair& pair, double reach)
 
 // The margin of body i if impulses may move it by `farthest`. The limit, chosen by trial, keeps one
 // fast body from giving all others margins as large as its own path. If an impulse moves a body
-// farther than its margin, the contacts there are found in the next step.
+// farther than its margin, the contacts beyond the margin are found in the next step.
 double margin(const ContactSearch& search, int i, double farthest)
 {
     constexpr double most = 0.5; // in radii of the body
@@ -165,7 +165,7 @@ std::vector<double> margins_of(const ContactSearch& search, const std::vector<Bo
     // The largest number of bodies in a row through which an impulse passes in a step. More rounds
     // would widen the margins in longer rows, and take more time. Chosen by trial.
     constexpr int most_rounds = 8;
-    constexpr std::size_t grain_size = 1024; // pairs
+    constexpr std::size_t grain_size = 1024; // least number of pairs in a range
     ImpulsePropagation propagation{bodies, search.travels, std::vector<char>(bodies.size(), true)};
     bool any = true;
     for (int round = 0; round < most_rounds && any; ++round) {
@@ -197,7 +197,7 @@ std::vector<Bounds> bounds_with_impulses(const ContactSearch& search, ThreadPool
     for (const RigidBody& body : search.world.bodies)
         heaviest.mass = std::max(heaviest.mass, impulse_body(search.world, body).mass);
     std::vector<Bounds> wide = search.bounds;
-    constexpr std::size_t grain_size = 128; // bodies
+    constexpr std::size_t grain_size = 128; // least number of bodies in a range
     pool.for_each_range(wide.size(), grain_size, [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {
             const ImpulseBody body = impulse_body(search.world, search.world.bodies[i]);
@@ -306,7 +306,7 @@ Vector3d frame_of_bounds(const World& world, const std::vector<Travel>& frames)
 ContactSearch start_search(const World& world, std::span<const RigidState> flown, double time_step,
                            ThreadPool& pool)
 {
-    constexpr std::size_t grain_size = 32; // bodies
+    constexpr std::size_t grain_size = 32; // least number of bodies in a range
     const std::size_t n = flown.size();
     ContactSearch search{
         world,    std::vector<Travel>(n), std::vector<Bounds>(n), std::vector<double>(n), {},
@@ -347,7 +347,7 @@ ContactCandidates contact_candidates(World& world, std::span<const RigidState> f
     if (pairs.empty()) return std::move(candidates);
     candidates.margins = margins_of(search, pairs, pool);
 
-    constexpr std::size_t grain_size = 128; // pairs
+    constexpr std::size_t grain_size = 128; // least number of pairs in a range
     std::vector<NarrowPhaseResult> all =
         pool.collect_ranges(pairs.size(), grain_size, [&](std::size_t first, std::size_t last) {
             return run_narrow_phase(search, std::span(pairs).subspan(first, last - first));

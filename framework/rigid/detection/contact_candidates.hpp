@@ -15,8 +15,8 @@ struct ContactCandidates {
     // One margin for each body; empty if no bodies are near each other. A contact cannot matter if
     // its gap after free flight is at least the sum of the margins of its two bodies [m].
     std::vector<double> margins;
-    std::vector<double> radii;  // one for each body, about its center of mass; 0 if static [m]
-    std::vector<int> disturbed; // sleeping bodies that have to wake, since another may touch them
+    std::vector<double> radii;  // radius of each body about its center of mass; 0 if static [m]
+    std::vector<int> disturbed; // sleeping bodies that wake, since another body may touch them
 };
 
 /// Finds contact candidates in three stages: the broad phase finds pairs of bodies, the margin of

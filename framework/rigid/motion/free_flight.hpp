@@ -61,7 +61,7 @@ RigidState fly(const Settings& settings, const RigidBody& body, RigidState state
 template <class Work>
 void fly_in_parallel(ThreadPool& pool, std::size_t count, Counters& counters, const Work& work)
 {
-    constexpr std::size_t grain_size = 64; // bodies, see `ThreadPool::for_each_range`
+    constexpr std::size_t grain_size = 64; // least number of bodies in a range
     const int ranges = pool.range_count(count, grain_size);
     if (ranges < 2) return work(std::size_t{0}, count, counters);
     std::vector<Counters> counted(ranges);

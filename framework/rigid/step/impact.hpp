@@ -15,7 +15,7 @@ namespace rigor {
 /// prediction. The bounce stays as it was if the bodies would meet again within the step, if they
 /// touched at its start, or if springs, applied forces or a position correction move one of them.
 ///
-/// @param states  the states of all bodies; those of such pairs are replaced
+/// @param states  the states of all bodies; the states of pairs whose bounce is moved are replaced
 /// @return the contacts of these bounces with their impulses, which are removed from the problem
 std::vector<ContactRecord> bounce_at_impacts(const World& world, ContactProblem& problem,
                                              const std::vector<bool>& pulled,

@@ -56,7 +56,7 @@ double largest(const ContactProblem& problem, std::span<const int> active, const
             found = std::max(found, value(problem.contacts[active[k]]));
         return found;
     };
-    constexpr std::size_t grain_size = 512; // contacts
+    constexpr std::size_t grain_size = 512; // least number of contacts in a range
     if (problem.pool->range_count(active.size(), grain_size) < 2)
         return largest_of(0, active.size());
     const std::vector<double> found =
@@ -196,7 +196,7 @@ bool solve_by_newton(ContactProblem& problem, const Island& island, std::span<co
 struct SolvePlan {
     double approach = 0; // speed that the impulses have to remove [m/s]
     SweepLimits limits;
-    bool may_use_newton = false; // true: it follows if the sweeps do not converge
+    bool may_use_newton = false; // whether Newton's method follows sweeps that do not converge
     bool is_stack = false;       // false: a pile, whose matrix has too much fill-in for Newton
     std::vector<Body> free;      // the bodies of a stack before any impulse
 };
@@ -207,7 +207,7 @@ SolvePlan plan_for(const ContactProblem& problem, const Island& island, std::spa
     const double speed = fastest(problem, island, active, Body());
     const bool is_resting = rests(problem, island, active, problem.grounds_of(island), speed);
     const std::size_t bodies = island.bodies.size();
-    const bool is_on_joint = bodies == 1 && island.pairs.size() > 1; // sweeps converge slowly there
+    const bool is_on_joint = bodies == 1 && island.pairs.size() > 1; // sweeps are slow there
     const bool is_stack = !is_pile(island);
     const bool may_use_newton = (is_resting || is_on_joint) && is_stack;
     const double approach = fastest_approach(problem, active);

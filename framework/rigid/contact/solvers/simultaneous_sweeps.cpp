@@ -65,7 +65,7 @@ private:
     std::span<const int> active_;
     LocalIsland local_;
     ContactResult result_;    // result of the last sweep
-    bool is_current_ = false; // whether the impulses are still those of that sweep
+    bool is_current_ = false; // whether the impulses are those of the last sweep
 };
 
 } // namespace

@@ -14,13 +14,13 @@ namespace rigor {
 /// Appends the contacts of a mesh and another solid shape that are closer than `reach`, at most
 /// eight.
 ///
-/// Surface points of each shape are looked up in the signed distance of the other (Guendelman,
-/// Bridson and Fedkiw 2003, "Nonconvex rigid bodies with stacking"): in the level set of a mesh, or
-/// in the exact distance of any other shape. The normal is the gradient of this distance if it lies
-/// in the cone of the point's own normals, otherwise the direction in this cone that is closest to
-/// it. So a point inside a face pushes along the normal of the face, also at an edge of the other
-/// shape. Edges are tested against edges exactly, so that crossing bars touch although no point of
-/// either lies inside the other.
+/// The surface points of each shape are looked up in the signed distance of the other shape
+/// (Guendelman, Bridson and Fedkiw 2003, "Nonconvex rigid bodies with stacking"): a mesh has its
+/// level set, any other shape its exact distance. The normal is the gradient of the distance if it
+/// lies in the cone of the point's own normals, otherwise the direction in this cone that is
+/// closest to it. So a point inside a face pushes along the normal of the face, also at an edge of
+/// the other shape. Edges are tested against edges exactly, so that crossing bars touch although no
+/// point of one bar lies inside the other.
 ///
 /// @param shape1  a mesh, a box, a cylinder, a cone or an ellipsoid
 /// @param shape2  a mesh
