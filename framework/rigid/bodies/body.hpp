@@ -20,7 +20,8 @@ struct Material {
     double friction = 0.5;    // μ ≥ 0
 };
 
-/// The material of a contact: the smaller restitution, and the geometric mean of the frictions.
+/// The material of a contact between two bodies: the smaller of their restitutions, and the
+/// geometric mean of their frictions.
 inline Material combined(const Material& a, const Material& b)
 {
     return {std::min(a.restitution, b.restitution), std::sqrt(a.friction * b.friction)};
@@ -37,29 +38,30 @@ struct Drag {
 
 /// How long a body has been at rest, and whether it sleeps.
 struct Rest {
-    double duration = 0; // time since the body came to `place` [s]
+    double duration = 0; // time for which the body has stayed at `place` [s]
     RigidState place;
-    int group = -1; // number of the group that fell asleep together; -1 while the body is awake
+    int group = -1; // number of the group that fell asleep together; -1: the body is awake
 
     bool is_asleep() const { return group >= 0; }
 };
 
-/// A rigid body. Object space has its origin at the center of mass and the axes of the scene file.
+/// A rigid body. Its object space has the origin at the center of mass, and the axes in which the
+/// scene file describes the body.
 struct RigidBody {
     std::string name;
     std::vector<Part> parts; // in object space
     Material material;
     Drag drag;
-    int group = 0; // bodies of one group other than 0 pass through each other
+    int group = 0; // bodies of the same group pass through each other; 0: no group
     bool is_static = false;
     std::shared_ptr<const Drive> drive; // the given motion of a static body; null if it never moves
     double mass = 0;                    // [kg]; 0 if static
     Matrix3d inertia = Matrix3d::Zero(); // I_body, about the center of mass [kg m²]
-    BodyInertia inverse; // computed once, through the principal axes; zero if static
+    BodyInertia inverse;                 // 1/M and I_body⁻¹, computed once; zero if static
     // The principal axes Q as columns and the inverse moments along them, I_body⁻¹ = Q diag(J) Qᵀ.
     Matrix3d principal_axes = Matrix3d::Identity();
     Vector3d inverse_moments = Vector3d::Zero(); // J [1/(kg m²)]
-    bool is_isotropic = false; // whether I_body = i δ (δ: identity), so that I(t)⁻¹ = I_body⁻¹
+    bool is_isotropic = false; // I_body = i δ (i: a number, δ: identity), so I(t)⁻¹ = I_body⁻¹
     // Symmetry axis a of a body of revolution: a unit vector in object space with I_body⁻¹ = i δ +
     // k a aᵀ for two numbers i and k. Zero if the body has no such axis.
     Vector3d symmetry_axis = Vector3d::Zero();
@@ -71,11 +73,11 @@ struct RigidBody {
 
     bool is_body_of_revolution() const { return !symmetry_axis.isZero(0); }
 
-    /// Whether the body is static or asleep, so that its pose stays the same in this step. A belt
-    /// counts as still, although its surface moves the bodies on it.
+    /// Whether the pose of the body stays the same in this step: the body sleeps, or it is static
+    /// and no drive moves it. A belt counts as still, although its surface moves the bodies on it.
     bool is_still() const { return (is_static && !changes_place()) || rest.is_asleep(); }
 
-    /// Whether the body is driven along a path. A belt stays where it is.
+    /// Whether a drive moves or turns the body itself. Of a belt only the surface moves.
     bool changes_place() const { return drive && !drive->is_belt; }
 };
 

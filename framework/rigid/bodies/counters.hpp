@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Counts of a run, and the one list of the work that a scene does not need and that is therefore
-// left out ("skips" in messages and benchmarks). `rigor bench skips` measures what each saves.
+// Counters of a run. The table lists all work that is left out because a scene does not need it;
+// messages and benchmarks call this "skips". A switch is the key of a scene file that turns a skip
+// off. `rigor bench skips` measures how much time each skip saves.
 //
 // counter               switch in a scene     decided by
-// isotropic_shortcuts                         motion/free_flight, `fly`: a constant ω
+// isotropic_shortcuts                         motion/free_flight, `fly`: ω is constant
 //  (not counted)                              step/single_body, `is_single_body`: no stages
 // static_skipped                              motion/free_flight, `fly_all`
 // bodies_asleep         sleep                 step/sleep, `fall_asleep`
@@ -13,7 +14,7 @@
 // warm_starts           warm_start            contact/make_problem, `find_islands`
 // early_exits           early_exit            contact/solvers/run_sweeps
 //  (not counted)        optimised_formulas    bodies/settings, `uses_optimised_formulas`
-// level_sets_built                            detection/shapes/distance_field: when first needed
+// level_sets_built                            detection/shapes/distance_field: built when needed
 // flow_skipped                                deformable/elasticity/flow
 // eigenvalues_skipped   stress_bound          deformable/fracture/fracture
 #pragma once
@@ -25,11 +26,11 @@
 
 namespace rigor {
 
-/// Counts of the work that was done since the start, and of the work that was skipped because the
-/// scene did not need it.
+/// Counts of the work that was done since the start of the run, and of the work that was skipped
+/// because the scene did not need it.
 struct Counters {
     std::uint64_t steps = 0;
-    std::uint64_t substeps = 0; // in free flight, without those of step/adaptive_substeps
+    std::uint64_t substeps = 0; // in free flight; those of step/adaptive_substeps are not counted
     std::uint64_t pairs_possible = 0, pairs_tested = 0, pair_searches_saved = 0, contacts = 0;
     std::uint64_t collision_impulses = 0, contact_impulses = 0;
     std::uint64_t isotropic_shortcuts = 0, free_flights = 0, static_skipped = 0;

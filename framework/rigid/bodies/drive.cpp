@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Places and velocities of driven bodies, in closed form: a steady motion, an oscillation along a
-// line, and a steady rotation. No place depends on the one before, so nothing drifts.
+// line, and a steady rotation. Each place follows from the time alone and not from the place
+// before, so errors do not add up.
 #include "rigid/bodies/drive.hpp"
 
 #include <algorithm>
@@ -16,7 +17,7 @@ double elapsed(const Drive& drive, double time)
     return std::clamp(time, drive.start, drive.end) - drive.start;
 }
 
-// The phase of the oscillation [rad].
+// The phase of the oscillation at the moving time s [rad].
 double phase_at(const Drive& drive, double s)
 {
     return 2 * std::numbers::pi * drive.frequency * s + drive.phase;
@@ -29,7 +30,7 @@ Vector3d position_at(const Drive& drive, double time)
     return drive.first_position + s * drive.velocity + swing * drive.amplitude;
 }
 
-// exp(v) q, the orientation q turned by a rotation vector in world space.
+// exp(v) q: the orientation q turned by the rotation vector v in world space.
 Quaternion turned_by(const Quaternion& q, const Vector3d& v)
 {
     const double angle = v.norm();
@@ -52,9 +53,9 @@ DriveVelocity drive_velocity(const Drive& drive, double time)
 DriveVelocity mean_drive_velocity(const Drive& drive, double time, double time_step)
 {
     if (!(time_step > 0)) return drive_velocity(drive, time);
-    // The difference of two positions would lose digits in a short step. So the time in which the
-    // body moves is the step without the times before `start` and after `end`, and the change of
-    // the sine is a product: sin b - sin a = 2 cos((a + b)/2) sin((b - a)/2).
+    // The difference of two positions would lose digits in a short step. So the displacement is
+    // computed without one. The body moves only in the part of the step from `start` to `end`. The
+    // change of the sine is a product: sin b - sin a = 2 cos((a + b)/2) sin((b - a)/2).
     const double waits = std::max(0.0, drive.start - time);
     const double rests = std::max(0.0, time + time_step - drive.end);
     const double moves = std::max(0.0, time_step - waits - rests);

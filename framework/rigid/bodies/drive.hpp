@@ -19,7 +19,7 @@ struct Drive {
     Vector3d amplitude = Vector3d::Zero();        // A, world space [m]
     double frequency = 0;                         // f [Hz]
     double phase = 0;                             // φ [rad]
-    double start = 0, end = 1e300;                // [s]
+    double start = 0, end = 1e300;                // the body moves between these times [s]
     bool is_belt = false;                         // whether only the surface moves
     Vector3d first_position = Vector3d::Zero();   // X₀ [m]
     Quaternion first_orientation;                 // q₀
@@ -30,14 +30,15 @@ struct DriveVelocity {
     Vector3d linear = Vector3d::Zero(), angular = Vector3d::Zero(); // [m/s], [rad/s]
 };
 
-/// The velocity at a time, by the derivative of the path; zero before `start` and from `end` on.
+/// The velocity at a time: the derivative of the path; zero before `start` and from `end` on.
 DriveVelocity drive_velocity(const Drive& drive, double time);
 
 /// The mean velocity over a step: with it the body moves from its place at the start of the step
 /// exactly to its place at the end.
 DriveVelocity mean_drive_velocity(const Drive& drive, double time, double time_step);
 
-/// The state of a driven body at a time. Its angular momentum is zero, since it has no mass.
+/// The state of a driven body at a time. Its angular momentum is zero, since a driven body is
+/// static and its mass is 0.
 RigidState driven_state(const Drive& drive, double time);
 
 } // namespace rigor

@@ -21,7 +21,8 @@ inline Vector3d up_direction(const Vector3d& gravity)
 }
 
 /// Rounds lengths to a unit that follows from the extent of a set of points and not from their
-/// distance to the origin. So a set of points is rounded in the same way wherever it is.
+/// distance to the origin. So a set of points is rounded in the same way wherever it is, unless its
+/// distance to the origin is more than about a thousand times its extent.
 class RoundedLength {
 public:
     /// @param points  the points whose lengths will be rounded

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Mass properties of a body from its parts. Each part's shape has a closed form or a formula of
-// topic `inertia`; the parts are rotated and moved to their places and combined. Then the inverse
-// inertia follows through the principal axes, and with it the axis of symmetry.
+// Mass properties of a body from its parts. For each part they come from a closed form or from a
+// formula of topic `inertia`. The parts are rotated, moved to their places and combined. Then the
+// inverse inertia follows through the principal axes, and with it the axis of symmetry.
 #include "rigid/bodies/mass.hpp"
 
 #include "formulas/inertia.hpp"
@@ -16,9 +16,9 @@ namespace rigor {
 
 namespace {
 
-// Mass properties of half a ball, about its own center of mass. Its flat side is perpendicular to
-// y, at y = direction · flat_side. Its round side points to +y if `direction` is 1, and to -y if it
-// is -1.
+// Mass properties of half a ball; the inertia is about its own center of mass. Its flat side is
+// perpendicular to y, at y = direction · flat_side. Its round side points to +y if `direction` is
+// 1, and to -y if it is -1.
 MassProperties half_ball(double density, double radius, double direction, double flat_side)
 {
     const double m = density * 2.0 / 3 * std::numbers::pi * radius * radius * radius;
@@ -102,8 +102,8 @@ bool is_isotropic(const Matrix3d& inertia)
 
 namespace {
 
-// The axis a of a body of revolution: the one whose moment differs, if the other two are equal to
-// rounding.
+// The symmetry axis of a body of revolution: the principal axis whose moment differs from the other
+// two, if those two are equal up to rounding. Zero for any other body.
 Vector3d symmetry_axis_of(const PrincipalAxes& axes)
 {
     const Vector3d& m = axes.moments; // ascending
@@ -113,8 +113,8 @@ Vector3d symmetry_axis_of(const PrincipalAxes& axes)
     return Vector3d::Zero();
 }
 
-// I_body⁻¹ = Q diag(1/m) Qᵀ, by `principal_axes` and `invert_moments`. An isotropic inertia has the
-// inverse 1/i δ, for which no formula is called.
+// I_body⁻¹ = Q diag(1/m) Qᵀ, by `principal_axes` and `invert_moments`. The inverse of an isotropic
+// inertia i δ is δ/i, for which no formula is called.
 void invert_inertia(RigidBody& body)
 {
     body.is_isotropic = is_isotropic(body.inertia);

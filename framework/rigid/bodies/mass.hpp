@@ -10,13 +10,13 @@ namespace rigor {
 /// Mass properties of parts, each with its own density, in the frame in which their places are
 /// given.
 ///
-/// Calls the formula for each part's shape; cones and tori have no such formula, so their closed
-/// form is used. `world_inertia` is called only for a part whose inertia changes with its rotation,
-/// and `combine` only for a capsule and for several parts.
+/// Calls the formula for each part's shape. There is no formula for cones and tori, so the engine's
+/// own closed form is used. `world_inertia` is called only for a part whose inertia changes with
+/// its rotation, and `combine` only for a capsule and for several parts.
 MassProperties mass_properties(const std::vector<Part>& parts);
 
-/// Whether I = i δ up to 64 times the machine epsilon. This holds for spheres and cubes in any
-/// orientation, and for a zero matrix.
+/// Whether I = i δ (i: a number, δ: identity) up to 64 times the machine epsilon. This holds for
+/// spheres and cubes in any orientation, and for a zero matrix.
 bool is_isotropic(const Matrix3d& inertia);
 
 /// Sets the mass of a body from its parts' densities, and moves the parts so that the origin of
@@ -34,13 +34,13 @@ Vector3d set_mass_from_parts(RigidBody& body);
 void set_mass(RigidBody& body, double mass, const Matrix3d& inertia);
 
 /// Lets a body turn about one axis a alone, by I_body⁻¹ = a aᵀ/(aᵀ I a), or never, if the axis is
-/// zero. Called after the mass is set.
+/// zero. To be called after the mass is set.
 ///
 /// @param axis  in object space, of any length
 void let_turn_about(RigidBody& body, const Vector3d& axis);
 
-/// The angular momentum R I_body ω of a body's rotation. If the body turns about one axis only, the
-/// other part of `state.angular_momentum` is left out: the bearing of the axis has taken it up.
+/// The angular momentum R I_body ω of a body's rotation. If the body can turn about one axis only,
+/// this is only a part of `state.angular_momentum`: the bearing of the axis takes up the rest.
 Vector3d own_angular_momentum(const RigidBody& body, const RigidState& state);
 
 } // namespace rigor

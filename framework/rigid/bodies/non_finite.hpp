@@ -17,7 +17,7 @@ struct NonFiniteState : std::runtime_error {
     double time = 0;            // [s]
 };
 
-/// @throws NonFiniteState that names the first of X, q, V, L that is not finite
+/// @throws NonFiniteState if X, q, V or L is not finite; it names the first of them that is not
 void require_finite(const RigidBody& body, const RigidState& state, double time);
 
 } // namespace rigor

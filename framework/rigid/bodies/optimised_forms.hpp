@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Formulas of topic `collision` in a form that the compiler can inline. They replace only the
-// reference's formulas, and a test checks that both give the same.
+// reference's formulas. A test checks that they give the same results as those.
 #pragma once
 
 #include "rigid/bodies/inlined_product.hpp"
@@ -15,7 +15,8 @@ namespace rigor::optimised {
            body2.angular_velocity.cross(x - body2.position);
 }
 
-/// Inlined form of `impulse_matrix`: (x - X)*ᵀ I⁻¹ (x - X)* by columns, (I⁻¹ (r × eᵢ)) × r.
+/// Inlined form of `impulse_matrix`: δ/M + r*ᵀ I⁻¹ r* with r = x - X. Column i of the second term
+/// is (I⁻¹ (r × eᵢ)) × r.
 [[gnu::always_inline]] inline Matrix3d impulse_matrix(const Body& body, const Vector3d& x)
 {
     const Vector3d r = x - body.position;

@@ -7,25 +7,25 @@
 
 namespace rigor {
 
-/// Rotation matrix of a body, by `to_matrix`. The integrator `matrix` uses Eigen instead, because
-/// assignment A1 needs it and `to_matrix` belongs to A3.
+/// Rotation matrix of a body, by `to_matrix`. With the integrator `matrix`, Eigen computes it
+/// instead, because assignment A1 uses this integrator and `to_matrix` belongs to A3.
 Matrix3d body_rotation(Integrator integrator, const RigidState& state);
 
-/// I(t)⁻¹ = R I_body⁻¹ Rᵀ by `world_inverse_inertia`. For an isotropic body it does not depend on
-/// R.
+/// I(t)⁻¹ = R I_body⁻¹ Rᵀ by `world_inverse_inertia`. For an isotropic body this is I_body⁻¹,
+/// whatever R is.
 Matrix3d inverse_inertia(Integrator integrator, const RigidBody& body, const RigidState& state);
 
 /// ω = I(t)⁻¹ L [rad/s]
 Vector3d angular_velocity(Integrator integrator, const RigidBody& body, const RigidState& state);
 
-/// The body as the formulas take it, in world space. A static body has only its position.
+/// The body in world space, as the formulas take it. Of a static body only the position is set.
 Body body_in_world(Integrator integrator, const RigidBody& body);
 
 /// The quaternion of a rotation matrix, by `quaternion_of`: of q and -q the one nearer to `p`.
 Quaternion nearer_quaternion_of(const Matrix3d& R, const Quaternion& p);
 
-/// min(|p - q|, |p + q|): half the angle [rad] between two orientations, if it is small. The
-/// minimum is taken because q and -q are the same orientation.
+/// min(|p - q|, |p + q|): about half the angle [rad] between two orientations, if this angle is
+/// small. The minimum is taken because q and -q are the same orientation.
 double orientation_distance(const Quaternion& p, const Quaternion& q);
 
 } // namespace rigor

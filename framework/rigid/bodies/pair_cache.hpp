@@ -8,7 +8,8 @@
 
 namespace rigor {
 
-/// Two bodies with body1 < body2. At least one of them moves, so it is neither static nor asleep.
+/// Two bodies with body1 < body2. At least one of them can move: it is not still
+/// (`RigidBody::is_still`).
 struct BodyPair {
     int body1 = 0, body2 = 0;
 
@@ -23,12 +24,12 @@ struct BodyPair {
 struct PairCache {
     enum class Kind : char {
         moving,
-        still,     // static or asleep
+        still,     // `RigidBody::is_still`
         unbounded, // has a plane
     };
 
     std::vector<Bounds> fat_bounds; // one for each body; empty if the cache is empty
-    std::vector<Kind> kinds;        // one for each body, at the time when the fat bounds were made
+    std::vector<Kind> kinds;        // one for each body, as it was when the fat bounds were made
     std::vector<BodyPair> pairs;    // pairs with overlapping fat bounds, in ascending order
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Finds the law of two bodies in a sorted list by bisection. The material of a contact is that of
-// the law, or it is combined from the two bodies.
+// the law; what the law leaves open is combined from the materials of the two bodies.
 #include "rigid/bodies/pair_laws.hpp"
 
 #include <algorithm>

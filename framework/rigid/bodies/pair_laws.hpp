@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What holds for two bodies in particular: their restitution, their friction, and whether they
-// collide at all.
+// Laws for particular pairs of bodies: their restitution, their friction, and whether they collide
+// at all.
 #pragma once
 
 #include "rigid/bodies/body.hpp"
@@ -11,14 +11,16 @@
 
 namespace rigor {
 
-/// A value that is left out follows from the materials of the two bodies.
+/// The law of one pair of bodies. A restitution or friction without a value follows from the
+/// materials of the two bodies.
 struct PairLaw {
     int body1 = 0, body2 = 0;                    // indices of the bodies, body1 < body2
     std::optional<double> restitution, friction; // ε and μ of this pair
     bool collides = true;                        // false: the bodies pass through each other
 };
 
-/// Sorts the laws by their bodies, as the other functions expect them.
+/// Makes `body1` the smaller index in each law, and sorts the laws by `body1`, then by `body2`. The
+/// functions below expect this order.
 void sort_by_pair(std::vector<PairLaw>& laws);
 
 /// The law of two bodies, or null if they have no law of their own.
@@ -29,7 +31,8 @@ const PairLaw* law_of(std::span<const PairLaw> laws, int body1, int body2);
 Material material_between(std::span<const PairLaw> laws, std::span<const RigidBody> bodies,
                           int body1, int body2);
 
-/// The laws of a part of a world.
+/// The laws between the bodies of a part of a world, with the indices that these bodies have in the
+/// part.
 /// @param bodies  for each body of the part, its index in the world
 std::vector<PairLaw> laws_among(std::span<const PairLaw> laws, std::span<const int> bodies);
 

@@ -14,11 +14,11 @@ enum class Integrator {
     exponential,  ///< symplectic Euler with `advance_exact`
     buss,         ///< `step_buss`
     runge_kutta,  ///< fourth order on (X, q, V, L)
-    gram_schmidt, ///< symplectic Euler with `advance_matrix` and `gram_schmidt`, to watch its bias
-    euler_angles, ///< symplectic Euler with `euler_rates`, to watch it at gimbal lock
+    gram_schmidt, ///< symplectic Euler with `advance_matrix` and `gram_schmidt`; shows its bias
+    euler_angles, ///< symplectic Euler with `euler_rates`; shows how it fails at gimbal lock
     /// The default: a body that only gravity acts on flies exactly, by Jacobi's solution for the
-    /// free rotor. A body that springs, forces or contacts act on takes `runge_kutta`. It stays the
-    /// last value, by which lists of integrators are checked.
+    /// free rotor. A body that springs, forces or contacts act on takes `runge_kutta`. It has to
+    /// stay the last value, because checks take the number of integrators from it.
     exact,
 };
 
@@ -32,15 +32,15 @@ enum class ContactMethod {
     simultaneous,      ///< as `built_in`, with the sweeps of `resolve_simultaneously`
 };
 
-/// Optimisations that leave out work that a scene does not need. Each is used if true, and can be
-/// turned off to check that the result stays the same and to measure the time it saves.
-/// counters.hpp lists all work that is left out, also what cannot be turned off.
+/// Optimisations that leave out work that a scene does not need. Each is used if true. It can be
+/// turned off, to check that the result stays the same and to measure the time that it saves.
+/// counters.hpp lists all work that is left out, with or without a switch here.
 struct Optimisations {
     bool islands = true;      ///< solves each group of touching bodies on its own
     bool sleep = true;        ///< skips bodies that have come to rest
     bool warm_start = true;   ///< starts from the impulses of the previous step
     bool early_exit = true;   ///< ends the sweeps as soon as the impulses no longer change
-    bool stress_bound = true; ///< computes eigenvalues of a stress only where a bound is too high
+    bool stress_bound = true; ///< skips eigenvalues of a stress that is too low for a crack
     /// Runs faster forms of the reference's formulas, which give the same results. Formulas of
     /// other implementations are always called as they are written.
     bool optimised_formulas = true;

@@ -19,19 +19,19 @@ struct WarmContact {
     Vector3d mean_force = Vector3d::Zero(); // impulse on body 1, divided by the time step [N]
 };
 
-/// A resolved contact of a step.
+/// A contact that got an impulse in a step.
 struct ContactRecord {
     int body1 = 0, body2 = 0;
     Vector3d point = Vector3d::Zero();   // [m]
     Vector3d normal = Vector3d::UnitY(); // from body 2 to body 1
-    double depth = 0; // at the start of the step; negative for a gap that closed in it [m]
+    double depth = 0; // at the start of the step; negative: a gap, which closed in the step [m]
     Vector3d impulse = Vector3d::Zero(); // on body 1, summed over the step [N s]
 };
 
-/// `finish_step` (step/step_result) writes the warm contacts, step/sleep the sleeping ones,
-/// detection/broad_phase the pairs.
+/// What a step leaves for the next one. `finish_step` (step/step_result) writes the warm contacts,
+/// step/sleep the sleeping contacts, and detection/broad_phase the pairs.
 struct StepMemory {
-    std::vector<WarmContact> warm_contacts;       // sorted by their bodies
+    std::vector<WarmContact> warm_contacts;       // sorted by `body1`, then `body2`
     std::vector<ContactRecord> sleeping_contacts; // contacts that hold the sleeping bodies
     PairCache pairs; // saves work only: the results are bitwise the same without it
 };

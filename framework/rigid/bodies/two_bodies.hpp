@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// SIMD arithmetic on a quantity of body 1 and the same quantity of body 2. A contact acts on both
-// bodies in the same way, so one instruction can update both.
+// SIMD arithmetic on pairs of numbers: a quantity of body 1, and the same quantity of body 2. A
+// contact acts on both bodies in the same way, so one instruction can update both.
 #pragma once
 
 #include "formulas/types.hpp"
@@ -26,7 +26,7 @@ struct TwoVectors {
     return {Two{a[0], b[0]}, Two{a[1], b[1]}, Two{a[2], b[2]}};
 }
 
-/// The vector of body 1, and the vector of body 2.
+/// The vector of body 1 (`of_first`) and of body 2 (`of_second`).
 inline Vector3d of_first(const TwoVectors& a)
 {
     return {a.x[0], a.y[0], a.z[0]};
@@ -42,7 +42,7 @@ inline Vector3d of_second(const TwoVectors& a)
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-/// The same vector for both bodies.
+/// The vector a for body 1 and again for body 2.
 [[gnu::always_inline]] inline TwoVectors broadcast(const Vector3d& a)
 {
     return {Two{a[0], a[0]}, Two{a[1], a[1]}, Two{a[2], a[2]}};

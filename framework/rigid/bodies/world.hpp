@@ -18,11 +18,11 @@ namespace rigor {
 struct Spring {
     int body1 = -1, body2 = -1;
     Vector3d point1 = Vector3d::Zero(),
-             point2 = Vector3d::Zero(); // object space, or world space [m]
+             point2 = Vector3d::Zero(); // in the body's object space; world space if body = -1 [m]
     double stiffness = 0;               // [N/m]
     double damping = 0;                 // along the spring [N s/m]
     double rest_length = 0;             // [m]
-    bool only_pulls = false;            // a rope: slack while it is shorter than `rest_length`
+    bool only_pulls = false;            // true: a rope, slack while shorter than `rest_length`
 };
 
 /// A force on a point of a body and a torque, which act from `start` to `end`. If the frequency f
@@ -34,7 +34,7 @@ struct AppliedForce {
     Vector3d point = Vector3d::Zero();         // object space [m]
     double start = 0, end = 1e300;             // [s]
     Vector3d torque = Vector3d::Zero();        // [N m]
-    bool turns_with_body = false;              // whether force and torque are in object space
+    bool turns_with_body = false;              // true: `force` and `torque` are in object space
     double frequency = 0;                      // f [Hz]; 0: constant
     double phase = 0;                          // φ [rad]
     std::function<double(double)> factor = {}; // a function of the time [s]; empty: 1
@@ -42,13 +42,14 @@ struct AppliedForce {
 
 /// Everything that a time step reads and changes: state, settings, and the memory of the last step.
 /// step/adaptive_substeps.cpp and step/impact.cpp make parts of a world. They copy the settings as
-/// a whole, but a new member that the bodies of a part need has to be copied there.
+/// a whole, but if `World` gets a new member that the bodies of a part need, both files have to
+/// copy it.
 struct World {
     double time = 0; // [s]
     std::vector<RigidBody> bodies;
     std::vector<Spring> springs;
     std::vector<AppliedForce> forces;
-    std::vector<PairLaw> pair_laws; // sorted by their bodies
+    std::vector<PairLaw> pair_laws; // sorted by `body1`, then `body2`
 
     Settings settings;
 

@@ -17,7 +17,7 @@ namespace {
 // A large island is divided into 3 or 7 slabs with the same number of bodies, and one slab at each
 // end with half of that number. So two or four threads get equal shares of the bodies, where the
 // two end slabs count as one. They also get equal shares of the borders between slabs: first of
-// every second border, then of the others.
+// every second border, then of the remaining borders.
 //
 // The least number of bodies in a slab. Smaller slabs would let threads share smaller islands, but
 // more pairs would lie between two slabs. Chosen by trial; `bench pile` shows what a second thread
@@ -28,8 +28,8 @@ constexpr std::size_t bodies_of_a_slab = 48;
 constexpr int most_fours = 2;
 
 // The slab of each body of an island. The slabs lie side by side along the longest horizontal
-// extent of the island. All have the same number of bodies, except the first and the last, which
-// have half of it.
+// extent of the island. All have the same number of bodies, except the first and the last slab,
+// which have half that number.
 class Slabs {
 public:
     Slabs(const ContactProblem& problem, std::span<const int> bodies, int fours)

@@ -10,7 +10,7 @@ namespace rigor {
 /// holds the pairs within a slab or between two neighbouring slabs. Blocks of the same color share
 /// no moving body (graph coloring). Within a block the pairs keep their order.
 ///
-/// @return the pairs as they were before, if the island was split
+/// @return the former list `island.pairs` if the island was split, otherwise an empty list
 std::vector<ContactPair> split_into_blocks(const ContactProblem& problem, Island& island);
 
 /// Calls work(k) for each block, one color after the other. The blocks of a color are shared by

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The collision stage (Guendelman, Bridson and Fedkiw 2003). For each pair of bodies it
-// collects the points that would penetrate, lets the formula choose the deepest approaching one,
-// averages the points that are equally deep, and applies the formula's impulse there.
+// The collision stage (Guendelman, Bridson and Fedkiw 2003). For each pair of bodies it collects
+// the points that would penetrate, lets the formula `deepest_approaching_point` choose one of them,
+// averages the points that are equally deep, and applies the impulse of the formula
+// `collision_impulse` at their mean.
 #include "rigid/contact/collisions.hpp"
 
 #include "formulas/collision.hpp"
@@ -15,15 +16,15 @@ namespace rigor {
 namespace {
 
 // The largest number of sweeps over the pairs of an island, and of bounces of one pair in a sweep.
-// More of them would let an impact pass through more bodies with restitution, but take more time.
-// Contacts that still approach are left to the contact stage.
+// With larger numbers, an impact would pass through more bodies with restitution, but the stage
+// would take more time. Contacts that still approach are left to the contact stage.
 constexpr int most_sweeps = 10;
 constexpr int most_rounds = 4;
 // Points whose depths have at least this ratio are averaged. With a larger value, a box that is
 // hardly tilted would bounce on one corner; with a smaller one, a tilted box would bounce as if it
 // were level.
 constexpr double equally_deep = 0.9;
-constexpr double same_normal = 1e-9; // largest 1 - n·n' of equal normals n, n', for rounding
+constexpr double same_normal = 1e-9; // largest 1 - n·n' of two normals that count as equal
 // The front point of a rolling wheel moves towards the ground by rotation without reaching it in
 // this step; `turning_speed` is this part of v·n. A remaining approach speed below this share of
 // `turning_speed` is ignored, because the rotation of a step predicts the speed only to first
@@ -36,14 +37,14 @@ constexpr double rounding_share = negligible_share * 1e-9;
 // The points of a pair at which a collision may happen now.
 struct Candidates {
     std::vector<ContactPoint> points;
-    std::vector<int> contacts; // their indices in the problem
+    std::vector<int> contacts; // indices of the same contacts in the problem
     bool any_approaches = false;
 };
 
 // Whether a contact approaches only by a rotation that does not close it, as at the front of a
-// rolling wheel. `others` is the rest of v·n. Where gravity alone causes it, a bounce at this speed
-// would end within the step (2 others ≥ force_speed, see `is_over_in_the_step`), so the contact
-// stage handles it.
+// rolling wheel. `others` is the rest of v·n. If gravity alone causes this rest, a bounce at its
+// speed would end within the step (2 others ≥ force_speed, see `is_over_in_the_step`), so the
+// contact stage handles it.
 bool only_turns(const ContactConstraint& c, double v_n)
 {
     const double others = v_n - c.turning_speed;
@@ -79,7 +80,7 @@ void collect(const ContactProblem& problem, const ContactPair& pair, Candidates&
     }
 }
 
-// The index that the formula chose. Throws std::out_of_range if it is not valid.
+// The index that `deepest_approaching_point` chose. Throws std::out_of_range if it is not valid.
 int checked(int index, std::size_t size)
 {
     if (index < 0 || static_cast<std::size_t>(index) >= size)
@@ -89,8 +90,8 @@ int checked(int index, std::size_t size)
 }
 
 // The impulse, scaled down if it would increase the energy. With restitution and friction together,
-// Newton's law of restitution may do so (Kane and Levinson 1985, "Dynamics: theory and
-// applications"): ΔE = j·v + ½ jᵀKj.
+// Newton's law of restitution may increase the energy (Kane and Levinson 1985, "Dynamics: theory
+// and applications"): ΔE = j·v + ½ jᵀKj.
 Vector3d without_energy_gain(const Matrix3d& K, const Vector3d& v, const Vector3d& j)
 {
     const double work = j.dot(v), stored = j.dot(optimised::product(K, j)) / 2;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Computes quantities that several stages of contact need. Those of islands come first, then the
-// impulse matrices of contacts and the velocities of driven bodies, and last the change of two
-// bodies by an impulse.
+// Computes quantities that several stages of contact need. The quantities of islands come first,
+// then the impulse matrices of contacts and the velocities of driven bodies, and last the change of
+// the velocities by an impulse.
 #include "rigid/contact/contact_problem.hpp"
 
 #include "rigid/bodies/height_order.hpp"
@@ -150,7 +150,7 @@ Vector3d ContactProblem::velocity_between(std::span<const Body> states, const Co
 double ContactProblem::rounding_speed(const ContactConstraint& c) const
 {
     constexpr double few_errors = 64 * std::numeric_limits<double>::epsilon();
-    double speed = std::abs(c.force_speed); // plus the speeds of the point on both bodies
+    double speed = std::abs(c.force_speed); // the speeds of the point on both bodies follow
     for (const int i : {c.body1, c.body2}) {
         const Body& body = bodies[i];
         speed += body.velocity.lpNorm<1>() +

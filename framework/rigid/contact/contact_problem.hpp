@@ -22,12 +22,12 @@ struct ContactConstraint : Contact {
     // The front of a rolling wheel moves down, but also forward, so that it does not reach the
     // ground in this step. `turning_speed` is the part of v·n with which rotation moves such a
     // point towards the other body, ≤ 0 [m/s]. `passes_by` is the depth that the point would reach
-    // on a straight line, or 0 if it would not reach the other body there either [m].
+    // on a straight line, or 0 if it would not reach the other body on a straight line either [m].
     double turning_speed = 0, passes_by = 0;
     double force_speed = 0;        // change of v·n by the forces in this step [m/s]
     double free_speed = 0;         // v·n after the forces without any impulse [m/s]
     double target_speed = 0;       // v·n after the contact stage [m/s]
-    Matrix3d K = Matrix3d::Zero(); // K₁ + K₂ [1/kg]
+    Matrix3d K = Matrix3d::Zero(); // K₁ + K₂, impulse matrix of both bodies [1/kg]
     double normal_K = 0;           // nᵀKn [1/kg]
     double tangential_K = 0;       // λ, the larger eigenvalue of K in the tangent plane [1/kg]
     // Impulses on body 1 [N s]: from the collision stage, from the contact stage, and the initial
@@ -40,8 +40,8 @@ struct ContactConstraint : Contact {
 /// A gap up to this fraction of a contact's radius counts as touching, where poses are exact up to
 /// rounding. It is far above the rounding error of a position near the origin.
 inline constexpr double touching_gap = 1e-10;
-/// The same fraction for bodies placed by an iteration that may have ended before it converged: the
-/// solver of the last step, or the search for the time of an impact.
+/// The same limit for bodies whose poses come from an iteration that may have ended before it
+/// converged: the solver of the last step, or the search for the time of an impact.
 inline constexpr double nearly_touching_gap = 1e-6;
 
 /// The contacts [first, last) of one pair of bodies, from the lowest up.
@@ -56,14 +56,14 @@ struct IndexRange {
     int first = 0, last = 0;
 };
 
-/// Bodies that are connected by contacts, directly or through other bodies that can move.
+/// Bodies that are not static and that contacts connect, directly or through other such bodies.
 struct Island {
     std::vector<int> bodies;
     std::vector<ContactPair> pairs; // block after block; within a block from the lowest up
     // A large island is split into blocks for several threads, see `split_into_blocks`. Any other
     // island has a single block, or none before it is prepared.
     std::vector<IndexRange> blocks; // ranges of `pairs`
-    std::vector<IndexRange> colors; // ranges of `blocks`; the blocks of each share no moving body
+    std::vector<IndexRange> colors; // ranges of `blocks`; blocks of a color share no moving body
 };
 
 std::size_t contact_count(std::span<const ContactPair> pairs);
@@ -92,7 +92,7 @@ double kinetic_energy_of(std::span<const Body> bodies, const Vector3d& V);
 
 /// Everything that the stages of contact work on.
 struct ContactProblem {
-    std::vector<Body> bodies; // one for each body of the world; empty for bodies without contacts
+    std::vector<Body> bodies; // one for each body of the world; set only for those with contacts
     UninitializedVector<ContactConstraint> contacts;
     std::vector<DrivenBody> driven;
     std::vector<Island> islands; // only those in which two bodies would penetrate
@@ -108,8 +108,8 @@ struct ContactProblem {
     /// The motions relative to which the speeds of an island are measured: those of the static and
     /// driven bodies that it touches, in the order of their indices. All bodies that never move
     /// count as one. If the island touches none, it is the motion of its center of mass. Speeds in
-    /// the world are not used, because a scene that moves evenly has to give the same result as at
-    /// rest (Galilei 1632).
+    /// the world are not used, because a scene that moves at a constant velocity has to give the
+    /// same result as at rest (Galilei 1632).
     std::vector<Body> grounds_of(const Island& island) const;
     /// Copies of the bodies of an island, in the order of `island.bodies`.
     std::vector<Body> bodies_of(const Island& island) const;
@@ -131,7 +131,7 @@ struct ContactProblem {
     double rounding_speed(const ContactConstraint& contact) const;
     /// K₁ + K₂ at a point [1/kg].
     Matrix3d impulse_matrix_at(const ContactConstraint& contact, const Vector3d& x) const;
-    /// Computes K of a contact and the numbers that follow from it.
+    /// Computes K, `normal_K` and `tangential_K` of a contact.
     void set_impulse_matrix(ContactConstraint& contact) const;
     /// Sets the velocities of the driven bodies that an island touches, for the contact stage of
     /// this island. While the island moves with the mean velocity V, its contact points move over
@@ -142,7 +142,8 @@ struct ContactProblem {
     void reset_drives();
     /// Applies j to body 1 and -j to body 2.
     void apply(const ContactConstraint& contact, const Vector3d& x, const Vector3d& j);
-    /// Applies j at x to one body, a copy of one of this problem's. A static body stays as it is.
+    /// Applies j at x to one body, which is a body of this problem or a copy of one. A static body
+    /// stays as it is.
     void push(Body& body, const Vector3d& x, const Vector3d& j) const;
 };
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Islands: groups of bodies connected by contacts, found by union–find over the pairs of moving
 // bodies. The contacts are first grouped into pairs of bodies, and the pairs are sorted by height.
-// Then each pair joins the island of its moving body, and islands in which nothing would penetrate
-// are left out.
+// Then each pair joins the island of its body that is not static, and islands in which nothing
+// would penetrate are left out.
 #include "rigid/contact/islands.hpp"
 
 #include "rigid/bodies/height_order.hpp"
@@ -16,7 +16,7 @@ namespace rigor {
 
 namespace {
 
-// A body of the contact that is not static.
+// A body of the contact that is not static: body 1, or body 2 if body 1 is static.
 int moving_of(const World& world, const Contact& c)
 {
     return world.bodies[c.body1].is_static ? c.body2 : c.body1;

@@ -6,7 +6,8 @@
 
 namespace rigor {
 
-/// Groups the contacts of the same two bodies, which must follow each other in the list.
+/// Groups the contacts by pairs of bodies. The contacts of a pair must follow each other in the
+/// list.
 std::vector<ContactPair> pairs_of(std::span<const ContactConstraint> contacts);
 
 /// Sorts pairs by the height of their lowest contact, which is the first of each pair. The order

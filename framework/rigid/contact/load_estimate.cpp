@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A first estimate of the impulses of an island that rests on static bodies. First it finds which
-// body rests on which one. Then it visits the bodies from the highest to the lowest; each passes
-// its own weight and the load on it to its supports in equal parts.
+// body rests on which other body. Then it visits the bodies from the highest to the lowest; each
+// passes its own weight and the load on it to its supports in equal parts.
 #include "rigid/contact/load_estimate.hpp"
 
 #include <algorithm>
@@ -34,8 +34,8 @@ std::vector<Support> supports_of(const ContactProblem& problem, std::span<const 
     return supports;
 }
 
-// Sets the initial impulse of a contact to a push on the upper body; only the normal part of the
-// push, if it lies outside the friction cone.
+// Sets the initial impulse of a contact to a push on the upper body. If the push lies outside the
+// friction cone, only its normal part is taken.
 void support(ContactProblem& problem, const Support& by, const Vector3d& push)
 {
     ContactConstraint& c = problem.contacts[by.contact];

@@ -6,15 +6,16 @@
 
 namespace rigor {
 
-/// An island as input for the formulas of topic `contact`: a list of bodies and contacts between
-/// them, which are numbered from 0.
+/// An island as input for the formulas of topic `contact`: a list of bodies, and the contacts
+/// between them. The contacts refer to the bodies by their places in this list.
 struct LocalIsland {
     std::vector<int> indices; // indices of the bodies in the world
     std::vector<Body> bodies; // the island's bodies and the static bodies that they touch
     std::vector<BodyContact> contacts;
 };
 
-/// @param active  indices of the contacts in the problem, in the order of the result
+/// @param active  indices of the contacts in the problem; the contacts of the local island have the
+///                same order
 LocalIsland local_island(const ContactProblem& problem, std::span<const int> active);
 
 /// Stores the result of a formula in the problem.

@@ -48,7 +48,7 @@ void take_bodies(const World& world, std::span<const RigidState> flown,
                                       drive_velocity(*drive, world.time + problem.time_step)});
     problem.bodies.resize(world.bodies.size());
     after_forces.resize(world.bodies.size());
-    constexpr std::size_t grain_size = 64; // bodies
+    constexpr std::size_t grain_size = 64; // least number of bodies in a range
     problem.pool->for_each_range(
         touching.size(), grain_size, [&](std::size_t first, std::size_t last) {
             for (std::size_t k = first; k < last; ++k) {
@@ -62,8 +62,9 @@ void take_bodies(const World& world, std::span<const RigidState> flown,
         });
 }
 
-// The second and higher orders of the displacement of a lever arm r by the rotation vector α:
-// (sin α/α - 1) α × r + (1 - cos α)/α² α × (α × r), by Rodrigues' formula (1840).
+// The second and higher orders of the displacement of the end of a lever arm r by the rotation
+// vector α (`turn`): (sin α/α - 1) α × r + (1 - cos α)/α² α × (α × r), by Rodrigues' formula
+// (1840).
 Vector3d bend_of_path(const Vector3d& turn, const Vector3d& r)
 {
     const double angle = turn.norm();
@@ -88,16 +89,17 @@ bool rolls(const RigidBody& body)
 }
 
 // Finds the part of v·n with which the rotation of rolling bodies moves a point towards the other
-// body without closing the gap (`turning_speed`, `passes_by`). A point that moves on along a
-// straight line may reach the other body, although on its real path, a circle, it does not.
+// body without closing the gap (`turning_speed`, `passes_by`). The solver moves a point along a
+// straight line, on which it may reach the other body although it does not on its real path, a
+// circle.
 void set_turning(const ContactProblem& problem, bool rolls1, bool rolls2, ContactConstraint& c)
 {
     // The real path of a point bends away from the straight line. The bend is computed for a fixed
-    // normal, but on a curved surface the normal turns within the step. So the clearance may be
-    // wrong by this share of the bend. Chosen by trial; tests/classics has wheels that roll.
+    // normal, but on a curved surface the normal turns within the step. So the computed clearance
+    // may be wrong by this share of the bend. Chosen by trial; tests/classics has wheels that roll.
     constexpr double bend_tolerance = 0.1;
-    // The time in which each body turns: the step, or 0 for a body with corners, because its
-    // corners do hit the other body.
+    // The time for which the turning of each body is followed: the step, or 0 for a body with
+    // corners, because its corners do hit the other body.
     const Body &body1 = problem.bodies[c.body1], &body2 = problem.bodies[c.body2];
     const double h1 = rolls1 ? problem.time_step : 0, h2 = rolls2 ? problem.time_step : 0;
     const Vector3d turn1 = h1 * body1.angular_velocity, turn2 = h2 * body2.angular_velocity;
@@ -117,7 +119,7 @@ void set_turning(const ContactProblem& problem, bool rolls1, bool rolls2, Contac
     c.turning_speed = turned / problem.time_step;
 }
 
-// What all contacts of a pair of bodies share.
+// The values that all contacts of a pair of bodies share.
 struct PairValues {
     int body1 = -1, body2 = -1;
     double margin = 0, radius = 0; // [m]
@@ -166,7 +168,7 @@ struct Filter {
         c.radius = pair.radius;
     }
 
-    // The contacts that may close in this step. In `contacts`, those of a pair of bodies must
+    // The contacts that may close in this step. In the list, the contacts of a pair of bodies must
     // follow each other.
     UninitializedVector<ContactConstraint> take(std::span<const Contact> contacts) const
     {
@@ -184,7 +186,7 @@ struct Filter {
 void take_contacts(const Filter& filter, ContactProblem& problem)
 {
     const std::vector<Contact>& contacts = filter.candidates.contacts;
-    constexpr std::size_t grain_size = 256; // contacts
+    constexpr std::size_t grain_size = 256; // least number of contacts in a range
     problem.contacts = concatenate_ranges(
         *problem.pool, contacts.size(), grain_size, [&](std::size_t first, std::size_t last) {
             return filter.take(std::span(contacts).subspan(first, last - first));
@@ -205,7 +207,7 @@ void find_islands(const World& world, const ContactCandidates& candidates, Conta
         method == ContactMethod::built_in || method == ContactMethod::simultaneous;
     if (!is_iterative || !problem.settings.optimisations.warm_start) return find();
 
-    constexpr std::size_t grain_size = 128; // pairs
+    constexpr std::size_t grain_size = 128; // least number of pairs in a range
     std::atomic<std::uint64_t> started = 0;
     problem.pool->for_each_range_beside(
         find, pairs.size(), grain_size, [&](std::size_t first, std::size_t last) {
@@ -218,7 +220,7 @@ void find_islands(const World& world, const ContactCandidates& candidates, Conta
 // Computes the impulse matrices and, at the same time, splits the island into blocks.
 void prepare(ContactProblem& problem, Island& island)
 {
-    constexpr std::size_t grain_size = 64; // pairs
+    constexpr std::size_t grain_size = 64; // least number of pairs in a range
     const std::span<const ContactPair> pairs = island.pairs;
     std::vector<ContactPair> replaced; // keeps `pairs` valid until all threads are done
     problem.pool->for_each_range_beside(

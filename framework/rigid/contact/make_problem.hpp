@@ -17,8 +17,8 @@ ContactProblem make_problem(World& world, std::span<const RigidState> flown,
                             const ContactCandidates& candidates, double time_step,
                             ThreadPool& pool);
 
-/// The body with the change of momentum that free flight gave it, still at its place at the
-/// start of the step.
+/// The body with the changes of its velocity and angular momentum in free flight, but with the pose
+/// at the start of the step.
 Body with_forces(Body body, const RigidState& start, const RigidState& flown);
 
 } // namespace rigor

@@ -21,7 +21,7 @@ constexpr int iterations = 10;
 // The load of a heavy body passes through a light one in small parts. Before shock propagation the
 // number of iterations is therefore multiplied by `growth` until contacts approach at no more than
 // `enough_share` of their first speed, as long as no more than `most_visits` contacts are visited.
-// With ten iterations alone, a seesaw's plank passed on only half of a heavy body's weight.
+// With ten iterations alone, the plank of a seesaw passed on only half the weight of a heavy body.
 constexpr double enough_share = 0.02;
 constexpr int growth = 4, most_visits = 4000;
 
@@ -64,7 +64,7 @@ void resolve_one_at_a_time(ContactProblem& problem, std::span<const int> active,
 {
     const LocalIsland local = local_island(problem, active);
     ContactResult result = resolved(problem, local, iterations);
-    if (shock) { // it would lose load that has not reached the ground yet
+    if (shock) { // shock propagation loses load that has not reached the ground
         const double enough = enough_share * fastest_approach(local.bodies, local.contacts);
         const int most = most_visits / static_cast<int>(active.size());
         for (int n = growth * iterations;

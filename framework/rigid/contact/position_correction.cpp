@@ -2,9 +2,8 @@
 // Position correction by pseudo velocities (Catto 2009; also known as split impulses): projected
 // Gauss–Seidel on displacements, with the impulse matrices of the step. For each island it makes a
 // row for each contact that penetrates or could come to penetrate. It then sweeps over the rows as
-// the contact solver does, with displacements in place of velocities. Without gravity a speed
-// corrects penetration instead (Baumgarte 1972), which the contact stage takes from
-// `correction_speed`.
+// the contact solver does, with displacements in place of velocities. Without gravity, the contact
+// stage corrects penetration instead, by a speed (`correction_speed`, Baumgarte 1972).
 #include "rigid/contact/position_correction.hpp"
 
 #include "rigid/bodies/two_bodies.hpp"
@@ -24,8 +23,8 @@ namespace {
 // Box2D, Bullet and ODE); the rate was chosen by trial.
 constexpr double corrected_fraction = 0.2;
 constexpr double correction_rate = 1;
-// Overlap that is left, as a fraction of the radius. In a stack it has the size of rounding errors;
-// in a pile it is the slop that lets the pile come to rest.
+// Overlap that is left uncorrected, as a fraction of the radius. In a stack it has the size of
+// rounding errors; in a pile it is the slop without which the pile would not come to rest.
 constexpr double rounding_slop = 1e-6, pile_slop = resting_overlap;
 constexpr double weightless_slop = 1e-3; // without gravity, where a correction adds energy
 // The sweeps over an island visit about `most_visits` rows in all, but their number stays within
@@ -44,7 +43,7 @@ struct CorrectionRow {
     TwoVectors torque;           // r × n
     TwoVectors turn;             // I⁻¹ (r × n)
     double inverse_normal_K = 0; // 1/(nᵀKn)
-    double distance = 0;         // least change of the gap; negative where it may shrink [m]
+    double distance = 0;         // least change of the gap; < 0: the gap may shrink [m]
     double correction = 0;       // sum of the corrections so far, ≥ 0 [kg m]
 };
 
@@ -52,7 +51,7 @@ struct CorrectionRow {
 struct Rows {
     std::vector<CorrectionRow> all;
     std::uint64_t penetrating = 0;
-    bool needs_correction = false; // whether any contact needs one
+    bool needs_correction = false; // whether any contact needs a correction
 };
 
 CorrectionRow row_of(const ContactProblem& problem, const ContactConstraint& c,
@@ -90,7 +89,7 @@ Rows rows_of(const ContactProblem& problem, const Island& island, const IndexRan
             const double v_n = problem.velocity_at(c, c.point).dot(c.normal);
             const double gap = problem.predicted_gap(c, v_n);
             const double radius = c.radius;
-            if (gap > correction_rate * radius * h) continue; // no correction can close it
+            if (gap > correction_rate * radius * h) continue; // no correction can close the gap
             double distance = -gap;
             if (gap < 0) {
                 const double excess = -gap - slop * radius;

@@ -14,11 +14,11 @@ struct Displacement {
 };
 
 /// Displacements that reduce the penetration of bodies without changing their velocities. In each
-/// step they remove a fifth of it, no faster than one radius of the smaller body per second, and
-/// without bringing other contacts into penetration. The method is projected Gauss–Seidel on pseudo
-/// velocities along the contacts' normals (Catto 2009, "Modeling and solving constraints", Game
-/// Developers Conference), also known as split impulses. Since the velocities stay the same, the
-/// correction adds no kinetic energy and bodies do not jump.
+/// step they remove a fifth of the penetration, no faster than one radius of the smaller body per
+/// second, and without bringing other contacts into penetration. The method is projected
+/// Gauss–Seidel on pseudo velocities along the contacts' normals (Catto 2009, "Modeling and solving
+/// constraints", Game Developers Conference), also known as split impulses. Since the velocities
+/// stay the same, the correction adds no kinetic energy and bodies do not jump.
 ///
 /// In a stack, every penetration above rounding is corrected; otherwise the errors of its contacts
 /// would add up and the stack would lean. In a pile, a slop of 1e-4 of the radius is kept and
@@ -26,7 +26,7 @@ struct Displacement {
 /// the pile would never come to rest.
 ///
 /// Without gravity nothing is corrected here, since a displacement does not conserve angular
-/// momentum. There, `correction_speed` corrects penetration.
+/// momentum. In such a world, `correction_speed` corrects penetration.
 ///
 /// @return one displacement for each body of the world; empty if nothing needs correction
 std::vector<Displacement> position_corrections(const ContactProblem& problem);

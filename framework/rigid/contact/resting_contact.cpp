@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The contact stage of an island. Its active contacts are solved by the world's contact method. If
-// penetration is corrected by a speed, the change of the kinetic energy decides whether the result
-// is kept; if not, the island is solved again without that correction.
+// The contact stage of an island. Its active contacts are solved by the world's contact method.
+// Where penetration is corrected by a speed, the change of the kinetic energy decides whether the
+// result is kept. If it is not kept, the island is solved again without that correction.
 #include "rigid/contact/resting_contact.hpp"
 
 #include "rigid/contact/active_contacts.hpp"
@@ -63,9 +63,9 @@ void resolve(ContactProblem& problem, const Island& island)
     if (!corrects) return solve(problem, island, active);
 
     // A correction by a speed adds energy. It is accepted if the contacts take away at least as
-    // much in this step, or if the added energy is larger than the kinetic energy of the bodies'
-    // relative motion, so that bodies which hardly move relative to each other are corrected at
-    // once. Otherwise it is left to a later step.
+    // much energy in this step, or if the added energy is larger than the kinetic energy of the
+    // bodies' relative motion, so that bodies which hardly move relative to each other are
+    // corrected at once. Otherwise it is left to a later step.
     constexpr double rounding = 2 * std::numeric_limits<double>::epsilon();
     const std::vector<Body> bodies = problem.bodies_of(island);
     const Vector3d V = problem.grounds_of(island).front().velocity;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Warm start of the contacts by the impulses of the previous step. For each pair of bodies it
 // computes the distances between old and new contacts in world space, and matches the nearest ones
-// first. A matched contact starts from the old impulse, projected onto its own friction cone.
+// first. A matched contact starts from the old contact's impulse, projected onto the friction cone
+// of the new contact.
 #include "rigid/contact/warm_start.hpp"
 
 #include "geometry/shapes/pose.hpp"
@@ -42,8 +43,8 @@ class WarmPairs {
 public:
     explicit WarmPairs(std::span<const WarmContact> all) : rest_(all) {}
 
-    // The warm contacts between the bodies of this contact. The first call uses binary search,
-    // later ones go on from where the previous one ended.
+    // The warm contacts between the bodies of this contact. The first call uses binary search; each
+    // later call goes on from where the previous call ended.
     std::span<const WarmContact> between_bodies_of(const ContactConstraint& c)
     {
         const std::pair pair = bodies_of(c);

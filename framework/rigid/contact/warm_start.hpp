@@ -12,7 +12,7 @@ namespace rigor {
 /// radius. The impulse's tangential part is shortened to the contact's own friction cone, and an
 /// impulse that would pull becomes zero.
 ///
-/// @param before  the contacts of the previous step, sorted by their bodies
+/// @param before  the contacts of the previous step, sorted by `body1`, then `body2`
 /// @param poses   the poses of all bodies at the start of the step
 /// @param pairs   pairs of bodies, each with its range of contacts, in ascending order
 /// @return the number of contacts that got an impulse
@@ -20,9 +20,9 @@ std::uint64_t start_warm(std::span<const WarmContact> before, const std::vector<
                          double time_step, std::span<const ContactPair> pairs,
                          std::span<ContactConstraint> contacts);
 
-/// The impulses of this step's contacts, from which the next step can start; none after a step that
-/// took no time. `collect_contacts` (step/step_result) calls it, and `finish_step` stores the
-/// result in `StepMemory::warm_contacts`.
+/// The impulses of the contacts of this step, divided by the time step, from which the next step
+/// can start. An empty list after a step that took no time. `collect_contacts` (step/step_result)
+/// calls it, and `finish_step` stores the result in `StepMemory::warm_contacts`.
 ///
 /// @param contacts  grouped by pairs of bodies, in ascending order
 std::vector<WarmContact> warm_contacts(const std::vector<Pose>& poses,

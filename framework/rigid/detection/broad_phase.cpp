@@ -59,13 +59,14 @@ std::vector<BodyPair> in_order(std::vector<BodyPair> pairs, std::size_t bodies)
     return sorted;
 }
 
-// Finds the pairs, in an order that depends on the number of threads; `in_order` sorts them later.
+// The pairs of bodies whose bounds overlap in the tree, in an order that depends on the number of
+// threads; `in_order` sorts them later.
 std::vector<BodyPair> overlapping(const OverlapTree& tree, std::size_t members, ThreadPool& pool)
 {
-    constexpr std::size_t grain_size = 128; // members
+    constexpr std::size_t grain_size = 128; // least number of bodies in a range
     const int ranges = pool.range_count(members, grain_size);
     if (ranges == 0) return {};
-    constexpr std::size_t parts_per_range = 4; // since parts of the tree differ in size
+    constexpr std::size_t parts_per_range = 4; // several, since they differ in size
     const std::vector<OverlapTree::NodePair> parts =
         tree.parts(ranges < 2 ? 1 : parts_per_range * static_cast<std::size_t>(ranges));
     std::vector<std::vector<BodyPair>> found(ranges);
@@ -83,7 +84,7 @@ std::vector<BodyPair> overlapping(const OverlapTree& tree, std::size_t members, 
 std::vector<BodyPair> search_tree(const std::vector<Bounds>& bounds, const std::vector<int>& moving,
                                   const std::vector<int>& still, ThreadPool& pool)
 {
-    constexpr std::size_t grain_size = 256; // members
+    constexpr std::size_t grain_size = 256; // least number of bodies in a range
     const auto parts = static_cast<std::size_t>(pool.range_count(moving.size(), grain_size));
     const OverlapTree tree(bounds, moving, parts, [&pool](int tasks, const auto& build) {
         pool.for_each_task(tasks, build);
@@ -126,7 +127,8 @@ std::uint64_t pairs_possible(const World& world)
     return among(world.bodies.size()) - among(static_cast<std::uint64_t>(fixed));
 }
 
-// Whether each body has the same kind as before and is still within its fat bounds.
+// Whether the pairs of the cache are valid: each body has the same kind as when they were found,
+// and its bounds lie within its fat bounds.
 bool is_valid(const PairCache& cache, const World& world, const std::vector<Bounds>& bounds)
 {
     if (cache.fat_bounds.size() != bounds.size()) return false;
@@ -160,8 +162,8 @@ std::vector<BodyPair> cached_near_pairs(World& world, const std::vector<Pose>& p
                                         const std::vector<Bounds>& bounds,
                                         const std::vector<double>& margins, ThreadPool& pool)
 {
-    // With fewer bodies, a search takes less time than the check of the cache. The value changes no
-    // result; it was chosen by trial.
+    // With fewer bodies than this, a new search takes less time than the check of the cache. The
+    // value changes no result; it was chosen by trial.
     constexpr std::size_t worth_caching = 64;
     world.counters.pairs_possible += pairs_possible(world);
     if (bounds.size() < worth_caching) return near_pairs(world, poses, bounds, pool);

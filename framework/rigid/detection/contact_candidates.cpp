@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Contact candidates of a step: all pairs of points that may touch before it ends. The bounds of
 // each body are swept over its free flight, and the broad phase finds the pairs whose bounds
-// overlap. Impulses that pass from body to body widen the margins; the narrow phase then looks for
-// contacts within path and margin. All motion is measured relative to other bodies and never to the
-// origin, so a scene that moves evenly has the same contacts as at rest. The search also lists
-// sleeping bodies that another body may touch, since they have to wake before the step goes on.
+// overlap. The margin of a body is how far it may move; impulses that pass from body to body make
+// it larger. The narrow phase then looks for contacts that are closer than the relative path and
+// the margins of both bodies. All motion is measured relative to other bodies and never to the
+// origin, so a scene that moves at a constant velocity has the same contacts as at rest. The search
+// also lists sleeping bodies that another body may touch, since they have to wake before the step
+// goes on.
 #include "rigid/detection/contact_candidates.hpp"
 
 #include "geometry/shapes/shape_bounds.hpp"
@@ -45,13 +47,14 @@ struct Travel {
 Travel travel_of(const RigidState& from, const RigidState& to, double radius, double time_step)
 {
     // A rotation by the angle α changes the quaternion by about α/2. The factor 2.5 instead of 2
-    // allows for a quarter more than α, which covers the chord and an axis that tumbles.
+    // allows for a quarter more than α, which covers the approximation and an axis that changes its
+    // direction.
     constexpr double angle_per_distance = 2.5;
     return {to.position - from.position, time_step * to.velocity,
             angle_per_distance * orientation_distance(from.orientation, to.orientation) * radius};
 }
 
-// The largest distance that a point of one body moves relative to one of the other [m].
+// The largest distance that a point of one body moves relative to a point of the other body [m].
 double path_between(const Travel& a, const Travel& b)
 {
     return std::max((a.moved - b.moved).norm(), (a.at_last_velocity - b.at_last_velocity).norm()) +
@@ -64,8 +67,8 @@ struct ImpulseBody {
     bool is_still = false;
 };
 
-// A body's data for the propagation. If there are pair laws, any of them may give its contacts a
-// restitution up to 1.
+// A body's data for the propagation of impulses. If there are pair laws, any of them may give its
+// contacts a restitution up to 1.
 ImpulseBody impulse_body(const World& world, const RigidBody& body)
 {
     const double restitution = world.pair_laws.empty() ? body.material.restitution : 1;
@@ -86,7 +89,7 @@ struct ContactSearch {
     const World& world;
     std::vector<Travel> motions;  // one for each body
     std::vector<Bounds> bounds;   // one for each body, swept over the step, see `frame_of_bounds`
-    std::vector<double> travels;  // for each body, its largest path, see `frames_of` [m]
+    std::vector<double> travels;  // largest path of each body relative to `frames_of` [m]
     ContactCandidates candidates; // filled in this order: poses and radii, margins, contacts
     double time_step = 0;         // [s]
 };
@@ -101,7 +104,7 @@ bool come_near(const ContactSearch& search, const BodyPair& pair, double reach)
 
 // The margin of body i if impulses may move it by `farthest`. The limit, chosen by trial, keeps one
 // fast body from giving all others margins as large as its own path. If an impulse moves a body
-// farther than its margin, the contacts there are found in the next step.
+// farther than its margin, the contacts beyond the margin are found in the next step.
 double margin(const ContactSearch& search, int i, double farthest)
 {
     constexpr double most = 0.5; // in radii of the body
@@ -118,8 +121,8 @@ struct PossibleTravel {
 // each body whose distance grew in the previous round may push its neighbours.
 struct ImpulsePropagation {
     const std::vector<ImpulseBody>& bodies;
-    std::vector<double> farthest;  // one for each body; the farthest so far [m]
-    std::vector<char> has_changed; // one for each body: changed in the last round
+    std::vector<double> farthest;  // how far each body may move, as found so far [m]
+    std::vector<char> has_changed; // whether each body's distance grew in the last round
 
     std::vector<PossibleTravel> round(const ContactSearch& search,
                                       std::span<const BodyPair> pairs) const
@@ -129,7 +132,7 @@ struct ImpulsePropagation {
             auto [slower, faster] = pair;
             if (!has_changed[slower] && !has_changed[faster]) continue;
             if (farthest[slower] > farthest[faster]) std::swap(slower, faster);
-            if (farthest[faster] <= farthest[slower]) continue; // nothing is passed on
+            if (farthest[faster] <= farthest[slower]) continue; // equal: nothing is passed on
             if (bodies[slower].is_still || bodies[faster].is_still) continue;
             const double passed = speed_transfer(bodies[slower], bodies[faster]) * farthest[faster];
             if (passed <= farthest[slower]) continue;
@@ -159,10 +162,10 @@ std::vector<double> margins_of(const ContactSearch& search, const std::vector<Bo
     bodies.reserve(all.size());
     for (const RigidBody& body : all)
         bodies.push_back(impulse_body(search.world, body));
-    // The number of bodies that an impulse passes through in a step. More rounds would widen the
-    // margins of longer chains, and take more time. Chosen by trial.
+    // The largest number of bodies in a row through which an impulse passes in a step. More rounds
+    // would widen the margins in longer rows, and take more time. Chosen by trial.
     constexpr int most_rounds = 8;
-    constexpr std::size_t grain_size = 1024; // pairs
+    constexpr std::size_t grain_size = 1024; // least number of pairs in a range
     ImpulsePropagation propagation{bodies, search.travels, std::vector<char>(bodies.size(), true)};
     bool any = true;
     for (int round = 0; round < most_rounds && any; ++round) {
@@ -184,8 +187,9 @@ std::vector<double> margins_of(const ContactSearch& search, const std::vector<Bo
     return margins;
 }
 
-// The swept bounds, enlarged by the motion that impulses may add. No body is faster than the
-// fastest or heavier than the heaviest one, so this bounds every propagation.
+// The swept bounds, enlarged by the motion that impulses may add. Each body is taken to be hit by a
+// body with the largest travel and the largest mass of all. So its bounds contain what any
+// propagation could give.
 std::vector<Bounds> bounds_with_impulses(const ContactSearch& search, ThreadPool& pool)
 {
     const double fastest = *std::max_element(search.travels.begin(), search.travels.end());
@@ -193,7 +197,7 @@ std::vector<Bounds> bounds_with_impulses(const ContactSearch& search, ThreadPool
     for (const RigidBody& body : search.world.bodies)
         heaviest.mass = std::max(heaviest.mass, impulse_body(search.world, body).mass);
     std::vector<Bounds> wide = search.bounds;
-    constexpr std::size_t grain_size = 128; // bodies
+    constexpr std::size_t grain_size = 128; // least number of bodies in a range
     pool.for_each_range(wide.size(), grain_size, [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {
             const ImpulseBody body = impulse_body(search.world, search.world.bodies[i]);
@@ -210,7 +214,7 @@ std::vector<Bounds> bounds_with_impulses(const ContactSearch& search, ThreadPool
 std::vector<double> fat_margins(const ContactSearch& search)
 {
     constexpr double radius_share = 0.1; // in radii of the body
-    constexpr double steps_ahead = 3;    // in travels of this step
+    constexpr double steps_ahead = 3;    // in travels of the body in this step
     std::vector<double> margins(search.travels.size());
     for (std::size_t i = 0; i < margins.size(); ++i)
         margins[i] = radius_share * search.candidates.radii[i] + steps_ahead * search.travels[i];
@@ -252,7 +256,7 @@ NarrowPhaseResult run_narrow_phase(const ContactSearch& search, std::span<const 
         found.any_may_meet |= may_meet;
         for (int sleeping : {i, j}) {
             if (!search.world.bodies[sleeping].rest.is_asleep()) continue;
-            if (may_meet && path > 0) found.disturbed.push_back(sleeping); // only by a moving body
+            if (may_meet && path > 0) found.disturbed.push_back(sleeping); // one of the two moves
             found.contacts.resize(first);
         }
     }
@@ -302,7 +306,7 @@ Vector3d frame_of_bounds(const World& world, const std::vector<Travel>& frames)
 ContactSearch start_search(const World& world, std::span<const RigidState> flown, double time_step,
                            ThreadPool& pool)
 {
-    constexpr std::size_t grain_size = 32; // bodies
+    constexpr std::size_t grain_size = 32; // least number of bodies in a range
     const std::size_t n = flown.size();
     ContactSearch search{
         world,    std::vector<Travel>(n), std::vector<Bounds>(n), std::vector<double>(n), {},
@@ -343,7 +347,7 @@ ContactCandidates contact_candidates(World& world, std::span<const RigidState> f
     if (pairs.empty()) return std::move(candidates);
     candidates.margins = margins_of(search, pairs, pool);
 
-    constexpr std::size_t grain_size = 128; // pairs
+    constexpr std::size_t grain_size = 128; // least number of pairs in a range
     std::vector<NarrowPhaseResult> all =
         pool.collect_ranges(pairs.size(), grain_size, [&](std::size_t first, std::size_t last) {
             return run_narrow_phase(search, std::span(pairs).subspan(first, last - first));
@@ -353,7 +357,7 @@ ContactCandidates contact_candidates(World& world, std::span<const RigidState> f
                         [](std::size_t sum, const NarrowPhaseResult& found) {
                             return sum + found.contacts.size();
                         });
-    candidates.contacts = std::move(all[0].contacts); // empty at this point
+    candidates.contacts = std::move(all[0].contacts); // `candidates.contacts` was empty
     candidates.contacts.reserve(contacts);
     bool any_may_meet = false;
     for (const NarrowPhaseResult& found : all) {
@@ -364,7 +368,7 @@ ContactCandidates contact_candidates(World& world, std::span<const RigidState> f
         any_may_meet |= found.any_may_meet;
         world.counters += found.counters;
     }
-    if (!any_may_meet) candidates.contacts.clear(); // then no formula of collisions is needed
+    if (!any_may_meet) candidates.contacts.clear(); // no formula of topic `collision` is needed
     return std::move(candidates);
 }
 

@@ -12,15 +12,15 @@ namespace rigor {
 struct ContactCandidates {
     std::vector<Contact> contacts; // empty if no bodies are near enough to meet in this step
     std::vector<Pose> poses;       // one for each body, at the start of the step
-    // One for each body; empty if no bodies are near each other. After free flight, a contact with
-    // a gap of at least the sum of both bodies' margins cannot matter [m].
+    // One margin for each body; empty if no bodies are near each other. A contact cannot matter if
+    // its gap after free flight is at least the sum of the margins of its two bodies [m].
     std::vector<double> margins;
-    std::vector<double> radii;  // one for each body, about its center of mass; 0 if static [m]
-    std::vector<int> disturbed; // sleeping bodies that have to wake, since another may touch them
+    std::vector<double> radii;  // radius of each body about its center of mass; 0 if static [m]
+    std::vector<int> disturbed; // sleeping bodies that wake, since another body may touch them
 };
 
-/// Finds contact candidates in three stages: the broad phase finds pairs of bodies, the margins of
-/// bodies grow by the motion that impulses may add, and the narrow phase finds the contacts.
+/// Finds contact candidates in three stages: the broad phase finds pairs of bodies, the margin of
+/// each body grows by the motion that impulses may add, and the narrow phase finds the contacts.
 ///
 /// @param flown  the states after free flight
 ContactCandidates contact_candidates(World& world, std::span<const RigidState> flown,

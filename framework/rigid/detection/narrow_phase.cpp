@@ -36,16 +36,16 @@ void find_sphere_contacts(const PlacedSphere& a, const PlacedSphere& b, double r
     const double distance = d.norm();
     const double gap = distance - a.radius - b.radius;
     if (gap >= reach) return;
-    const Vector3d n = distance > 0 ? Vector3d(d / distance) : Vector3d::UnitY(); // concentric: up
+    const Vector3d n = distance > 0 ? Vector3d(d / distance) : Vector3d::UnitY(); // same center: up
     contacts.push_back({b.center + (b.radius + gap / 2) * n, n, gap});
 }
 
-// The way out of a box for a sphere: the normal at the point of the box that is nearest to the
-// sphere, and the gap along it.
+// A sphere and a box: the normal at the point of the box that is nearest to the sphere, and the gap
+// along this normal.
 struct SphereBoxGap {
     Vector3d n = Vector3d::Zero();
     double gap = 0;
-    bool is_inside = false; // whether the center is inside; then n is that of the nearest face
+    bool is_inside = false; // the center is inside; n is that of the nearest face
 };
 
 // @param c  the sphere's center in the frame of the box
@@ -67,16 +67,17 @@ SphereBoxGap sphere_box_gap(const Vector3d& half, const Vector3d& c, double radi
     return out;
 }
 
-// A normal along which a sphere at c and a box are apart: their distance now and after the move d.
+// A normal along which a sphere and a box are apart, and their distance along it, now and after the
+// move of the sphere.
 struct SeparatingNormal {
     Vector3d n;
     double now, then;
 };
 
-// Finds the normal along which the sphere and the box overlap least after the move, among those
-// along which they are apart now. Candidates are the normals of the faces and, if the shapes do not
-// overlap after the move, the normal there. So a sphere that rolls over the joint between two
-// boxes, or falls onto it, does not run into the edge of the second box.
+// Finds the normal along which the sphere at c and the box overlap least after the move d of the
+// sphere, among the normals along which they are apart now. Candidates are the normals of the faces
+// and, if the shapes do not overlap after the move, the normal there. So a sphere that rolls over
+// the joint between two boxes, or falls onto it, does not run into the edge of the second box.
 void improve_by_looking_ahead(const Vector3d& half, const Vector3d& c, const Vector3d& d,
                               double radius, SeparatingNormal& best)
 {
@@ -106,7 +107,7 @@ void find_sphere_contacts(const PlacedSphere& sphere, const Box& box, const Pose
 }
 
 // Whether the shapes are in the order of the variant `Shape`, where shapes with a core come first
-// and planes last. If not, the two shapes are exchanged.
+// and planes last. If not, `find_in_any_order` exchanges the two shapes.
 bool is_in_order(const Shape& a, const Shape& b)
 {
     return a.index() <= b.index();

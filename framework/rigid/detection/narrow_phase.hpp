@@ -10,13 +10,13 @@ namespace rigor {
 
 /// Appends the contacts of two shapes that are closer than `reach`.
 ///
-/// A sphere has one contact with a plane, a box or another sphere (then in the middle of the gap),
-/// and maybe several with a torus or a mesh. Each normal passes through the center of the sphere,
-/// so an impulse without friction never spins it.
+/// A sphere has one contact with a plane, a box or another sphere (between two spheres, in the
+/// middle of the gap), and maybe several with a torus or a mesh. Each normal passes through the
+/// center of the sphere, so an impulse without friction never spins it.
 ///
 /// The methods for other shapes are in plane_contact.hpp, core_contact.hpp (capsules and tori),
-/// box_box.hpp, convex_contact.hpp (two other convex shapes) and mesh_contact.hpp (a mesh that is
-/// not convex). Two planes never touch.
+/// box_box.hpp, convex_contact.hpp (all other pairs of convex shapes) and mesh_contact.hpp (a mesh
+/// that is not convex). Two planes never touch.
 ///
 /// Two capsules are sampled like any capsule (core_contact.hpp), although their distance has a
 /// closed form. In `find_ordered`, such a form would have to come before the samples.
@@ -36,7 +36,7 @@ void find_contacts(const World& world, const std::vector<Pose>& poses, int body1
                    double reach, std::vector<Contact>& contacts, Counters& counters,
                    double time_step = 0);
 
-/// The same, without counters.
+/// As above, without counters and without looking ahead.
 void find_contacts(const World& world, const std::vector<Pose>& poses, int body1, int body2,
                    double reach, std::vector<Contact>& contacts);
 

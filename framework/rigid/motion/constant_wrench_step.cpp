@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // One step under a constant wrench, by Buss's augmented fourth-order method (2000). It computes ω
-// and its derivatives, then the mean angular velocity Ω, and then one rotation by Ω h. The exact
-// Ω of a body without torque can take the place of the series.
+// and its derivatives, from a series of these the mean angular velocity Ω, and then one rotation by
+// Ω h. For a body without torque, the exact Ω can replace the series.
 #include "rigid/motion/constant_wrench_step.hpp"
 
 #include "formulas/rotation.hpp"
@@ -12,7 +12,7 @@ namespace rigor {
 
 namespace {
 
-// Ω: the constant angular velocity that gives the same rotation as the changing one.
+// Ω: the constant angular velocity that gives the same rotation over the step as the changing ω.
 Vector3d mean_angular_velocity(const Matrix3d& J, const Vector3d& L, const Vector3d& torque,
                                double h)
 {
@@ -20,7 +20,7 @@ Vector3d mean_angular_velocity(const Matrix3d& J, const Vector3d& L, const Vecto
     const auto J_dot = [&J](const Vector3d& spin, const Vector3d& x) -> Vector3d {
         return spin.cross(J * x) - J * spin.cross(x);
     };
-    // ω̇ = -J a,  a = ω × L - τ,  and its derivatives, L̇ = τ
+    // ω̇ = -J a  with  a = ω × L - τ.  Then the derivatives of a and of ω̇, by L̇ = τ.
     const Vector3d a = w.cross(L) - torque;
     const Vector3d w1 = -J * a;
     const Vector3d a1 = w1.cross(L) + w.cross(torque);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Elliptic integrals by Carlson's duplication (1995, "Numerical computation of real or complex
-// elliptic integrals", Numer. Algorithms 10): it brings the arguments together until a series
-// converges at once. Elliptic functions by the arithmetic-geometric mean (Bulirsch 1965, "Numerical
-// calculation of elliptic integrals and elliptic functions", Numer. Math. 7).
+// elliptic integrals", Numer. Algorithms 10): the arguments are brought closer together until a
+// short series is exact to rounding. Elliptic functions by the arithmetic-geometric mean (Bulirsch
+// 1965, "Numerical calculation of elliptic integrals and elliptic functions", Numer. Math. 7).
 #include "rigid/motion/elliptic_functions.hpp"
 
 #include <algorithm>
@@ -15,15 +15,17 @@ namespace rigor {
 
 namespace {
 
-// The series leave out terms of sixth order, so the arguments may differ by (ε/4)^(1/6).
+// The series leave out terms of sixth order. So they are exact to rounding if the arguments differ
+// from their mean A by at most this fraction of A, (ε/4)^(1/6).
 const double spread_left = std::pow(std::numeric_limits<double>::epsilon() / 4, 1.0 / 6);
 
-// The arithmetic and the geometric mean converge quadratically. If they differ by less than this,
-// half their sum equals their limit except for rounding.
+// The arithmetic and the geometric mean converge quadratically. If they differ by less than this
+// fraction, half their sum equals their common limit except for rounding.
 constexpr double means_differ = 1e-8;
-constexpr int most_means = 20; // m1 = 1e-300 needs 13
+constexpr int most_means = 20; // a limit for the loop; m1 = 1e-300 needs 13 rounds
 
-// The limit ends the loop for infinite arguments. Arguments as far apart as 1 and 1e-300 need 17.
+// The limit ends the loop for infinite arguments. Arguments as far apart as 1 and 1e-300 need 17
+// rounds.
 constexpr int most_duplications = 100;
 
 // R_C(1, 1 + e) = arctan(√e) / √e, which is artanh(√-e) / √-e for e < 0.
@@ -107,7 +109,7 @@ EllipticFunctions elliptic_functions(double u, double m1)
     const double limit = (a + b) / 2;
     EllipticFunctions f{std::sin(limit * u), std::cos(limit * u), 1};
     if (f.sn == 0) return f;
-    // c = a cn/sn on each level, from the last pair of means to the first
+    // c = a cn/sn for each pair of means, from the last pair to the first
     double slope = f.cn / f.sn, c = limit * slope;
     for (; n >= 0; --n) {
         slope *= c;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Wrenches of gravity, springs, applied forces and drag at one time. First it computes the
-// motion of each body and of the points of attachment, then it collects the point forces on each
-// body, and last it adds them up by `net_wrench`.
+// Wrenches of gravity, springs, applied forces and drag at one time. First the motion of each body
+// and of the points of attachment is computed, then the point forces on each body are collected,
+// and last `net_wrench` adds them up.
 #include "rigid/motion/forces.hpp"
 
 #include "formulas/kinematics.hpp"
@@ -21,7 +21,7 @@ bool acts(const AppliedForce& force, double time)
     return force.start <= time && time < force.end;
 }
 
-// One end of a spring: its position and, if the spring damps, its velocity.
+// One end of a spring in world space: its position and, if the spring damps, its velocity.
 struct SpringEnd {
     Vector3d x = Vector3d::Zero(), v = Vector3d::Zero();
 };
@@ -75,7 +75,7 @@ ForceRate fastest_force_rate(const World& world)
         const BodyInertia& inverse = world.bodies[body].inverse;
         return inverse.inverse_mass + r.squaredNorm() * inverse.inverse_inertia.norm();
     };
-    std::vector<double> stiffness(world.bodies.size(), 0), damping = stiffness; // Σ k K and Σ c K
+    std::vector<double> stiffness(world.bodies.size(), 0), damping = stiffness; // Σ k K, Σ c K
     for (const Spring& spring : world.springs) {
         const double K =
             compliance(spring.body1, spring.point1) + compliance(spring.body2, spring.point2);
@@ -156,7 +156,7 @@ void AppliedWrenches::add_spring(const Spring& spring)
     push(spring.body2, -tension * u, end2.x);
 }
 
-// f(t) = factor(t) sin(2π f t + φ) f, and the same for the torque.
+// Multiplies force and torque by factor(t) sin(2π f t + φ), where f is the frequency.
 void AppliedWrenches::add_force(const AppliedForce& force, double now)
 {
     const Motion& m = motions_[force.body];

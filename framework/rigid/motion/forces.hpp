@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Forces on bodies apart from contacts: gravity, springs, applied forces.
+// Forces on bodies apart from contacts: gravity, springs, applied forces and drag.
 #pragma once
 
 #include "rigid/bodies/world.hpp"
@@ -8,7 +8,7 @@
 
 namespace rigor {
 
-/// Position and velocity of a body at one moment, on which the forces depend.
+/// Pose and velocities of a body at one time, from which the forces are computed.
 struct Motion {
     Matrix3d R = Matrix3d::Identity();
     Vector3d X = Vector3d::Zero();     // [m]
@@ -20,25 +20,25 @@ struct Motion {
 /// False for static bodies.
 std::vector<bool> pulled_bodies(const World& world, double time_step);
 
-/// The same, and also true for awake bodies that a medium brakes.
+/// The list `pulled` of `pulled_bodies`, with true also for each awake body that a medium brakes.
 std::vector<bool> with_dragged_bodies(std::vector<bool> pulled, const World& world);
 
-/// A rate and the body that has it; -1 if no body has any.
+/// A rate, and the index of the body that has it; -1 if no body has a rate above 0.
 struct ForceRate {
     double rate = 0; // [1/s]
     int body = -1;
 };
 
 /// A bound on the fastest rate at which springs, dampers and forces change the motion of a body:
-/// the highest angular frequency of a vibration or rate of a decay. With K = 1/M + r² |I⁻¹|
-/// at each end of a spring, no ω² exceeds the largest Σ k (K₁ + K₂) over the springs of one body,
-/// and no rate of decay the largest Σ c (K₁ + K₂). A force adds its own ω = 2π f, and a medium the
-/// rates (c + k |V|)/M and d |I⁻¹|.
+/// the highest angular frequency of a vibration or rate of a decay. Let K = 1/M + r² |I⁻¹| at each
+/// end of a spring. For the springs of one body, ω² is at most Σ k (K₁ + K₂), and the rate of a
+/// decay is at most Σ c (K₁ + K₂). An oscillating force has the rate 2π f, and a medium the rates
+/// (c + k |V|)/M and d |I⁻¹|. The result is the largest of all these.
 ForceRate fastest_force_rate(const World& world);
 
 /// The wrench of gravity alone. For the integrator `matrix` it is a point force at the center of
-/// mass, through `net_wrench`; for the others it is `gravity_wrench`. Without gravity no formula is
-/// called.
+/// mass, through `net_wrench`; for all others it comes from `gravity_wrench`. Without gravity no
+/// formula is called.
 Wrench gravity_on(const Settings& settings, const RigidBody& body, const Vector3d& X);
 
 /// The wrenches of springs, applied forces, drag and gravity, computed for one time after another.
@@ -49,20 +49,21 @@ public:
     ///                medium brakes, in ascending order
     AppliedWrenches(const World& world, std::span<const int> bodies);
 
-    /// Net force and torque on each of those bodies, in the same order.
+    /// Net force and torque on each body of the list `bodies` of the constructor, in its order.
     ///
     /// The points of attachment are computed by `world_point` and, if any spring damps, their
-    /// velocities by `point_velocity`. For a body on which nothing pulls, no formula is called.
+    /// velocities by `point_velocity`. `net_wrench` adds up the point forces on a body, if there
+    /// are any.
     ///
     /// @param states  the states of all bodies of the world
-    /// @param middle  the time in the middle of the step [s]. A force that acts then acts during
-    ///                the whole step, so that a force from the start of one step to the start of
-    ///                another one gives its full impulse.
+    /// @param middle  the time in the middle of the step [s]. A force that acts at this time counts
+    ///                as acting during the whole step. So a force that starts and ends together
+    ///                with steps gives its full impulse.
     /// @param now     the time of these states [s]
     const std::vector<Wrench>& at(std::span<const RigidState> states, double middle, double now);
 
-    /// Whether any spring damps or a medium brakes a body. If not, the wrenches depend on positions
-    /// and the time alone.
+    /// Whether any spring damps or a medium brakes a body. If not, the wrenches depend only on the
+    /// poses and on the time.
     bool depends_on_velocities() const { return depends_on_velocities_; }
 
 private:
@@ -73,7 +74,7 @@ private:
     const World& world_;
     std::span<const int> bodies_;
     bool depends_on_velocities_ = false;
-    std::vector<int> driven_;                     // driven bodies with springs
+    std::vector<int> driven_;                     // driven bodies to which a spring is attached
     std::vector<Motion> motions_;                 // one for each body of the world
     std::vector<std::vector<PointForce>> forces_; // one list for each body of the world
     std::vector<Vector3d> torques_;               // one for each body of the world [N m]

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The states after a free flight: of one body, by the integrator's own step, and of all bodies of a
-// world. Bodies that fly alone come first; then those that springs tie together advance stage by
-// stage, since their forces depend on each other. The methods are named in the header.
+// world. Bodies that fly alone come first. Then all bodies on which springs or forces pull advance
+// together, stage by stage, since the force of a spring depends on both its bodies. The header
+// names the methods.
 #include "rigid/motion/free_flight.hpp"
 
 #include "formulas/rotation.hpp"
@@ -126,7 +127,8 @@ int count_substeps(int n, Counters& counters)
     return n;
 }
 
-// The times of a step: when it begins, and its middle, which decides what forces act [s].
+// Two times of a substep [s]: its start, and its middle. An applied force that acts at the middle
+// acts during the whole substep.
 struct StepTimes {
     double start = 0, middle = 0;
 };

@@ -4,24 +4,25 @@
 // The default integrator, `exact`, is exact for a body that gravity alone acts on: a parabola and
 // the free rotor of free_rotation.hpp. All other bodies take `runge_kutta`.
 //
-// The integrator `runge_kutta` has three methods of fourth order. A body that gravity alone acts on
-// takes the method of constant_wrench_step.hpp.
+// The integrator `runge_kutta` has three methods of fourth order, for three kinds of bodies. A body
+// that gravity alone acts on takes the method of constant_wrench_step.hpp.
 //
-// Bodies on which springs or applied forces pull take kicks and free flights in turns: the
-// symplectic Runge–Kutta–Nyström method SRKN6b of Blanes and Moan (2002, "Practical symplectic
+// For bodies on which springs or applied forces pull, kicks (impulses) and free flights alternate:
+// the symplectic Runge–Kutta–Nyström method SRKN6b of Blanes and Moan (2002, "Practical symplectic
 // partitioned Runge–Kutta and Runge–Kutta–Nyström methods", J. Comput. Appl. Math. 142).
 //
 //     kick by bᵢ:    V += bᵢ h F/M,  L += bᵢ h τ
 //     flight by aᵢ:  the free flight without a wrench that takes aᵢ h
 //     order:         b₁ a₁ b₂ a₂ b₃ a₃ b₄ a₃ b₃ a₂ b₂ a₁ b₁
 //
-// On a pendulum it is as accurate as Runge–Kutta 4 with steps a sixth as long, it keeps the energy
-// for any number of swings, and on a spring it is stable up to √(k/M) h = 5, where Runge–Kutta 4
-// ends at 2.8. It needs forces that depend on positions alone.
+// On a pendulum this method is as accurate as Runge–Kutta 4 with steps a sixth as long, and its
+// energy does not drift with the number of swings. On a spring it is stable up to √(k/M) h = 5,
+// Runge–Kutta 4 only up to 2.8. It needs forces that do not depend on velocities.
 //
-// A stiffer spring or damper divides the step of all pulled bodies into substeps h, so short that
-// √(k/M) h of each spring and c h/M of each damper are at most 0.5. The other integrators do not
-// divide the step, so that students can watch where they become unstable.
+// If a spring or damper is too stiff for the step, the step of all pulled bodies is divided into
+// substeps h, so short that √(k/M) h of each spring and c h/M of each damper are at most 0.5. The
+// other integrators do not divide the step for springs, so that students can watch where they
+// become unstable.
 //
 // If any spring damps or a medium brakes a body, all pulled bodies take the Runge–Kutta method of
 // Munthe-Kaas (1999, "High order Runge–Kutta methods on manifolds", Appl. Numer. Math. 29) with the
@@ -47,8 +48,8 @@ enum class Gravity { acts, left_out };
 /// If a body would rotate by more than a quarter turn, the step is divided into equal substeps of
 /// at most a quarter turn (`max_time_step`). Four kinds of flight need no substeps: any body with
 /// the integrator `exact`, an isotropic body with any integrator but `linear`, a body of revolution
-/// with `runge_kutta`, and any body with `matrix`, which A1 uses, while `max_time_step` belongs to
-/// A3.
+/// with `runge_kutta`, and any body with `matrix`, because assignment A1 uses `matrix` and
+/// `max_time_step` belongs to A3.
 ///
 /// @param gravity  `left_out` for a body that contacts hold, which moves by
 ///                 `Settings::integrator_when_held`
@@ -60,7 +61,7 @@ RigidState fly(const Settings& settings, const RigidBody& body, RigidState state
 template <class Work>
 void fly_in_parallel(ThreadPool& pool, std::size_t count, Counters& counters, const Work& work)
 {
-    constexpr std::size_t grain_size = 64; // bodies of a range, see `ThreadPool::for_each_range`
+    constexpr std::size_t grain_size = 64; // least number of bodies in a range
     const int ranges = pool.range_count(count, grain_size);
     if (ranges < 2) return work(std::size_t{0}, count, counters);
     std::vector<Counters> counted(ranges);

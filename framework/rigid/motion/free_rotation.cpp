@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Jacobi's solution for the free rotor, in four stages: the ellipse on which the angular momentum
 // circles in the body, the elliptic functions at the end of the step by the addition theorem, the
-// angle about the fixed momentum by Carlson's integrals, and the rotation of the body. For the last
-// one, axis 3 and the momentum span a frame at the start of the step and another one at its end.
-// Every difference of squares is written as a sum of positive terms, so that nothing cancels near
-// the unstable axis or where two moments are nearly equal.
+// angle about the fixed momentum by Carlson's integrals, and the rotation of the body. The rotation
+// is the one between two frames, each made of axis 3 and the momentum, at the start and at the end
+// of the step. Every difference of squares is written as a sum of positive terms, so that nothing
+// cancels near the unstable axis or where two moments are nearly equal.
 #include "rigid/motion/free_rotation.hpp"
 
 #include "rigid/motion/elliptic_functions.hpp"
@@ -19,8 +19,8 @@ namespace rigor {
 
 namespace {
 
-// The smallest 1 - m. Smaller values make no difference: with this one, a passage near the unstable
-// axis already takes 115 units of u.
+// The smallest 1 - m. Smaller values make no difference: with this one, M already needs 115 units
+// of u to pass the unstable axis.
 constexpr double least_m1 = 1e-100;
 
 // The closed curve of the unit vector M/|M| in the body.
@@ -61,7 +61,8 @@ Path path_of(const Vector3d& J, const Vector3d& M)
     return path;
 }
 
-// From the zero of cn that is nearest to u: the distance w to u, and G = ∫ cn²/(cn² + N sn²) du.
+// From the zero of cn that is nearest to u up to u: the signed distance w, and the integral G = ∫
+// cn²/(cn² + N sn²) du.
 struct Swept {
     double w = 0, G = 0;
 };
@@ -85,8 +86,8 @@ double integral(const Path& path, const EllipticFunctions& start, const Elliptic
     return half_periods == 0 ? G : G + half_periods * 2 * swept(path, {0, 1, 1}).G;
 }
 
-// The frame of axis 3 and M. Its columns: the part of axis 3 across M, the direction that completes
-// the frame, and M, each of length 1.
+// The frame of axis 3 and M. Its columns: the part of axis 3 perpendicular to M, the direction that
+// completes the frame, and M, each of length 1.
 Matrix3d frame_of(const Vector3d& M, int axis3)
 {
     const double across = std::hypot(M[(axis3 + 1) % 3], M[(axis3 + 2) % 3]);
@@ -98,7 +99,7 @@ Matrix3d frame_of(const Vector3d& M, int axis3)
     return B;
 }
 
-// The vector along the axis of a rotation with its angle as length.
+// The rotation vector of R: it lies along the axis of the rotation, and its length is the angle.
 Vector3d rotation_vector(const Matrix3d& R)
 {
     const Eigen::Quaterniond q(R);
@@ -112,7 +113,7 @@ Vector3d rotation_vector(const Matrix3d& R)
 Vector3d mean_free_angular_velocity(const Vector3d& inverse_moments, const Vector3d& momentum,
                                     double time)
 {
-    const double L = momentum.stableNorm(); // no square underflows
+    const double L = momentum.stableNorm(); // |M|, without squares that underflow
     const Vector3d M = momentum / L;
     const Path path = path_of(inverse_moments, M);
     if (!path.is_moving()) return inverse_moments.cwiseProduct(momentum);

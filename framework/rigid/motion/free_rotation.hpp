@@ -17,12 +17,12 @@ namespace rigor {
 ///
 /// The body turns about the fixed L by the angle that axis 3 sweeps out (van Zon and Schofield
 /// 2007, "Numerical implementation of the exact dynamics of free rigid bodies", J. Comput. Phys.
-/// 225; they sum a theta series, here it is an integral of Carlson's):
+/// 225; they compute φ by a theta series, this function by an integral of Carlson's):
 ///
 ///     φ̇ = |L| (J₂ + (J₁ - J₂) M₁² / (M₁² + M₂²))
 ///
-/// The error is that of rounding the arguments, for a time of any length and for moments that are
-/// equal, nearly equal or far apart.
+/// The error is no larger than the one that rounding the arguments causes, for a time of any length
+/// and for moments that are equal, nearly equal or far apart.
 ///
 /// @param inverse_moments  J, in any order [1/(kg m²)]
 /// @param momentum         M, the angular momentum along the principal axes [kg m²/s]

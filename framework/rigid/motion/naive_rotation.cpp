@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Two simple ways to advance an orientation (lecture "Inertia, rotation, impulses"). A quaternion
-// becomes a matrix, or angles, takes the step in that form, and becomes a quaternion again. Of the
-// two quaternions of a rotation, the one nearer to the old one is taken.
+// Two simple ways to advance an orientation (lecture "Inertia, rotation, impulses"). The quaternion
+// is converted to a matrix or to Euler angles, which take the step, and the result is converted
+// back. Of the two quaternions of a rotation, the one nearer to the quaternion before the step is
+// taken.
 #include "rigid/motion/naive_rotation.hpp"
 
 #include "formulas/rotation.hpp"

@@ -29,8 +29,8 @@ template <class Scheme> struct BodyStages {
 
 /// Advances all bodies by h together, since they may pull on each other.
 ///
-/// @param update_wrenches  called at each stage; sets the wrenches of the bodies if they depend on
-///                         the stage
+/// @param update_wrenches  called at each stage; sets the wrenches of the bodies if these change
+///                         from stage to stage
 template <class Scheme, class Update>
 void runge_kutta_4(std::span<BodyStages<Scheme>> bodies, double h, Update&& update_wrenches)
 {
@@ -57,17 +57,16 @@ struct MatrixScheme {
         return {s.position, rotation_matrix(s.orientation), s.velocity, s.angular_momentum};
     }
 
-    /// R becomes a rotation again. Of its two quaternions, the one nearer to the previous one is
-    /// taken.
+    /// Makes R a rotation again. Of its two quaternions, the one nearer to `previous` is taken.
     static RigidState to(const State& s, const RigidState& previous)
     {
         return {s.position, nearer_quaternion_of(s.rotation, previous.orientation), s.velocity,
                 s.angular_momentum};
     }
 
-    /// R + h Ṙ is not a rotation, so the stages inside a step leave the rotations by O(h²). The
-    /// formulas get the nearest rotation, which is a smooth function of R and R itself on the
-    /// rotations. So the order stays 4.
+    /// R + h Ṙ is not a rotation: at the stages inside a step, R differs from a rotation by O(h²).
+    /// The formulas get the nearest rotation instead. It is a smooth function of R, and equal to R
+    /// if R is a rotation, so the order stays 4.
     static Rate rate(const RigidBody& body, State s, const Wrench& wrench)
     {
         s.rotation = nearest_rotation(s.rotation);

@@ -19,12 +19,12 @@ namespace rigor {
 
 namespace {
 
-// Waits until `value` is as wanted, and returns it. The next work of a step comes within
-// microseconds, so a thread first looks again and again, then lets others run, and only then
-// sleeps.
+// Waits until `is_wanted(value)` is true, and returns the value. The next work of a step comes
+// within microseconds, so a thread first checks the value again and again, then lets other threads
+// run between the checks, and only then sleeps.
 template <class T, class IsWanted> T wait_for(std::atomic<T>& value, const IsWanted& is_wanted)
 {
-    constexpr int spins = 1000, yields = 4000; // looks before a thread yields, and before it sleeps
+    constexpr int spins = 1000, yields = 4000; // checks without and with a yield after each
     for (int i = 0; i < spins + yields; ++i) {
         const T now = value.load();
         if (is_wanted(now)) return now;
@@ -39,14 +39,14 @@ template <class T, class IsWanted> T wait_for(std::atomic<T>& value, const IsWan
 
 } // namespace
 
-// The number of the work at hand (works are counted), and how many of its tasks were taken from
-// either end.
+// `work` is a number that changes with each call of `run`. The other two count how many tasks of
+// this call were taken from the first on, and from the last on.
 struct alignas(std::uint64_t) TakenTasks {
     std::uint32_t work = 0;
     std::uint16_t from_first = 0, from_last = 0;
 };
 static_assert(std::atomic<TakenTasks>::is_always_lock_free);
-constexpr int most_tasks = 0xffff; // what from_first and from_last can count
+constexpr int most_tasks = 0xffff; // the largest count in from_first and from_last
 
 class ThreadPool::Workers {
 public:
@@ -64,11 +64,11 @@ private:
     std::atomic<Call> call_ = nullptr;
     std::atomic<int> tasks_ = 0;
     std::atomic<TakenTasks> taken_ = TakenTasks{};
-    std::atomic<std::uint32_t> round_ = 0; // counts the works; workers wait for it to change
-    std::atomic<bool> is_over_ = false;    // whether the workers are to end
-    std::atomic<int> done_ = 0;            // number of finished tasks of the work at hand
+    std::atomic<std::uint32_t> round_ = 0; // changes in each `run`, which idle workers wait for
+    std::atomic<bool> is_over_ = false;    // true: the workers have to end
+    std::atomic<int> done_ = 0;            // number of finished tasks in this call of `run`
     std::mutex mutex_;                     // guards the two members below
-    int thrown_by_ = 0;                    // the lowest task that threw
+    int thrown_by_ = 0;                    // number of the lowest task that threw
     std::exception_ptr thrown_;
 };
 
@@ -97,7 +97,7 @@ void ThreadPool::run_by_workers(int tasks, const void* what, Call call)
 int ThreadPool::range_count(std::size_t count, std::size_t grain_size) const
 {
     if (count == 0 || threads_ < 2) return count == 0 ? 0 : 1;
-    constexpr int ranges_per_thread = 4; // so that one delayed thread does not delay the whole work
+    constexpr int ranges_per_thread = 4; // so that others can take over from a delayed thread
     const auto most =
         static_cast<std::size_t>(ranges_per_thread) * static_cast<std::size_t>(threads_);
     return static_cast<int>(std::clamp<std::size_t>(count / grain_size, 1, most));
@@ -121,8 +121,9 @@ ThreadPool::Workers::~Workers()
 
 void ThreadPool::Workers::run(int workers, int tasks, const void* what, Call call)
 {
-    // While the work is being changed, none of its tasks can be taken: a worker that comes late
-    // finds none left, or its compare-and-exchange fails because the work's number has changed.
+    // While the members below change, no task can be taken. A worker that comes late from the
+    // previous call finds no task left, since `most_tasks` count as taken, or its
+    // compare-and-exchange fails because `work` has changed.
     const std::uint32_t work = taken_.load().work;
     taken_.store({work + 1, most_tasks, 0});
     what_.store(what);

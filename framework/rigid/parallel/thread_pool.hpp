@@ -9,20 +9,21 @@
 namespace rigor {
 
 /// The calling thread and worker threads that help it. The workers start when the first work comes,
-/// wait for more, and end with the pool. Which thread does a task changes nothing of its result, as
-/// long as no task writes what another one reads. A copy of a pool has workers of its own, since a
-/// pool works for one caller at a time.
+/// wait for more, and end with the pool. The result of a task does not depend on the thread that
+/// does it, as long as no task writes what another task reads. A copy of a pool has workers of its
+/// own, since a pool works for one caller at a time.
 class ThreadPool {
 public:
-    /// @param threads  number of threads, the calling one among them; below 2 it works alone
+    /// @param threads  number of threads, including the calling thread; below 2 the calling thread
+    ///                 works alone
     explicit ThreadPool(int threads = 1);
     ~ThreadPool();
     ThreadPool(const ThreadPool& other);
     ThreadPool(ThreadPool&& other) noexcept;
     ThreadPool& operator=(ThreadPool other) noexcept;
 
-    /// Calls work(k) once for each k in [0, tasks). If several throw, the exception of the lowest k
-    /// is thrown again here.
+    /// Calls work(k) once for each k in [0, tasks). If several calls throw, the exception of the
+    /// lowest k is thrown again here.
     template <class Work> void for_each_task(int tasks, const Work& work)
     {
         if (threads_ < 2 || tasks < 2) {
@@ -34,10 +35,11 @@ public:
                        [](const void* what, int k) { (*static_cast<const Work*>(what))(k); });
     }
 
-    /// Calls work(first, last) for ranges that cover [0, count), each of at least `grain_size`.
-    /// With a larger grain size, handing out the ranges takes less time; with a smaller one,
-    /// threads can share a smaller amount of work. So cheap items need a large grain size. Callers
-    /// chose it by trial; no result depends on it, and `bench pile` shows what a second thread
+    /// Calls work(first, last) for ranges that cover [0, count). Each range has at least
+    /// `grain_size` items; if there are fewer items, there is one range. With a larger grain size,
+    /// handing out the ranges takes less time; with a smaller one, threads can share a smaller
+    /// amount of work. So cheap items need a large grain size. The values in the callers were
+    /// chosen by trial; no result depends on them, and `bench pile` shows what a second thread
     /// gains.
     template <class Work>
     void for_each_range(std::size_t count, std::size_t grain_size, const Work& work)
@@ -49,7 +51,7 @@ public:
         });
     }
 
-    /// The same, and beside() at the same time.
+    /// Does the same as `for_each_range`, and calls beside() at the same time, as one more task.
     template <class Beside, class Work>
     void for_each_range_beside(const Beside& beside, std::size_t count, std::size_t grain_size,
                                const Work& work)
@@ -63,8 +65,8 @@ public:
     }
 
     /// Calls work(first, last) as `for_each_range` does.
-    /// @return what the calls returned, in the order of the ranges. Put together in that order, the
-    ///         elements are the same for any number of threads.
+    /// @return what the calls returned, in the order of the ranges. If the results are lists,
+    ///         joining them in this order gives the same list for any number of threads.
     template <class Work>
     auto collect_ranges(std::size_t count, std::size_t grain_size, const Work& work)
         -> std::vector<decltype(work(count, count))>
@@ -78,7 +80,8 @@ public:
         return results;
     }
 
-    /// Calls both functions: at the same time if `count` is at least two grains.
+    /// Calls both functions: at the same time if `count` is at least twice `grain_size` and the
+    /// pool has several threads, otherwise one after the other.
     template <class First, class Second>
     void run_both(std::size_t count, std::size_t grain_size, const First& first,
                   const Second& second)

@@ -11,8 +11,8 @@
 
 namespace rigor {
 
-/// An allocator whose vector does not write new elements when it is resized: each element is
-/// constructed before it is read.
+/// An allocator with which `resize` does not write the new elements of a vector. The code that
+/// resizes the vector has to write each new element before anything reads it.
 template <class T> struct UninitializedAllocator : std::allocator<T> {
     template <class U> struct rebind {
         using other = UninitializedAllocator<U>;
@@ -27,8 +27,8 @@ template <class T> struct UninitializedAllocator : std::allocator<T> {
 
 template <class T> using UninitializedVector = std::vector<T, UninitializedAllocator<T>>;
 
-/// The lists that work(first, last) returns for ranges that cover [0, count), each of at least
-/// `grain_size`, one after the other in a single list.
+/// Calls work(first, last) as `ThreadPool::for_each_range` does. Each call returns a list; the
+/// result is a single list of all their elements, in the order of the ranges.
 template <class Work>
 auto concatenate_ranges(ThreadPool& pool, std::size_t count, std::size_t grain_size,
                         const Work& work) -> decltype(work(count, count))

@@ -154,13 +154,14 @@ private:
     std::vector<Pose> poses_; // poses after the step, set only for the pair that is checked
 };
 
-// The time of the first bounce of two moving balls that was not computed at its impact yet; 0 if
-// there is none. The time matters, as in billiards: balls part along the line of centers that they
-// have at the impact. On straight paths their distance is a convex function of time, so the
-// predicted time is never late, and the prediction, when repeated, converges quadratically.
+// The time of the first impact at which two moving balls bounce, among the bounces that
+// `bounce_at_impacts` has not moved to their impacts; 0 if there is none. The exact time matters,
+// as in billiards: balls part along the line of centers that they have at the impact. On straight
+// paths the distance of two balls is a convex function of time. So the predicted time is never
+// late, and repeating the prediction in the later part converges quadratically.
 double first_impact(const World& world, const ContactProblem& problem, const Island& island)
 {
-    constexpr double just_before = 1 - 1e-9; // so that the bounce belongs to the later part
+    constexpr double just_before = 1 - 1e-9; // so that the bounce falls into the later part
     double first = problem.time_step;
     for (const ContactPair& pair : island.pairs) {
         const ContactConstraint& c = problem.contacts[pair.first];
@@ -226,9 +227,9 @@ Refinement refine_by_substeps(World& world, ContactProblem& problem,
         for (std::size_t k = 0; k < part.bodies.size(); ++k)
             if (!part.world.bodies[k].is_static)
                 states[part.bodies[k]] = part.world.bodies[k].state;
-        // The parts do not count as steps of this world. A bounce of two balls that is repeated at
-        // its impact is the same bounce and counts once. Two halves are another attempt, and the
-        // counters hold the work of both.
+        // The parts do not count as steps of this world. If the step was divided at an impact, the
+        // bounce of the two balls is the same as before and counts once. If it was halved, the
+        // counters hold the work of both attempts.
         const std::uint64_t steps = world.counters.steps;
         world.counters = part.world.counters;
         if (!is_halved) world.counters.collision_impulses -= bounced_pairs(problem, island);

@@ -20,7 +20,7 @@ namespace rigor {
 
 namespace {
 
-constexpr int most_iterations = 8; // secant method; it converges in three or four
+constexpr int most_iterations = 8; // secant steps; three or four are enough
 
 // The two bodies alone, at some time of the step.
 struct PairWorld {
@@ -95,7 +95,7 @@ PairWorld pair_at(const World& world, const ContactConstraint& c, double time, d
     return pair;
 }
 
-// The states of two bodies that do not meet in this step after all.
+// Sets the states of two bodies that do not meet in this step after all.
 void fly_past(const World& world, const ContactConstraint& c, double time_step,
               std::vector<RigidState>& states)
 {
@@ -149,7 +149,7 @@ ContactProblem problem_at_impact(PairWorld& pair, double radius, double rest)
     return make_problem(pair.world, flown, near, rest, pair.world.pool);
 }
 
-// The contacts of the bounce with their impulses, numbered like the bodies of the whole world; an
+// The contacts of the bounce with their impulses and with the body indices of the whole world. An
 // empty list if there is no impulse or if the bodies would meet again within the rest of the step.
 std::vector<ContactRecord> records_of_bounce(const ContactProblem& impact,
                                              const ContactConstraint& c)
@@ -180,7 +180,7 @@ void fly_on(PairWorld& pair, const ContactProblem& impact, const ContactConstrai
     }
 }
 
-// Lets the pair bounce at its impact. The states are changed only if it returns contacts.
+// Lets the pair bounce at its impact. Changes the states of the pair unless it returns nothing.
 // @return the contacts with their impulses, an empty list if the bodies do not meet in this step
 //         after all, or nothing if the impact is not a single bounce within the step
 std::optional<std::vector<ContactRecord>> bounce_at_impact(const World& world,
@@ -193,7 +193,7 @@ std::optional<std::vector<ContactRecord>> bounce_at_impact(const World& world,
     const Approach approach = first_to_close(world, problem, contacts);
     const double predicted = approach.closes();
     if (!(predicted > 0)) return std::nullopt;
-    if (predicted >= h) { // they accelerate during the step and do not meet yet
+    if (predicted >= h) { // the acceleration in this step keeps them apart
         fly_past(world, c, h, states);
         return std::vector<ContactRecord>();
     }
@@ -210,7 +210,8 @@ std::optional<std::vector<ContactRecord>> bounce_at_impact(const World& world,
     return records;
 }
 
-// The only pair of an island that bounced; null if another pair did too or if any contact was held.
+// The only pair of an island that bounced; null if no pair or several pairs bounced, or if any
+// contact got an impulse in the contact stage.
 const ContactPair* single_bounce(const ContactProblem& problem, const Island& island)
 {
     const ContactPair* single = nullptr;

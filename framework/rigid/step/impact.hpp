@@ -8,14 +8,14 @@
 namespace rigor {
 
 /// For two bodies that only bounced off each other in this step, moves the bounce to the time of
-/// impact: they fly until they meet, bounce there, and fly on for the rest of the step. A bounce
-/// then keeps the order of accuracy of free flight and, without loss (ε = 1), the energy.
+/// impact: they fly until they meet, bounce there, and fly on for the rest of the step. Such a
+/// bounce has the order of accuracy of free flight and conserves the energy if ε = 1.
 ///
 /// The time of impact is found from the gaps along the flight, by the secant method from a
 /// prediction. The bounce stays as it was if the bodies would meet again within the step, if they
 /// touched at its start, or if springs, applied forces or a position correction move one of them.
 ///
-/// @param states  the states of all bodies; those of such pairs are replaced
+/// @param states  the states of all bodies; the states of pairs whose bounce is moved are replaced
 /// @return the contacts of these bounces with their impulses, which are removed from the problem
 std::vector<ContactRecord> bounce_at_impacts(const World& world, ContactProblem& problem,
                                              const std::vector<bool>& pulled,

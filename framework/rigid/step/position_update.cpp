@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The position update. Each body flies once more, by the integrator of free flight, with the
-// velocity after the contact stages. The displacements of the position correction are added last.
+// The position update. Each body that got an impulse flies once more, by the integrator of free
+// flight, with its velocity after the contact stage or, if it only bounced, after the collision
+// stage. The displacements of the position correction are added last.
 #include "rigid/step/position_update.hpp"
 
 #include "formulas/rotation.hpp"
@@ -46,9 +47,9 @@ void displace(RigidState& state, const Displacement& by)
     if (!by.turn.isZero(0)) state.orientation = advance_exact(state.orientation, by.turn, 1);
 }
 
-// Whether positions converge with an order above the first where forces change within a step, as
-// those of springs. (`buss` does so only without them.) Then bodies held by contacts should
-// converge as fast.
+// Whether positions converge with an order above the first even where forces change within a step,
+// as the forces of springs do. (`buss` has a higher order only without such forces.) If so, bodies
+// that contacts hold should have a higher order too.
 bool is_of_higher_order(Integrator integrator_when_held)
 {
     return integrator_when_held == Integrator::runge_kutta ||
@@ -63,8 +64,8 @@ bool holds_along_fixed_normals(const ContactProblem& problem, const Island& isla
 {
     // A contact opens or closes if its normal velocity is above this fraction of the speed relative
     // to the ground. A smaller normal velocity is what the sweeps leave, and moves no point by more
-    // than 1e-6 of its way. The same limit holds for the velocity change by the collision stage,
-    // between bodies that gravity accelerates alike.
+    // than 1e-6 of its way. The same limit holds for a velocity change by the collision stage,
+    // which is tiny between bodies that gravity accelerates alike.
     constexpr double opens = 1e-6;
     // Between bodies at rest, the sweeps leave at most this share of the speed that the forces add.
     constexpr double left_at_rest = 1e-12;
@@ -103,7 +104,7 @@ void update_positions(World& world, const ContactProblem& problem, const std::ve
     const auto move = [&](int i, bool by_mean_velocity, Counters& counted) {
         const bool is_displaced = !displacements.empty() && !displacements[i].is_zero();
         const auto [has_bounced, has_contact_impulse] = impulses[i];
-        if (!has_bounced && !has_contact_impulse) { // the state after free flight is right
+        if (!has_bounced && !has_contact_impulse) { // its state after free flight stays
             if (is_displaced) displace(states[i], displacements[i]);
             ++counted.free_flights;
             return;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The step of a world with a single body. It can touch nothing, so only free flight remains.
+// The step of a world with a single body. The body can touch nothing, so free flight is the only
+// stage.
 #pragma once
 
 #include "rigid/bodies/world.hpp"
@@ -9,8 +10,8 @@ namespace rigor {
 /// Whether a world has exactly one body, which moves and on which only gravity acts.
 bool is_single_body(const World& world);
 
-/// The step of such a world, without lists and stages.
-/// @return an empty list: such a world has no contacts
+/// The step of a world with `is_single_body`, without lists and stages.
+/// @return an empty list, since there are no contacts
 std::vector<ContactRecord> step_single_body(World& world, double time_step);
 
 } // namespace rigor

@@ -15,8 +15,9 @@ namespace {
 // Least time at rest before a body sleeps [s]. With a shorter time, a body would sleep at a turning
 // point of its motion; a longer one costs steps of bodies at rest.
 constexpr double needed_rest = 0.5;
-// At most this much of a step counts as rest of a body that the step has moved to a new place [s].
-// Otherwise a body that moves would sleep at once where steps are long.
+// If a step has moved a body to a new place, the time at rest starts with the length of this step,
+// but with at most this time [s]. Otherwise a moving body would fall asleep at once where steps are
+// long.
 constexpr double first_rest = needed_rest / 2;
 // Largest move, in radii, and largest rotation [rad] of a body at rest. With a larger value, bodies
 // that creep would sleep; with a smaller one, the errors of the solver would keep piles awake.
@@ -52,7 +53,7 @@ bool has_rested(const World& world, const Island& island, const std::vector<bool
     });
 }
 
-// Whether a body of the island touches a driven body while that moves.
+// Whether a body of the island touches a driven body that moves at this time.
 bool is_driven(const World& world, const ContactProblem& problem, const Island& island)
 {
     if (problem.driven.empty()) return false;
@@ -74,7 +75,7 @@ void fall_asleep(World& world, const ContactProblem& problem, const std::vector<
                  const std::vector<ContactRecord>& records)
 {
     if (!world.settings.optimisations.sleep || world.settings.gravity.isZero(0)) return;
-    std::vector<bool> fell; // one for each body; empty if no body fell asleep
+    std::vector<bool> fell; // whether each body falls asleep now; empty if none does
     for (const Island& island : problem.islands) {
         add_rest_times(world, island, radii, states, problem.time_step);
         if (!has_rested(world, island, pulled) || is_driven(world, problem, island)) continue;
@@ -95,7 +96,7 @@ void fall_asleep(World& world, const ContactProblem& problem, const std::vector<
 
 void wake(World& world, const std::vector<int>& bodies)
 {
-    std::vector<bool> wakes(world.bodies.size(), false); // one for each group
+    std::vector<bool> wakes(world.bodies.size(), false); // whether each group wakes
     for (int i : bodies)
         wakes[world.bodies[i].rest.group] = true;
     const auto is_woken = [&](int i) {

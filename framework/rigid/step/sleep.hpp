@@ -15,7 +15,8 @@ namespace rigor {
 /// @param pulled   for each body, whether springs or applied forces pull on it; such a body stays
 ///                 awake, and its island with it
 /// @param states   the states of all bodies after the step
-/// @param records  the contacts of the step; those of a sleeping island are kept
+/// @param records  the contacts of the step; those of islands that fall asleep are kept in the
+///                 memory of the world
 void fall_asleep(World& world, const ContactProblem& problem, const std::vector<double>& radii,
                  const std::vector<bool>& pulled, std::vector<RigidState>& states,
                  const std::vector<ContactRecord>& records);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Advances a world by one time step in the order of Guendelman, Bridson and Fedkiw (2003):
 // collisions, velocities, contact, positions. Free flight and the search for contacts come first.
-// Last, single bounces are computed at their exact times, islands with too much overlap are
-// repeated in two halves, and islands at rest fall asleep.
+// Last, single bounces are computed at their exact times, the step of islands with too much overlap
+// is repeated in two halves, and islands at rest fall asleep.
 #include "rigid/step/step.hpp"
 
 #include "rigid/bodies/non_finite.hpp"
@@ -45,15 +45,16 @@ void apply_forces(ContactProblem& problem, const World& world, const std::vector
 
 std::vector<ContactRecord> step(World& world, double time_step, int divisions);
 
-// The function that advances the parts of a step which was divided `divisions` times before.
+// The function that advances the two parts of a step. `divisions`: how often the original step was
+// divided to get this step.
 Step step_of_parts(int divisions)
 {
     return
         [divisions](World& part, double time_step) { return step(part, time_step, divisions + 1); };
 }
 
-// Free flight and the contacts on its way. A sleeping body that another may touch wakes up. It
-// moves then, so both are done again, until no further body wakes.
+// Free flight, and the contacts on the way. A sleeping body that another body may touch wakes up
+// and then moves too. So flight and search are done again, until no further body wakes.
 ContactCandidates find_contacts(World& world, const std::vector<bool>& pulled, double time_step,
                                 ThreadPool& pool, std::vector<RigidState>& flown)
 {
@@ -64,7 +65,7 @@ ContactCandidates find_contacts(World& world, const std::vector<bool>& pulled, d
         ContactCandidates candidates = contact_candidates(world, flown, time_step, pool);
         if (candidates.disturbed.empty()) return candidates;
         wake(world, candidates.disturbed);
-        world.counters = before; // what is done again counts once
+        world.counters = before; // the repeated work counts once
     }
 }
 

@@ -18,7 +18,7 @@
 // 4 velocities          flown states              velocities           step/step, `apply_forces`
 // 5 contact, friction   velocities, gaps          velocities, impulses contact/resting_contact
 //   choose contacts     gaps, impulse matrices    target speeds        contact/active_contacts
-//   load estimate       weights; if none is warm  initial impulses     contact/load_estimate
+//   load estimate       weights (no warm start)   initial impulses     contact/load_estimate
 //   solve               initial impulses          velocities, impulses contact/solvers/ or
 //                                                                      contact/one_at_a_time
 // 6 position correction gaps, velocities          displacements        contact/position_correction
@@ -30,17 +30,18 @@
 //   finish the step     states, records           world                step/step_result
 //
 // The normal and the friction part of an impulse are found together, so there is no file of
-// friction. Its law stands in contact/solvers/: optimised_sweeps and collision_law_sweeps for one
-// contact, newton_row for Newton's method; simultaneous_sweeps and contact/one_at_a_time call the
-// formulas of topic `contact`. Stage 3 has friction in the formula `collision_impulse`. Nodes of
-// deformable solids have friction once more: deformable/contact/node_collisions calls
-// `collision_impulse`, and deformable/motion/contact_set has the law for the implicit step.
+// friction. The law of friction stands in contact/solvers/: optimised_sweeps and
+// collision_law_sweeps for one contact, newton_row for Newton's method; simultaneous_sweeps and
+// contact/one_at_a_time call the formulas of topic `contact`. Stage 3 has friction in the formula
+// `collision_impulse`. Nodes of deformable solids have friction once more:
+// deformable/contact/node_collisions calls `collision_impulse`, and deformable/motion/contact_set
+// has the law for the implicit step.
 //
-// Papers of the stages: 1 Buss (2000), see constant_wrench_step.hpp, Blanes and Moan (2002) and
-// Munthe-Kaas (1999), see free_flight.hpp; 2 Verlet (1967) for the pair cache, Gottschalk et al.
-// (1996) for boxes, the 2003 paper for level sets; 3 the 2003 paper; 5 the 2003 paper,
-// Silcowitz-Hansen et al. (2010), Alart and Curnier (1991); 6 Catto (2009), and Baumgarte (1972)
-// without gravity. Stages 7 to 9 are Rigor's.
+// Papers of the stages, by the numbers above: 1 Buss (2000), see constant_wrench_step.hpp, Blanes
+// and Moan (2002) and Munthe-Kaas (1999), see free_flight.hpp; 2 Verlet (1967) for the pair cache,
+// Gottschalk et al. (1996) for boxes, Guendelman et al. (2003) for level sets; 3 Guendelman et al.;
+// 5 Guendelman et al., Silcowitz-Hansen et al. (2010), Alart and Curnier (1991); 6 Catto (2009),
+// and Baumgarte (1972) without gravity. Stages 7 to 9 are Rigor's own.
 #pragma once
 
 #include "rigid/bodies/world.hpp"
@@ -48,7 +49,8 @@
 namespace rigor {
 
 /// Advances a world by one time step. The result depends only on (world, time_step), since no state
-/// is kept elsewhere. Without warm start and sleep it depends only on the bodies' states.
+/// is kept elsewhere. Without warm start and sleep, the memory of the last step changes nothing of
+/// the result.
 ///
 /// @return the contacts that got an impulse, and those that hold sleeping bodies
 /// @throws NonFiniteState if a state is infinite or not a number

@@ -45,7 +45,7 @@ void collect_contacts(World& world, const ContactProblem& problem,
                       StepResult& result)
 {
     std::vector<ContactRecord> records;
-    constexpr std::size_t grain_size = 512; // contacts
+    constexpr std::size_t grain_size = 512; // contacts, see `ThreadPool::run_both`
     problem.pool->run_both(
         problem.contacts.size(), grain_size,
         [&] {
@@ -70,7 +70,8 @@ void collect_contacts(World& world, const ContactProblem& problem,
 
 std::vector<ContactRecord> finish_step(World& world, double time_step, StepResult result)
 {
-    // Contacts of sleeping bodies are remembered as sleeping contacts.
+    // The contacts of sleeping bodies are already among the sleeping contacts, which are appended
+    // below.
     std::erase_if(result.records, [&](const ContactRecord& r) {
         return world.bodies[r.body1].rest.is_asleep() || world.bodies[r.body2].rest.is_asleep();
     });

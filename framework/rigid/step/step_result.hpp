@@ -11,7 +11,7 @@ namespace rigor {
 struct StepResult {
     std::vector<RigidState> states;         // one for each body
     std::vector<ContactRecord> records;     // contacts that got an impulse
-    std::vector<WarmContact> warm_contacts; // for the next step, sorted by their bodies
+    std::vector<WarmContact> warm_contacts; // for the next step; sorted by `body1`, then `body2`
 };
 
 /// Adds the contacts of the problem and of the refined islands to the result, and counts contacts
@@ -24,8 +24,8 @@ void collect_contacts(World& world, const ContactProblem& problem,
 
 /// Gives the world its new states and memory, and advances its time.
 ///
-/// @return the records, without those of bodies that fell asleep in this step but with the contacts
-///         that hold sleeping bodies
+/// @return the contacts of awake bodies that got an impulse, and the contacts that hold sleeping
+///         bodies
 std::vector<ContactRecord> finish_step(World& world, double time_step, StepResult result);
 
 } // namespace rigor

@@ -20,7 +20,8 @@ namespace rigor {
 namespace {
 
 // Islands with at most this many contacts are solved up to rounding, since their sweeps take little
-// time. So are islands with at most `few_bodies` bodies if Newton's method may follow.
+// time. Islands with at most `few_bodies` bodies are solved up to rounding too if Newton's method
+// may follow.
 constexpr int few_contacts = 16;
 
 // A larger island stops after a limited amount of work, and the remaining error is corrected in the
@@ -55,7 +56,7 @@ double largest(const ContactProblem& problem, std::span<const int> active, const
             found = std::max(found, value(problem.contacts[active[k]]));
         return found;
     };
-    constexpr std::size_t grain_size = 512; // contacts
+    constexpr std::size_t grain_size = 512; // least number of contacts in a range
     if (problem.pool->range_count(active.size(), grain_size) < 2)
         return largest_of(0, active.size());
     const std::vector<double> found =
@@ -63,8 +64,8 @@ double largest(const ContactProblem& problem, std::span<const int> active, const
     return *std::max_element(found.begin(), found.end());
 }
 
-// The highest speed of a body at a contact, relative to the motion of `ground` [m/s]. Velocity
-// differences below its rounding error are noise.
+// The highest speed of a body at a contact, relative to the motion of `ground` [m/s]. Changes of
+// velocities below the rounding error of this speed are noise.
 // @param ground  a body without motion gives the speed in the world
 double fastest(const ContactProblem& problem, const Island& island, std::span<const int> active,
                const Body& ground)
@@ -128,7 +129,8 @@ bool is_at_rest(const ContactProblem& problem, double fastest)
 
 // Whether the island is at rest relative to a body that it stands on, such as the ground, a lift or
 // a belt. An island that touches no static or driven body flies, and is never at rest.
-// @param speed  the highest speed in the world, which is also that relative to a ground at rest
+// @param speed  the highest speed in world space, which is also the speed relative to a ground at
+//               rest
 bool rests(const ContactProblem& problem, const Island& island, std::span<const int> active,
            const std::vector<Body>& grounds, double speed)
 {
@@ -174,11 +176,11 @@ bool adds_energy(const ContactProblem& problem, const Island& island, std::span<
 struct NewtonStart {
     const std::vector<Body>& free; // the island's bodies before any impulse
     const std::vector<Vector3d>& impulses;
-    double allowed = 0; // the first sweep after it may change a velocity by this [m/s]
+    double allowed = 0; // largest change of a velocity by the first check sweep [m/s]
 };
 
 // Continues by Newton's method and checks the result by a few sweeps. The result is accepted if the
-// first of these sweeps changes it by no more than `start.allowed`.
+// first of these sweeps changes no velocity by more than `start.allowed`.
 // @return whether the result is accepted
 bool solve_by_newton(ContactProblem& problem, const Island& island, std::span<const int> active,
                      const NewtonStart& start, const SweepLimits& check, Sweeps& sweeps)
@@ -194,8 +196,8 @@ bool solve_by_newton(ContactProblem& problem, const Island& island, std::span<co
 struct SolvePlan {
     double approach = 0; // speed that the impulses have to remove [m/s]
     SweepLimits limits;
-    bool may_use_newton = false; // it follows whenever the sweeps do not converge
-    bool is_stack = false;       // not a pile, whose matrix has too much fill-in for Newton
+    bool may_use_newton = false; // whether Newton's method follows sweeps that do not converge
+    bool is_stack = false;       // false: a pile, whose matrix has too much fill-in for Newton
     std::vector<Body> free;      // the bodies of a stack before any impulse
 };
 
@@ -205,7 +207,7 @@ SolvePlan plan_for(const ContactProblem& problem, const Island& island, std::spa
     const double speed = fastest(problem, island, active, Body());
     const bool is_resting = rests(problem, island, active, problem.grounds_of(island), speed);
     const std::size_t bodies = island.bodies.size();
-    const bool is_on_joint = bodies == 1 && island.pairs.size() > 1; // sweeps converge slowly there
+    const bool is_on_joint = bodies == 1 && island.pairs.size() > 1; // sweeps are slow there
     const bool is_stack = !is_pile(island);
     const bool may_use_newton = (is_resting || is_on_joint) && is_stack;
     const double approach = fastest_approach(problem, active);
@@ -234,9 +236,9 @@ bool is_far_off(const ContactProblem& problem, const Island& island, const Solve
 // Continues by Newton's method after the sweeps have not converged. It starts from the impulses
 // after the sweeps, or from the initial ones if the sweeps made the residual larger. After the
 // impact of a heavy body both may be far from the solution; if Newton's method fails then, it
-// starts again from zero impulses. If it fails again, sweeps continue from the first start. If
-// their result may add energy, sweeps start a last time from zero impulses, from where they never
-// add any.
+// starts again from zero impulses. If it fails again, sweeps continue from the first start. If the
+// result of these sweeps may add energy, sweeps start a last time from zero impulses; from there
+// they never add energy.
 void continue_by_newton(ContactProblem& problem, const Island& island, std::span<const int> active,
                         const SolvePlan& plan, const Residuals& swept, Sweeps& sweeps)
 {
@@ -255,8 +257,8 @@ void continue_by_newton(ContactProblem& problem, const Island& island, std::span
     set_impulses(sweeps, start);
     run_sweeps(problem, sweeps, active.size(), check);
     if (!may_be_lost) return;
-    // With more than two bodies, the total energy is no proof: one body may keep too much speed
-    // although the total has decreased.
+    // With more than two bodies, a total energy that has not increased proves nothing: one body may
+    // still have too much speed.
     const bool is_pair = island.bodies.size() <= 2;
     if (is_pair && !adds_energy(problem, island, active, plan.free, sweeps.impulses())) return;
     set_impulses(sweeps, none);

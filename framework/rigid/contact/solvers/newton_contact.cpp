@@ -31,7 +31,8 @@ constexpr double first_weight = 1000, least_last_weight = 1e6, growth = 10;
 // with the largest ratio of a body's mass to the mass 1/(nᵀKn) that a contact feels, where this
 // ratio exceeds 1/light.
 constexpr double light = 1e-3;
-// Limits that guard the time; solvable islands need fewer. 30 bisections find a step to 1e-9.
+// Limits that bound the run time; islands that can be solved need fewer. 30 bisections find a step
+// to 1e-9.
 constexpr int most_rounds = 14, most_steps = 40, most_bisections = 30;
 // An inverse inertia J is singular if det J is at most `singular_determinant` |J|³. Then
 // `least_inverse_inertia` |J| is added to its diagonal: it stands for a moment of inertia so large
@@ -42,13 +43,13 @@ constexpr double singular_determinant = 1e-12, least_inverse_inertia = 1e-9;
 // mass hardly turns: at a lever of 100 m, 1e-5 of the compliance of a contact is rotation.
 constexpr double point_area = 1;  // [m²]
 constexpr double settled = 1e-13; // the rounds end at this relative change of the impulses
-// A round must reduce the change of the impulses to this share of the change before; otherwise more
-// rounds do not help.
+// A round must reduce the change of the impulses to this share of the change in the round before;
+// otherwise more rounds do not help.
 constexpr double gain = 0.5;
 // A line search ends where the slope has fallen to this share of its first value. A smaller share
 // takes more bisections, a larger one more steps of Newton's method.
 constexpr double flat = 0.1;
-constexpr double converged = 1e-13; // last step of Newton's method, relative to the velocities
+constexpr double converged = 1e-13; // smallest step of Newton's method, relative to the velocities
 // Rounding error of a velocity, relative to the highest speed. In j - ρ u it is multiplied by the
 // weight of the penalty.
 constexpr double u_rounding = 1e-15;
@@ -69,9 +70,9 @@ std::vector<int> from_the_lowest(const ContactProblem& problem, const Island& is
     return indices;
 }
 
-// Minus the velocity of the static and driven bodies in v₁ - v₂, relative to V. These bodies have
-// no unknowns and no impulse changes them, so this velocity becomes a part of the target velocity
-// s.
+// The part of v₁ - v₂ that comes from static and driven bodies, relative to V, with the opposite
+// sign. These bodies have no unknowns and no impulse changes them, so this velocity becomes a part
+// of the target velocity s.
 Vector3d surface_velocity(const ContactProblem& problem, const ContactConstraint& c,
                           const Vector3d& V)
 {
@@ -94,8 +95,8 @@ public:
             unknowns[island.bodies[k]] = static_cast<int>(bodies_.size());
             bodies_.push_back(&free[k]);
         }
-        // Velocities are those relative to the ground, so that their sizes, and with them the
-        // errors that are allowed, are the same in a scene that moves as a whole.
+        // All velocities are relative to the ground, so that their sizes, and with them the errors
+        // that are allowed, are the same in a scene that moves as a whole.
         const Vector3d V = problem.grounds_of(island).front().velocity;
         const auto n = static_cast<Eigen::Index>(6 * bodies_.size());
         v_free_.resize(n);
@@ -149,8 +150,8 @@ public:
             }
             const double rounding = u_rounding * weight * speed;
             if (change <= settled * total + rounding) break;
-            // If contacts contradict each other, a velocity remains and their impulses would grow
-            // in every round.
+            // If contacts contradict each other, a velocity error remains, and their impulses would
+            // grow in every round.
             if (weight == last_weight_ && change > gain * before) break;
             before = weight == last_weight_ ? change : std::numeric_limits<double>::infinity();
             weight = std::min(last_weight_, growth * weight);
@@ -300,7 +301,7 @@ private:
         }
     }
 
-    // Finds v of the round by Newton's method. Returns whether it converged.
+    // Finds the v that minimises Φ in this round, by Newton's method. Returns whether it converged.
     bool minimise()
     {
         VectorXd gradient;

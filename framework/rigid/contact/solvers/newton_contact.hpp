@@ -8,8 +8,9 @@ namespace rigor {
 /// Computes the impulses of a whole island at once, where sweeps converge too slowly: tall stacks,
 /// heavy bodies on light ones, friction at its limit. The method is the augmented Lagrangian method
 /// (Alart and Curnier 1991, "A mixed formulation for frictional contact problems prone to Newton
-/// like solution methods", Comput. Methods Appl. Mech. Eng. 92). With u = J v - s, the impulse j
-/// and a penalty ρ for each contact it iterates
+/// like solution methods", Comput. Methods Appl. Mech. Eng. 92). Each contact has the velocity
+/// error u = J v - s (v: the velocities of all bodies, J v: the relative velocity of the contact,
+/// s: its target), the impulse j and a penalty ρ. The method iterates
 ///
 ///     j ← P(j - ρ u(v))   where   M (v - v_free) = Jᵀ P(j - ρ u(v))
 ///
@@ -22,7 +23,7 @@ namespace rigor {
 /// @param free      the bodies of the island without the impulses, in the order of the island
 /// @param active    indices of the contacts in the problem
 /// @param impulses  impulses on body 1 of the active contacts: the start, then the result [N s]
-/// @return  whether the method succeeded; if not, the impulses are unchanged
+/// @return  whether the method succeeded; if not, the impulses are not to be used
 bool newton_impulses(const ContactProblem& problem, const Island& island,
                      const std::vector<Body>& free, std::span<const int> active,
                      std::vector<Vector3d>& impulses);

@@ -13,7 +13,7 @@ namespace rigor::newton {
 struct NewtonRow {
     int body1 = -1, body2 = -1;
     Vector3d n, r1, r2; // normal; lever arms [m]
-    Vector3d s;         // target velocity, target speed times n [m/s]
+    Vector3d s;         // target velocity: target speed times n, plus `surface_velocity` [m/s]
     double friction = 0;
     double normal_K = 0;           // nᵀKn [1/kg]
     double rho = 0;                // penalty ρ [kg]

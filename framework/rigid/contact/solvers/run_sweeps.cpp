@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Sweeps that are accelerated by nonsmooth nonlinear conjugate gradients (Silcowitz-Hansen, Niebe
-// and Erleben 2010). After each sweep, its change becomes the next search direction together with
-// a part of the one before, and the impulses move along it.
+// and Erleben 2010). After each sweep, its change of the impulses and a part of the previous search
+// direction together make the next search direction. The impulses also move on by that part.
 #include "rigid/contact/solvers/run_sweeps.hpp"
 
 #include <algorithm>
@@ -25,8 +25,8 @@ constexpr double rounding = 2 * std::numeric_limits<double>::epsilon();
 
 double Residuals::missing() const
 {
-    // The slowest decay of the residual in a sweep that is assumed. It guards the division where
-    // the sweeps reduced nothing.
+    // The slowest decay of the residual in one sweep that the estimate assumes. It avoids a
+    // division by 0 where the sweeps reduced nothing.
     constexpr double slowest_decay = 1e-7;
     return last / std::max(slowest_decay, std::log(first / last) / sweeps);
 }
@@ -57,7 +57,7 @@ Residuals run_sweeps(ContactProblem& problem, Sweeps& sweeps, std::size_t count,
         smallest = std::min(smallest, progress.change);
         if (is_large) continue;
         const bool slows_down = before > 0 && progress.squared <= before && !diverges;
-        // β = 0 restarts the directions.
+        // β = 0 starts the search directions anew.
         const double beta = slows_down ? progress.squared / before : 0;
         before = progress.squared;
         directions.resize(count, Vector3d::Zero());

@@ -28,8 +28,8 @@ struct Residuals {
 
 /// Sweeps until the changes are negligible or the limit is reached. After each sweep the impulses
 /// also move on in the direction of the previous sweeps, as long as this helps (nonlinear conjugate
-/// gradients). With the changes of the sweep as steps: directions = steps + β directions, impulses
-/// += β directions.
+/// gradients). With the changes by the sweep as `steps`: impulses += β directions, directions =
+/// steps + β directions, in this order.
 Residuals run_sweeps(ContactProblem& problem, Sweeps& sweeps, std::size_t count,
                      const SweepLimits& limits);
 

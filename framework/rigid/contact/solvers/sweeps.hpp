@@ -11,7 +11,7 @@
 namespace rigor {
 
 /// The changes of a sweep: the largest change and the largest impulse, both as velocities [m/s],
-/// and the squared length of all changes.
+/// and the sum of nᵀKn |Δj|² over all changes Δj of impulses.
 struct SweepProgress {
     double change = 0, total = 0, squared = 0;
 };

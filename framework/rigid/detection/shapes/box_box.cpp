@@ -2,7 +2,7 @@
 // Contacts of two boxes by the separating axis test of Gottschalk, Lin and Manocha (1996). First it
 // finds the best of the six faces and the nine pairs of edges; then, if the boxes are about to
 // meet, it looks for a face that separates them better at the end of the step. Last, it clips the
-// other box's nearest face against the chosen face (Sutherland and Hodgman 1974), or takes the
+// nearest face of the other box against the chosen face (Sutherland and Hodgman 1974), or takes the
 // closest points of the two edges.
 #include "rigid/detection/shapes/box_box.hpp"
 
@@ -21,8 +21,8 @@ namespace {
 constexpr double parallel_squared = 1e-6;
 // Distance from a border that counts as rounding, relative to half the width of the face.
 constexpr double border_rounding = 1e-9;
-// In units of the smallest half edge of both boxes: an axis is clearly better than another one if
-// its separation is larger by this. Otherwise a face is preferred to edges and the larger face to
+// An axis is clearly better than another axis if its separation is larger by this, in units of the
+// smallest half edge of both boxes. Otherwise a face is preferred to edges and the larger face to
 // the smaller one, so that a box at rest keeps its kind of contact from step to step.
 constexpr double clear_difference = 0.01;
 
@@ -32,15 +32,17 @@ struct PlacedBox {
     Vector3d center, half;
 };
 
-// A separating axis: a unit vector from box 1 to box 2, and the distance of the boxes along it.
+// An axis that may separate the boxes: its direction, a unit vector, and the distance of the boxes
+// along it. It is axis `axis1` of a box, or perpendicular to axis `axis1` of box 1 and axis `axis2`
+// of box 2.
 struct Axis {
     double separation = -std::numeric_limits<double>::infinity();
     int axis1 = 0, axis2 = 0;
     Vector3d direction = Vector3d::Zero();
 };
 
-// Numbers that all axes need: C = AᵀB with the axes of both boxes as the columns of A and B, |C|,
-// and the vector between the centers in the frame of each box.
+// Numbers that the test of each axis needs: C = AᵀB with the axes of both boxes as the columns of A
+// and B, |C|, and the vector between the centers in the frame of each box.
 struct RelativePose {
     Matrix3d C, C_abs;
     Vector3d d_a, d_b;
@@ -90,8 +92,9 @@ Axis best_other_face(const PlacedBox& a, const PlacedBox& b, const RelativePose&
     return best;
 }
 
-// The pair of edges with the largest separation (Gottschalk, Lin and Manocha 1996), if this is
-// larger than `least`. Parallel edges are skipped, since a face separates the boxes as well.
+// The pair of edges with the largest separation (Gottschalk, Lin and Manocha 1996), if it is larger
+// than `least`; otherwise an axis with the separation `least`. Parallel edges are skipped, since a
+// face then separates the boxes as well as they do.
 Axis best_edges(const PlacedBox& a, const PlacedBox& b, const RelativePose& of, double least)
 {
     Axis best;
@@ -123,8 +126,8 @@ struct FaceAhead {
     bool is_of_first = true;
 };
 
-// The face with the largest separation after the move, among the faces that separate the boxes now
-// up to `slop`.
+// The face with the largest separation after the move, among the faces along whose normals the
+// boxes overlap by at most `slop` now.
 // @param move  displacement of box 1 relative to box 2 in this step
 [[gnu::noinline]] FaceAhead best_face_ahead(const PlacedBox& a, const PlacedBox& b,
                                             const RelativePose& of, const Vector3d& move,
@@ -174,7 +177,8 @@ void clip(Polygon& polygon, int axis, double sign, double limit)
         if (is_inside(from) == is_inside(to)) continue;
         const double a = sign * from[axis], b = sign * to[axis];
         // A vertex that counts as inside may lie slightly beyond the border, and the quotient of
-        // two rounding errors may be any number. The clamp keeps the new vertex on the side.
+        // two rounding errors may be any number. The clamp keeps the new vertex between `from` and
+        // `to`.
         kept.add(from + std::clamp((limit - a) / (b - a), 0.0, 1.0) * (to - from));
     }
     polygon = kept;
@@ -233,7 +237,7 @@ void find_face_contacts(const PlacedBox& reference, const PlacedBox& other, cons
     }
 }
 
-// The middle of the edge of `box` along its axis `axis` that lies farthest in `direction`.
+// The middle of an edge of `box`: of those along its axis `axis`, the one farthest in `direction`.
 Vector3d edge_middle(const PlacedBox& box, int axis, const Vector3d& direction)
 {
     Vector3d middle = box.center;
@@ -259,7 +263,7 @@ void find_edge_contacts(const PlacedBox& a, const PlacedBox& b, const Axis& axis
     const double half_s = a.half[axis.axis1], half_t = b.half[axis.axis2];
     const Vector3d on_a = p + std::clamp(s, -half_s, half_s) * u;
     const Vector3d on_b = q + std::clamp(t, -half_t, half_t) * v;
-    if (axis.separation > 0 && (on_b - on_a).norm() >= reach) return; // they pass each other
+    if (axis.separation > 0 && (on_b - on_a).norm() >= reach) return; // the edges pass each other
     contacts.push_back({(on_a + on_b) / 2, -axis.direction, axis.separation});
 }
 

@@ -21,7 +21,8 @@ using Eigen::Vector2d;
 // Distance from a clipping line that counts as rounding, relative to the length of the line.
 constexpr double line_rounding = 1e-9;
 // Sine of the angle above which two segments cross in one point, about 6°. Segments at a smaller
-// angle make a contact at each end, so that a body that rests on an edge does not rock.
+// angle make a contact at each end of their common part, so that a body that rests on an edge does
+// not rock.
 constexpr double crossing_sine = 0.1;
 // A corner is as deep as the closest points if their gaps differ by less than this, relative to the
 // size of shape 1: the error of the search for the closest points.
@@ -54,7 +55,7 @@ double signed_area(const Outline& o)
     return area;
 }
 
-// A frame of two axes perpendicular to the normal and the normal itself.
+// A frame of three columns: two axes perpendicular to the normal, and the normal.
 Matrix3d frame_about(const Vector3d& n)
 {
     int least = 0;
@@ -65,7 +66,7 @@ Matrix3d frame_about(const Vector3d& n)
     return R;
 }
 
-// Projects a feature into the frame. A polygon is made counter-clockwise.
+// Projects a feature into the frame. The corners of a polygon are put in counter-clockwise order.
 Outline outline(const Feature& feature, const Matrix3d& frame, const Vector3d& origin)
 {
     Outline o;
@@ -117,7 +118,8 @@ Outline left_of(const Outline& o, const Vector2d& a, const Vector2d& b)
         if (from >= border) kept.add(o.places[i], o.heights[i]);
         if (i >= sides || (from >= border) == (to >= border)) continue;
         // A corner that counts as left of the line may lie slightly beyond it, and the quotient of
-        // two rounding errors may be any number. The clamp keeps the new corner on the side.
+        // two rounding errors may be any number. The clamp keeps the new corner between corners i
+        // and j.
         const double t = std::clamp(from / (from - to), 0.0, 1.0);
         kept.add(o.places[i] + t * (o.places[j] - o.places[i]),
                  o.heights[i] + t * (o.heights[j] - o.heights[i]));

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Contacts of shapes that are a core curve with a radius: spheres, capsules and tori. It samples
 // the other shape's distance along the core and refines each minimum by golden section search
-// (Kiefer 1953). Balls on a torus or a mesh have methods of their own. Against a mesh, the
-// points of the mesh are added.
+// (Kiefer 1953). Balls on a torus or a mesh have methods of their own. For a capsule or a torus on
+// a mesh, contacts at the points of the mesh are added.
 #include "rigid/detection/shapes/core_contact.hpp"
 
 #include "geometry/shapes/solid_mesh.hpp"
@@ -20,22 +20,22 @@ namespace rigor {
 namespace {
 
 // Samples along a segment and around a circle: the ends of 16 intervals, and one every 7.5°. A
-// minimum is found if no other one is within an interval of it. More samples take more time; the
-// numbers were chosen by trial.
+// minimum is found if no other minimum is within an interval of it. More samples take more time;
+// the numbers were chosen by trial.
 constexpr int segment_samples = 17, circle_samples = 48;
-constexpr int golden_steps = 42; // shorten an interval by 0.618⁴² = 2e-9
-// A minimum between samples is a contact of its own if its gap is smaller by more than this, in
-// lengths of the core; a smaller difference is the error of the search.
+constexpr int golden_steps = 42; // shorten an interval to 0.618⁴² = 2e-9 of it
+// A minimum between samples is a contact of its own if its gap is smaller than that of the sample
+// by more than this, in lengths of the core. A smaller difference is the error of the search.
 constexpr double least_improvement = 1e-9;
 
 // A core curve with a radius around it, in the frame of the other shape.
 struct Core {
     double radius = 0;
-    double length = 0; // length of its parameter; 0 for a point
+    double length = 0; // range of the parameter s; 0 for a point
     int samples = 1;
     bool is_closed = false;
     Pose pose;
-    double circle = 0; // radius of a closed curve
+    double circle = 0; // radius of the circle, if the curve is closed
 
     Vector3d at(double s) const
     {
@@ -110,7 +110,8 @@ public:
             gaps.push_back(gap(i * step));
             least = std::min(least, gaps.back());
         }
-        // Between two samples the gap is smaller by at most half their distance.
+        // Between two samples, the gap is smaller than at the nearer one by at most half the
+        // distance of the two.
         if (least - core_.meters() / n - field_.uncertainty() >= reach_) return;
         const std::size_t first = contacts_.size();
         const bool is_ring = core_.is_closed;

@@ -28,14 +28,15 @@ public:
     /// For a ball near the surface: the distance of the ball's own surface from the other surface,
     /// and the normal there, which passes through the ball's center.
     ///
-    /// If the center is inside the grid, the level set is sampled there. Outside, the grid gives
-    /// little more than the distance to itself, so the level set is sampled on the way to the
-    /// nearest triangle.
+    /// If the center is inside the grid, the level set is sampled there. Outside, the level set
+    /// gives little more than the distance to the grid. So it is sampled on the way from the center
+    /// to the nearest triangle.
     SurfaceDistance ball(const Vector3d& center, double radius) const;
     /// The distance of `ball` without its normal.
     double ball_distance(const Vector3d& center, double radius) const;
 
-    /// The same for a given point `target` of the surface that the center faces.
+    /// The result of `ball`, but with a given point `target` of the surface, which the center
+    /// faces, in place of the nearest one.
     SurfaceDistance ball_towards(const Vector3d& center, double radius,
                                  const Vector3d& target) const;
 
@@ -58,7 +59,7 @@ private:
 /// The deepest of some points in a distance field, in the frame of the field.
 struct DeepestPoint {
     Vector3d point = Vector3d::Zero();
-    double gap = 0; // not negative: no point was inside [m]
+    double gap = 0; // 0: no point was inside [m]
 
     void consider(const Vector3d& p, double distance)
     {

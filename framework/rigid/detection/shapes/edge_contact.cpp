@@ -13,9 +13,9 @@ namespace rigor {
 
 namespace {
 
-// Sine of the smallest angle between two edges, about 3°. Below it, their end points are in
-// contact, because the closest points of almost parallel lines move far if a body rotates a little.
-// Chosen by trial.
+// Sine of the smallest angle at which two edges make a contact, about 3°. At smaller angles, their
+// end points make the contacts instead, because the closest points of almost parallel lines move
+// far if a body rotates a little. Chosen by trial.
 constexpr double parallel = 0.05;
 constexpr double rounding = 1e-6; // relative rounding error of a direction
 // Deepest overlap that makes a contact of edges, relative to the longest side of the mesh's bounds.

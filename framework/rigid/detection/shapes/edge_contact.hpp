@@ -7,12 +7,12 @@
 
 namespace rigor {
 
-/// Appends the contacts where sharp edges of a mesh or a box cross sharp edges of a mesh that are
-/// closer than `reach`.
+/// Appends the contacts of sharp edges of shape 1 with sharp edges of a mesh that they cross at a
+/// distance below `reach`.
 ///
-/// The normal of such a contact is perpendicular to both edges. It is a contact only if the
-/// faces of each edge lie on their own side of the plane across the normal. Overlaps that are deep
-/// relative to the size of the mesh are left to the surface points.
+/// The normal of such a contact is perpendicular to both edges. Two edges make a contact only if
+/// the plane perpendicular to the normal separates the faces at one edge from the faces at the
+/// other. Overlaps that are deep relative to the size of the mesh are left to the surface points.
 ///
 /// @param shape1   a mesh or a box, which have sharp edges; other shapes have no edge contacts
 /// @param pose     pose of shape 1 in the frame of the mesh; the contacts are in this frame too

@@ -2,8 +2,8 @@
 // Contacts of a mesh with another solid shape. The surface points of each shape are tested in the
 // distance field of the other (Guendelman, Bridson and Fedkiw 2003), where a bounding tree skips
 // points that are far away. Contacts of sharp edges are added. If the shapes overlap and no contact
-// says so, for example because a thin bar has pierced a wall, the deepest point becomes a contact.
-// The result is reduced to a few contacts.
+// says so, for example because a thin bar has pierced a wall, the deepest of all tested points
+// becomes a contact. The result is reduced to a few contacts.
 #include "rigid/detection/shapes/mesh_contact.hpp"
 
 #include "geometry/distance/signed_distance.hpp"
@@ -23,7 +23,7 @@ namespace rigor {
 namespace {
 
 // If a node of the tree is farther from the shape than this many radii of the node, only one of its
-// points is tested. A smaller value tests fewer points, but other points of the node may then be
+// points is tested. A smaller value tests fewer points, but a point that is not tested may then be
 // nearer by more.
 constexpr double far = 6;
 // In spacings of the surface points. A node with a radius below `small_node` has one contact, at
@@ -114,8 +114,8 @@ Pose inverse(const Pose& pose)
     return {pose.R.transpose(), -(pose.R.transpose() * pose.X)};
 }
 
-// The contact of a point that lies in a field's shape, in the frame of the field. The normal leads
-// the nearest way out.
+// The contact of a point that lies in a field's shape, in the frame of the field. The normal points
+// along the nearest way out.
 Contact contact_of_deepest(const DeepestPoint& deepest, const DistanceField& field)
 {
     const Vector3d n = field.normal(deepest.point);
@@ -151,7 +151,7 @@ DeepestPoint add_points(const Shape& shape1, const Pose& from_1, const SolidMesh
 }
 
 // Whether a point of a flat face has a gap and is not the point of the face nearest to the shape,
-// although another contact with the same face is nearer.
+// and another contact with the same face is nearer.
 bool is_ahead_on_face(const Contact& point, const Shape& shape1, const Pose& pose1,
                       std::span<const Contact> others, double share)
 {

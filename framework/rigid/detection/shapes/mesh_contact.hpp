@@ -14,12 +14,13 @@ namespace rigor {
 /// Appends the contacts of a mesh and another solid shape that are closer than `reach`, at most
 /// eight.
 ///
-/// Surface points of each shape are looked up in the signed distance of the other (Guendelman,
-/// Bridson and Fedkiw 2003, "Nonconvex rigid bodies with stacking"): in the level set of a mesh, or
-/// in the exact distance of any other shape. The normal is the gradient there if it is one of the
-/// point's own normals, otherwise the closest of these, so that a corner on an edge pushes along
-/// the face. Edges are tested against edges exactly, so that crossing bars touch although no
-/// point of either lies inside the other.
+/// The surface points of each shape are looked up in the signed distance of the other shape
+/// (Guendelman, Bridson and Fedkiw 2003, "Nonconvex rigid bodies with stacking"): a mesh has its
+/// level set, any other shape its exact distance. The normal is the gradient of the distance if it
+/// lies in the cone of the point's own normals, otherwise the direction in this cone that is
+/// closest to it. So a point inside a face pushes along the normal of the face, also at an edge of
+/// the other shape. Edges are tested against edges exactly, so that crossing bars touch although no
+/// point of one bar lies inside the other.
 ///
 /// @param shape1  a mesh, a box, a cylinder, a cone or an ellipsoid
 /// @param shape2  a mesh
@@ -34,12 +35,13 @@ void find_point_contacts(const Shape& shape1, const Pose& pose1, const SolidMesh
                          std::vector<Contact>& contacts);
 
 /// Removes contacts of points of flat faces that have a gap and are not nearest to shape 1, if
-/// another contact with the same face is nearer. Such points lie ahead of a rolling wheel. They do
-/// not come nearer to the wheel, but if it turned a little more in the step, they would stop it.
+/// another contact with the same face is nearer. Such points lie ahead of a rolling wheel, which
+/// passes them without touching. If it turned a little more in the step, contacts at these points
+/// would stop it.
 ///
 /// @param points  contacts of a mesh's surface points with shape 1, which is no mesh
 /// @param others  contacts of points of shape 1 with the mesh
-/// @param share   distance of their points from the mesh, divided by their gap: 1/2 or 1
+/// @param share   distance of the points of `others` from the mesh, divided by the gap: 1/2 or 1
 void remove_points_ahead(std::vector<Contact>& points, const Shape& shape1, const Pose& pose1,
                          std::span<const Contact> others, double share);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Contacts of a shape with a plane, in closed form. For each kind of shape it tests the points that
-// can be lowest: vertices, ends, or points of a circle. Each one that is closer than the reach is a
-// contact.
+// can be lowest: vertices, ends, or points of a circle. Each of these points that is closer than
+// the reach is a contact.
 #include "rigid/detection/shapes/plane_contact.hpp"
 
 #include "geometry/distance/support.hpp"

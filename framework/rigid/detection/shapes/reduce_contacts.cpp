@@ -2,7 +2,7 @@
 // Reduction of many contacts to a few that are spread over the contact region. It starts with the
 // outermost of the deepest contacts and then repeatedly adds the contact that is farthest from
 // those already chosen, weighted by depth. Last, each chosen contact is replaced by the deepest of
-// the contacts near it.
+// the contacts that are nearest to it.
 #include "rigid/detection/shapes/reduce_contacts.hpp"
 
 #include "geometry/bounds/bounds.hpp"
@@ -14,9 +14,11 @@ namespace rigor {
 
 namespace {
 
-constexpr double as_deep = 1e-5; // in extents; the size of rounding and solver errors
-// Two distances tie if they differ by less than this fraction. Then the first contact is taken, so
-// that rounding does not decide.
+// Contacts whose gaps differ by less than this are equally deep, in extents of the contact region:
+// the size of rounding and solver errors.
+constexpr double as_deep = 1e-5;
+// Two distances are equal if they differ by less than this fraction. Then the first contact is
+// taken, so that rounding does not decide.
 constexpr double equal_distance = 1e-9;
 // Weight of the squared difference of two normals against the squared distance of two points in
 // extents: opposite normals count as much as points at opposite ends.
@@ -24,7 +26,7 @@ constexpr double normal_weight = 0.25;
 constexpr double least_extent = 1e-300; // avoids 0/0 if all points are equal [m]
 constexpr double not_chosen = 1e300;    // the distance to the chosen contacts if there are none
 
-// Chooses contacts.
+// Chooses the contacts that are kept.
 class Selection {
 public:
     Selection(std::span<const Contact> contacts, double reach)
@@ -85,7 +87,7 @@ private:
         for (int i = 0; i < size(); ++i) {
             if (contacts_[i].gap > deepest_ + as_deep * extent_) continue;
             const double d = (contacts_[i].point - middle_).norm();
-            if (d <= farthest * (1 + equal_distance)) continue; // the first of equal ones
+            if (d <= farthest * (1 + equal_distance)) continue; // keeps the first of equal ones
             farthest = d;
             best = i;
         }
@@ -103,7 +105,8 @@ private:
         chosen_.push_back(i);
     }
 
-    // Replaces each chosen contact by a deeper one that it stands for.
+    // Replaces each chosen contact by the deepest of the contacts to which it is the nearest chosen
+    // one.
     void replace_by_deeper()
     {
         for (int i = 0; i < size(); ++i) {
@@ -116,8 +119,8 @@ private:
     double reach_, deepest_ = 0, extent_ = 0;
     Vector3d middle_ = Vector3d::Zero();
     std::vector<int> chosen_;
-    std::vector<int> nearest_chosen_; // for each contact, the index of the chosen one near it
-    std::vector<double> distance_;    // for each contact, the distance to that one
+    std::vector<int> nearest_chosen_; // for each contact, the place of the nearest in `chosen_`
+    std::vector<double> distance_;    // for each contact, the distance to that nearest one
 };
 
 } // namespace

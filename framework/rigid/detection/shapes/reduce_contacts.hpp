@@ -11,13 +11,13 @@ inline constexpr std::size_t most_contacts = 8;
 
 /// Keeps at most `most` of the contacts from index `first` on, spread over the region of contact.
 ///
-/// The first one is the outermost of the deepest contacts. Each next one is the contact that is
-/// farthest from those before it, by place and normal, where a contact with a gap counts less than
-/// one that touches. Then each is replaced by the deepest of the contacts near it. So a ring on a
-/// peg keeps contacts on all sides.
+/// The first contact that is kept is the outermost of the deepest contacts. Each next one is the
+/// contact that is farthest from those already kept, by place and normal, where a contact with a
+/// gap counts less than one that touches. So a ring on a peg keeps contacts on all sides. Last,
+/// each kept contact is replaced by the deepest of the contacts that are nearest to it.
 ///
-/// @param reach  distance up to which the contacts were searched; one with this gap has no weight
-///               [m]
+/// @param reach  distance up to which the contacts were searched; a contact with this gap has no
+///               weight [m]
 void reduce_contacts(std::vector<Contact>& contacts, std::size_t first, double reach,
                      std::size_t most = most_contacts);
 

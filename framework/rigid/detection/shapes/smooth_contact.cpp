@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Contacts of a convex shape with the shape of a distance field. From points spread over the
 // surface, an iteration goes to the point of the surface that lies farthest against the field's
-// gradient, until the gradient there no longer changes. These are local minima of the field on the
-// surface, and each close enough is a contact.
+// gradient, until the gradient there no longer changes. The points where the iterations end are
+// local minima of the field on the surface. Each of them that is close enough is a contact.
 #include "rigid/detection/shapes/smooth_contact.hpp"
 
 #include "geometry/distance/support.hpp"
@@ -20,13 +20,14 @@ constexpr int most_steps = 4;  // limits an iteration whose gradient goes on tur
 constexpr double converged = 1e-12;
 constexpr double zero_length = 1e-9; // a shorter sum of parts of unit vectors is rounding
 
-// The outward normal of a convex shape at a point p of its surface that is closest to the direction
-// d.
+// Of the outward normals of a convex shape at a point p of its surface, the one closest to the
+// direction d.
 struct NormalAt {
     const Vector3d& p;
     const Vector3d& d;
 
-    // Points this close to a face, relative to the size, lie on it up to rounding.
+    // Points this close to a face, relative to the size of the shape, lie on the face up to
+    // rounding.
     static constexpr double rounding = 1e-9;
     static constexpr double on_it = 1 - rounding;
 
@@ -135,7 +136,7 @@ private:
         return pose_.R.transpose() * field_.normal(pose_ * p);
     }
 
-    // Whether a direction is new; if so, it is remembered.
+    // Whether n is not alike any direction in `known`; if so, it is added there.
     static bool is_new(const Vector3d& n, std::vector<Vector3d>& known)
     {
         if (std::any_of(known.begin(), known.end(),
@@ -193,7 +194,7 @@ private:
     double reach_;
     std::vector<Contact>& contacts_;
     DeepestPoint deepest_;
-    std::vector<Vector3d> starts_, ends_; // directions at the start and at the end of iterations
+    std::vector<Vector3d> starts_, ends_; // gradients at the start and the end of iterations
 };
 
 } // namespace
