@@ -12,7 +12,7 @@ namespace rigor {
 
 namespace {
 
-// A node as a rigid body whose center of mass is the node.
+// A node as a rigid body: a point mass at the position of the node.
 Body node_body(const Deformable& solid, int node, double inverse_mass)
 {
     Body body;

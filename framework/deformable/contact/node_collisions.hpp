@@ -7,14 +7,15 @@
 namespace rigor {
 
 /// Applies a collision impulse to each node that would be inside a body after `time_step`, and the
-/// opposite impulse to the body: `collision_impulse` with K = δ/m + K of the body. A substep calls
-/// it twice: before the forces with restitution, after them without. In the second call a remaining
+/// opposite impulse to the body: `collision_impulse` with K = δ/m + K_b, where δ is the unit
+/// matrix, m the mass of the node and K_b the `impulse_matrix` of the body. A substep calls it
+/// twice: before the forces with restitution, after them without. In the second call a remaining
 /// gap may close within the substep.
 void collide_nodes(Deformable& solid, const std::vector<char>& is_held,
                    const NodeContacts& contacts, RigidColliders& rigid, double time_step,
                    bool with_restitution, Counters& counters);
 
-/// Position correction: moves nodes out of bodies without changing velocities.
+/// Position correction: moves nodes that are inside bodies outwards, without changing velocities.
 ///
 /// @param step_share  substep divided by step; a whole step removes a fifth of the penetration
 /// @param farthest    the largest correction [m]

@@ -11,7 +11,7 @@ namespace rigor {
 /// A node that touches a part of a rigid body, or may touch it within the step.
 struct NodeContact {
     int node = 0, body = 0;
-    int part = 0;                        // number of the part among those near the solid
+    int part = 0;                        // index into the parts near the solid, `parts_`
     double gap = 0;                      // distance to the part, negative inside [m]
     Vector3d normal = Vector3d::UnitY(); // outward normal of the body
     double restitution = 0, friction = 0;
@@ -22,8 +22,8 @@ public:
     /// Finds the nodes that may reach a body within a step.
     void find(const Deformable& solid, const std::vector<char>& is_surface,
               const RigidColliders& rigid, double time_step, Counters& counters);
-    /// Updates gaps and normals to the positions of the nodes and the surfaces. A node near several
-    /// parts has a contact with each.
+    /// Recomputes the gaps and normals of all contacts, for the current positions of nodes and
+    /// surfaces. A node near several parts has a contact with each.
     void measure(const Deformable& solid, const RigidColliders& rigid);
 
     std::vector<NodeContact>& all() { return contacts_; }

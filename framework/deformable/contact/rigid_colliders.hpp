@@ -7,15 +7,16 @@
 
 namespace rigor {
 
-/// The rigid bodies during a step of the deformable solids. Impulses act at the poses of the
-/// start of the step, as in the rigid step, so that angular momentum is conserved to rounding. The
-/// surfaces move in substeps.
+/// The rigid bodies during a step of the deformable solids. As in the step of the rigid bodies,
+/// impulses act at the poses of the start of the step, so that angular momentum is conserved to
+/// rounding. Only the surfaces, against which distances are measured, move with each substep.
 struct RigidColliders {
     explicit RigidColliders(const World& world);
 
     /// Moves the surfaces by a substep [s].
     void advance(double time_step);
-    /// Writes the velocities after the impulses to the world, and wakes the bodies that got one.
+    /// Writes the velocities after the impulses to the world, and wakes the bodies that got an
+    /// impulse.
     void apply_to(World& to, double time_step) const;
     void push(int body, const Vector3d& point, const Vector3d& impulse);
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // The polar decomposition in closed form, for one matrix or several at once.
 //
-// Of all rotations, that of F = R S has the largest Tr(Rᵀ F) = Tr S =: s. With the singular values
+// Of all rotations, the R of F = R S has the largest Tr(Rᵀ F) = Tr S =: s. With the singular values
 // s₁ ≥ s₂ ≥ |s₃| of F (s₃ < 0 where F is inverted) s = s₁ + s₂ + s₃ is the largest root of
 //
 //     p(s) = s⁴ - 2 ‖F‖² s² - 8 det F s + ‖F‖⁴ - 4 ‖cof F‖²
 //
 // (Horn 1987, "Closed-form solution of absolute orientation using unit quaternions"; in each of the
-// other roots, two of the sᵢ change sign). Newton's method decreases to s from √3 ‖F‖. As s is the
-// support function of the rotations, R = ∂s/∂F = -∂p/∂F / ∂p/∂s:
+// other roots, two of the sᵢ change sign). Newton's method, started at √3 ‖F‖, decreases to s. As s
+// is the support function of the rotations, R = ∂s/∂F = -∂p/∂F / ∂p/∂s:
 //
 //     R = ((s² + ‖F‖²) F + 2 s cof F - 2 F Fᵀ F) / (s³ - ‖F‖² s - 2 det F)
 //
@@ -75,7 +75,7 @@ template <class Number>
 template <class Number> struct ClosedPolar {
     Square3<Number> R;
     Number s;            // Tr S
-    Number conditioning; // denominator / s³: 16/27 at rest, 0 where R is not unique
+    Number conditioning; // the denominator of R, over s³: 16/27 at rest, 0 where R is not unique
     Number last_step;    // last step of Newton's method, over s
 };
 
@@ -83,18 +83,20 @@ template <class Number> struct ClosedPolar {
 // quadratically, so that after such a step only rounding errors remain.
 inline constexpr double small_step = 1e-12;
 
-/// At this conditioning, cancellation in the closed form costs two digits.
+/// Below this conditioning, cancellation costs the closed form more than two digits.
 inline constexpr double least_conditioning = 0.01;
 
-/// Whether the closed form is accurate. If not, the caller takes the eigenvector instead.
+/// Whether the closed form is accurate. If not, the caller takes R from an eigenvector instead
+/// (polar_decomposition.cpp).
 inline bool is_exact(double conditioning, double last_step)
 {
     return conditioning > least_conditioning && std::abs(last_step) < small_step;
 }
 
-/// @param start   √3 ‖F‖, not below s
-/// @param is_end  whether a step, divided by s, is small enough to stop after it; near rest this is
-///                the fourth step
+/// @param norm2   ‖F‖²
+/// @param start   where Newton's method starts: √3 ‖F‖, which is never below s
+/// @param is_end  is_end(x) tells whether Newton's method stops after a step of size x s; near rest
+///                it stops after the fourth step
 template <class Number, class IsEnd>
 [[gnu::always_inline]] inline ClosedPolar<Number>
 closed_polar(const Square3<Number>& F, Number norm2, Number start, const IsEnd& is_end)

@@ -51,7 +51,7 @@ double energy_density(const Deformable& solid, int element)
 bool is_inverted(const Matrix3d& plastic, const Matrix3d& elastic)
 {
     const Matrix3d strain = plastic + elastic;
-    if (strain.squaredNorm() < 1) return false; // then no eigenvalue is as low as -1
+    if (strain.squaredNorm() < 1) return false; // then all eigenvalues are above -1
     return (Matrix3d::Identity() + strain).determinant() <= 0;
 }
 

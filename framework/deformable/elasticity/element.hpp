@@ -9,13 +9,13 @@ namespace rigor {
 /// F = ∂x/∂X of an element: [x₁ - x₀, x₂ - x₀, x₃ - x₀] [X₁ - X₀, X₂ - X₀, X₃ - X₀]⁻¹.
 Matrix3d deformation_gradient(const Deformable& solid, int element);
 
-/// ε - ε_p, ε = S - δ, in the element's rest space.
+/// ε - ε_p with ε = S - δ, where F = R S and δ is the unit matrix; in the element's rest space.
 Matrix3d elastic_strain(const Deformable& solid, int element);
 
 /// σ = λ Tr(ε - ε_p) δ + 2 G (ε - ε_p), by `isotropic_stress` [Pa].
 Matrix3d stress_of(const Deformable& solid, int element);
 
-/// Stress of each element from its elastic strain, in its rest space [Pa].
+/// The stress of each element (`stress_of`), in its rest space [Pa].
 std::vector<Matrix3d> element_stresses(const Deformable& solid);
 
 /// ½ σ : (ε - ε_p) [J/m³]

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Prepares the elements of a solid and finds their neighbours through faces. Stresses are smoothed
-// only over neighbours through faces without a crack.
+// Prepares the elements of a solid and finds the neighbours with which each shares a face. The
+// stress of an element is smoothed only with neighbours from which no crack separates it.
 #include "deformable/elasticity/element_workspace.hpp"
 
 #include "geometry/tetrahedra/tetrahedra.hpp"

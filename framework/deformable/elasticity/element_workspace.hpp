@@ -13,7 +13,7 @@ struct ElementWorkspace {
     Elements elements;
     std::vector<ElementStrain> strains;
     std::vector<std::array<int, 4>> face_neighbours;
-    std::vector<std::vector<int>> stress_neighbours; // for each element, across uncracked faces
+    std::vector<std::vector<int>> stress_neighbours; // per element, across uncracked faces
 };
 
 } // namespace rigor

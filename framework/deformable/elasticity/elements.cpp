@@ -15,7 +15,7 @@ namespace rigor {
 
 namespace {
 
-// A symmetric matrix: xx, yy, zz, xy, xz, yz.
+// A symmetric matrix for each of two elements.
 struct Symmetric {
     Two xx, yy, zz, xy, xz, yz;
 };
@@ -25,7 +25,7 @@ struct Symmetric {
     return Two{std::sqrt(a[0]), std::sqrt(a[1])};
 }
 
-// [a₁ - a₀, a₂ - a₀, a₃ - a₀] of the corners of both elements.
+// [a₁ - a₀, a₂ - a₀, a₃ - a₀] for both elements of a pair, with the values a at their corners.
 [[gnu::always_inline]] inline Square3<Two> edges(const ElementPair& pair,
                                                  std::span<const Vector3d> a)
 {
@@ -43,7 +43,8 @@ struct Symmetric {
     return D;
 }
 
-// R, S and s of both elements. Where the closed form is inaccurate, R comes from an eigenvector.
+// R, S and s of both elements of a pair. Where the closed form is inaccurate, R comes from an
+// eigenvector.
 struct PolarPair {
     Square3<Two> R;
     Symmetric S;
@@ -122,7 +123,7 @@ struct PolarPair {
     const Two axial[3] = {a[2][1] - a[1][2], a[0][2] - a[2][0], a[1][0] - a[0][1]};
     Two w[3];
     solve_spin(polar, axial, w);
-    const Symmetric& S = polar.S; // row i of W S is w × the rows of S
+    const Symmetric& S = polar.S; // column j of W S is w × column j of S
     return {a[0][0] - (w[1] * S.xz - w[2] * S.xy), a[1][1] - (w[2] * S.xy - w[0] * S.yz),
             a[2][2] - (w[0] * S.yz - w[1] * S.xz), a[0][1] - (w[1] * S.yz - w[2] * S.yy),
             a[0][2] - (w[1] * S.zz - w[2] * S.yz), a[1][2] - (w[2] * S.xz - w[0] * S.zz)};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Computes the rotation R and the symmetric S of F = R S for any F, also flat or inverted ones. It
-// takes the closed form of `closed_polar.hpp`, followed by one step of Newton's method for
+// Computes the rotation R and the symmetric S of F = R S for any F, even if it is flat or inverted.
+// It takes the closed form of `closed_polar.hpp`, followed by one step of Newton's method for
 // orthogonality. Where the closed form is inaccurate, R comes from an eigenvector instead (Horn
 // 1987).
 #include "deformable/elasticity/polar_decomposition.hpp"
@@ -16,7 +16,7 @@ namespace rigor {
 namespace {
 
 // The rotation of the quaternion q that makes Tr(Rᵀ F) = qᵀ N q largest: an eigenvector to the
-// largest eigenvalue of N (Horn 1987). It is slower than the closed form but works for every F.
+// largest eigenvalue of N (Horn 1987). This is slower than the closed form but works for every F.
 Matrix3d closest_rotation(const Matrix3d& F)
 {
     Eigen::Matrix4d N;
@@ -30,7 +30,7 @@ Matrix3d closest_rotation(const Matrix3d& F)
     N(2, 1) = F(0, 1) + F(1, 0);
     N(3, 1) = F(2, 0) + F(0, 2);
     N(3, 2) = F(1, 2) + F(2, 1);
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> solver(N); // it reads the lower triangle
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> solver(N); // reads only the lower triangle
     const Eigen::Vector4d q = solver.eigenvectors().col(3);
     return Eigen::Quaterniond(q[0], q[1], q[2], q[3]).normalized().toRotationMatrix();
 }
@@ -53,7 +53,7 @@ Polar polar_decomposition(const Matrix3d& F)
         Matrix3d R;
         for (int i = 0; i < 9; ++i)
             R(i / 3, i % 3) = closed.R.a[i / 3][i % 3];
-        polar.R = 1.5 * R - 0.5 * R * (R.transpose() * R); // orthogonal to rounding
+        polar.R = 1.5 * R - 0.5 * R * (R.transpose() * R); // now orthogonal up to rounding
     } else {
         polar.R = closest_rotation(F / norm);
     }

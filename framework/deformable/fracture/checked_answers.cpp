@@ -11,7 +11,7 @@ namespace rigor {
 
 namespace {
 
-// Checks what the formula of this name returned; the messages begin with the name.
+// Checks what a formula returned. The messages of errors begin with the name of the formula.
 class Answer {
 public:
     explicit Answer(const char* formula) : formula_(formula) {}

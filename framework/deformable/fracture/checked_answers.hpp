@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Checks of the answers of the formulas of fracture. They may be a student's, and the engine uses
-// them as indices into its own arrays.
+// Checks of what the formulas of topic `fracture` return. A student may have written the formulas,
+// and the engine uses the numbers that they return as indices into its own arrays.
 #pragma once
 
 #include "formulas/types.hpp"
@@ -9,10 +9,10 @@
 
 namespace rigor {
 
-// Each function returns its argument, or throws std::out_of_range that names the formula, what was
-// expected and what was found.
+// Each function returns its argument, or throws std::out_of_range. The message names the formula,
+// what was expected and what was found.
 
-/// @param elements  number of elements
+/// @param elements  number of elements; a stress is expected for each
 std::vector<Matrix3d> checked_stresses(std::vector<Matrix3d> smooth, std::size_t elements);
 
 /// @return the number of a face, 0 … 3
@@ -21,7 +21,7 @@ int checked_face(int face);
 /// @param before  the mesh that was split
 SplitMesh checked_split(SplitMesh split, const TetrahedralMesh& before, const char* formula);
 
-/// A split along faces, which also keeps the elements.
+/// For a split along faces. This one also checks that the number of elements is still the same.
 SplitMesh checked_split_along_faces(SplitMesh split, const TetrahedralMesh& before);
 
 /// @param before  the mesh without cracks

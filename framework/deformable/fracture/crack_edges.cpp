@@ -15,10 +15,10 @@ namespace {
 
 constexpr std::array<std::array<int, 2>, 6> tetrahedron_edges = {
     {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
-constexpr double least_cosine = 0.5;   // cos 60°, for the largest turn of a crack as it continues
-constexpr double similar_cosine = 0.7; // about cos 45°; nearer planes count as the same crack
-// Least distance of a corner from the plane of a crack, relative to the farthest corner. Between
-// the plane and a nearer corner there would be almost no material.
+constexpr double least_cosine = 0.5;   // cos 60°: a continued crack turns by less than this
+constexpr double similar_cosine = 0.7; // about cos 45°; planes closer than this are one crack
+// Least distance of a corner from the plane of a crack, relative to that of the farthest corner.
+// Between the plane and a nearer corner there would be almost no material.
 constexpr double least_corner_height = 1e-6;
 
 std::pair<int, int> edge_of(const std::array<int, 4>& t, const std::array<int, 2>& edge)
@@ -36,7 +36,7 @@ Corners corners_of(const TetrahedralMesh& mesh, int t)
     return x;
 }
 
-// The best plane so far among those that pass through the same number of cuts.
+// The best plane so far among those through the same number of cut points: one, two or three.
 struct Best {
     const Corners& corners;
     const std::array<int, 4>& real;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Opens cracks normal to the largest principal tension where it exceeds the strength (Rankine's
-// criterion). The mesh follows by one of three methods: along faces, by splitting elements, or with
-// virtual nodes (Molino, Bao and Fedkiw 2004). First a bound on the stresses excludes most
+// criterion). The mesh is then changed by one of three methods: along faces, by splitting elements,
+// or with virtual nodes (Molino, Bao and Fedkiw 2004). First a bound on the stresses excludes most
 // elements, then stresses are smoothed and candidates sorted, then the chosen ones crack.
 #include "deformable/fracture/fracture.hpp"
 
@@ -27,13 +27,13 @@ struct Candidate {
     Vector3d normal = Vector3d::UnitX();
 };
 
-// An upper bound of the eigenvalues: mean + ⅔ von Mises stress [Pa].
+// An upper bound of the eigenvalues of a stress: mean stress + ⅔ von Mises stress [Pa].
 double bound_of(const Matrix3d& stress)
 {
     return stress.trace() / 3 + 2.0 / 3 * von_mises(stress);
 }
 
-// The same bound from the elastic strain [Pa].
+// The same bound for the stress that an elastic strain causes [Pa].
 double bound_of(const Matrix3d& strain, double lambda, double G)
 {
     const double trace = strain.trace();
@@ -122,7 +122,7 @@ int crack_faces(Deformable& solid, const ElementWorkspace& work,
         taken.add(t);
         const auto& back = work.face_neighbours[other];
         const auto g = std::find(back.begin(), back.end(), c.element) - back.begin();
-        if (g == 4) continue; // a wrong split gave one face to three elements
+        if (g == 4) continue; // after a wrong split: three elements share this face
         solid.crack_faces[c.element][f] = solid.crack_faces[other][g] = true;
         ++cracks;
     }
@@ -136,7 +136,7 @@ int crack_faces(Deformable& solid, const ElementWorkspace& work,
 // The smallest height of an element over one of its faces.
 double least_height(const TetrahedralMesh& mesh, int element)
 {
-    double largest = 0; // twice the area of a face
+    double largest = 0; // twice the area of the largest face
     const auto x = corners(mesh, element);
     for (const auto& [i, j, k] : tetrahedron_faces)
         largest = std::max(largest, (x[j] - x[i]).cross(x[k] - x[i]).norm());
@@ -151,7 +151,8 @@ double least_height(const TetrahedralMesh& mesh)
     return least;
 }
 
-// Whether a cut leaves no sliver. A sliver would need shorter substeps than all other elements.
+// Whether a split leaves no sliver and not too many elements. A sliver would need shorter substeps
+// than all other elements.
 bool is_fine_enough(const Deformable& solid, const SplitMesh& split)
 {
     if (split.mesh.tetrahedra.size() > most_tetrahedra) return false;
@@ -176,8 +177,9 @@ int crack_tip(const Deformable& solid, const std::vector<double>& pull, int elem
 // elements, so the next one finds its vertex by its position at rest. @return the number of cracks
 int crack_elements(Deformable& solid, const std::vector<Candidate>& found)
 {
-    // The least height of an element after a cut, as a share of the least height in the mesh at
-    // first. With a fifth, the stable substep stays above about a fifth of its first value.
+    // The least height of an element after a cut, as a share of the least height in the mesh before
+    // the first crack. With a fifth, the stable substep stays above about a fifth of its first
+    // value.
     constexpr double least_share = 0.2;
     if (solid.least_height == 0) solid.least_height = least_share * least_height(solid.rest);
     std::vector<double> pull(solid.rest.vertices.size(), 0.0);
@@ -215,7 +217,8 @@ int crack_elements(Deformable& solid, const std::vector<Candidate>& found)
 // Cracks elements with virtual nodes. @return the number of cracks
 int crack_with_virtual_nodes(Deformable& solid, const std::vector<Candidate>& found)
 {
-    // The largest number of cracks of an element; each one may double its copies. Chosen by trial.
+    // The largest number of cracks of an element; each crack may double the number of its copies.
+    // Chosen by trial.
     constexpr int most_in_element = 3;
     if (solid.uncracked.tetrahedra.empty()) solid.uncracked = solid.rest;
     std::vector<int> count(solid.uncracked.tetrahedra.size(), 0);
@@ -225,7 +228,9 @@ int crack_with_virtual_nodes(Deformable& solid, const std::vector<Candidate>& fo
     const bool is_embedded = !solid.embedded.parents.empty();
     CrackedNodes taken(solid);
     int cracks = 0;
-    bool one_goes_on = false; // whether a crack continues; then less stressed elements start none
+    // Whether a new crack continues an old one. Then less stressed elements start no crack of their
+    // own.
+    bool one_goes_on = false;
     for (const Candidate& c : found) {
         if (cracks == most_cracks) break;
         const int parent = is_embedded ? solid.embedded.parents[c.element] : c.element;
@@ -233,7 +238,7 @@ int crack_with_virtual_nodes(Deformable& solid, const std::vector<Candidate>& fo
         const bool is_divisible = std::accumulate(real.begin(), real.end(), 0) > 1;
         const auto& t = solid.rest.tetrahedra[c.element];
         if (!is_divisible || count[parent] >= most_in_element || taken.any(t)) continue;
-        if (edges.has_similar(parent, c.normal)) continue; // that crack has to open first
+        if (edges.has_similar(parent, c.normal)) continue; // the similar crack has to open first
         const bool goes_on = edges.meets(parent, real);
         if (one_goes_on && !goes_on) continue;
         one_goes_on |= goes_on;

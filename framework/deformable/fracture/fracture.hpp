@@ -7,8 +7,8 @@
 namespace rigor {
 
 /// Opens cracks where the largest principal value of the smoothed stress exceeds the strength. The
-/// most stressed elements come first, with at most one crack at a node and `most_cracks` in a step.
-/// The mesh is then split along them.
+/// most stressed elements crack first, with at most one crack at a node and `most_cracks` in a
+/// step. The mesh is then split along the cracks.
 ///
 /// Eigenvalues are not computed where a bound shows that there is no crack. No eigenvalue exceeds
 /// the mean stress plus ⅔ of the von Mises stress, and no eigenvalue of a smoothed stress exceeds

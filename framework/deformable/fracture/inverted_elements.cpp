@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Separates elements that stay inverted for too long. It counts the time of each inverted element,
-// cracks the failed ones along all their faces, and moves each of them to its shape without stress
-// as a rigid body with the same momentum and angular momentum.
+// cracks the failed ones along all their faces, and gives each of them its shape without stress,
+// and the motion of a rigid body with the same momentum and angular momentum.
 #include "deformable/fracture/inverted_elements.hpp"
 
 #include "deformable/elasticity/element.hpp"
@@ -36,7 +36,8 @@ bool is_held(const std::vector<HeldNode>& held, const std::array<int, 4>& nodes)
     });
 }
 
-// Counts the time of inverted elements. @return whether any has been inverted for too long
+// Adds the step to the time of each inverted element, and sets the time of all others to 0.
+// @return whether an element has been inverted for too long
 bool count_time(Deformable& solid, const ElementWorkspace& work, const std::vector<HeldNode>& held,
                 double time_step)
 {
@@ -82,7 +83,8 @@ void mark_faces(std::vector<std::array<bool, 4>>& crack_faces,
         }
 }
 
-// Separates elements with virtual nodes: the element of the uncracked mesh, with all its copies.
+// Separates elements of a solid with virtual nodes: each element of the uncracked mesh that has a
+// copy among them, with all its copies.
 void separate_copies(Deformable& solid, const std::vector<char>& is_separated)
 {
     if (solid.uncracked.tetrahedra.empty()) solid.uncracked = solid.rest;

@@ -18,7 +18,7 @@ bool relax_element(Deformable& solid, int element);
 /// The elastic force on an inverted element is bounded, so neighbours at the limit of their plastic
 /// strain can hold it inverted forever. The time does not count for elements with a node that a
 /// handle holds.
-/// @return whether there were any; earlier strains are then out of date
+/// @return  whether there were such elements; strains computed before are then out of date
 bool separate_inverted_elements(Deformable& solid, const ElementWorkspace& work,
                                 const std::vector<HeldNode>& held, World& world, double time_step);
 

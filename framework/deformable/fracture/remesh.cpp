@@ -22,8 +22,8 @@ template <class T> T between(const std::vector<T>& old, const VertexOrigin& orig
     return (1 - origin.fraction) * old[origin.first] + origin.fraction * old[origin.second];
 }
 
-// The new nodes whose origins are all in `nodes`.
-// @param places  places of `nodes`, replaced by those of the new nodes; may be empty
+// The new nodes with material whose origins are both in `nodes`.
+// @param places  the places of `nodes`, or empty; replaced by the places of the new nodes
 std::vector<int> carried_nodes(const std::vector<int>& nodes, std::size_t old_count,
                                const std::vector<VertexOrigin>& origins,
                                const std::vector<char>& has_matter, std::vector<Vector3d>& places)
@@ -101,7 +101,8 @@ int face_of_parent(const Deformable& solid, const SplitMesh& split, int child, i
     return -1;
 }
 
-// The faces of the new mesh with cracks: parts of cracked faces, and faces that this split opened.
+// For each face of the new mesh, whether a crack runs along it: either it is a part of a cracked
+// face, or this split opened it.
 std::vector<std::array<bool, 4>> carried_cracks(const Deformable& solid, const SplitMesh& split)
 {
     const auto old_neighbours = face_neighbours(solid.rest),
@@ -118,7 +119,8 @@ std::vector<std::array<bool, 4>> carried_cracks(const Deformable& solid, const S
     return cracks;
 }
 
-// Gives the nodes of cut elements a spin about their center of mass.
+// Gives the nodes of cut elements a spin about their center of mass that has the angular momentum
+// L.
 void add_angular_momentum(Deformable& solid, const std::vector<char>& is_near, const Vector3d& L)
 {
     double mass = 0;
@@ -194,7 +196,7 @@ void remesh(Deformable& solid, EmbeddedMesh embedded)
         copies[solid.embedded.parents.empty() ? t : solid.embedded.parents[t]].push_back(t);
 
     // The parent of a new copy is the old copy that had the new one's first real corner as a real
-    // corner. There is one, because cracks only divide material.
+    // corner. Such an old copy exists, because cracks only divide material.
     std::vector<int> parents;
     std::vector<VertexOrigin> origins(embedded.mesh.vertices.size());
     std::vector<char> has_matter(embedded.mesh.vertices.size(), 0);
@@ -204,7 +206,7 @@ void remesh(Deformable& solid, EmbeddedMesh embedded)
         int old = -1;
         for (const int copy : copies[embedded.parents[t]])
             if (solid.embedded.real.empty() || solid.embedded.real[copy][corner]) old = copy;
-        if (old < 0) // each part of the matter was in a copy before
+        if (old < 0) // all material was in some copy before
             throw std::out_of_range("virtual_nodes returned matter that was in no element");
         parents.push_back(old);
         for (int i = 0; i < 4; ++i) {

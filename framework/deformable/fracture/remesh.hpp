@@ -4,8 +4,8 @@
 // Masses are lumped again: each corner of an element gets a quarter of its mass. So the mass of the
 // solid stays the same. Momenta follow from the origin of each new node:
 //
-//   * Copies of a node have its position and velocity, and their masses add up to its mass. Both
-//     momenta and the energy are conserved.
+//   * The copies of a node have its position and velocity, and their masses add up to its mass. So
+//     momentum, angular momentum and energy are conserved.
 //   * A node p = (1-t) a + t b halves the elements at the edge a b. If an element has mass m, a
 //     keeps t m/4 of it, b keeps (1-t) m/4, and p gets m/4. With v_p = (1-t) v_a + t v_b the
 //     momentum and the center of mass are conserved, but an angular momentum of t (1-t) m/4
@@ -21,11 +21,11 @@ namespace rigor {
 /// transferred.
 void remesh(Deformable& solid, const SplitMesh& split);
 
-/// The same with virtual nodes. The parent of an element is the element of the old mesh that
-/// contained its material. A handle holds those copies of its nodes that have material.
+/// The same for a solid with virtual nodes. The parent of a new element is the element of the old
+/// mesh that contained its material. A handle holds those copies of its nodes that have material.
 void remesh(Deformable& solid, EmbeddedMesh embedded);
 
-/// The faces along which a crack runs.
+/// The marked faces as a list, each with the number of its element.
 std::vector<MeshFace> marked_faces(const std::vector<std::array<bool, 4>>& crack_faces);
 
 } // namespace rigor

@@ -15,8 +15,9 @@ namespace rigor {
 
 namespace {
 
-// A free contact starts to hold at this penetration, divided by the radius of the solid. It is well
-// above the penetration that rounding and the tolerance of the linear solve leave for a tied node.
+// An open contact starts to hold at this penetration, divided by the radius of the solid. It is
+// well above the penetration that rounding and the tolerance of the linear solve leave for a tied
+// node.
 constexpr double penetration_tolerance = 1e-6;
 // A sliding contact needs no further round if the relative error of its friction force is below
 // this. A smaller value takes more solves of the linear system.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The active set of the contacts in an implicit step: which of them hold their nodes, and whether
-// these stick or slide.
+// The active set of the contacts in an implicit step: which contacts hold their nodes, and whether
+// these nodes stick or slide.
 #pragma once
 
 #include "deformable/motion/joined_bodies.hpp"
@@ -9,7 +9,7 @@
 
 namespace rigor {
 
-/// The data that the contacts of a step depend on. It does not change during the step.
+/// What the contacts of a step depend on. The references stay the same during the step.
 struct ContactStep {
     const Deformable& solid;
     const RigidColliders& rigid;
@@ -21,16 +21,17 @@ struct ContactStep {
     double radius = 0;                // half the extent of the solid [m]
 };
 
-/// Whether a contact is open (its node is free) or closed, and then whether it sticks or slides.
+/// A contact is open (its node is free), or it holds its node, which sticks or slides.
 enum class ContactMode : char { open, sticking, sliding };
 
 class ContactSet {
 public:
-    /// Makes a first guess for each contact: it sticks if the node would be inside the body after
-    /// the step.
+    /// Makes a first guess for each contact: it holds its node if the node would otherwise be
+    /// inside the body after the step. With friction the node sticks, without friction it slides.
     void guess(const ContactStep& step);
 
-    /// Chooses for each node the contact that ties it: the deepest of those that hold.
+    /// Chooses for each node the contact that ties it: the contact with the smallest gap among
+    /// those that hold it.
     void choose_ties();
     /// Whether a contact ties its node.
     bool is_tied(int k) const { return tied_by_[step_->contacts[k].node] == k; }
@@ -39,15 +40,16 @@ public:
     /// The tie of a contact in the linear system.
     TiedNode tie(int k) const;
 
-    /// The impulse that a tie gave its node in the latest solve [N s].
+    /// The impulse that the tie of a contact gave its node in the latest solve [N s].
     void set_impulse(int k, const Vector3d& impulse) { impulses_[k] = impulse; }
     const Vector3d& impulse(int k) const { return impulses_[k]; }
 
     /// Corrects a contact after a solve.
     ///
-    /// @param velocity  velocity of its node after the solve [m/s]
+    /// @param velocity  velocity of the contact's node after the solve [m/s]
     /// @param diagonal  diagonal block of the node in the matrix of the system [kg]
-    /// @return whether the contact changed, so that its part has to be solved for again
+    /// @return whether the contact changed, so that the part of the solid with its node has to be
+    ///         solved for again
     bool revise(int k, const Vector3d& velocity, const Matrix3d& diagonal);
 
 private:
@@ -58,9 +60,9 @@ private:
 
     std::optional<ContactStep> step_;
     std::vector<ContactMode> modes_; // for each contact
-    std::vector<double> dampings_;   // for each sliding contact, friction impulse over speed [kg]
+    std::vector<double> dampings_;   // if sliding: friction impulse over slip speed [kg]
     std::vector<Vector3d> impulses_; // for each contact, on its node [N s]
-    std::vector<int> tied_by_;       // for each node
+    std::vector<int> tied_by_;       // for each node, its contact or -1
 };
 
 } // namespace rigor

@@ -18,9 +18,12 @@ namespace rigor {
 
 namespace {
 
-constexpr double safety = 0.9; // share of the stable step at rest; large deformations need less
+// The longest substep, as a share of the longest one that is stable at rest. It is below 1, because
+// large deformations need shorter substeps.
+constexpr double safety = 0.9;
 
-// A solid that needs more substeps has an element without thickness: its step would never end.
+// A solid that needs more substeps than this has an element with almost no thickness, and its step
+// would take forever.
 constexpr double most_substeps = 1e6;
 
 int substeps_for(const Deformable& solid, double step, double stable)
@@ -33,7 +36,7 @@ int substeps_for(const Deformable& solid, double step, double stable)
              << most_substeps << " substeps, found " << std::setprecision(3) << needed;
         throw std::domain_error(text.str());
     }
-    return needed > 1 ? static_cast<int>(needed) : 1; // a NaN is reported at the end of the step
+    return needed > 1 ? static_cast<int>(needed) : 1; // the end of the step reports NaNs
 }
 
 void accelerate(const NodeMotion& motion, double time, double h)

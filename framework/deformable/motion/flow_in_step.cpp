@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Finds the plastic flow within a step of backward Euler by Newton's method with the consistent
-// tangent (Simo and Taylor 1985). The step minimises a convex function of the velocities, so that
-// a line search makes the method converge from any start (Ortiz and Stainier 1999, "The variational
+// tangent (Simo and Taylor 1985). The step minimises a convex function of the velocities, so that a
+// line search makes the method converge from any start (Ortiz and Stainier 1999, "The variational
 // formulation of viscoplastic constitutive updates"). Each round asks the formulas how each element
 // flows at the velocities of the latest solve, and compares that with what the solve had assumed.
-// If an element differs, the velocities are reset to a point between the last two where they went
-// too far, and the flow is linearised there.
+// If the two differ for an element, the flow is linearised about these velocities. If the
+// velocities have gone too far beyond the minimum, they are first replaced by a point between them
+// and the velocities of the linearisation before.
 #include "deformable/motion/flow_in_step.hpp"
 
 #include <algorithm>
@@ -15,13 +16,14 @@ namespace rigor {
 
 namespace {
 
-// The flow that a solve has assumed is right if its stress is, up to this share of the yield
-// stress. The error falls quadratically, so that a larger value would hardly save a round.
+// The flow that a solve has assumed counts as right if the error of its stress is below this share
+// of the yield stress. The error falls quadratically, so that a larger tolerance would hardly save
+// a round.
 constexpr double flow_tolerance = 1e-9;
-// The rounding error of a stress, over the trial stress.
+// The rounding error of a stress, relative to the trial stress.
 constexpr double rounding = 1e-13;
-// The velocities have gone too far beyond the minimum if the slope of the function there is larger
-// than this share of its slope at the guess, with the opposite sign.
+// The velocities have gone too far beyond the minimum if the slope of the minimised function at
+// them has the opposite sign of its slope at the guess, and more than this share of its size.
 constexpr double largest_turn = 0.5;
 
 Matrix3d deviatoric(const Matrix3d& a)
@@ -34,8 +36,8 @@ double product(const Matrix3d& a, const Matrix3d& b)
     return a.cwiseProduct(b).sum();
 }
 
-// The stress that a linearised flow takes from a strain d: 2 G (a (dev d - (k : d) k) + (n : d) n),
-// see element_flow.hpp.
+// How much of the stress of a strain d a linearised flow takes away (element_flow.hpp):
+// 2 G (a (dev d - (k : d) k) + (n : d) n).
 Matrix3d softening(const ElementFlow& f, double G, const Matrix3d& d)
 {
     Matrix3d across = deviatoric(d);
@@ -43,8 +45,8 @@ Matrix3d softening(const ElementFlow& f, double G, const Matrix3d& d)
     return 2 * G * (f.softened * across + product(f.along, d) * f.along);
 }
 
-// The tangent of a flow, from what the formula has returned: the direction of the flow, and the
-// share θ of the deviator that it leaves.
+// Sets a, n and k of a linearised flow (element_flow.hpp). They follow from what the formula has
+// returned: the direction of the flow, and the share θ of the trial deviator that the flow leaves.
 void set_tangent(ElementFlow& f, const FlowRule::Flowed& flowed, const Matrix3d& plastic,
                  const Matrix3d& trial)
 {
@@ -80,7 +82,7 @@ void FlowInStep::start(const Deformable& solid, const ElementWorkspace& work,
     is_first_ = true;
 }
 
-// The strain of an element within the step, d = h sym(Rᵀ Σ vᵢ ∇Nᵢᵀ).
+// The strain that an element gains within the step, d = h sym(Rᵀ Σ vᵢ ∇Nᵢᵀ).
 Matrix3d FlowInStep::strain_in_step(int e, const std::vector<Vector3d>& velocities) const
 {
     const auto nodes = work_->elements.nodes(e);
@@ -92,7 +94,8 @@ Matrix3d FlowInStep::strain_in_step(int e, const std::vector<Vector3d>& velociti
     return 0.5 * time_step_ * (A + A.transpose());
 }
 
-// Makes `next_`, the flow linearised about these velocities, and compares it with `flows_`.
+// Makes `next_`, the flow linearised about these velocities. Lists in `changed_` the elements for
+// which the flow differs from that of the latest solve, `flows_`.
 void FlowInStep::linearise(const std::vector<Vector3d>& velocities)
 {
     next_.clear();
@@ -107,7 +110,7 @@ void FlowInStep::linearise(const std::vector<Vector3d>& velocities)
         if (!flowed.flows && !solved) continue;
         const Matrix3d relaxed =
             flowed.flows ? relaxed_stress(flowed.plastic_strain - plastic) : Matrix3d::Zero();
-        Matrix3d error = -relaxed; // the error of the stress in the solve
+        Matrix3d error = -relaxed; // the error of the stress that the solve has assumed
         if (solved) error += solved->stress + softening(*solved, G_, d);
         note_error(e, error, trial, d, solved);
         if (!flowed.flows) continue;
@@ -132,8 +135,8 @@ void FlowInStep::note_error(int e, const Matrix3d& error, const Matrix3d& trial,
 }
 
 // Goes back towards the guess if the velocities of the latest solve lie too far beyond the minimum.
-// With p the way from the guess to these velocities, the slope of the function along p is -pᵀ A p
-// at the guess and `excess_` at the velocities.
+// With p the way from the guess to these velocities, the slope of the minimised function along p is
+// -pᵀ A p at the guess and `excess_` at the velocities.
 // @return whether it went back
 bool FlowInStep::backtrack(VelocitySystem& s)
 {

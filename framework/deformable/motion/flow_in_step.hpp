@@ -10,25 +10,25 @@
 
 namespace rigor {
 
-/// Newton's method for the flow within one implicit step. The stress at the end of a step is that
-/// after the flow, so it depends on the velocities that the step solves for. Each round linearises
-/// the flow of each element about the velocities of the latest solve. The plastic strains of the
-/// solid do not change; `flow` changes them once the nodes have moved.
+/// Newton's method for the flow within one implicit step. The stress at the end of a step is the
+/// stress after the flow, so it depends on the velocities that the step solves for. Each round
+/// linearises the flow of each element about the velocities of the latest solve. The plastic
+/// strains of the solid do not change; `flow` changes them once the nodes have moved.
 class FlowInStep {
 public:
     /// Begins a step, in which no element has flowed yet.
     ///
-    /// @param work  with the strains at the start of the step
+    /// @param work  contains the strains at the start of the step
     void start(const Deformable& solid, const ElementWorkspace& work, const Settings& settings,
                double time_step);
 
-    /// Compares the flow of each element with that in the latest solve. If any differs, linearises
-    /// the flow again and puts it into the system.
+    /// Compares the flow of each element with the flow that the latest solve has assumed. If they
+    /// differ for any element, linearises the flow again and puts it into the system.
     ///
-    /// @return whether any differs, so that the system has to be solved again
+    /// @return whether any element differs, so that the system has to be solved again
     bool revise(VelocitySystem& system);
 
-    /// The elements whose flow differed from that in the latest solve.
+    /// The elements whose flow differed from what the latest solve had assumed.
     const std::vector<int>& changed() const { return changed_; }
 
 private:
@@ -45,12 +45,13 @@ private:
     std::optional<FlowRule> rule_;
     double time_step_ = 0, lambda_ = 0, G_ = 0; // h [s], λ, G [Pa]
     bool is_first_ = true;                      // whether the latest solve was without flow
-    std::vector<Vector3d> elastic_momenta_;     // right-hand side without flow [N s]
+    std::vector<Vector3d> elastic_momenta_;     // right-hand side of the system without flow [N s]
     std::vector<Vector3d> guess_; // the velocities that the flow was linearised about [m/s]
-    std::vector<ElementFlow> flows_, next_; // the linearised flow, elements ascending
+    // The linearised flow of the latest solve, and that of the next one; elements ascending.
+    std::vector<ElementFlow> flows_, next_;
     std::vector<int> changed_;
-    double excess_ = 0;         // work of the linearisation's stress error, from the guess on [J]
-    std::vector<Vector3d> way_; // buffer
+    double excess_ = 0;         // slope of the minimised function, see `backtrack` [J]
+    std::vector<Vector3d> way_; // from `guess_` to the latest velocities [m/s]
 };
 
 } // namespace rigor

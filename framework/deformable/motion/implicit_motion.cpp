@@ -2,8 +2,8 @@
 // Moves the nodes of a solid by one step of backward Euler, linearised at the start of the step
 // with constant rotations of the elements (Baraff and Witkin 1998, "Large steps in cloth
 // simulation"; Müller and Gross 2004). First restitution acts on the velocities. Then the linear
-// system is solved in rounds until no contact changes. Last, the impulses are applied to the rigid
-// bodies and the nodes move with their new velocities.
+// system is solved in rounds until neither the contacts nor the plastic flow change. Last, the
+// impulses are applied to the rigid bodies and the nodes move with their new velocities.
 #include "deformable/motion/implicit_motion.hpp"
 
 #include "deformable/contact/node_collisions.hpp"
@@ -14,10 +14,11 @@ namespace rigor {
 
 namespace {
 
-// The largest number of solves of the linear system in one step. Contacts that still change after
-// these rounds stay as they are; the next step begins with a new guess.
+// The largest number of solves of the linear system for the same plastic flow. Contacts that still
+// change after these rounds stay as they are; the next step begins with a new guess.
 constexpr int most_rounds = 10;
-// The largest number of such solves for the flow of the elements.
+// The largest number of times in a step that the plastic flow is linearised again. After each, the
+// system is solved as above.
 constexpr int most_flow_rounds = 20;
 
 Matrix3d axes_of(const HeldNode& held)
@@ -36,9 +37,9 @@ void assemble_system(const NodeMotion& motion)
     work.velocity_system.assemble(solid, work, work.forces, motion.time_step);
 }
 
-// Opens the parts that have to be solved for together, because they may touch the same joined
-// bodies.
-// @return whether a part is open whose contacts reach a joined body
+// If the contacts of an open part reach a joined body, opens all other parts with such contacts,
+// because they may touch the same body and have to be solved for together.
+// @return whether the contacts of an open part reach a joined body
 bool open_coupled_parts(Workspace& work)
 {
     if (work.bodies.is_empty()) return false;
@@ -78,7 +79,8 @@ void note_impulses(Workspace& work)
             work.contact_set.set_impulse(k, impulses[contacts[k].node]);
 }
 
-// Revises all contacts after a solve. A part stays open if one of its contacts changed.
+// Revises the contacts of the parts that were solved for. A part stays open if one of its contacts
+// changed.
 void revise_contacts(Workspace& work)
 {
     const VelocitySystem& s = work.velocity_system;
@@ -109,8 +111,8 @@ void solve_with_contacts(const NodeMotion& motion)
     }
 }
 
-// Solves the system, and solves it again for those parts in which elements flow otherwise than the
-// previous solve has assumed.
+// Solves the system, and solves it again for those parts in which the plastic flow of an element
+// differs from what the previous solve has assumed.
 void solve_with_flow(const NodeMotion& motion)
 {
     Workspace& work = motion.work;

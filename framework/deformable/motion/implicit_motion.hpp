@@ -6,9 +6,9 @@
 
 namespace rigor {
 
-/// Backward Euler: one linear system for the velocities, then x += h v. Contacts tie nodes to
-/// surfaces in the system itself. Which of them hold, stick or slide is found by an active-set
-/// method, in at most ten rounds.
+/// Backward Euler: one linear system for the velocities, then x += h v. In this system, contacts
+/// tie nodes to surfaces. An active-set method finds which contacts hold, stick or slide, in at
+/// most ten rounds, or ten for each time that the plastic flow is linearised.
 void move_implicitly(const NodeMotion& motion);
 
 } // namespace rigor

@@ -16,7 +16,7 @@ public:
               double time_step);
 
     bool is_empty() const { return before_.empty(); }
-    /// The number of a rigid body in the system, or -1 if it has not joined.
+    /// The number in the system of a rigid body, or -1 if the body has not joined.
     int number(int body) const { return numbers_[body]; }
 
     /// Resets the bodies to their velocities without contacts. @return the bodies to pass to
@@ -25,14 +25,14 @@ public:
 
     /// Velocity of the point at r from the center of a body [m/s], before contacts act.
     Vector3d velocity_before(const RigidColliders& rigid, int body, const Vector3d& r) const;
-    /// The same after the latest solve that contained the bodies.
+    /// The velocity of that point after the latest solve that contained the bodies [m/s].
     Vector3d velocity_after(const RigidColliders& rigid, int body, const Vector3d& r) const;
 
 private:
     Vector3d velocity(const RigidColliders& rigid, int body, const Vector3d& r,
                       const std::vector<SystemBody>& bodies) const;
 
-    std::vector<int> numbers_;               // for each rigid body
+    std::vector<int> numbers_;               // `number` of each rigid body
     std::vector<SystemBody> before_, after_; // velocities without contacts, and after a solve
 };
 

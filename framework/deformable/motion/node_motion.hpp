@@ -13,7 +13,7 @@ struct NodeMotion {
     Workspace& work;
     RigidColliders& rigid;
     Vector3d gravity;     // [m/s²]
-    double start = 0;     // [s]
+    double start = 0;     // time at the start of the step [s]
     double time_step = 0; // [s]
     double radius = 0;    // half the diagonal of the box around the solid [m]
     Counters& counters;

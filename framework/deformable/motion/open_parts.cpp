@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Keeps track of the parts of a solid that an implicit step still has to solve for. All parts are
-// open at first; after each solve they are closed, and those whose contacts have changed are opened
-// again.
+// open at first; after each solve they are closed, and those whose contacts or plastic flow have
+// changed are opened again.
 #include "deformable/motion/open_parts.hpp"
 
 #include <algorithm>

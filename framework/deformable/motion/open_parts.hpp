@@ -6,7 +6,8 @@
 
 namespace rigor {
 
-/// A part stays open for another solve as long as its contacts change.
+/// A part of the solid is opened for another solve as long as its contacts or its plastic flow
+/// change.
 class OpenParts {
 public:
     /// Opens all parts of a system.

@@ -89,7 +89,7 @@ void move_by_matrix(const NodeMotion& motion)
     Deformable& solid = motion.solid;
     const double h = motion.time_step;
     const Modes modes = modes_of(motion);
-    // (R + h ω* R) p = (δ + h ω*) (x - X), so R itself need not be known.
+    // For x - X = R p, (R + h ω* R) p = (δ + h ω*) (x - X). So R itself need not be known.
     const Matrix3d turn = advance_matrix(Matrix3d::Identity(), modes.angular_velocity(), h);
     const Vector3d X = modes.X + h * modes.velocity();
     for (Vector3d& x : solid.positions)

@@ -11,7 +11,8 @@ namespace rigor {
 /// Gravity and loads act; handles and contacts do not.
 void move_in_modes(const NodeMotion& motion);
 
-/// The same u̇, but the nodes move by `advance_matrix`, which no repair follows: the solid grows.
+/// A step with the same u̇, but the nodes move by the formula `advance_matrix`. Its matrix is not
+/// made a rotation again, so that the solid grows.
 void move_by_matrix(const NodeMotion& motion);
 
 } // namespace rigor

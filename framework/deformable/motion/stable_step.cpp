@@ -66,7 +66,8 @@ double stable_step(const Deformable& solid, const Elements& elements)
         const auto gradients = elements.gradients(e);
         Matrix6d A = Matrix6d::Zero(); // Σ B_i M_i⁻¹ B_iᵀ V
         for (int i = 0; i < 4; ++i) {
-            // m_i = m V|∇N|² / Σ, where Σ is the sum over the elements of the node; V cancels
+            // m_i = m V|∇N|² / Σ: the element's share of the mass m of its node. Σ is the sum of
+            // V|∇N|² over all elements of the node. V cancels.
             const double inverse_mass =
                 stiffness[nodes[i]] / (solid.masses[nodes[i]] * gradients[i].squaredNorm());
             const Eigen::Matrix<double, 6, 3> B = strain_of_motion(gradients[i]);

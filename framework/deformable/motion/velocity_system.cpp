@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Assembles the linear system of backward Euler, A v = M v₀ + h f(x₀), and restores the momentum of
-// free parts after the solve. The missing momentum of a part is added as one velocity to all its
-// nodes.
+// free parts after the solve. All nodes of a part get the same additional velocity, which makes up
+// for the missing momentum.
 #include "deformable/motion/velocity_system.hpp"
 
 namespace rigor {

@@ -12,7 +12,7 @@ namespace rigor {
 struct VelocitySystem {
     /// Assembles A and b = M v₀ + h f(x₀), and starts v from v₀.
     ///
-    /// @param elements  with the strains at the start of the step
+    /// @param elements  contains the strains at the start of the step
     /// @param forces    sum of elastic forces, loads and gravity on each node [N]
     void assemble(const Deformable& solid, const ElementWorkspace& elements,
                   const std::vector<Vector3d>& forces, double time_step);

@@ -34,7 +34,7 @@ struct Workspace : ElementWorkspace {
     ContactSet contact_set;
     OpenParts parts;
     FlowInStep flow_in_step;
-    std::vector<SystemBody> no_bodies; // always empty
+    std::vector<SystemBody> no_bodies; // always empty: for a solve without bodies
 };
 
 /// The workspace of a solid. It is made again if the mesh or the material has changed.

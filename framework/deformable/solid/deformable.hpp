@@ -48,8 +48,8 @@ enum class FractureMethod {
     virtual_nodes, ///< `virtual_nodes`
 };
 
-/// The place of the nodes of a handle at one time. Between two moments its motion is linear in
-/// time.
+/// The place of the nodes of a handle at one time. Between two moments, displacement and rotation
+/// are linear in time.
 struct HandleMoment {
     double time = 0;                          // [s]
     Vector3d displacement = Vector3d::Zero(); // from the nodes' initial places [m]
@@ -61,10 +61,10 @@ struct HandleMoment {
 struct Handle {
     std::vector<int> nodes;
     std::vector<Vector3d> first_places; // initial positions [m]; if empty, set at the first step
-    std::array<bool, 3> axes = {true, true, true}; // the coordinates that it prescribes
+    std::array<bool, 3> axes = {true, true, true}; // the coordinates that the handle prescribes
     Vector3d pivot = Vector3d::Zero();             // world space [m]
-    std::vector<HandleMoment> path;                // times ascending; if empty, held in place
-    double release = never;                        // the time when the nodes become free [s]
+    std::vector<HandleMoment> path; // times ascending; if empty, the nodes stay in place
+    double release = never;         // the time when the nodes become free [s]
 };
 
 /// A force spread evenly over nodes between two times.
@@ -118,11 +118,11 @@ struct Deformable {
     // there are no cracks. With virtual nodes these are faces of `uncracked`, along which inverted
     // elements were separated.
     std::vector<std::array<bool, 4>> crack_faces;
-    double least_height = 0; // smallest height that a cut may leave; set by the first cut [m]
+    double least_height = 0; // smallest height that a cut may leave; 0 before the first cut [m]
 
-    // With virtual nodes, these are the mesh before the first crack, the cracks, and the elements
-    // with their copies and the share of each that material fills. They are empty if there are no
-    // cracks; then material fills every element.
+    // For virtual nodes: the mesh that is not cracked, its cracks, and the mesh of the copies of
+    // its elements, with the share of each copy that material fills. `embedded` is empty before the
+    // first crack; then material fills every element.
     TetrahedralMesh uncracked;
     std::vector<ElementCrack> cracks;
     EmbeddedMesh embedded;
@@ -132,7 +132,7 @@ struct Deformable {
     KeptWorkspace workspace; // derived from all members above, so it is not part of the state
 };
 
-/// Whether the elements flow within a step, and not only after it.
+/// Whether the elements flow within a step, and not only once after it.
 inline bool flows_in_step(const Deformable& solid)
 {
     return solid.material.yield_stress != never && solid.flow_time == FlowTime::in_step;

@@ -10,7 +10,7 @@ namespace rigor {
 struct HeldNode {
     int node = 0;
     std::array<bool, 3> axes = {true, true, true};
-    Vector3d velocity = Vector3d::Zero(); // takes these coordinates to their places [m/s]
+    Vector3d velocity = Vector3d::Zero(); // takes the held coordinates to their places [m/s]
 };
 
 /// Records, for each handle that has no record yet, the initial places of its nodes.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Computes the volume of the material in each element, and lumps a quarter of its mass at each of
-// its nodes.
+// Computes the volume of the material in each element, and lumps a quarter of the element's mass at
+// each of its four nodes.
 #include "deformable/solid/lumped_mass.hpp"
 
 #include "geometry/tetrahedra/tetrahedra.hpp"

@@ -6,8 +6,8 @@
 
 namespace rigor {
 
-/// A solid at rest in the shape `rest`, moved to its place. Its masses are lumped, and everything
-/// else is zero.
+/// A solid at rest in the shape `rest`, moved by the rotation and then the translation. Its masses
+/// are lumped; velocities and plastic strains are zero.
 Deformable make_deformable(std::string name, TetrahedralMesh rest, const SolidMaterial& material,
                            const Matrix3d& rotation, const Vector3d& translation);
 

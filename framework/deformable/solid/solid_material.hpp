@@ -18,7 +18,7 @@ struct SolidMaterial {
     double damping = 0;          // β in the force -β K v, against the strain rate [s]
     double drag = 0;             // α in the force -α m v, against the motion [1/s]
     double yield_stress = never; // σ_Y [Pa]
-    double strength = never;     // largest principal stress before the solid cracks [Pa]
+    double strength = never;     // largest principal stress that opens no crack [Pa]
     Material surface;            // restitution and friction in contacts
 
     double lame_lambda() const // λ [Pa]

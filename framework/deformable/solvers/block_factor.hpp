@@ -23,12 +23,14 @@ public:
     /// @param row_starts, columns  the pattern of A's blocks on and above the diagonal, each row
     ///                             ascending
     /// @param most_work  the largest number of products of blocks that a factorisation may take
-    /// @return whether it takes no more; otherwise `factorise` must not be called
+    /// @return whether a factorisation takes at most `most_work`; if not, `factorise` must not be
+    ///         called
     bool analyse(const std::vector<int>& row_starts, const std::vector<int>& columns,
                  double most_work);
 
     /// The steps of elimination of some nodes, ascending. The nodes must be all nodes of some
-    /// parts, which A does not connect with others; the functions below work on these alone.
+    /// parts, which A does not connect with other parts. The functions below work on these steps
+    /// alone.
     void steps_of(const std::vector<int>& nodes, std::vector<int>& steps) const;
 
     /// Computes L and D. @param blocks  blocks of A, in the order of its pattern
@@ -42,10 +44,11 @@ private:
     bool grow_tree(double most_work);
     void place_rows();
 
-    // In all of these, nodes are numbered in the order of their elimination.
+    // In all members below, a node is numbered by its step of elimination. These two convert
+    // between the node numbers of A and the steps.
     std::vector<int> node_of_, step_of_;
-    // A's blocks left of the diagonal, row by row: their places in A, and whether they are
-    // transposed.
+    // A's blocks left of the diagonal, row by row: their places in the list of A's blocks, and
+    // whether they are transposed there. `diagonal_` has the places of the diagonal blocks.
     struct Entry {
         int column, block;
         bool is_transposed;

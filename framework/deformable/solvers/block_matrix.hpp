@@ -8,8 +8,8 @@
 namespace rigor {
 
 /// A symmetric matrix with a block for each pair of nodes that share an element. Its parts are the
-/// pieces of the solid. No block connects two parts, only rigid bodies may, so that parts can be
-/// solved for together or one at a time.
+/// pieces of the solid. No block connects two parts; only contacts with the same rigid body may
+/// couple them. So parts can be solved for together or one at a time.
 class BlockMatrix {
 public:
     /// Finds the places of the blocks. This is needed once for a mesh.
@@ -46,7 +46,7 @@ public:
     int diagonal_place(int node) const { return diagonal_[node]; }
     const Matrix3d& diagonal(int node) const { return blocks_[diagonal_[node]]; }
 
-    /// Calls `visit(i, j, A_ij)` for each block that is stored, those with i ≤ j.
+    /// Calls `visit(i, j, A_ij)` for each stored block, i ≤ j.
     template <class Visit> void for_each_block(const Visit& visit) const
     {
         for (int i = 0; i < nodes_; ++i)
@@ -61,7 +61,7 @@ private:
     std::vector<int> part_of_; // for each node
     std::vector<int> row_starts_, columns_, diagonal_;
     std::vector<Matrix3d> blocks_;
-    std::vector<std::array<int, 10>> places_; // for each element, its blocks ij, i ≤ j
+    std::vector<std::array<int, 10>> places_; // for each element, places of its blocks ij, i ≤ j
 };
 
 } // namespace rigor

@@ -47,7 +47,7 @@ double ImplicitSystem::dot(const Vectors& a, const Vectors& b) const
     return sum;
 }
 
-// x ← T x, where T gives tied coordinates the velocities of their bodies.
+// x ← T x, where T gives each tied coordinate the velocity of the body to which it is tied.
 void ImplicitSystem::expand(Vectors& x) const
 {
     for (const TiedNode& t : *tied_) {
@@ -59,7 +59,7 @@ void ImplicitSystem::expand(Vectors& x) const
     }
 }
 
-// x ← Tᵀ x: impulses on tied coordinates act on their bodies.
+// x ← Tᵀ x: an impulse on a tied coordinate acts on the body to which it is tied.
 void ImplicitSystem::reduce(Vectors& x) const
 {
     for (const TiedNode& t : *tied_) {
@@ -174,7 +174,8 @@ int ImplicitSystem::solve(const Vectors& b, const std::vector<int>& nodes,
                           const std::vector<TiedNode>& tied, std::vector<SystemBody>& bodies,
                           Vectors& velocities)
 {
-    // Relative error in the norm of the preconditioner. It is below all other tolerances of a step.
+    // Relative error in the norm of the preconditioner. It is below the tolerances of contacts
+    // (contact_set.cpp).
     constexpr double tolerance = 1e-7;
     const std::size_t n = nodes_ + 2 * bodies.size();
     active_ = &nodes;

@@ -41,7 +41,8 @@ public:
     /// factorisation of A with its ties is cheap, it is the preconditioner; then one iteration is
     /// enough, apart from rounding and from rigid bodies. Otherwise the preconditioner consists of
     /// the diagonal blocks of A.
-    /// @param nodes  ascending, all nodes of these parts, with every part that is tied to a body
+    /// @param nodes  all nodes of these parts, ascending; every part tied to one of `bodies` is
+    ///               among them
     /// @param tied   the ties of these nodes
     /// @return the number of iterations
     int solve(const std::vector<Vector3d>& b, const std::vector<int>& nodes,
@@ -75,13 +76,13 @@ private:
     std::vector<char> is_tied_;
 
     // The data of the current solve.
-    const std::vector<int>* active_ = nullptr; // the nodes
+    const std::vector<int>* active_ = nullptr; // the nodes solved for
     std::vector<int> steps_;                   // their steps in the factorisation
     const std::vector<TiedNode>* tied_ = nullptr;
     std::vector<SystemBody>* bodies_ = nullptr;
     std::vector<Matrix3d> inverse_diagonal_;
     std::vector<Matrix6d> inverse_bodies_;
-    std::vector<Vector3d> x_, r_, z_, p_, q_; // nodes, then V and ω of each body
+    std::vector<Vector3d> x_, r_, z_, p_, q_; // a vector for each node, then V and ω of each body
 };
 
 } // namespace rigor

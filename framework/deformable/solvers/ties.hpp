@@ -12,10 +12,10 @@ namespace rigor {
 /// friction dissipates energy for any d.
 struct TiedNode {
     int node = 0;
-    Matrix3d N = Matrix3d::Zero(); // orthogonal projector: δ, n nᵀ, or axes
-    Vector3d c = Vector3d::Zero(); // [m/s]
+    Matrix3d N = Matrix3d::Zero(); // projector on the tied directions: all, n, or some axes
+    Vector3d c = Vector3d::Zero(); // prescribed velocity relative to the body [m/s]
     int body = -1;                 // number of the body in the system, or -1 for none
-    Vector3d r = Vector3d::Zero(); // from the center of the body [m]
+    Vector3d r = Vector3d::Zero(); // from the center of the body to the node [m]
     double damping = 0;            // d [kg]
 };
 
@@ -24,7 +24,7 @@ struct SystemBody {
     double mass = 0;
     Matrix3d inertia = Matrix3d::Zero(); // in world space
     Vector3d V = Vector3d::Zero(),
-             w = Vector3d::Zero(); // without contacts; after a solve, with contacts
+             w = Vector3d::Zero(); // before a solve without, after it with the effect of contacts
 };
 
 } // namespace rigor

@@ -63,7 +63,7 @@ void move(Deformable& solid, RigidColliders& rigid, World& world, double time_st
 
     const SolidMaterial& m = solid.material;
     if (m.yield_stress == never && m.strength == never) return;
-    if (!is_explicit || !flows_in_step(solid)) { // explicit substeps have done so already
+    if (!is_explicit || !flows_in_step(solid)) { // else elements flowed in each substep
         work.elements.strains(solid.positions, work.strains);
         if (m.yield_stress != never) flow(solid, work, world.settings, world.counters);
     }

@@ -12,7 +12,7 @@ namespace rigor {
 /// In a solid with a strength, an element has failed if it stays inverted for longer than it needs
 /// to turn back, and no handle holds it. It is separated by cracks along all its faces and gets its
 /// shape without stress. Mass, volume, momentum and angular momentum stay the same; energy is lost.
-/// @return the contacts among rigid bodies that got an impulse
+/// @return the contacts between rigid bodies at which an impulse acted
 std::vector<ContactRecord> step(DeformableWorld& world, double time_step);
 
 } // namespace rigor

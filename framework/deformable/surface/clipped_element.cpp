@@ -48,8 +48,8 @@ Vector3d place(const std::array<Vector3d, 4>& corners, const Weights& w)
     return w[0] * corners[0] + w[1] * corners[1] + w[2] * corners[2] + w[3] * corners[3];
 }
 
-// The polygon that closes a cut: its points sorted about their middle, counter-clockwise seen from
-// `outwards`.
+// The polygon that closes a cut: the points of `rim`, sorted by their angle about their middle,
+// counter-clockwise seen from `outwards`.
 std::vector<Weights> cap(std::vector<Weights> rim, const std::array<Vector3d, 4>& corners,
                          const Vector3d& outwards)
 {
@@ -84,8 +84,8 @@ void cut(std::vector<ClippedFace>& faces, const std::array<Vector3d, 4>& corners
     if (closing.weights.size() >= 3) faces.push_back(std::move(closing));
 }
 
-// A linear function r of the weights x of a point: r · x is the area of the triangle a b x, in
-// units of the area of the face.
+// A linear function r of the weights x of a point: r · x is the signed area of the triangle a b x,
+// in units of the area of the face.
 Weights triangle_height(const Weights& a, const Weights& b, int face)
 {
     const auto& [i, j, k] = tetrahedron_faces[face];
@@ -139,7 +139,7 @@ std::vector<ClippedFace> clipped_element(const Deformable& solid, int element)
             face.weights.push_back(Weights::Unit(i));
         faces.push_back(face);
     }
-    // For each corner, whether it is still in one part with the first real corner.
+    // For each corner, whether no crack so far separates it from the first real corner.
     std::array<bool, 4> is_together = {true, true, true, true};
     const auto first = std::find(real.begin(), real.end(), 1) - real.begin();
     for (const ElementCrack& crack : solid.cracks) {

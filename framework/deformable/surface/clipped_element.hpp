@@ -12,9 +12,9 @@ struct ClippedFace {
     int face = -1;                        // face of the element that contains it, -1 for a crack
 };
 
-/// The faces that bound the material of a copy. They are those of its tetrahedron, cut by one crack
-/// after the other: by each crack that separates its real corners from corners that earlier cracks
-/// left connected to them.
+/// The faces that bound the material of a copy. They are the faces of its tetrahedron, clipped by
+/// one crack after the other, and the polygons that close the cuts. A crack counts if it separates
+/// the real corners from corners that earlier cracks left connected to them.
 std::vector<ClippedFace> clipped_element(const Deformable& solid, int element);
 
 /// The part of a convex polygon that another polygon in the same face of an element does not cover,

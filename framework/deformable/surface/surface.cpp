@@ -76,8 +76,8 @@ private:
 
     const Deformable& solid_;
     EmbeddedSurface surface_;
-    std::vector<int> corner_;       // the point of each vertex of the mesh
-    std::map<PointKey, int> point_; // the point of each key, between vertices
+    std::vector<int> corner_;       // for each vertex of the mesh, its point, or -1 for none yet
+    std::map<PointKey, int> point_; // the points that are not at a vertex
 };
 
 Polygon whole_face(int face)
@@ -166,13 +166,13 @@ private:
         return open;
     }
 
-    // The polygon of the material of another element in this face. It is empty unless both elements
-    // share the three nodes of the face, so that they cannot separate.
+    // The polygon of the material of element `other` in a face of `element`. It is empty unless
+    // both elements share the three nodes of the face, so that they cannot separate.
     Polygon matter_against(int element, int face, int other) const
     {
         const auto &nodes = solid_.rest.tetrahedra[element],
                    &others = solid_.rest.tetrahedra[other];
-        // For each corner, its number in the other element.
+        // For each corner of `element`, its number in `other`, or -1.
         std::array<int, 4> corner = {-1, -1, -1, -1};
         int opposite = 0 + 1 + 2 + 3;
         for (const int i : tetrahedron_faces[face]) {

@@ -19,7 +19,8 @@ struct EmbeddedTriangle {
     bool is_crack = false; // whether a crack opened it
 };
 
-/// The surface of a deformable solid. It changes only with `topology`.
+/// The surface of a deformable solid. Its points and triangles change only when
+/// `Deformable::topology` does.
 struct EmbeddedSurface {
     std::vector<EmbeddedPoint> points;
     std::vector<EmbeddedTriangle> triangles;

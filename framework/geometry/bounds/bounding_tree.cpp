@@ -26,8 +26,9 @@ BoundingTree::BoundingTree(const std::vector<Bounds>& boxes)
 {
 }
 
-// The number of leaves. After d halvings there are 2^d parts, some of them with one item more than
-// the others. Where the smaller parts have leaf_size items, the larger ones are halved once more.
+// The number of leaves of a tree of `items` items. After d halvings there are 2^d parts, some of
+// them with one item more than the others. Where the smaller parts have leaf_size items, the larger
+// ones are halved once more.
 int BoundingTree::leaves_of(int items)
 {
     int parts = 1;
@@ -42,7 +43,7 @@ std::array<BoundingTree::Branch, 2> BoundingTree::halve(const std::vector<Bounds
                                                         std::vector<Center>& centers)
 {
     const auto [node, leaf, first, last] = branch;
-    Bounds spread; // bounds of the centers, all times 2
+    Bounds spread; // the bounds of all centers, times 2
     for (int k = first; k < last; ++k) {
         const Bounds& box = boxes[order_[k]];
         const Vector3d center = box.low + box.high;

@@ -11,9 +11,9 @@
 
 namespace rigor {
 
-/// A binary tree of axis-aligned boxes. Items are halved again and again at the median of the axis
-/// on which their centers are spread most, until at most four are left. Building takes n log n
-/// steps, and the tree depends on the boxes alone.
+/// A binary tree of axis-aligned boxes. A set of items is halved again and again, at the median of
+/// their centers on the axis on which these are spread most, until each part has at most four
+/// items. Building takes n log n steps, and the tree depends on the boxes alone.
 class BoundingTree {
 public:
     /// The largest number of items in a leaf: `OverlapTree` compares four boxes at once.
@@ -23,8 +23,8 @@ public:
     struct Node {
         Bounds bounds;
         int first = 0, last = 0; // its items are order[first] … order[last - 1]
-        int right = 0;           // 0: a leaf
-        int leaf = 0;            // number of a leaf, counted from the left
+        int right = 0;           // index of the right child; 0 in a leaf
+        int leaf = 0;            // in a leaf, its number, counted from the left
         bool is_leaf() const { return right == 0; }
     };
 
@@ -38,8 +38,9 @@ public:
     ///
     /// @param boxes    boxes of all items, finite
     /// @param members  items that belong to the tree
-    /// @param parts    about how many parts
-    /// @param share    share(n, work) calls work(k) for each k in [0, n), in any order or at once
+    /// @param parts    about how many parts to build at the same time
+    /// @param share    share(n, work) calls work(k) for each k in [0, n), in any order or in
+    ///                 parallel
     template <class Share>
     BoundingTree(const std::vector<Bounds>& boxes, std::vector<int> members, std::size_t parts,
                  const Share& share)
@@ -90,11 +91,11 @@ public:
     }
 
 private:
-    // Items that become a node and all nodes below it, and where these are stored. A branch of n
-    // leaves has 2 n - 1 nodes, leaves included.
+    // A set of items that a node and all nodes below it are made of, and the places of these nodes.
+    // A branch of n leaves has 2 n - 1 nodes, leaves included.
     struct Branch {
         int node = 0, leaf = 0;  // the first node, the first leaf
-        int first = 0, last = 0; // items
+        int first = 0, last = 0; // its items are order_[first] … order_[last - 1]
         bool is_leaf() const { return last - first <= leaf_size; }
     };
 

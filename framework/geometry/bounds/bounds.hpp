@@ -13,7 +13,7 @@ struct Bounds {
     Vector3d low = Vector3d::Constant(std::numeric_limits<double>::infinity());   // [m]
     Vector3d high = Vector3d::Constant(-std::numeric_limits<double>::infinity()); // [m]
 
-    /// Becomes the smallest box that contains both.
+    /// Grows to the smallest box that contains both this box and `other`.
     void include(const Bounds& other)
     {
         low = low.cwiseMin(other.low);
@@ -30,7 +30,7 @@ struct Bounds {
         return (low.array() <= other.low.array()).all() &&
                (other.high.array() <= high.array()).all();
     }
-    /// Whether the boxes have a point in common; boxes that touch do.
+    /// Whether the boxes have a point in common; boxes that only touch have one.
     bool overlaps(const Bounds& other) const
     {
         // No branch for each axis: a processor cannot predict which axis separates two boxes.

@@ -10,12 +10,13 @@
 namespace rigor {
 
 /// A bounding tree whose leaves keep their boxes in single precision too, side by side, so that
-/// four of them are compared at once. Every pair is then compared exactly: rounding keeps numbers
-/// in their order, so that boxes that overlap still do when rounded.
+/// four of them are compared at once. Each pair that overlaps there is then compared in double
+/// precision. No pair is missed: rounding keeps numbers in their order, so that boxes that overlap
+/// still overlap when rounded.
 class OverlapTree {
 public:
-    /// @param boxes    finite
-    /// @param members  indices of those that belong to it
+    /// @param boxes    boxes with finite corners
+    /// @param members  indices of the boxes that belong to the tree
     OverlapTree(const std::vector<Bounds>& boxes, std::vector<int> members);
 
     /// The same tree, in parts that can be built at the same time (`BoundingTree`).
@@ -49,7 +50,8 @@ public:
         }
     }
 
-    /// Two nodes whose members may overlap each other, or the same node twice.
+    /// Two nodes whose members may overlap each other, or twice the same node for the pairs within
+    /// it.
     using NodePair = std::pair<int, int>;
 
     /// Calls visit(i, j) once for each pair of members whose boxes overlap.
@@ -58,7 +60,8 @@ public:
         if (!tree_.empty()) for_each_pair({0, 0}, visit);
     }
 
-    /// The same, only for the members of these nodes.
+    /// Calls visit(i, j) once for each such pair of a member of the first node and one of the
+    /// second.
     template <class Visit> void for_each_pair(const NodePair& nodes, const Visit& visit) const
     {
         std::vector<NodePair> open{nodes};
@@ -76,8 +79,9 @@ public:
         }
     }
 
-    /// The search for all pairs, divided into parts. A part is a pair of nodes; there are at least
-    /// `least` of them, if the tree has as many. No pair of members belongs to two parts.
+    /// The search for all pairs, divided into parts. A part is a pair of nodes. There are at least
+    /// `least` parts, if the tree can be divided into so many. No pair of members belongs to two
+    /// parts.
     std::vector<NodePair> parts(std::size_t least) const;
 
 private:

@@ -106,7 +106,7 @@ void Hull::merge_faces(const TriangleMesh& mesh)
         face_normals_.push_back(face->normal);
 }
 
-// The corners of the convex hull of points in the plane, counter-clockwise, by Andrew's monotone
+// The corners of the convex hull of a face's vertices, counter-clockwise, by Andrew's monotone
 // chain (Andrew 1979). Points within the tolerance of a side are left out.
 std::vector<int> Hull::outline(const Face& face, double tolerance) const
 {
@@ -119,7 +119,7 @@ std::vector<int> Hull::outline(const Face& face, double tolerance) const
         const double p = x.dot(vertices_[v]), q = x.dot(vertices_[w]);
         return p != q ? p < q : y.dot(vertices_[v]) < y.dot(vertices_[w]);
     });
-    // Whether the corner b lies to the right of the line from a to c, so that the outline bends.
+    // Whether b lies to the right of the line from a to c, so that the outline bends at b.
     const auto bends = [&](int a, int b, int c) {
         const Vector3d along = vertices_[c] - vertices_[a], to_b = vertices_[b] - vertices_[a];
         return to_b.cross(along).dot(face.normal) > tolerance * along.norm();
@@ -164,8 +164,8 @@ void Hull::link_neighbours()
     }
 }
 
-// Climbs from the extreme vertex of the nearest axis. On a convex polyhedron a vertex without a
-// higher neighbour is the highest.
+// Climbs from the extreme vertex along the axis direction that is nearest to d. On a convex
+// polyhedron a vertex without a higher neighbour is the highest.
 int Hull::farthest(const Vector3d& d) const
 {
     int axis = 0;

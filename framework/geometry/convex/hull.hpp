@@ -14,8 +14,8 @@ namespace rigor {
 /// solid gives the same faces, edges and corners.
 class Hull {
 public:
-    // Meshes with more vertices are treated by their level set, because here every vertex is
-    // compared with every triangle once.
+    // Contacts of meshes with more vertices use the level set instead, because `is_hull` compares
+    // every vertex with every triangle.
     static constexpr std::size_t most_vertices = 1000;
 
     /// @param mesh  convex (`is_hull`)
@@ -48,12 +48,12 @@ private:
     std::vector<Vector3d> vertices_;
     std::vector<Face> faces_;
     std::vector<Vector3d> face_normals_;
-    std::vector<std::vector<int>> neighbours_; // for each vertex, those it has an edge to
-    std::array<int, 6> extremes_ = {};         // farthest along ±x, ±y, ±z, where searches start
+    std::vector<std::vector<int>> neighbours_; // for each vertex, those with an edge to it
+    std::array<int, 6> extremes_ = {}; // farthest along -x, +x, -y, …, where searches start
 };
 
 /// Whether a closed mesh is convex (no vertex is above the plane of any face by more than 1e-9 of
-/// the size) and has few enough vertices to be searched.
+/// the mesh's size) and has at most `Hull::most_vertices` vertices.
 bool is_hull(const TriangleMesh& mesh);
 
 } // namespace rigor

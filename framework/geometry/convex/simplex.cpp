@@ -62,8 +62,9 @@ bool is_beyond(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& 
     return origin * other <= 0;
 }
 
-// The nearest of those faces of a tetrahedron that `counts` accepts, or no vertices if it accepts
-// none. The arguments of `counts` are the three vertices of a face and the fourth vertex.
+// The part nearest to the origin of those faces of a tetrahedron that `counts` accepts; without
+// vertices if it accepts none. The arguments of `counts` are the three vertices of a face and the
+// fourth vertex.
 template <class Counts> Simplex nearest_face(const std::array<Vertex, 4>& v, const Counts& counts)
 {
     Simplex best;

@@ -11,14 +11,14 @@ struct Vertex {
     Vector3d w = Vector3d::Zero(), a = Vector3d::Zero(), b = Vector3d::Zero();
 };
 
-/// The vertices whose convex combination v = Σ weights w is the point of a simplex nearest to the
-/// origin. All of them are needed for it.
+/// The smallest part of a simplex that contains the point of the simplex nearest to the origin, v =
+/// Σ weights w. If it has four vertices, the origin is inside, and no weights are set.
 struct Simplex {
     std::array<Vertex, 4> vertices;
     std::array<double, 4> weights = {};
     int count = 0;
 
-    /// The convex combination of w, a or b.
+    /// Σ weights p, where p is the w, a or b of each vertex.
     Vector3d blend(Vector3d Vertex::*point) const
     {
         Vector3d sum = Vector3d::Zero();

@@ -36,8 +36,8 @@ constexpr double least_distance = 1e-6;
 constexpr double least_gjk_length = 1e-9;
 // The shapes touch if the origin is nearer to the simplex than this.
 constexpr double inside_tolerance = 1e-12;
-// If the origin is not inside the simplex, the shapes are pushed together by `first_push`, then by
-// ten times as much each time.
+// If the origin is not inside the simplex, the shapes are pushed together by `first_push`, and then
+// each time by ten times as much.
 constexpr double first_push = 1e-6;
 constexpr double most_push = 1e-3;          // a longer push would change the position too much
 constexpr double polytope_tolerance = 1e-7; // the polytope is done if a step grows it by less
@@ -45,8 +45,8 @@ constexpr double first_margin = 0.02;       // at this margin the direction is f
 constexpr double least_margin = 1e-5;       // `push_out` ends with the shapes this far apart
 constexpr double margin_decay = 0.2;        // each step shortens the margin to this share
 constexpr int most_pushes = 20;             // steps of `push_out`; the margin is least after five
-constexpr double least_gain = 1e-13;        // a smaller gain of depth is rounding
-constexpr double least_difference = 1e-9;   // the polytope must reduce the depth by more
+constexpr double least_gain = 1e-13;        // a smaller reduction of the depth is rounding
+constexpr double least_difference = 1e-9;   // the polytope has to reduce the depth by more
 constexpr double shallow = 0.02;            // below this depth no other direction is much better
 
 // Unit vectors count as the same direction if their difference is below this.
@@ -72,7 +72,8 @@ public:
         return v;
     }
 
-    // Signed distance of shape 1 above shape 2 along the unit vector n, negative if they overlap.
+    // Signed distance of shape 1 above shape 2 along the unit vector n, negative if they overlap
+    // along n.
     double along(const Vector3d& n) const { return n.dot(support_along(-n).w); }
 
     // GJK: the shortest vector from shape 2 to shape 1. The result is empty if the shapes overlap
@@ -187,8 +188,9 @@ PushOut push_out(const MinkowskiDifference& difference, Vector3d n, double size)
     return result;
 }
 
-// EPA: the normal of the face of an expanding polytope that is nearest to the origin. The result is
-// empty if the origin is not inside, even after the shapes are pushed together a little.
+// EPA: the direction of least depth from shape 2 to shape 1, minus the outward normal of the
+// polytope's face nearest to the origin. The result is empty if the origin is not inside, even
+// after the shapes are pushed together a little.
 std::optional<Vector3d> expanding_polytope_normal(const MinkowskiDifference& difference,
                                                   double size)
 {

@@ -10,7 +10,7 @@ namespace rigor {
 struct Separation {
     double distance = 0;                 // if negative, minus the penetration depth [m]
     Vector3d normal = Vector3d::UnitY(); // unit, from shape 2 to shape 1
-    // points on the surfaces [m]
+    // on the surfaces of shape 1 and 2 [m]
     Vector3d point1 = Vector3d::Zero(), point2 = Vector3d::Zero();
 };
 

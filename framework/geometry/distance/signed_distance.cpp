@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Computes the exact distance of a point to a shape and the gradient. Shapes of revolution are
 // solved in the half-plane of distance from the axis and height, ellipsoids by Newton's method
-// (Eberly 2013, "Distance from a point to an ellipse, an ellipsoid, or a hyperellipsoid"). In each
-// function the cases inside come before those at sides, edges and tips.
+// (Eberly 2013, "Distance from a point to an ellipse, an ellipsoid, or a hyperellipsoid"). Where a
+// function has several cases, those inside come before those at sides, edges and tips.
 #include "geometry/distance/signed_distance.hpp"
 
 #include <algorithm>
@@ -74,7 +74,7 @@ SurfaceDistance signed_distance(const Cylinder& cylinder, const Vector3d& p)
     const Cylindrical at(p);
     const double up = at.height < 0 ? -1 : 1;
     const double a = at.distance - cylinder.radius, b = std::abs(at.height) - cylinder.height / 2;
-    if (a <= 0 && b <= 0) // inside, where side or cap is nearer
+    if (a <= 0 && b <= 0) // inside: whichever of side and cap is nearer
         return a > b ? SurfaceDistance{a, at.outward} : SurfaceDistance{b, at.direction(0, up)};
     const double d = std::hypot(std::max(a, 0.0), std::max(b, 0.0));
     return {d, at.direction(std::max(a, 0.0) / d, up * std::max(b, 0.0) / d)};

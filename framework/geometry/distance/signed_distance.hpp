@@ -13,16 +13,16 @@ struct SurfaceDistance {
     Vector3d normal = Vector3d::UnitY();
 };
 
-// If several surface points are equally near (on an axis, in a center), always the same one is
-// used.
+// If several points of a surface are equally near to p (p on an axis or in a center), the result is
+// always for the same one.
 SurfaceDistance signed_distance(const Sphere& sphere, const Vector3d& p);
 SurfaceDistance signed_distance(const Capsule& capsule, const Vector3d& p);
 SurfaceDistance signed_distance(const Torus& torus, const Vector3d& p);
 SurfaceDistance signed_distance(const Box& box, const Vector3d& p);
 SurfaceDistance signed_distance(const Cylinder& cylinder, const Vector3d& p);
 SurfaceDistance signed_distance(const Cone& cone, const Vector3d& p);
-/// Solved as the root of an equation (Eberly 2013, "Distance from a point to an ellipse, an
-/// ellipsoid, or a hyperellipsoid").
+/// The nearest point follows from the root of an equation (Eberly 2013, "Distance from a point to
+/// an ellipse, an ellipsoid, or a hyperellipsoid").
 SurfaceDistance signed_distance(const Ellipsoid& ellipsoid, const Vector3d& p);
 SurfaceDistance signed_distance(const Plane& plane, const Vector3d& p);
 

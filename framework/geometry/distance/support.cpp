@@ -15,7 +15,7 @@ namespace rigor {
 
 namespace {
 
-// The unit vector away from the y axis; along x for a direction on the axis.
+// The unit vector away from the y axis towards d; the x axis if d is along y.
 Vector3d outward(const Vector3d& d)
 {
     const double r = std::hypot(d.x(), d.z());

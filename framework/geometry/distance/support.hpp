@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Support functions of convex shapes (boxes, cylinders, cones, ellipsoids and convex meshes): the
-// point farthest along a direction, and the face, edge or vertex that faces it.
+// point farthest along a direction, and the face, edge or vertex that faces this direction.
 #pragma once
 
 #include "geometry/convex/feature.hpp"

@@ -15,11 +15,11 @@ namespace rigor {
 
 namespace {
 
-// Pseudonormals: the normal of a face, the sum of the two normals at an edge, and at a vertex the
-// sum of the normals weighted by angles.
+// Pseudonormals: the normal of a face, at an edge the sum of the normals of its two faces, and at a
+// vertex the sum of the normals of its faces, each weighted by its angle there.
 struct PseudoNormals {
     std::vector<Vector3d> faces, vertices;
-    std::vector<std::array<Vector3d, 3>> edges; // for each triangle, those at ab, bc, ca
+    std::vector<std::array<Vector3d, 3>> edges; // for each triangle, at its edges ab, bc, ca
 
     explicit PseudoNormals(const TriangleMesh& mesh)
         : faces(triangle_normals(mesh)), vertices(mesh.vertices.size(), Vector3d::Zero()),
@@ -67,12 +67,12 @@ private:
     int last_ = 0; // the triangle nearest to the last point
 };
 
-// A ray hits a triangle if it passes it at a distance of at most this, divided by the length of the
-// ray. This distance is a rounding error; a ray through an edge must not slip between two
-// triangles.
+// A ray also hits a triangle that it misses by less than this, divided by the distance along the
+// ray. Such a miss is a rounding error: a ray through an edge must not slip between two triangles.
 constexpr double on_edge = 1e-9;
 
-// The distance from a face's middle inwards to the opposite side [m]; infinite if a ray finds none.
+// The distance from a face's middle inwards to the opposite side [m]; infinite if the ray finds
+// none.
 double thickness_at(const TriangleMesh& mesh, const TriangleTree& tree, int face)
 {
     const Triangle triangle = triangle_of(mesh, face);
@@ -108,7 +108,7 @@ double thickness_at(const TriangleMesh& mesh, const TriangleTree& tree, int face
 
 LevelSet make_level_set(const TriangleMesh& mesh, int cells)
 {
-    constexpr int margin = 2;         // cells around the bounds
+    constexpr int margin = 2;         // cells on each side of the bounds
     constexpr double rounding = 1e-9; // in cells, so that rounding does not add another cell
     const Bounds bounds = bounds_of(mesh);
     const Vector3d extent = bounds.high - bounds.low;
@@ -136,7 +136,8 @@ int suggested_cells(const TriangleMesh& mesh)
     constexpr double least = 32, most = 64;
     // Cells across a wall. With fewer, interpolation would mix the distances of its two sides.
     constexpr double across = 3;
-    // Share of the surface that may have thinner walls, so that a thin rim does not decide.
+    // Share of the surface that may have thinner walls, so that a thin rim does not decide the
+    // number of cells.
     constexpr double quantile = 0.1;
     const TriangleTree tree(mesh);
     std::vector<std::pair<double, double>> walls; // thickness, area

@@ -16,7 +16,7 @@ namespace rigor {
 LevelSet make_level_set(const TriangleMesh& mesh, int cells);
 
 /// The number of cells along the longest side, from 32 to 64, at which a wall of the mesh is three
-/// cells thick. Its thickness is such that a tenth of the surface has thinner walls.
+/// cells thick. This wall is chosen such that a tenth of the surface has thinner walls.
 int suggested_cells(const TriangleMesh& mesh);
 
 } // namespace rigor

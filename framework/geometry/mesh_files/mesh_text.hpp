@@ -9,9 +9,9 @@
 
 namespace rigor {
 
-/// A token as an error message shows it: cut off after 24 characters, and without control
-/// characters.
-/// @param end  what to show instead of an empty token, at the end of a line or text
+/// A token as an error message shows it: cut off after 24 characters, and with `?` for all but
+/// printable ASCII characters.
+/// @param end  shown instead of an empty token, which stands for the end of a line or text
 std::string quoted(std::string_view token, const char* end);
 
 /// Reads the whole token as a number, with or without a plus sign. Returns whether it is a number.

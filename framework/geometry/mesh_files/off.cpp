@@ -14,7 +14,7 @@ class Lines {
 public:
     explicit Lines(std::string_view text) : rest_(text) {}
 
-    int number() const { return number_; } // line returned last, from 1
+    int number() const { return number_; } // number of the line returned last, from 1
 
     /// @param what  what the line should hold, for the error at the end of the text
     std::string_view next(const char* what)
@@ -71,7 +71,7 @@ SurfaceText read_off(std::string_view text)
     Words header(line);
     if (const std::string_view word = header.next(); word != "OFF")
         throw MeshError(lines.number(), "expected \"OFF\" at the start, found " + quoted(word, ""));
-    Words counts = header; // they may follow on the same line
+    Words counts = header; // the counts may follow on the same line
     if (Words(header).next().empty())
         counts = Words(lines.next("the numbers of vertices and faces"));
     const std::size_t vertices = read_count(counts, most_mesh_vertices, "vertices", lines.number());

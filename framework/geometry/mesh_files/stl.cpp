@@ -47,10 +47,10 @@ private:
     }
 
     SurfaceText read_;
-    std::map<std::array<double, 3>, int> numbers_; // vertex of each position
+    std::map<std::array<double, 3>, int> numbers_; // the vertex at each position
 };
 
-// A little-endian number of four bytes.
+// The little-endian number in the four bytes from `at` on.
 std::uint32_t word_at(std::string_view bytes, std::size_t at)
 {
     std::uint32_t word = 0;
@@ -70,7 +70,7 @@ SurfaceText read_binary(std::string_view bytes)
     Triangles triangles;
     for (std::size_t at = count_end; at < bytes.size(); at += triangle_bytes) {
         std::array<Vector3d, 3> corners;
-        for (std::size_t i = 0; i < 9; ++i) { // twelve numbers, of which the first are the normal
+        for (std::size_t i = 0; i < 9; ++i) { // after the three numbers of the normal
             const double x = std::bit_cast<float>(word_at(bytes, at + 12 + 4 * i));
             if (!(std::abs(x) <= largest_coordinate))
                 throw MeshError(0, "expected coordinates of at most 1e12 in size, found others in "

@@ -7,7 +7,7 @@
 namespace rigor {
 
 /// Reads the triangles of an STL file. Corners with the same coordinates become one vertex, since
-/// the format does not say which triangles hang together. Normals in the file are skipped: the
+/// the format does not say which triangles are connected. Normals in the file are skipped: the
 /// order of the corners says where the outside is.
 ///
 /// A binary file is recognised by its length, 84 bytes and 50 for each of the triangles that it

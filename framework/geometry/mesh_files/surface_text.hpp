@@ -14,7 +14,7 @@ namespace rigor {
 /// A mesh as it was read: its syntax is right, but `check_mesh` has not seen it.
 struct SurfaceText {
     TriangleMesh mesh;      // without the vertices that no face uses
-    std::vector<int> lines; // for each triangle, the line of its face; empty for a binary file
+    std::vector<int> lines; // for each triangle, its line in the file; empty if the file is binary
 };
 
 /// The words of a line, one after the other.
@@ -49,8 +49,8 @@ private:
     std::array<int, 3> fan_{}; // the first vertex, and the last two
 };
 
-/// Removes the vertices that no triangle uses. Those that stay keep the order in which triangles
-/// first use them.
+/// Removes the vertices that no triangle uses. The others are numbered in the order in which
+/// triangles first use them.
 void keep_used_vertices(TriangleMesh& mesh);
 
 } // namespace rigor

@@ -16,7 +16,8 @@ namespace rigor {
 
 namespace {
 
-// Elements of any kind in a Gmsh file: it may also contain points, lines and triangles.
+// The largest number of elements of any kind in a Gmsh file, which may also contain points, lines
+// and triangles.
 constexpr std::size_t most_entities = 10 * most_tetrahedra;
 constexpr long long any = std::numeric_limits<long long>::max();
 

@@ -14,15 +14,16 @@ class Tokenizer {
 public:
     explicit Tokenizer(std::string_view text) : rest_(text) {}
 
-    /// Line of the token read last, counted from 1.
+    /// Line of the token that was read or peeked at last, counted from 1.
     int line() const { return line_; }
 
-    /// The next token, on this line or a later one; empty at the end of the text.
+    /// The next token, on this line or a later one; empty at the end of the text. `next` also goes
+    /// past it.
     std::string_view peek();
     std::string_view next();
     void skip_line(); // goes to the start of the next line
 
-    /// @param what  name of what is expected, for the error
+    /// @param what  what is expected, as the message of the error names it
     /// @throws MeshError
     double coordinate();
     long long integer(long long low, long long high, const char* what);

@@ -214,12 +214,12 @@ TriangleMesh bowl_mesh(double radius, double thickness, int sides)
 TriangleMesh gear_mesh(int teeth, double radius, double bore, double thickness)
 {
     const double pitch = 2 * pi / teeth, depth = radius * pitch / 2;
-    // Heights below and above the pitch circle, in units of `depth`. Their difference is the
-    // clearance between a tip and the root that it runs over.
+    // Depth of a root below the pitch circle and height of a tip above it, in units of `depth`.
+    // Their difference is the clearance between a tip and the root that it runs over.
     constexpr double dedendum = 0.6, addendum = 0.5;
     const double root = radius - dedendum * depth, tip = radius + addendum * depth;
-    // Half the angle of a tooth at its root and at its tip, in pitches. Their mean is below a
-    // quarter, so that a tooth is thinner than the gap that it runs in.
+    // Half the angle of a tooth at its root and at its tip, in units of `pitch`. Their mean is
+    // below a quarter, so that a tooth is thinner than the gap that it runs in.
     constexpr double at_root = 0.33, at_tip = 0.15;
     std::vector<PlanePoint> outline; // angle, distance
     for (int tooth = 0; tooth < teeth; ++tooth)

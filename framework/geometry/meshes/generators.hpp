@@ -16,7 +16,8 @@ using PlanePoint = std::array<double, 2>;
 /// A surface of revolution: a polygon turned about y in `sides` steps. A point on the axis becomes
 /// one vertex.
 ///
-/// @param profile  (distance from the axis ≥ 0, height), counter-clockwise with the height up
+/// @param profile  (distance from the axis ≥ 0, height), counter-clockwise if the distance points
+///                 right and the height up
 TriangleMesh surface_of_revolution(const std::vector<PlanePoint>& profile, int sides);
 
 /// An extrusion: a polygon in the plane of x and y, from z = -thickness/2 to z = thickness/2.
@@ -53,15 +54,16 @@ TriangleMesh bowl_mesh(double radius, double thickness, int sides);
 /// @param bore    radius of the hole, less than radius - 0.6 d; 0: none [m]
 TriangleMesh gear_mesh(int teeth, double radius, double bore, double thickness);
 
-/// An angle bracket, the shape of an L: a foot along x and a post along y. The middle of its bounds
-/// is the origin.
+/// An angle bracket, in the shape of an L: a foot along x and a post along y. The middle of its
+/// bounds is the origin.
 ///
 /// @param size   full extent along x, y, z
 /// @param width  width of foot and post, less than size x and y
 TriangleMesh angle_mesh(const Vector3d& size, double width);
 
-/// The keystone of a round arch about z: the part of a wedge with the angle `degrees` between two
-/// radii, with flat faces. Copies turned about z by multiples of `degrees` make an arch.
+/// The keystone of a round arch about z: a wedge with the angle `degrees`, from the inner to the
+/// outer radius. All its faces are flat. Copies turned about z by multiples of `degrees` make an
+/// arch.
 TriangleMesh voussoir_mesh(double inner_radius, double outer_radius, double degrees,
                            double thickness);
 

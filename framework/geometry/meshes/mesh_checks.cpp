@@ -19,11 +19,11 @@ namespace rigor {
 namespace {
 
 // A face has no area if its area, divided by the square of its longest edge, is at most this: such
-// an area is a rounding error [1].
+// an area is a rounding error.
 constexpr double least_area = 1e-12;
 
 // A mesh has no volume if its volume, divided by the cube of its size, is at most this: such a
-// volume is a rounding error [1].
+// volume is a rounding error.
 constexpr double least_volume = 1e-12;
 
 // Largest length of the sum of two unit normals that count as opposite.
@@ -32,7 +32,7 @@ constexpr double folded = 1e-9;
 // The allowed error of a winding number, which is a whole number or, on a face, a half.
 constexpr double winding_tolerance = 0.01;
 
-// Each piece is compared with all faces: the limit guards the time.
+// The limit bounds the time, because a point of each piece is compared with all faces.
 constexpr std::size_t most_pieces = 64;
 
 class Check {
@@ -206,8 +206,8 @@ private:
         }
     }
 
-    // The contribution of a face to the winding number around p: its solid angle seen from p,
-    // divided by 4π.
+    // The contribution of a face to the winding number around p: the solid angle of the face, seen
+    // from p, divided by 4π.
     double winding(const Triangle& triangle, const Vector3d& p) const
     {
         const Vector3d a = triangle.a - p, b = triangle.b - p, c = triangle.c - p;
@@ -244,8 +244,8 @@ private:
         for (const int first : firsts) {
             const Triangle triangle = triangle_of(mesh_, first);
             const Vector3d middle = (triangle.a + triangle.b + triangle.c) / 3;
-            // On the face, which itself contributes nothing, the winding number is the mean of both
-            // sides, 1/2.
+            // On the face, which itself contributes nothing, the winding number is the mean of its
+            // values on both sides, 1/2.
             double sum = 0;
             for (int t = 0; t < count; ++t)
                 if (t != first) sum += winding(triangle_of(mesh_, t), middle);

@@ -10,7 +10,7 @@ namespace rigor {
 
 /// A half-edge: an edge as a side of one triangle.
 struct HalfEdge {
-    int low = 0, high = 0; // its vertices
+    int low = 0, high = 0; // its vertices, low < high
     bool is_upward = true; // whether its triangle runs along it from `low` to `high`
     int triangle = 0;
 
@@ -24,7 +24,7 @@ std::vector<HalfEdge> sorted_half_edges(const TriangleMesh& mesh);
 /// An edge of a closed mesh, with the triangles on both sides.
 struct MeshEdge {
     int from = 0, to = 0;    // vertices
-    int left = 0, right = 0; // triangles; the left one has the edge in the direction from-to
+    int left = 0, right = 0; // triangles; the left one runs along the edge from `from` to `to`
     double bend = 0;         // sine of the angle between the normals, > 0 at a convex edge
 };
 

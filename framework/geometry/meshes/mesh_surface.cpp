@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Samples the surface of a mesh for contacts. Each sample has the cone of the normals along which
 // the surface can be touched there (normal cones: Rockafellar 1970, "Convex analysis"). Vertices
-// come first, then convex edges, then faces in rows. In a hole, where the corners of the facets lie
-// deepest and nothing touches them, even short edges and small faces have a point.
+// come first, then convex edges, then faces in rows. In a hole, the corners of the facets lie
+// deepest, so that no body touches them; there even short edges and small faces get a point.
 #include "geometry/meshes/mesh_surface.hpp"
 
 #include "geometry/meshes/mesh_edges.hpp"
@@ -20,15 +20,16 @@ namespace {
 constexpr double sharp = 0.17;
 
 // Unit vectors count as equal if the length of their difference is below this, and as orthogonal if
-// their cosine is. It is far above the rounding of normals and far below any angle that matters.
+// their dot product is. The value is far above the rounding of normals and far below any angle that
+// matters.
 constexpr double same = 1e-6;
 
 // A triangle is a sliver if its height is below this fraction of its longest side. It gets no point
 // in its middle, which would lie almost on the sides, where rounding makes distances inaccurate.
 constexpr double sliver = 0.05;
 
-// Whether a flat body with the normal -n can touch the surface at one of these vertices. Then the
-// points of the vertices represent the edges and faces around them.
+// Whether a flat body with the normal -n can touch the surface at one of these vertices. If so,
+// these points are enough for the edges and faces around them.
 bool is_touched_at(const MeshSurface& surface, std::initializer_list<int> vertices,
                    const Vector3d& n)
 {
@@ -162,7 +163,7 @@ Vector3d MeshSurface::nearest_normal(int index, const Vector3d& d) const
     };
     for (int i = cone.first_normal; i < cone.last_normal; ++i)
         consider(cone_normals_[i]);
-    for (int i = cone.first_direction; i < cone.last_direction; ++i) { // between two normals
+    for (int i = cone.first_direction; i < cone.last_direction; ++i) { // between face normals
         const Vector3d& along = cone_directions_[i];
         const Vector3d across = d - along.dot(d) * along;
         if (across.norm() > same) consider(across.normalized());

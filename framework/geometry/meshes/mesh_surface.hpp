@@ -12,14 +12,14 @@ namespace rigor {
 /// A sample point of a surface, on a vertex, an edge or a face [m].
 struct SurfacePoint {
     Vector3d point;
-    int cone = 0; // number of the cone of its outward normals
+    int cone = 0; // number of its normal cone, for `nearest_normal`
 };
 
 /// A sharp convex edge.
 struct SharpEdge {
     Vector3d from, to;         // ends [m]
     Vector3d normal1, normal2; // unit normals of the two faces
-    int cone = 0;
+    int cone = 0;              // number of its normal cone
 };
 
 /// Sample points on faces and along convex edges, about one spacing apart, and the sharp edges,
@@ -37,11 +37,11 @@ public:
     const BoundingTree& point_tree() const { return point_tree_; }
     const BoundingTree& edge_tree() const { return edge_tree_; }
 
-    /// The unit vector of a normal cone that is nearest to the unit vector d. From the
-    /// directions of the cone, another body can touch the surface from outside: on a face from its
-    /// normal, on an edge from any direction between two normals, at a vertex from any direction
-    /// between several. A saddle has no tangent plane that stays on one side of the surface; there
-    /// the result is d.
+    /// The unit vector of a normal cone that is nearest to the unit vector d. From the cone's
+    /// directions, another body can touch the surface from outside: on a face from its normal, on
+    /// an edge from any direction between its two normals, at a vertex from any direction between
+    /// the normals around it. A saddle has no tangent plane that stays on one side of the surface;
+    /// there the result is d.
     Vector3d nearest_normal(int cone, const Vector3d& d) const;
 
 private:

@@ -50,7 +50,7 @@ void TriangleTree::descend(int index, const Vector3d& p, Found& best) const
     if (to_far < best.squared_distance) descend(far, p, best);
 }
 
-// Whether the vertex or edge on which a found point lies also belongs to another triangle.
+// Whether the vertex or edge on which a found point lies also belongs to the given triangle.
 bool TriangleTree::is_on(const Found& found, int triangle) const
 {
     const auto& own = mesh_.triangles[found.triangle];

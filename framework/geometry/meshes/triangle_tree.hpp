@@ -21,12 +21,13 @@ public:
     };
 
     /// The point of the mesh nearest to p.
-    /// @param near  the triangle from which the search starts; a near one makes the search shorter
+    /// @param near  the triangle with which the search starts; if it is near p, the search is
+    ///              shorter
     Found nearest(const Vector3d& p, int near = 0) const;
 
     /// The local minima of the distance to p that are below `within` [m], the nearest first. They
-    /// are the nearest points of the triangles, without those that also belong to a triangle which
-    /// comes nearer to p.
+    /// are the nearest points of the single triangles, without a point on a vertex or edge that
+    /// also belongs to a triangle with a point nearer to p.
     std::vector<Found> local_minima(const Vector3d& p, double within) const;
 
     const BoundingTree& tree() const { return tree_; }

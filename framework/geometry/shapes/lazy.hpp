@@ -6,8 +6,8 @@
 
 namespace rigor {
 
-/// A lazily computed value: the first thread that asks for it computes it, and others that ask
-/// meanwhile wait.
+/// A lazily computed value: the first thread that asks for it computes it, and other threads that
+/// ask meanwhile wait.
 template <class T> class Lazy {
 public:
     /// @param make  returns a std::unique_ptr<T>

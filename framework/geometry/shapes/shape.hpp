@@ -51,7 +51,7 @@ struct Ellipsoid {
 };
 
 /// The solid inside a closed triangle mesh, in the frame of the mesh. All bodies with the same mesh
-/// share one.
+/// share one `SolidMesh`.
 struct Mesh {
     std::shared_ptr<const SolidMesh> solid; // never null
 };
@@ -64,7 +64,7 @@ using Shape = std::variant<Sphere, Capsule, Torus, Box, Cylinder, Cone, Ellipsoi
 /// A shape at its place in a body's frame. A compound body has several.
 struct Part {
     Shape shape;
-    Vector3d position = Vector3d::Zero(); // where the shape's origin is [m]
+    Vector3d position = Vector3d::Zero(); // position of the shape's origin in the body's frame [m]
     Quaternion orientation;
     double density = 1000; // [kg/m³]
 };

@@ -7,8 +7,8 @@
 
 namespace rigor {
 
-/// Bounds of a shape at a pose. They are the smallest possible except for a mesh, and infinite for
-/// a plane.
+/// Bounds of a shape at a pose. They are the smallest possible ones, except for a mesh, and
+/// infinite for a plane.
 Bounds bounds_of(const Shape& shape, const Pose& pose);
 
 /// Radius of a ball about the origin of the body's frame that contains the part, however it is

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Computes the data that contacts need of a mesh. Bounds, volume, radius and convexity are computed
-// at once; the hull, the surface points, the tree and the level set when they are first needed.
+// Computes the data that contacts need of a mesh. The constructor computes bounds, volume, radius
+// and convexity. The hull, the surface points, the tree and the level set are computed when they
+// are first needed.
 #include "geometry/shapes/solid_mesh.hpp"
 
 #include "geometry/level_sets/level_set.hpp"

@@ -22,13 +22,14 @@ public:
     static constexpr int least_cells = 8, most_cells = 128;
 
     /// @param mesh   a mesh that passed `check_mesh`
-    /// @param cells  along the longest side of the level set; 0: `suggested_cells(mesh)`
+    /// @param cells  number of cells along the longest side of the level set; 0:
+    ///               `suggested_cells(mesh)`
     explicit SolidMesh(TriangleMesh mesh, std::string name = "mesh", int cells = 0);
 
     SolidMesh(const SolidMesh&) = delete;
     SolidMesh& operator=(const SolidMesh&) = delete;
 
-    /// The same mesh, with nothing computed yet.
+    /// A copy for the same mesh, without what is computed lazily.
     std::shared_ptr<const SolidMesh> copy() const
     {
         return std::make_shared<SolidMesh>(mesh_, name_, cells_);
@@ -42,7 +43,8 @@ public:
     double radius() const { return radius_; }
     double volume() const { return volume_; } // [m³]
 
-    /// Whether it is convex. Contacts of convex meshes use the hull, and rarely need the level set.
+    /// Whether the mesh is convex, as `is_hull` defines it. Contacts of convex meshes use the hull,
+    /// and rarely need the level set.
     bool is_convex() const { return is_convex_; }
     /// @pre is_convex()
     const Hull& hull() const;
@@ -54,7 +56,7 @@ public:
     const TriangleTree& triangles() const;
 
     /// Signed distances on a grid.
-    /// @param made  called before they are computed, which only the first call does
+    /// @param made  called just before the distances are computed, which only the first call does
     template <class Made> const LevelSet& level_set(const Made& made) const
     {
         return level_set_.get([&] {

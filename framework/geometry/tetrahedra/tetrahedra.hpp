@@ -35,7 +35,7 @@ struct SortedFace {
     int tetrahedron, face;
 };
 
-/// All faces of all tetrahedra, those of the same vertices side by side.
+/// All faces of all tetrahedra, sorted so that faces with the same vertices are neighbours.
 std::vector<SortedFace> sorted_faces(const TetrahedralMesh& mesh);
 
 /// For each tetrahedron and each of its faces, the tetrahedron on the other side, or -1 for none.

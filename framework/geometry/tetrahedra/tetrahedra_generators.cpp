@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Builds meshes of tetrahedra. A block is made of cells of five tetrahedra each, a ball of an
-// octahedron whose eighths are divided along the diagonals of their cells (Kuhn 1960). Cells or
-// eighths come first, then vertices are numbered, and vertices that nothing uses are left out.
+// octahedron whose eighths are divided along the diagonals of their cells (Kuhn 1960). Vertices are
+// numbered last for a block, without those that no tetrahedron uses, and when they are first used
+// for a ball.
 #include "geometry/tetrahedra/tetrahedra_generators.hpp"
 
 #include "geometry/tetrahedra/tetrahedra.hpp"
@@ -14,11 +15,11 @@ namespace rigor {
 
 namespace {
 
-// The corners of a cell, corner c at (c & 1, c >> 1 & 1, c >> 2), as five tetrahedra.
+// The five tetrahedra of a cell, each by its corners. Corner c is at (c & 1, c >> 1 & 1, c >> 2).
 constexpr int cell_tetrahedra[5][4] = {
     {0, 3, 6, 5}, {1, 5, 3, 0}, {2, 3, 6, 0}, {4, 6, 5, 0}, {7, 5, 6, 3}};
 
-using IsThere = std::function<bool(int, int)>; // whether the block has cell x, y
+using IsThere = std::function<bool(int, int)>; // whether the block has the cells at x, y
 
 // Neighbouring cells are mirror images in x. A mirrored tetrahedron would be inverted, so two of
 // its vertices are swapped.
@@ -63,8 +64,8 @@ TetrahedralMesh cells_as_tetrahedra(const Vector3d& size, const std::array<int, 
     return mesh;
 }
 
-// The tetrahedron 0 ≤ k ≤ j ≤ i ≤ n of unit cells, each cut into six along its diagonal (Kuhn
-// 1960).
+// Calls add(t) for each tetrahedron t into which Kuhn (1960) divides the region 0 ≤ z ≤ y ≤ x ≤ n:
+// each unit cell of the region is cut into six along its diagonal.
 template <class Add> void for_each_kuhn_tetrahedron(int n, const Add& add)
 {
     constexpr int orders[6][3] = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};

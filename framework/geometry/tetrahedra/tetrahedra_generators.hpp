@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Meshes of tetrahedra of simple solids. A block is divided into cells, and each cell into five
 // tetrahedra: one in the middle, with a third of the volume, and four corners. Neighbouring cells
-// are mirror images of each other, so the mesh conforms; with an even number of cells along an axis
-// it is its own mirror image along that axis.
+// are mirror images of each other, so the mesh conforms. With an even number of cells along an
+// axis, the mesh is its own mirror image along that axis.
 #pragma once
 
 #include "formulas/types.hpp"
@@ -20,12 +20,13 @@ TetrahedralMesh block_tetrahedra(const Vector3d& size, const std::array<int, 3>&
 /// A block with a notch in the middle of its upper side. The notch runs through the whole block
 /// along z.
 ///
-/// @param notch  number of missing cells along x and down along y, each less than `cells` has there
+/// @param notch  number of missing cells along x and down along y, each less than the number in
+///               `cells`
 TetrahedralMesh notched_tetrahedra(const Vector3d& size, const std::array<int, 3>& cells,
                                    const std::array<int, 2>& notch);
 
-/// A ball about the origin: an octahedron of 8 layers³ tetrahedra, its vertices moved radially onto
-/// spheres. It is its own mirror image in x, y and z.
+/// A ball about the origin: an octahedron of 8 · layers³ tetrahedra, whose vertices are moved
+/// radially onto spheres. It is its own mirror image in x, y and z.
 TetrahedralMesh ball_tetrahedra(double radius, int layers);
 
 } // namespace rigor
