@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Puts the pages one after the other: the handouts by their names, then symbols, coverage and the
-// scene language. Drawings are copied into the page, other pictures as text in base 64.
+// scene language. Drawings and other pictures are copied into the page in base 64.
 #include "book/book.hpp"
 
 #include "book/markdown.hpp"
@@ -62,7 +62,8 @@ std::string base64(const std::string& bytes)
     return result;
 }
 
-// A picture as an image that holds its own bytes. The style sheets of drawings stay apart that way.
+// A picture as an <img> that contains the bytes of its file. So the style sheet of a drawing has no
+// effect on other drawings.
 std::string picture(const fs::path& file, const std::string& text)
 {
     const std::string kind = file.extension() == ".svg" ? "svg+xml" : "png";

@@ -7,11 +7,11 @@
 
 namespace rigor::book {
 
-/// @param assignments  the folder of the handouts
+/// Makes the page, in HTML. @param assignments  the folder of the handouts
 /// @throws InputError if a text or a picture is missing, or a formula cannot be shown
 std::string book(const std::filesystem::path& assignments);
 
-/// The same page for paper: all folds are open.
+/// The page for printing, with all its folds (<details>) open.
 std::string unfolded(const std::string& page);
 
 } // namespace rigor::book

@@ -26,7 +26,8 @@ Lines lines_of(const std::string& text)
     return lines;
 }
 
-// The text between two marks, if the first stands at `at`; then `at` is moved behind the second.
+// Finds the text between two marks, if the first one is at `at`, and moves `at` behind the second
+// one. @return whether there is such a text
 bool between(const std::string& text, std::size_t& at, const std::string& mark, std::string& found)
 {
     if (text.compare(at, mark.size(), mark) != 0) return false;
@@ -79,8 +80,8 @@ bool is_item(const std::string& line)
     return line.starts_with("- ") || is_numbered(line);
 }
 
-// Whether a line ends the paragraph before it. A sentence may end with a number, so of the numbered
-// items only the first does.
+// Whether a line ends the paragraph before it, since it begins a list. A line may also begin with a
+// number that ends a sentence, so a numbered list must begin with 1.
 bool begins_list(const std::string& line)
 {
     return line.starts_with("- ") || line.starts_with("1. ");

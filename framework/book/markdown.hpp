@@ -10,8 +10,8 @@ namespace rigor::book {
 /// The HTML of a picture, from its path and its description.
 using Picture = std::function<std::string(const std::string& path, const std::string& text)>;
 
-/// The part of Markdown that the handouts use: headings, paragraphs, lists, tables, quotes, code,
-/// pictures, links and formulas.
+/// Converts Markdown to HTML, as far as the handouts use it: headings, paragraphs, lists, tables,
+/// quotes, code, pictures, links and formulas.
 /// @throws InputError for a formula that cannot be shown
 std::string html(const std::string& markdown, const Picture& picture);
 

@@ -32,7 +32,7 @@ const Words operators = {{"cdot", "·"},  {"times", "×"}, {"ast", "∗"},      
                          {"nabla", "∇"}, {"to", "→"},    {"leftarrow", "←"}, {"partial", "∂"},
                          {"dots", "…"}};
 struct Bar {
-    std::string_view text, form; // "prefix" before what it encloses, "postfix" behind it
+    std::string_view text, form; // "prefix": an opening bar, "postfix": a closing one
 };
 const std::map<std::string, Bar, std::less<>> bars = {{"lvert", {"|", "prefix"}},
                                                       {"rvert", {"|", "postfix"}},
@@ -54,7 +54,7 @@ class Formula {
 public:
     explicit Formula(const std::string& latex) : text_(latex) {}
 
-    /// Atoms up to the end, or up to `end`, which is passed over.
+    /// Reads atoms up to `end`, which is skipped; if it is empty, up to the end of the formula.
     std::string row(std::string_view end = "")
     {
         std::string result;
@@ -86,7 +86,7 @@ private:
             ++at_;
     }
 
-    // Whether a sign behind `row` has nothing on its left, as in "= −1" and "(−1".
+    // Whether a plus or minus behind `row` has no operand on its left, as in "= −1" and "(−1".
     static bool is_open(const std::string& row)
     {
         return row.empty() || row.ends_with("/>") || (row.ends_with("</mo>") && !is_closed(row));
@@ -122,7 +122,7 @@ private:
         return is_next(letters) || starts_with("\\frac") || starts_with("\\tfrac");
     }
 
-    // The next atom with its scripts, and the space between it and the row before it.
+    // The next atom with its indices and exponents, and the space between it and the row before it.
     std::string next_after(const std::string& row)
     {
         if ((text_[at_] == '-' || text_[at_] == '+') && is_open(row))
@@ -152,7 +152,7 @@ private:
         return element("msubsup", base + below + above);
     }
 
-    // One atom, without scripts of its own.
+    // One atom, without the indices and exponents that follow it.
     std::string argument()
     {
         skip_space();
@@ -206,13 +206,13 @@ private:
         std::size_t end = at_;
         while (end < text_.size() && std::isalpha(static_cast<unsigned char>(text_[end])) != 0)
             ++end;
-        if (end == at_) ++end; // \, and the like
+        if (end == at_) ++end; // a command of one sign, such as \,
         const std::string found = text_.substr(at_, end - at_);
         at_ = end;
         return found;
     }
 
-    // The text in braces, as it stands.
+    // The text in braces, unchanged.
     std::string plain()
     {
         skip_space();
@@ -275,13 +275,13 @@ private:
     // A text whose blanks at its ends are kept.
     static std::string with_ends(std::string text)
     {
-        const std::string blank = "\u00A0"; // does not vanish
+        const std::string blank = "\u00A0"; // a space that browsers keep
         if (text.ends_with(' ')) text.replace(text.size() - 1, 1, blank);
         if (text.starts_with(' ')) text.replace(0, 1, blank);
         return text;
     }
 
-    // One sign of two, as += is.
+    // An operator of two signs, such as +=.
     std::string assignment()
     {
         const std::string first = plain();

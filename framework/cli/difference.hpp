@@ -15,7 +15,7 @@ struct Difference {
     std::string body;
     std::string quantity; // "X [m]"
     std::string expected, actual;
-    double size = 0;    // |difference|; for an orientation the angle between [rad]
+    double size = 0;    // |difference|; for orientations the angle between them [rad]
     double allowed = 0; // the threshold it exceeds
 };
 

@@ -14,8 +14,9 @@ namespace rigor {
 /// @throws InputError if there is no such implementation
 Implementation prepared_implementation(const std::string& with);
 
-/// The same for a command that runs scenes.
-/// @throws InputError also if the implementation does not compile, with the compiler's errors
+/// Like `prepared_implementation`, for a command that runs scenes.
+/// @throws InputError also if a file of the implementation does not compile, with the compiler's
+///     errors
 Implementation working_implementation(const std::string& with);
 
 /// Builds targets of the framework that are out of date and shows a progress bar.
@@ -24,7 +25,7 @@ void prepare_targets(const std::vector<std::string>& targets);
 /// The graded tests and their oracle. Shows a progress bar while they are built.
 GradingRun prepared_grading_run();
 
-/// What all submissions share. Shows a progress bar while it is built.
+/// Builds what all submissions share (grading/build/submission_build.hpp), with a progress bar.
 void prepare_submissions();
 
 /// Runs a program of the framework and prints each line of its stdout when it comes. Its stderr
@@ -33,12 +34,12 @@ void prepare_submissions();
 /// @throws std::runtime_error if it crashed
 int run_program(const std::vector<std::string>& arguments);
 
-/// What to say of such a program that ended with a status that it should not have: a fault of the
-/// framework, and how to see it.
+/// The error message for a program of `run_program` that ended with an unexpected status: that this
+/// is a fault of the framework, and how to run the program alone.
 std::string program_failed(const std::string& name, int status);
 
 /// Makes the folder that --out names, if it is missing.
-/// @param content  what will be written there: "the figures"
+/// @param content  what will be written there, such as "the figures"
 /// @throws InputError if it cannot be written
 void require_folder(const std::string& out, const std::string& content);
 
@@ -51,7 +52,8 @@ struct SceneFile {
 std::vector<SceneFile> shipped_scenes();
 
 /// The file of a scene that is given by a path, by `a4-collision/hundred_boxes`, or by a name that
-/// no other assignment has. @throws InputError with the nearest name
+/// no other assignment has. @throws InputError if there is none, with the nearest name, or if there
+/// are several
 std::filesystem::path find_scene(const std::string& text);
 
 } // namespace rigor

@@ -14,7 +14,7 @@ namespace rigor {
 /// What to record, and the callbacks that take the records. Each callback may be empty.
 struct SceneRun {
     Record record = Record::frames;
-    int threads = 1; // for the reference; other implementations use one
+    int threads = 1; // threads of the reference; others use one
     /// Takes the bytes of the trajectory after the reader has accepted them.
     std::function<void(std::span<const std::byte>)> on_bytes;
     std::function<void(const Scene&, const std::vector<RecordedBody>&)> on_start;

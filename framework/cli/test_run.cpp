@@ -127,7 +127,8 @@ private:
     bool showing_ = false;
 };
 
-// A test that takes longer has failed, so that one that hangs does not hide the others [s].
+// The longest time for a test [s]. A test that takes longer fails, so that a test that hangs does
+// not keep the others from running.
 constexpr const char* longest_test = "1200";
 
 SuiteResult build_preset(const std::string& preset, const fs::path& build, SuiteSize size)

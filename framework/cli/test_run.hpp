@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Builds a preset, runs its test suites, and prints a line for each.
+// Builds a preset, which is a way to build, runs its test suites, and prints a line for each.
 #pragma once
 
 #include <string>

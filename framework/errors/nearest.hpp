@@ -13,7 +13,8 @@ namespace rigor {
 std::string_view nearest(std::string_view word, std::span<const std::string_view> names);
 
 /// The end of a message about a word that names nothing: `; did you mean "inertia"?` with the
-/// nearest of the names. If none is near, `; ` and `otherwise`, or nothing if that is empty too.
+/// nearest of the names. If no name is near, it is `; ` and `otherwise`, or empty if `otherwise` is
+/// empty.
 std::string suggestion(std::string_view word, std::span<const std::string_view> names,
                        std::string_view otherwise = {});
 std::string suggestion(std::string_view word, std::span<const std::string> names,

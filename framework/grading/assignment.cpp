@@ -25,7 +25,7 @@ std::vector<std::string> texts(const Value& value, std::string_view what)
     return result;
 }
 
-// A task while it is read, with the values whose lines an error message names.
+// A task while it is read, and the JSON values whose lines the error messages name.
 struct TaskDraft {
     Task task;
     const Value *tag = nullptr, *formula = nullptr, *scenes = nullptr, *parts = nullptr;

@@ -9,29 +9,30 @@
 
 namespace rigor {
 
-/// What a student is told about a test that failed.
+/// What a student is told about a test that failed. The law of a test is the statement that it
+/// checks.
 enum class Disclosure {
-    all,    // the law, the case, and the numbers
-    law,    // the law that broke, and how
-    nothing // that the task failed
+    all,    // the law, the case and the numbers
+    law,    // the law, and a status such as `crashed`
+    nothing // only a status such as `crashed`
 };
 
-/// Points for one law of a task, which are earned even if another law breaks.
+/// Points for one law of a task. They are earned if this law holds, even if others do not.
 struct PartOfPoints {
-    std::string law; // the name of a test case
+    std::string law; // the name of the test case that checks it
     double points = 0;
 };
 
 struct Task {
-    std::string tag;                 // "A2.14"
-    std::string formula;             // "combine"; empty for a task about scenes
-    std::string title;               // name of a task that is not about a formula
-    double points = 0;               // for the task as a whole
-    std::vector<PartOfPoints> parts; // less than `points` in all; the rest is for all laws together
-    bool is_hidden = false;          // its tests compare with the reference
-    std::string hint;                // for a student whose solution fails
-    std::vector<std::string> builds_on; // tags of the tasks whose formulas its tests call too
-    std::vector<std::string> scenes;    // files of the scenes it is judged by
+    std::string tag;                    // "A2.14"
+    std::string formula;                // "combine"; empty if the task has a `title`
+    std::string title;                  // the task's name if it has no `formula`
+    double points = 0;                  // for the whole task, with its parts
+    std::vector<PartOfPoints> parts;    // their sum is below `points`; the rest needs all laws
+    bool is_hidden = false;             // whether its tests need the reference
+    std::string hint;                   // shown to a student whose solution fails
+    std::vector<std::string> builds_on; // tags of other tasks whose formulas its tests call
+    std::vector<std::string> scenes;    // files in scenes/ that its tests run
     Disclosure discloses = Disclosure::all;
 
     const std::string& name() const { return formula.empty() ? title : formula; }
@@ -56,8 +57,8 @@ struct Assignment {
 /// @throws InputError that names the file, the place in it, what was expected and what was found
 Assignment load_assignment(const std::filesystem::path& file);
 
-/// Reads all assignments, `folder`/*/assignment.json, sorted by name. @throws InputError also if
-/// there is none
+/// Reads all assignments, `folder`/*/assignment.json, sorted by name. @throws InputError if a file
+/// has an error, or if there is no such file
 std::vector<Assignment> load_assignments(const std::filesystem::path& folder);
 
 } // namespace rigor

@@ -7,20 +7,20 @@
 namespace rigor {
 
 struct Places {
-    std::filesystem::path source; // the tree: student/, assignments/, …
-    std::filesystem::path build;  // build/<preset>
+    std::filesystem::path source; // the top of the tree, with student/, assignments/, …
+    std::filesystem::path build;  // the build folder, build/<preset>
 
     std::filesystem::path program(const char* name) const { return build / "bin" / name; }
     std::filesystem::path assignments() const { return source / "assignments"; }
     bool has_reference() const { return std::filesystem::is_directory(source / "reference"); }
 };
 
-/// The folders as they were when this program was built.
+/// The source tree and the build folder from which this program was built.
 const Places& places();
 
 /// A lock on a build folder, held while this object lives, so that one process at a time writes
-/// there; the launcher takes the same lock. If another process holds it, a note is printed on
-/// stderr.
+/// there; the script `rigor` takes the same lock. If another process holds it, the constructor
+/// prints a note on stderr and waits.
 class BuildLock {
 public:
     explicit BuildLock(const std::filesystem::path& build = places().build);

@@ -32,7 +32,7 @@ double seconds_since(Clock::time_point start)
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-// A pipe whose read end is split into lines.
+// A pipe. What arrives at its read end is split into lines.
 class LinePipe {
 public:
     explicit LinePipe(const OnLine& on_line) : on_line_(on_line)
@@ -176,7 +176,7 @@ Ended run(const Command& command, const OnLine& on_output, const OnLine& on_mess
     int failure[2];
     if (pipe2(failure, O_CLOEXEC) != 0)
         throw std::runtime_error("pipe: " + std::string(std::strerror(errno)));
-    // A number from 10 on, so that message_descriptor does not overwrite it.
+    // A descriptor of at least 10, because `become` overwrites message_descriptor and those below.
     const int report = fcntl(failure[1], F_DUPFD_CLOEXEC, 10);
     close(failure[1]);
     LinePipe output(on_output), messages(on_message);

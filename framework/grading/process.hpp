@@ -15,10 +15,10 @@ namespace rigor {
 struct Command {
     std::vector<std::string> arguments;   // first the program, which is looked up in PATH
     std::filesystem::path folder;         // working directory; empty: the current one
-    double silence = 0;                   // longest time without a line [s]; 0: no limit
+    double silence = 0;                   // longest time without output [s]; 0: no limit
     std::uint64_t memory = 0;             // address space [bytes]; 0: no limit
     std::vector<std::string> environment; // "NAME=value", besides the inherited ones
-    bool shares_stderr = false;           // its stderr goes to this process's stderr
+    bool shares_stderr = false;           // whether its stderr is that of this process
 };
 
 /// How a program ended.
@@ -33,9 +33,10 @@ struct Ended {
 
 using OnLine = std::function<void(std::string_view line)>;
 
-/// Runs a program with an empty stdin. Each line of its stdout and stderr (see `shares_stderr`)
-/// goes to `on_output`, and each line that it writes to the descriptor `message_descriptor` goes to
-/// `on_message`. The program is ended when this process ends.
+/// Runs a program with an empty stdin. Each line of its stdout goes to `on_output`, and so does
+/// each line of its stderr, unless the command has `shares_stderr`. Each line that the program
+/// writes to the descriptor `message_descriptor` goes to `on_message`. The program is ended when
+/// this process ends.
 ///
 /// A line longer than 1 MiB is handed over in pieces. @throws std::runtime_error if the program
 /// cannot be started
@@ -44,7 +45,7 @@ Ended run(const Command& command, const OnLine& on_output, const OnLine& on_mess
 /// Whether a program of this name is in PATH.
 bool is_installed(const std::string& program);
 
-/// The descriptor that a program run with `on_message` writes its messages to.
+/// The descriptor to which the program of `run` writes the lines for `on_message`.
 inline constexpr int message_descriptor = 3;
 
 } // namespace rigor

@@ -37,30 +37,32 @@ std::optional<Status> status_of(std::string_view text);
 struct TestCase {
     std::string name; // "inertia: the union of two hemispheres is a sphere"
     Status status = Status::passed;
-    std::string message, hint; // as the test words them
+    std::string message, hint; // as the test program words them
     std::string mistake; // why the answers are wrong, in one sentence; empty if it is not known
-    std::string expected, actual, error, tolerance, tolerance_class; // empty where there is none
-    std::string place;                                               // the field that is wrong
-    std::optional<std::int64_t> seed;                                // seed of the counterexample
+    /// What a comparison of numbers found; empty if the test case compared none.
+    std::string expected, actual, error, tolerance, tolerance_class;
+    std::string place;                // what of the result is wrong, such as a field
+    std::optional<std::int64_t> seed; // seed of the failed case
     bool is_hidden = false;
-    double largest_error = 0; // among comparisons that held, as a part of the tolerance
+    double largest_error = 0; // error / tolerance, over the comparisons that held
     double seconds = 0;
 };
 
 struct TaskResult {
     Task task;
     Status status = Status::skipped;
-    double score = 0, max_score = 0; // a task that is not run counts 0 of 0
+    double score = 0, max_score = 0; // a task that this run cannot judge: 0 of 0
     std::vector<TestCase> tests;
-    /// Whether the points were earned with the reference in place of what the task builds on, so
-    /// that one error is paid for once.
+    /// Whether the points were earned with the reference in place of the formulas that the task
+    /// builds on. So an error in one formula costs the points of one task only.
     bool follow_through = false;
 
-    /// The test case of this law; none if it did not run.
+    /// The test case of this law; nullptr if it did not run.
     const TestCase* of_law(std::string_view law) const;
-    /// The first of the test cases with the worst outcome; none if all passed.
+    /// The first of the test cases with the worst outcome; nullptr if all passed.
     const TestCase* first_failure() const;
-    /// Why the answers are wrong: the first sentence that a test case has; empty without one.
+    /// Why the answers are wrong: the first `mistake` of a test case that is not empty; empty if
+    /// there is none.
     std::string mistake() const;
 };
 
@@ -77,24 +79,25 @@ struct Result {
     std::vector<TaskResult> tasks;
     double build_seconds = 0, test_seconds = 0;
     std::string walls; // the walls around the submission: "A: namespaces, uid, seccomp, Landlock"
-    std::vector<std::string> notes; // what the reader should know besides, such as ignored files
-    std::string fingerprint; // a hash of all that the result depends on; empty if it is not kept
+    std::vector<std::string> notes; // further remarks for the reader, such as ignored files
+    std::string fingerprint; // hash of all that the result depends on; empty: later runs redo it
 
     double score() const;
     double max_score() const;
     bool all_points() const { return status == SubmissionStatus::graded && score() == max_score(); }
 };
 
-/// The result of a submission of which no test ran. Each task has 0 of the points that it could
-/// have had.
-/// @param tags  all tasks  @param counted  those that could have been judged
+/// The result of a submission of which no test ran. Each counted task has 0 of its points, and each
+/// other task 0 of 0.
+/// @param tags     the tasks that are listed
+/// @param counted  the tasks that could have been judged
 Result ungraded(const Assignment& assignment, const std::vector<std::string>& tags,
                 const std::vector<std::string>& counted, SubmissionStatus status,
                 const std::string& message);
 
-/// The result of a task from its test cases. It gets all of its points if there are test cases and
-/// each passed, otherwise those of its parts whose law held. What the task does not disclose is
-/// left out.
+/// The result of a task from its test cases. The task gets all of its points if there are test
+/// cases and each passed; otherwise it gets the points of each part whose law held. What the task
+/// does not disclose is left out.
 TaskResult score_task(const Task& task, std::vector<TestCase> tests);
 
 } // namespace rigor

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Runs the graded tests for the selected tasks and scores them. Hidden tests run only if there is
-// an oracle. The test program streams its verdicts; if they are not complete or the program ends
-// wrongly, the result is an internal error and no score.
+// an oracle, which is the reference's worker. The test program streams its verdicts. If they are
+// incomplete or the program crashes or hangs, the result is an internal error and no score.
 #include "grading/run_tests.hpp"
 
 #include "errors/quotes.hpp"
@@ -28,7 +28,7 @@ std::vector<std::string> runnable(const Selection& selection, bool has_oracle)
     return tags;
 }
 
-// The error that a part of a task's points names a law that no test has; empty if there is none.
+// The error message if a task has points for a law that no test checks; otherwise empty.
 std::string missing_law(const Task& task, const std::vector<TestCase>& tests)
 {
     if (tests.empty()) return ""; // the task did not run
@@ -41,7 +41,7 @@ std::string missing_law(const Task& task, const std::vector<TestCase>& tests)
 }
 
 // The walls around the submission, in words. A sanitizer needs calls that walls refuse, so the
-// sanitized build of the tests has none.
+// sanitized build of the tests has rlimits only.
 std::string walls_in_words()
 {
 #ifdef RIGOR_SANITIZED
@@ -51,7 +51,7 @@ std::string walls_in_words()
 #endif
 }
 
-// Why a submission's points prove little; empty if nothing speaks against them.
+// Why a submission's points prove little; empty if they can be trusted.
 std::string doubt()
 {
 #ifndef RIGOR_SANITIZED
@@ -62,7 +62,8 @@ std::string doubt()
     return "";
 }
 
-// Catch2's test specification for these tags, without the test cases that have a verdict.
+// The argument that tells Catch2 which test cases to run: those with these tags that have no
+// verdict yet.
 std::string specification(const std::vector<std::string>& tags, bool has_oracle,
                           const Verdicts& before)
 {
@@ -75,7 +76,7 @@ std::string specification(const std::vector<std::string>& tags, bool has_oracle,
     return result;
 }
 
-#ifdef RIGOR_SANITIZED // a sanitizer reserves terabytes of addresses
+#ifdef RIGOR_SANITIZED // no limit: a sanitizer reserves terabytes of addresses
 constexpr std::size_t memory_of_tests = 0;
 #else
 // The most memory that the test program may use. Its engine makes meshes from the answers of a
@@ -84,18 +85,18 @@ constexpr std::size_t memory_of_tests = 0;
 constexpr std::size_t memory_of_tests = std::size_t{6} << 30; // [bytes]
 #endif
 
-// Whose answers a task builds on: those of the submission, or those of the reference.
+// Who answers the formulas of other tasks that a task calls: the submission or the reference.
 enum class Others { submission, reference };
 
 // The longest time that the test program may compute between two calls of formulas [s]. It is
-// shorter once a test case has not come to its end, since a task has several of them.
+// shorter once a test case has exceeded it, since more test cases of the task may do so.
 double longest_stall(const Verdicts& before)
 {
     return before.stalled().empty() ? 8 : 2;
 }
 
-// @param spent   what an earlier run of the same implementation cost, see Verdicts
-// @param before  the verdicts of the test cases that are not to run
+// @param spent   the time budget that an earlier run has used, see Verdicts::spent
+// @param before  the verdicts that are known; their test cases do not run again
 Command test_command(const GradingRun& run, const Implementation& implementation,
                      const std::vector<std::string>& tags, Others others, const std::string& spent,
                      const Verdicts& before)
@@ -138,10 +139,11 @@ std::string fault_of(const Ended& ended, const Verdicts& verdicts,
     return "";
 }
 
-// Runs the test cases of these tags. Where the answers make our engine compute without end, the
-// program ends itself after its verdict, and another one runs the test cases that are left.
-// @param spent    what an earlier run cost
-// @param on_line  called after each line about the test cases
+// Runs the test cases of these tags. If the answers of a submission make our engine compute without
+// end, the test program ends itself after the verdict on this test case, and a new one runs the
+// test cases that are left.
+// @param spent    the time budget that an earlier run has used, see Verdicts::spent
+// @param on_line  called after each line that the test program sends about a test case
 Ended run_tests(
     const GradingRun& run, const Implementation& implementation,
     const std::vector<std::string>& tags, Others others, const std::string& spent,
@@ -163,10 +165,11 @@ Ended run_tests(
 
 constexpr const char* not_followed = "not judged with the reference's other formulas: ";
 
-// Judges the tasks that did not get all points once more, with the reference in place of what they
-// build on. A task keeps the better of the two results. Formulas that did not return are not asked
-// again. Where the reference itself fails, because the submission's answers give it work without
-// end, the test case counts as failed, and a note says so.
+// Judges the tasks that did not get all points a second time, now with the reference in place of
+// the formulas of other tasks that they call. Each task keeps the better of its two results. A task
+// whose formula did not return is left out. If the reference itself fails in a test case, because
+// the answers of the submission give it work without end, the test case counts as failed, and a
+// note says so.
 void follow_through(const GradingRun& run, const Implementation& implementation,
                     const Verdicts& before, Result& result)
 {
@@ -184,14 +187,15 @@ void follow_through(const GradingRun& run, const Implementation& implementation,
         result.notes.push_back(not_followed + fault);
         return;
     }
-    std::set<std::string> failed; // what happened in a test may be hidden from the student
+    std::set<std::string> failed; // tags only, since the message may be undisclosed
     for (const auto& [tag, what] : verdicts.own_failures())
         if (failed.insert(tag).second)
             result.notes.push_back(not_followed + ("the reference failed in a test of " + tag));
     for (TaskResult& task : result.tasks) {
         TaskResult followed = score_task(task.task, verdicts.of(task.task.tag));
         const bool is_better = followed.score > task.score;
-        // A task that met another one's stub is better told what is wrong with itself.
+        // After the first run, the student knows only that a stub of another task was called. The
+        // second run tells what is wrong with this task.
         const bool tells_more = followed.score == task.score && !followed.tests.empty() &&
                                 task.status == Status::not_implemented &&
                                 verdicts.own_failures().empty();

@@ -11,35 +11,37 @@
 
 namespace rigor {
 
-/// Called when a task's test case begins.
+/// Called once for each task, when its first test case begins. The run has `tasks` of them.
 using OnTask = std::function<void(int tasks_begun, int tasks, const std::string& tag)>;
 
 struct GradingRun {
-    std::filesystem::path test_program; // graded_tests
+    std::filesystem::path test_program; // the program `graded_tests`
     /// The reference's worker. Without it no hidden test runs.
     std::optional<std::filesystem::path> oracle;
-    std::uint32_t seed = 0; // the first seed of each property, if there is no secret
-    /// The course's secret, which draws the seeds of each submission and test. Without it
-    /// (empty) they are the same for everybody, so that a student can know the random cases.
+    std::uint32_t seed = 0; // the first seed of each test's random cases, if there is no secret
+    /// The course's secret, from which each submission and each test gets seeds of its own. If it
+    /// is empty, the seeds are the same for everybody, and a student can know the random cases.
     std::string secret;
-    double silence = 300; // longest time for a test case [s]; the tests' own limits are far less
+    double silence = 300; // longest silence of the test program [s]; tests end far earlier
     OnTask on_task;
 };
 
 /// Runs the tests of the selected tasks against an implementation and scores them.
 ///
 /// A fault of the test program (it dies, matches no test, checks nothing, prints a line that cannot
-/// be parsed) makes the result `internal_error`, never zero points and never a pass. An
-/// implementation that did not compile makes it `compile_error`.
+/// be parsed) makes the result `internal_error`, never zero points and never a pass. If the topic's
+/// file did not compile, the result is `compile_error`.
 Result grade(const Selection& selection, const Implementation& implementation,
              const GradingRun& run);
 
-/// The result of a submission that was not run, with no points of those that this run could give.
+/// The result of a submission of which no test ran: it has 0 of the points that this run could
+/// give.
 Result ungraded(const Selection& selection, const GradingRun& run, SubmissionStatus status,
                 const std::string& message);
 
 /// The graded tests of this tree, with the reference as the oracle if there is one and if the walls
-/// keep submissions away from it. Both are built if they are out of date.
+/// keep submissions away from it. The test program and the oracle are built if they are out of
+/// date.
 GradingRun own_grading_run(const OnBuildStep& on_step = {});
 
 } // namespace rigor

@@ -17,7 +17,7 @@ struct Selection {
 /// The tasks that the words name. A word is an assignment (`a2-inertia`, `A2`), its topic
 /// (`inertia`), a task's tag (`A2.14`) or its formula (`combine`), in upper or lower case. Without
 /// words, all tasks are selected.
-/// @throws InputError with the nearest name
+/// @throws InputError if a word names nothing; its message suggests the nearest name
 std::vector<Selection> select_tasks(const std::vector<Assignment>& assignments,
                                     const std::vector<std::string>& words);
 

@@ -12,7 +12,7 @@
 
 namespace rigor {
 
-/// Parses the lines as they come and keeps the verdicts.
+/// Parses the lines of the test program as they come, and keeps the verdicts.
 class Verdicts {
 public:
     /// Parses one line. An error is kept in `fault`.
@@ -23,25 +23,27 @@ public:
     const std::string& current_tag() const { return tag_; }
     /// Name of the test case that began and has not ended; empty if there is none.
     const std::string& open() const { return open_; }
-    /// Whether the program said last that all its test cases have run.
+    /// Whether the last line says that all test cases have run.
     bool is_complete() const { return is_complete_; }
     /// The first error: a line that could not be parsed or a test case that checked nothing. Empty
     /// if there is none.
     const std::string& fault() const { return fault_; }
-    /// What failed through no fault of the submission: for each test case the tag of its task, and
-    /// a sentence. Such a test case counts as failed.
+    /// The test cases in which our own code failed, not the submission: for each the tag of its
+    /// task, and a sentence. Such a test case counts as failed.
     const std::vector<std::pair<std::string, std::string>>& own_failures() const
     {
         return own_failures_;
     }
-    /// What the run has cost, for a later run of the same worker.
+    /// The time budget that the run has used, and the tags of the formulas that are not called any
+    /// more. A later run with the same worker gets this text as its `--spent`.
     const std::string& spent() const { return spent_; }
-    /// The cost in words; empty while all is within the free time.
+    /// The time budget that the run has used, in words; empty if the run stayed within the free
+    /// time.
     const std::string& cost() const { return cost_; }
-    /// The test cases at which the program ended itself, because it computed without end with the
-    /// answers. What comes after them has not run.
+    /// The test cases after which the test program ended itself, because the submission's answers
+    /// made it compute without end. The test cases that follow have to run in a new test program.
     const std::vector<std::string>& stalled() const { return stalled_; }
-    /// Whether the formula with this tag is not asked any more, because it did not return.
+    /// Whether the formula with this tag is not called any more, because it did not return.
     bool is_given_up(std::string_view tag) const;
 
 private:

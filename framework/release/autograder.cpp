@@ -56,7 +56,8 @@ std::string step_of(const Task& task)
     return id;
 }
 
-// GitHub Classroom looks for the results of a step under its identifier in capitals.
+// The name under which GitHub Classroom looks for the results of a step: the step's identifier in
+// capitals, followed by _RESULTS.
 std::string results_of(const std::string& step)
 {
     std::string name = step;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Files for services that grade: a Gradescope autograder, and the workflow of a GitHub repository.
+// Files for services that grade submissions: an autograder for Gradescope, and a workflow for a
+// repository on GitHub.
 #pragma once
 
 #include "grading/assignment.hpp"
@@ -19,8 +20,8 @@ ReleasedTree gradescope_tree(const std::filesystem::path& source, const Assignme
 inline constexpr const char* workflow_path = ".github/workflows/classroom.yml";
 
 /// The workflow that checks a student's repository at each push: a step for each visible task, by
-/// the command grader of GitHub Classroom, and one that reports the points. Names of workflow and
-/// job are those that GitHub Classroom looks for.
+/// the command grader of GitHub Classroom, and a step that reports the points. The names of the
+/// workflow and of its job are those that GitHub Classroom looks for.
 std::string classroom_workflow(const Assignment& assignment);
 
 } // namespace rigor

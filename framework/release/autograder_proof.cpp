@@ -23,7 +23,8 @@ namespace {
 // The user and group `nobody` of Debian and Ubuntu.
 constexpr int nobody = 65534;
 
-// Runs a program of the layout, and shows its progress.
+// The user who runs the programs of the layout: `nobody` if this process runs as root and `nobody`
+// can write to the layout, otherwise the user of this process.
 class LayoutUser {
 public:
     explicit LayoutUser(const fs::path& layout) : layout_(layout)
@@ -37,7 +38,7 @@ public:
 
     bool is_nobody() const { return is_nobody_; }
 
-    // Everything in the layout becomes that user's, as far as it is not yet.
+    // Makes `nobody` the owner of everything in the layout, if this process runs as root.
     void give_away() const
     {
         if (geteuid() != 0) return;
@@ -74,7 +75,7 @@ private:
     bool is_nobody_ = false;
 };
 
-// Lays the autograder out, without what Gradescope makes for each submission.
+// Unpacks the autograder as Gradescope does, without the folders of a submission and its results.
 void lay_out(const fs::path& zip, const fs::path& layout)
 {
     write_tree(unzipped(zip), layout / "source", "rigor/build");
@@ -95,7 +96,8 @@ std::string results_json_after(const ReleasedTree& submission, const fs::path& l
     return fs::exists(results) ? file_content(results) : std::string();
 }
 
-// What a student hands in who solved everything: the topic's file and the headers beside it.
+// The submission of a student who has solved everything: the topic's file and the headers beside
+// it.
 ReleasedTree solved_submission(const fs::path& reference, const fs::path& folder,
                                const std::string& file)
 {
@@ -139,7 +141,7 @@ std::string prove_autograder(const fs::path& zip, const fs::path& layout,
     const std::string solved = results_json_after(
         solved_submission(source / "reference", layout.string() + ".solved", file), layout, user);
     const nlohmann::json json = nlohmann::json::parse(solved, nullptr, false);
-    // all points: those of hidden tasks too, where the walls allow
+    // all points, with those of hidden tasks if the walls are strong enough to run their tests
     const double most = json.is_object() ? json.value("score", 0.0) : 0.0;
     if (most <= 0) throw std::runtime_error("the autograder gives a solution no points");
     if (const std::string fault = fault_of_results(solved, most, most); !fault.empty())

@@ -19,7 +19,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-// Runs the tree's own command and returns what it writes to stdout. Its progress is shown.
+// Runs `rigor check --json` of the tree and returns what it writes to stdout. Its stderr is shown.
 std::string checked(const fs::path& tree, const std::vector<std::string>& options)
 {
     Command command;

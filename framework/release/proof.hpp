@@ -7,10 +7,10 @@
 
 namespace rigor {
 
-/// What the proof of a students' tree saw.
+/// What the proof of a students' tree has found.
 struct TreeProof {
-    int tasks = 0;     // visible ones; each was `not_implemented` with the stubs
-    double points = 0; // the visible tasks have these; the reference got all
+    int tasks = 0;     // visible tasks; each stub was `not_implemented`
+    double points = 0; // points of the visible tasks; the reference got all of them
 };
 
 /// Builds a students' tree and grades in it the stubs, which must get no point because no task is
@@ -23,7 +23,7 @@ TreeProof prove_students_tree(const std::filesystem::path& tree,
 
 /// What is wrong with the output of `rigor check --json`; empty if every visible task has the
 /// expected status and points and no hidden task counts.
-/// @param solved  whether every visible point is expected, or none
+/// @param solved  true: every point of the visible tasks is expected; false: none is
 std::string fault_of_tree(const std::string& json, bool solved, TreeProof& proof);
 
 /// Writes the reference as a student would hand it in: one file for each topic.

@@ -17,7 +17,8 @@ namespace {
 // A file in .git that says who made the repository.
 constexpr const char* our_mark = "rigor-release";
 
-// Git without the user's settings, hooks and templates, with a fixed author and date.
+// Environment variables for git: it uses none of the user's settings, hooks and templates, and a
+// fixed author and date.
 std::vector<std::string> fixed_surroundings()
 {
     const std::string who = "Rigor", mail = "rigor@localhost", when = "2000-01-01T00:00:00 +0000";
@@ -87,7 +88,7 @@ std::string write_repository(const ReleasedTree& tree, const fs::path& folder)
     // Ignore rules of this tree must not leave files out.
     git(at, {"add", "--all", "--force", "."});
     git(at, {"commit", "--quiet", "--no-verify", "--no-gpg-sign", "-m", "rigor: the assignments"});
-    // An index without the time stamps of files, which are not the same twice.
+    // The index is made again without the files' time stamps, which would differ from run to run.
     fs::remove(at.index);
     git(at, {"read-tree", "HEAD"});
     fs::remove(folder / ".git/COMMIT_EDITMSG");

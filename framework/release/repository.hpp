@@ -16,8 +16,9 @@ namespace rigor {
 /// @throws InputError if git is not installed or a file cannot be written
 std::string write_repository(const ReleasedTree& tree, const std::filesystem::path& folder);
 
-/// Makes `work` have the files of the repository's commit. Files that have not changed since the
-/// last time keep their time stamps, so a build there goes on where it was; `build/` is kept.
+/// Writes the files of the repository's commit to the folder `work`, and removes all others except
+/// `build/`. Files that have not changed since the last time keep their time stamps, so that a
+/// build there compiles only what has changed.
 void write_commit(const std::filesystem::path& repository, const std::filesystem::path& work);
 
 /// A folder that gets its name only when its content is complete: a run that fails leaves nothing
@@ -32,7 +33,7 @@ public:
     DraftFolder& operator=(const DraftFolder&) = delete;
 
     const std::filesystem::path& draft() const { return draft_; }
-    /// Gives it its name. @throws InputError
+    /// Renames the draft to `place`. @throws InputError if this fails
     void publish();
 
 private:

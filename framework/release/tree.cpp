@@ -19,15 +19,16 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// What both trees have: files, and folders that end with a slash. Whatever is not named here is
-// left out, so a new folder of the project is not handed out by accident.
+// The parts of the project that both trees have. A name that ends with a slash is a folder.
+// Whatever is not named here is left out, so a new folder of the project is not handed out by
+// accident.
 constexpr std::string_view shared_parts[] = {
     ".clang-format",  ".editorconfig",       ".gitignore",
     "CMakeLists.txt", "CMakePresets.json",   "LICENSE",
     "assignments/",   "framework/",          "rigor",
     "student/",       "tests/graded/",       "tests/diagnosis/",
     "tests/support/", "tests/CMakeLists.txt"};
-// What only the tree that grades has.
+// The parts that only the tree for an autograder has.
 constexpr std::string_view grading_parts[] = {"reference/", "tests/graded/hidden/",
                                               "framework/release/students/",
                                               "assignments/instructor.md"};
@@ -45,7 +46,7 @@ template <class Parts> bool is_among(std::string_view path, const Parts& parts)
                        [&](std::string_view part) { return is_part(path, part); });
 }
 
-// The paths of the files that git controls.
+// The paths of the files that git tracks.
 std::vector<std::string> controlled_files(const fs::path& source)
 {
     require_git();
@@ -84,7 +85,7 @@ ReleasedFile file_at(const fs::path& source, const std::string& path)
             (permissions & fs::perms::owner_exec) != fs::perms::none};
 }
 
-// A solved formula in student/ would be handed out to everybody.
+// Checks that student/ has stubs only: a solved formula would be handed out to everybody.
 void require_stubs(const ReleasedTree& tree)
 {
     for (const Formula& formula : formulas) {

@@ -19,13 +19,14 @@ using ReleasedTree = std::vector<ReleasedFile>; // sorted by path
 
 /// The students' tree: framework, stubs, handouts, scenes and visible tests. It lacks the
 /// reference, hidden tests, mistakes, alternatives, attacks, the instructor's page and what gives
-/// an answer away (withheld.hpp). In a git repository only files under its control are taken, with
-/// the content that they have now.
-/// @throws InputError if a stub in student/ is not the untouched one
+/// an answer away (withheld.hpp). In a git repository only tracked files are taken, with the
+/// content that they have in the folder now.
+/// @throws InputError if a formula in student/ is not the untouched stub
 ReleasedTree students_tree(const std::filesystem::path& source);
 
-/// The tree that grades: the students' tree with the reference, the hidden tests and the engine's
-/// own files, and with what student/ has now, for formulas of earlier topics.
+/// The tree for an autograder: the students' tree with the reference, with the hidden tests, and
+/// with the engine's own files in place of replaced ones. Its student/ has what student/ has now,
+/// because an earlier topic may be solved there.
 ReleasedTree grading_tree(const std::filesystem::path& source);
 
 /// @throws InputError if git is not installed
@@ -37,8 +38,9 @@ std::string file_content(const std::filesystem::path& file);
 /// Adds a file and keeps the order.
 void add_file(ReleasedTree& tree, ReleasedFile file);
 
-/// Makes a folder have the files of the tree. Files that are there already with the same content
-/// are not written again; other files are removed, but `keep`, a folder at its top.
+/// Writes the files of the tree to a folder. Files that have the same content already are not
+/// written again. All other files are removed, except those in `keep`, the relative path of a
+/// folder inside.
 /// @throws InputError if a file cannot be written
 void write_tree(const ReleasedTree& tree, const std::filesystem::path& folder,
                 const std::string& keep = "");

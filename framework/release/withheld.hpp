@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Which files of the engine give away the answer of a formula. A file does if a student gets the
-// points of a task by copying some of its lines; what the contract's header says anyway, in the
-// same words, gives nothing away. Such a file is replaced in the students' tree by one that calls
-// the formula.
+// Which files of the engine give away the answer of a formula. A file does so if a student could
+// get the points of a task by copying lines of the file. Lines that are also in the header of the
+// contract do not count. A file that gives an answer away is replaced in the students' tree by one
+// that calls the formula.
 #pragma once
 
 #include <span>
@@ -13,9 +13,9 @@ namespace rigor {
 /// The verdict on one file of the engine that computes what a formula computes, or nearly.
 struct JudgedFile {
     std::string_view path;  // in the tree
-    std::string_view tasks; // whose formulas it comes near
+    std::string_view tasks; // tags of the tasks whose formulas it is similar to
     std::string_view why;   // why it is replaced or kept
-    /// The file whose text it gets in the students' tree; empty: it is kept.
+    /// The file whose text replaces its own in the students' tree; empty: it is kept.
     std::string_view replacement;
 };
 
@@ -27,7 +27,7 @@ std::span<const JudgedFile> judged_files();
 /// say less about a student who reads the tests.
 std::span<const JudgedFile> telling_tests();
 
-/// The file whose text a file gets in the students' tree; empty if it keeps its own.
+/// The file whose text replaces that of `path` in the students' tree; empty if the file is kept.
 std::string_view replacement_of(std::string_view path);
 
 } // namespace rigor

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
-// result.json: one for each submission. Every other format is made from it.
+// result.json: one for each submission. The files about a whole class are made from these.
 //
-//     {assignment, submission, status, message, score, max_score, seed,
-//      tests: [{tag, name, status, score, max_score, visibility, message, mistake, expected,
-//               actual, error, tolerance, tolerance_class, seed, hint,
-//               cases: [{name, status, message, seconds}]}],
-//      timing: {build_seconds, test_seconds}, versions: {rigor, compiler},
+//     {assignment, submission, status, message, score, max_score, seed, seeds,
+//      tests: [{tag, name, status, score, max_score, follow_through, visibility, message,
+//               detail, mistake, expected, actual, error, tolerance, tolerance_class, place,
+//               seed, hint, cases: [{name, status, visibility, message, seconds}]}],
+//      walls, timing: {build_seconds, test_seconds}, versions: {rigor, compiler},
 //      notes: [...], fingerprint}
 //
-// An entry of `tests` is a task, described by its first failure. A task that did not run has 0
-// points, and 0 as the most. `notes` and `fingerprint` are there only if they are not empty:
-// `rigor grade` notes the files that it ignored, and knows by the fingerprint whether the result is
-// still that of the submission.
+// An entry of `tests` is a task, described by its first failure. A task that this run cannot judge
+// has `score` 0 and `max_score` 0. `notes` and `fingerprint` are there only if they are not empty.
+// `notes` has, for example, the files that `rigor grade` ignored. The fingerprint shows a later run
+// whether it has to grade the submission again.
 #pragma once
 
 #include "grading/result.hpp"

@@ -72,7 +72,7 @@ std::string handout(const Result& result, const TaskResult& task)
     return fmt::format("assignments/{}/README.md, {}", result.assignment.name, task.task.tag);
 }
 
-// How the contract declares a formula; empty for a task without one.
+// The declaration of a formula in the contract; empty if there is none.
 std::string declaration_of(const std::string& topic, const std::string& formula)
 {
     if (formula.empty()) return "";
@@ -89,7 +89,7 @@ std::string declaration_of(const std::string& topic, const std::string& formula)
     return declaration;
 }
 
-// The longest text of a row [bytes]: a longer value says no more than its beginning.
+// The longest value that a row shows whole [bytes]. The beginning of a longer one says as much.
 constexpr std::size_t longest = 400;
 
 std::string shortened(const std::string& text)
@@ -193,7 +193,7 @@ std::string failure_text(const Result& result, const TaskResult& task,
 constexpr std::size_t longest_tag = 6; // "A10.12"
 
 // Tag of the stub that a task's test called, from a message such as "A1.9 equations_of_motion is
-// not implemented yet (…)".
+// not implemented yet (…)"; empty if the test called no stub.
 std::string stub_of(const TaskResult& task)
 {
     if (task.status != Status::not_implemented) return "";
@@ -205,7 +205,7 @@ std::string stub_of(const TaskResult& task)
     return is_tag ? tag : "";
 }
 
-// The points of a task. One that is judged elsewhere has a dash.
+// The points of a task. A task that this run cannot judge has a dash in place of its score.
 std::string points_of(const TaskResult& task)
 {
     if (task.max_score == 0) return fmt::format("-/{:g}", task.task.points);
@@ -245,8 +245,8 @@ std::string handout(const Formula& formula)
     return fmt::format("assignments/a{}-{}/README.md, {}", label, formula.topic, formula.tag);
 }
 
-// The next step for the student: the first formula that is not implemented yet. Where a task only
-// waits for another formula, it is that one.
+// The next step for the student: the first formula that is not implemented yet. If its test calls
+// the stub of another formula, that formula is the next step.
 std::string next_step(const Result& result, const Implementation& implementation, bool color)
 {
     const Formula* next = nullptr;

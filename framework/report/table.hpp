@@ -14,7 +14,7 @@ namespace rigor {
 std::string place_of(const Implementation& implementation, const std::string& topic,
                      const std::string& formula);
 
-/// One result: its table of points and its failures.
+/// One result: its table of points, its failures and the next step.
 std::string points_table(const Result& result, const Implementation& implementation, bool color);
 
 /// Several results, one line each, and their sum.

@@ -4,9 +4,9 @@
 //     key  = HMAC(secret, submission)
 //     seed = HMAC(key, name of the test)
 //
-// HMAC is that of SHA-256 (RFC 2104, FIPS 180-4). Whoever has the secret draws the same seeds again
-// from the same files. Whoever has not cannot tell them, not even from the seeds of other
-// submissions or tests, so a table of answers to known cases is worth nothing.
+// HMAC uses SHA-256 (RFC 2104, FIPS 180-4). Whoever has the secret can draw the same seeds again
+// from the same files. Nobody else can compute them, not even from the seeds of other submissions
+// or tests, so a table of answers to known cases is useless.
 #pragma once
 
 #include <cstdint>

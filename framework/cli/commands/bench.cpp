@@ -42,7 +42,7 @@ bool draws(const std::string& name)
     return std::find(with_plots.begin(), with_plots.end(), name) != with_plots.end();
 }
 
-// The folder for the plots of a benchmark: one of its own, unless it is the only benchmark.
+// The folder for the plots of a benchmark. Several benchmarks have a folder each inside --out.
 std::string plots_of(const std::string& name, const BenchOptions& options)
 {
     if (options.out.empty()) return (places().build / "bench" / name).string();

@@ -31,7 +31,7 @@ std::string chromium()
     return {};
 }
 
-// A file that is only there while it is needed.
+// A temporary file, which the destructor removes.
 class Draft {
 public:
     explicit Draft(fs::path file) : file_(std::move(file)) {}
@@ -48,7 +48,7 @@ private:
     fs::path file_;
 };
 
-// The address of a file, in which a `#` or a blank of a folder's name is no mark.
+// The URL of a file. Signs such as `#` and blanks are escaped, since they have a meaning in a URL.
 std::string address(const fs::path& file)
 {
     std::string text = "file://";
@@ -60,7 +60,7 @@ std::string address(const fs::path& file)
     return text;
 }
 
-// Prints a page with a Chromium. What the browser says is shown only if it makes no PDF.
+// Prints a page to a PDF with Chromium. The browser's output is shown only if there is no PDF.
 void print_pdf(const std::string& browser, const std::string& page, const fs::path& pdf)
 {
     const Draft paper(pdf.string() + ".html"), printed(pdf.string() + ".new");

@@ -34,7 +34,7 @@ int draw_figures(const std::string& topic, const std::string& out)
     prepare_targets({"rigor_figures"});
     std::vector<std::string> arguments = {places().program("rigor_figures").string(), "--out", out};
     if (!handout.empty()) arguments.push_back(handout);
-    return run_program(arguments); // it has said what is wrong
+    return run_program(arguments); // the program has printed what is wrong
 }
 
 } // namespace

@@ -42,13 +42,13 @@ Found find_task(const std::string& tag)
                                  suggestion(tag, tags, "`rigor list` names them")));
 }
 
-// How many hints of a task were shown so far is kept in a file of the build folder.
+// The file in the build folder that stores how many hints of a task were shown.
 std::filesystem::path memory_of(const Task& task)
 {
     return places().build / "hints" / task.tag;
 }
 
-// At most `count`, whatever stands in the file.
+// How many hints of a task were shown: at most `count`, whatever the file says.
 std::size_t shown_before(const Task& task, std::size_t count)
 {
     std::size_t shown = 0;
@@ -59,7 +59,7 @@ std::size_t shown_before(const Task& task, std::size_t count)
 void remember(const Task& task, std::size_t shown)
 {
     try {
-        std::error_code error; // then the file cannot be written either
+        std::error_code error; // ignored: then writing the file fails too
         std::filesystem::create_directories(memory_of(task).parent_path(), error);
         write_whole(memory_of(task), fmt::format("{}\n", shown));
     } catch (const InputError& failed) {

@@ -28,7 +28,7 @@ struct SimulateOptions {
 
 // The largest values that a deformable solid reached during a run.
 struct SolidExtremes {
-    double stress = 0, plastic_strain = 0;   // [Pa]
+    double stress = 0, plastic_strain = 0;   // [Pa]; a strain has no unit
     double mass_drift = 0, volume_drift = 0; // relative to the first frame
 
     void take(const SolidStatistics& now, const SolidStatistics& first)

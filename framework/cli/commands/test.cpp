@@ -32,7 +32,8 @@ int list_mistakes()
     return status;
 }
 
-// Runs the stress suite: cases that break physics engines, each on this engine with its limits.
+// Runs the stress suite: cases in which physics engines often fail, each with limits that this
+// engine must keep.
 int stress(const TestOptions& options)
 {
     if (!places().has_reference())

@@ -8,7 +8,7 @@ namespace rigor {
 
 namespace {
 
-// A duration as a person says it.
+// A duration in words, such as "5 min".
 std::string in_words(double seconds)
 {
     if (seconds < 90) return fmt::format("{:.0f} s", seconds);

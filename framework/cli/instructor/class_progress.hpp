@@ -11,12 +11,12 @@
 
 namespace rigor {
 
-/// The progress of a run over a class, with the time that is left, as far as it can be told.
+/// The progress of a run over a class, with an estimate of the time that is left.
 class ClassProgress {
 public:
     explicit ClassProgress(std::string title) : title_(std::move(title)) {}
 
-    /// @param doing  what is being done  @param detail  by whom
+    /// @param doing  such as "grading"  @param detail  such as "3 tasks", or empty
     void update(std::size_t done, std::size_t total, const std::string& doing,
                 const std::string& detail);
     void clear() { bar_.reset(); }
@@ -24,7 +24,7 @@ public:
 private:
     using Clock = std::chrono::steady_clock;
     std::string title_, doing_;
-    std::optional<Progress> bar_; // each thing that is done has one of its own
+    std::optional<Progress> bar_; // a new one for each value of `doing`
     Clock::time_point start_;
     std::size_t done_at_start_ = 0;
 };

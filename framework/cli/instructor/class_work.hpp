@@ -12,8 +12,8 @@ namespace rigor {
 /// All tasks of an assignment. @throws InputError if the word names something else
 Selection whole_assignment(const std::string& word);
 
-/// The tests, the reference and what all submissions share, built with a progress bar; the
-/// submissions are still open. Says on stderr which walls there are, and what is left out.
+/// Builds the tests, the reference and what all submissions share, with a progress bar. The result
+/// has no submissions yet. Prints on stderr which walls there are, and what is left out.
 /// @param secret_file  the file of the course's secret; empty: none
 ClassWork prepared_class_work(const Selection& selection, std::uint32_t seed,
                               const std::string& secret_file);

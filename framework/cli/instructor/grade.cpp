@@ -49,7 +49,8 @@ unsigned jobs_of(const GradeOptions& options)
     return options.jobs > 0 ? options.jobs : std::max(1u, std::thread::hardware_concurrency());
 }
 
-// Results among the submissions would be taken for a submission in the next run.
+// Refuses a folder for the results inside a folder of submissions: the next run would take it for a
+// submission.
 void require_outside(const fs::path& out, const std::vector<std::string>& submissions)
 {
     const std::string whole = fs::weakly_canonical(out).string() + "/";
@@ -96,7 +97,7 @@ bool is_for_slurm(const GradeOptions& options)
     return false;
 }
 
-// @param on_note  called for what the user should know while Slurm works
+// @param on_note  called with messages for the user while Slurm works
 std::unique_ptr<Engine> engine_for(const GradeOptions& options,
                                    const std::function<void(const std::string&)>& on_note)
 {
@@ -188,7 +189,8 @@ private:
         return outcome;
     }
 
-    // Results that no gradebook has yet are graded again without a question.
+    // As long as there is no gradebook.csv, results of other tests are replaced without asking.
+    // Once there is one, they are an error.
     int grade(const ClassFolder& folder)
     {
         const bool is_published = fs::exists(folder.path() / gradebook_file);
@@ -211,7 +213,8 @@ private:
         return status_of(outcome);
     }
 
-    // Grades into a folder of its own what would change, and writes nothing into the results.
+    // Grades into the separate folder `place` what would change, and leaves the results as they
+    // are.
     int show(const ClassFolder& folder, const fs::path& place)
     {
         const ClassFolder shown(place, selection_.assignment.name, names_of(work_.submissions));
@@ -236,7 +239,7 @@ private:
             const ClassOutcome outcome = graded(folder, engine, OldResults::are_replaced);
             if (outcome.control_fault.empty()) status = finished(folder, outcome);
         }
-        std::error_code kept; // it can be made again
+        std::error_code kept; // ignored: the next --regrade uses the folder again
         fs::remove_all(place, kept);
         return status;
     }

@@ -29,7 +29,8 @@ struct ReleaseOptions {
     std::string assignment, out, gradescope, classroom;
 };
 
-// The trees are built here. What has not changed since the last release is not built again.
+// The folder in which a released tree is built to prove that it works. What has not changed since
+// the last release is not built again.
 fs::path proving_ground(const char* name)
 {
     const fs::path folder = places().build / "release" / name;
@@ -53,7 +54,7 @@ Assignment assignment_of(const ReleaseOptions& options)
     return found[0].assignment;
 }
 
-// Writes the students' tree as a repository, proves it and gives it its name.
+// Writes the students' tree as a repository, proves that it works, and then gives it its name.
 void release_tree(const ReleasedTree& tree, const std::string& out)
 {
     DraftFolder folder(out);
@@ -111,7 +112,7 @@ int release(const ReleaseOptions& options)
                          (options.assignment.empty()
                               ? std::string()
                               : ", found only " + in_quotes(options.assignment)));
-    // Everything wrong with the options is said before anything is built.
+    // Errors in the options are reported before anything is built.
     const bool is_about_one = !options.gradescope.empty() || !options.classroom.empty();
     Assignment assignment;
     if (is_about_one || !options.assignment.empty()) assignment = assignment_of(options);

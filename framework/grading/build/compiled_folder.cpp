@@ -46,7 +46,7 @@ fs::path contract()
     return places().source / "framework/formulas";
 }
 
-// A hash of the headers of the contract and of the time when they were compiled beforehand.
+// A hash of the headers of the contract and of the time when their precompiled header was made.
 std::uint64_t hash_of_contract(const Toolchain& tools)
 {
     std::vector<fs::path> headers;
@@ -166,7 +166,7 @@ KeyFile CompiledFolder::key_of(const std::string& topic) const
     return KeyFile(place_ / (topic + ".key"));
 }
 
-// The object of an earlier run; with errors if there is none that is up to date.
+// The object of an earlier run. Its `errors` are not empty if no such object is up to date.
 CompiledTopic CompiledFolder::up_to_date(const std::string& topic) const
 {
     CompiledTopic compiled{object_of(topic), {}, 0, "out of date"};
@@ -203,7 +203,7 @@ void CompiledFolder::compile_topic(const std::string& topic, CompiledTopic& comp
         compiled.errors = file + ": its object cannot be read\n" + shown_errors(names.output);
         return;
     }
-    if (names.output.size() >= RunLimits().output_kept) { // the rest of them is not known
+    if (names.output.size() >= RunLimits().output_kept) { // the list is cut off
         compiled.errors = file + ": expected fewer or shorter names for the linker\n";
         return;
     }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The objects of the topics' files of one folder, made behind walls and kept from run to run.
+// The object files of one folder with topics' files. They are compiled behind walls, and kept for
+// later runs.
 #pragma once
 
 #include "grading/build/ninja.hpp"
@@ -16,7 +17,8 @@
 
 namespace rigor {
 
-/// A file that says what something was made from: a key, and lines of text beside it.
+/// A file that says from what something else was made. It has a key, which is a hash of the
+/// sources, and further lines of text.
 class KeyFile {
 public:
     explicit KeyFile(std::filesystem::path file) : file_(std::move(file)) {}
@@ -32,7 +34,7 @@ private:
 struct CompiledTopic {
     std::filesystem::path object;
     ObjectSymbols symbols;
-    std::uint64_t key = 0; // a hash of all that it was made from
+    std::uint64_t key = 0; // a hash of all that the object was made from
     std::string errors;    // the compiler's first errors; empty if there is an object
 };
 
@@ -42,16 +44,18 @@ std::string shown_errors(const std::string& output);
 
 class CompiledFolder {
 public:
-    /// Takes the folder's files. Until the end of this object other builds of this folder wait.
+    /// Copies the folder's files into its private folder. As long as this object lives, other
+    /// builds of this folder wait.
     /// @throws InputError if it has no topic's file
     CompiledFolder(const std::filesystem::path& folder, const Toolchain& tools);
 
-    /// The private folder of a folder: the same in every run.
+    /// The private folder for the objects of `folder`: the same in every run.
     static std::filesystem::path place_of(const std::filesystem::path& folder);
 
     bool has(const std::string& topic) const;
 
-    /// Compiles the files of these topics, if the folder has them and they are out of date.
+    /// Compiles the files of these topics, if the folder has them and their objects are out of
+    /// date.
     /// @param steps  grows by what was compiled
     std::map<std::string, CompiledTopic> compile(const std::vector<std::string>& topics,
                                                  const OnBuildStep& on_step,
@@ -73,7 +77,7 @@ private:
     std::filesystem::path place_;
     BuildLock lock_;
     SubmissionFiles files_;
-    std::uint64_t surroundings_; // a hash of the command, the contract and the folder's headers
+    std::uint64_t surroundings_; // hash of the command, the contract and all other sources
 };
 
 } // namespace rigor

@@ -12,14 +12,14 @@
 namespace rigor {
 
 struct Implementation {
-    std::string name;             // "student", "reference" or a folder, as asked for
+    std::string name;             // "student", "reference" or a folder, as the user named it
     std::filesystem::path folder; // where its sources are
     std::filesystem::path worker;
     /// The topics whose files do not compile, each with the first errors. The worker is built
-    /// without them, and their formulas are missing then.
+    /// without these files, and their formulas are missing in it.
     std::map<std::string, std::string> broken;
     std::vector<std::string> borrowed;  // topics that the folder lacks, taken from student/
-    std::vector<std::string> undefined; // names that are used and defined nowhere
+    std::vector<std::string> undefined; // names that are used but defined nowhere
     /// What was out of date and had to be made; empty if everything was up to date.
     std::vector<std::string> build_steps;
     double build_seconds = 0;
@@ -30,15 +30,17 @@ struct Implementation {
     std::string errors() const;
     /// The file of a topic, as messages show it: "student/inertia.cpp".
     std::string shown_file(const std::string& topic) const;
-    /// The path of the same file.
+    /// The path of the file of a topic.
     std::filesystem::path file(const std::string& topic) const;
 };
 
 /// Builds the worker of `student`, `reference` or a folder that holds some of the topics' files.
-/// Only what is out of date is built. A file that does not compile costs its own formulas only.
+/// Only what is out of date is built. If a file does not compile, only the formulas of this file
+/// are missing.
 ///
 /// @throws InputError if there is no such implementation, std::runtime_error if code of the
-///     framework or of the reference does not compile, std::system_error without walls
+///     framework or of the reference does not compile, std::system_error if the walls cannot be put
+///     up
 Implementation build_implementation(const std::string& name, const OnBuildStep& on_step = {});
 
 /// Builds targets of the framework. @throws std::runtime_error with the compiler's first errors

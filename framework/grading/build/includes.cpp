@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Finds files that a solution may not include. The compiler lists every file that it opened for an
 // object; each path of that list is resolved, with its links, and compared with the allowed
-// folders. Macros and relative paths cannot hide an include, since the list has the
-// files that were opened.
+// folders. Macros and relative paths cannot hide an include, since the list has the files that were
+// opened.
 #include "grading/build/includes.hpp"
 
 #include "grading/places.hpp"
@@ -25,7 +25,7 @@ bool is_within(const fs::path& file, const fs::path& folder)
            folder.end();
 }
 
-// The files in a list "object: file file \<newline> file", with the paths that the compiler opened.
+// The files in the compiler's list, "object: file file \<newline> file": the paths that it opened.
 std::vector<std::string> listed_files(const fs::path& list)
 {
     std::ifstream file(list);
@@ -52,7 +52,8 @@ std::vector<std::string> listed_files(const fs::path& list)
     return files;
 }
 
-// Whether a solution in `folder` may include `file`. The links of both paths are resolved before.
+// Whether a solution in `folder` may include `file`. The caller has resolved the links in both
+// paths.
 bool may_include(const fs::path& file, const fs::path& folder)
 {
     const fs::path tree = fs::weakly_canonical(places().source);

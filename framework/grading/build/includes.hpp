@@ -9,8 +9,8 @@
 namespace rigor {
 
 /// An error message of one line if a forbidden file is in the compiler's list of what it opened:
-/// another file of this tree or of its build (by whatever path, macro or link it was included), or
-/// a file that does not exist any more. Empty if there is none.
+/// any other file of this tree or of its build (by whatever path, macro or link it was included),
+/// or a file that does not exist any more. Empty if there is none.
 ///
 /// @param list    the compiler's list, `<topic>.d`
 /// @param folder  the compiler's working directory, where the solution's files are

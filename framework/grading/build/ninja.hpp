@@ -20,7 +20,7 @@ struct NinjaRun {
     double seconds = 0;
 };
 
-/// Longest time to compile a single file of a student [s], who can keep a compiler busy forever.
+/// Longest time to compile a single file of a student [s]: a file can keep a compiler busy forever.
 inline constexpr double compile_limit = 120;
 
 /// Runs ninja in the build folder.

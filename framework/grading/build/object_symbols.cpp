@@ -26,7 +26,7 @@ std::string demangled(const std::string& name)
     return status == 0 ? text.get() : "";
 }
 
-// The formula of this name, whatever its signature; nullptr if it is none.
+// The formula that a linker name stands for, whatever its signature; nullptr if it is no formula.
 const Formula* formula_of(const std::string& symbol)
 {
     const std::string text = demangled(symbol);
@@ -39,11 +39,11 @@ const Formula* formula_of(const std::string& symbol)
     return nullptr;
 }
 
-// Whether a name that may be defined more than once is shared on purpose: a template or an inline
-// function of C++, or a name that the compiler makes for itself, such as the pointer
-// `DW.ref.__gxx_personality_v0` to the function that finds exception handlers. A weak name of C, or
-// a weak `operator new` or `delete`, is not shared, because it would replace that of the C library
-// or of the worker.
+// Whether a weak name, which several objects may define, is meant to be shared by them: the name of
+// a template or an inline function of C++, or a name that the compiler makes for itself, such as
+// the pointer `DW.ref.__gxx_personality_v0` to the function that finds exception handlers. A weak
+// name of C, or a weak `operator new` or `delete`, is not: it would replace the function of the C
+// library or of the worker.
 bool is_shared(const std::string& name)
 {
     constexpr std::string_view replaceable[] = {"_Znw", "_Zna", "_Zdl", "_Zda"};
@@ -53,8 +53,8 @@ bool is_shared(const std::string& name)
                         [&](std::string_view operation) { return name.starts_with(operation); });
 }
 
-// Whether a line of `nm -P` is a name without spaces, a letter and up to two hexadecimal numbers.
-// Names may have megabytes, so no regular expression looks at them.
+// Whether a line of `nm -P` is a name without spaces, a letter and up to two hexadecimal numbers. A
+// name may have megabytes, which is too long for std::regex.
 bool is_name_kind_and_numbers(const std::string& line)
 {
     std::istringstream words(line);

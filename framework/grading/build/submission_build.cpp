@@ -46,8 +46,9 @@ std::set<std::string> names_of_worker(const Toolchain& tools)
     return names;
 }
 
-// The commands for student/, after what every worker needs was built: the contract as a precompiled
-// header, the engine, the launcher. This is done once, since a process grades with one framework.
+// The commands that build a worker. What every worker needs is built first: the contract as a
+// precompiled header, the engine, and the program `confine`, which starts programs behind walls.
+// This is done once in a process.
 const Toolchain& tools_after_framework(const OnBuildStep& on_step, std::vector<std::string>& steps)
 {
     static std::mutex guard;
@@ -82,8 +83,8 @@ std::vector<std::string> undefined_names(const std::string& output)
 
 // How a link ended.
 struct Linked {
-    std::string errors;                 // empty if there is a worker, which starts
-    std::vector<std::string> undefined; // names that are used and defined nowhere
+    std::string errors;                 // empty if there is a worker and it starts
+    std::vector<std::string> undefined; // names that are used but defined nowhere
 };
 
 // The objects of a worker, by topic, and the folder that they are linked in.
@@ -113,7 +114,7 @@ public:
     }
 
     // Links all objects. The names that an object keeps to itself are hidden first, in a copy of
-    // it.
+    // the object.
     Linked run() const
     {
         const fs::path out = folder_ / "out/link";
@@ -159,7 +160,7 @@ private:
         std::map<std::string, std::vector<std::string>> hidden =
             names_to_hide(symbols, tools_.reserved);
         for (const auto& [topic, compiled] : objects_)
-            hidden[topic]; // one entry each, also without names
+            hidden[topic]; // an entry for each object, also if it hides nothing
         return hidden;
     }
 

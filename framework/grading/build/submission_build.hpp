@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Builds a worker from a folder of topic files. The compiler and the linker run behind walls in a
-// private folder, one file at a time: a file that does not compile costs its own formulas only.
-// Each file is compiled again only if it, a header, or the contract has changed.
+// private folder, one file at a time. If a file does not compile, only the formulas of this file
+// are missing. Each file is compiled again only if it, a header, or the contract has changed.
 #pragma once
 
 #include "grading/build/ninja.hpp"
@@ -15,25 +15,27 @@ namespace rigor {
 
 struct SubmissionBuild {
     std::filesystem::path worker;
-    std::map<std::string, std::string> broken; // topic and the first errors of its file
+    std::map<std::string, std::string> broken; // by topic, the first errors of its file
     std::vector<std::string> borrowed;         // topics that the folder lacks, taken from student/
-    std::vector<std::string> undefined;        // names that are used and defined nowhere
-    std::vector<std::string> steps;            // what was out of date: "Building inertia.cpp"
+    std::vector<std::string> undefined;        // names that are used but defined nowhere
+    std::vector<std::string> steps;            // what was done, such as "Building inertia.cpp"
     std::string digest;                        // SHA-256 of the folder's files
     double seconds = 0;
 };
 
 /// Builds the worker of a folder with some topics' files. Two builds of one folder wait for each
 /// other; builds of different folders do not.
-/// @throws InputError if the folder has no topic's file, std::runtime_error if code of the framework
-///     does not compile, std::system_error if the walls cannot be put up
+/// @throws InputError if the folder has no topic's file, std::runtime_error if code of the
+///     framework does not compile, std::system_error if the walls cannot be put up
 SubmissionBuild build_submission(const std::filesystem::path& folder, const OnBuildStep& on_step);
 
-/// Builds what all submissions share: the framework's part of a worker, and the objects of student/
-/// that fill gaps. Processes that are forked afterwards need not build it again.
+/// Builds what all submissions share: the framework's part of a worker, and the objects of
+/// student/, which stand in for files that a submission lacks. Processes that are forked afterwards
+/// need not build these again.
 void prepare_submission_builds(const OnBuildStep& on_step);
 
-/// Removes what was built from a folder, which may be gone already. No build of it may run.
+/// Removes what was built from a folder, even if the folder itself is gone. No build of this folder
+/// may run at the time.
 void remove_submission_build(const std::filesystem::path& folder);
 
 } // namespace rigor

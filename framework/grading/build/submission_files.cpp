@@ -30,7 +30,7 @@ namespace {
 // The longest file of the reference has about 20 kB.
 constexpr std::size_t longest_file = std::size_t{1} << 20; // [bytes]
 constexpr std::size_t most_files = 200;
-constexpr int deepest = 4; // folders below the submission's own
+constexpr int deepest = 4; // levels of folders that are searched
 
 // The content of a file, or why there is none.
 struct Content {
@@ -69,7 +69,7 @@ Content read_file(const fs::path& file)
                 fmt::format("expected at most {} kB, found {} kB", longest_file / 1024,
                             std::max<std::size_t>(status.st_size, size) / 1024)};
     text.resize(size);
-    if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) // its marks of byte order
+    if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) // byte order marks
         return {{}, "expected a text in UTF-8, found UTF-16: save it as UTF-8"};
     return {text, ""};
 }
@@ -94,7 +94,8 @@ void write_if_changed(const fs::path& file, const std::string& text)
     if (!copy) throw std::runtime_error(file.string() + ": cannot be written"); // a full disk
 }
 
-// Collects what is taken, and clears away what an earlier run left.
+// Collects the files that are taken in the folder `into`. Other files, from an earlier run, are
+// removed.
 class Taken {
 public:
     explicit Taken(fs::path into) : into_(std::move(into)) { fs::create_directories(into_); }
@@ -125,7 +126,7 @@ private:
     std::string digests_; // the digests of each name and text, all of one length
 };
 
-// The submission's other sources, sorted by name.
+// The names of the submission's sources that are no topic's file, sorted.
 std::vector<fs::path> other_sources(const fs::path& folder)
 {
     const std::vector<std::string> all = topics();

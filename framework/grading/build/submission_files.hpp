@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The files of a submission, copied to a place of the grader's own. Nothing but regular files is
-// taken, and no more than a solution needs; nothing is opened that could make the grader wait.
+// The files of a submission, copied to a private folder of the grader. Only regular files are
+// taken, with limits for their number and size; nothing is opened that could make the grader wait,
+// such as a pipe.
 #pragma once
 
 #include <cstdint>
@@ -13,8 +14,8 @@ namespace rigor {
 
 struct SubmissionFiles {
     std::vector<std::string> topics;            // those whose file was taken
-    std::map<std::string, std::string> refused; // topic and why its file was not taken, in a line
-    std::uint64_t hash = 0;                     // all other files: a hash of names and contents
+    std::map<std::string, std::string> refused; // by topic, why its file was not taken
+    std::uint64_t hash = 0;                     // hash of the names and contents of all other files
     std::string digest;                         // SHA-256 of all names and contents
 };
 
@@ -23,8 +24,8 @@ struct SubmissionFiles {
 SubmissionFiles take_files(const std::filesystem::path& folder, const std::filesystem::path& into);
 
 /// A hash of `text` that continues from `start` (FNV-1a of Fowler, Noll and Vo). It names private
-/// folders and says what is out of date. It is no protection against a forger, who could only fool
-/// the build of an own folder.
+/// folders and says what is out of date. It is no protection against forgery, but a forger could
+/// only spoil the build of the forged folder.
 inline std::uint64_t hash_of(std::string_view text, std::uint64_t start = 0xcbf29ce484222325)
 {
     for (const char c : text)

@@ -88,7 +88,7 @@ void take_compile(Toolchain& tools, const std::string& command)
     for (std::size_t i = 0; i < words.size(); ++i) {
         const bool has_file =
             words[i] == "-MT" || words[i] == "-MF" || words[i] == "-o" || words[i] == "-c";
-        if (words[i].find("/cmake_pch.hxx") != std::string::npos) // by whatever option
+        if (words[i].find("/cmake_pch.hxx") != std::string::npos) // whichever option names it
             tools.precompiled = fs::path(words[i]).parent_path();
         if (has_file)
             ++i;
@@ -127,7 +127,7 @@ void take_link(Toolchain& tools, const std::string& command)
 constexpr double busy = 4;
 
 // The most memory of a compiler or linker: half of the machine's, so that the grader keeps the
-// other half. A solution needs a twentieth of this.
+// other half. A solution needs far less.
 std::uint64_t memory_of_a_tool()
 {
     constexpr std::uint64_t most = std::uint64_t{6} << 30,
@@ -197,7 +197,7 @@ std::string why_it_does_not_start(const fs::path& worker)
     walls.limits.processor_time = longest_start;
     RunLimits limits;
     limits.time = std::chrono::duration<double>(busy * longest_start);
-    // Without a client, the main function says so and ends with this status.
+    // A worker that was started without a client ends its main function with this status.
     constexpr int without_client = 2;
     const ConfinedRun run = run_confined(walls, {worker.string()}, limits);
     if (run.status == without_client && run.signal == 0 && !run.blocked_call && !run.timed_out)

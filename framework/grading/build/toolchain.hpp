@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The commands that make a worker of the students' files, run behind walls.
+// The commands that make a worker from the students' files. They are run behind walls.
 #pragma once
 
 #include "sandbox/run_confined.hpp"
@@ -16,44 +16,45 @@ namespace rigor {
 struct Toolchain {
     std::vector<std::string> compile; // the compiler and its options, without input and output
     std::vector<std::string> link;    // the linker's command, without objects of the topics
-    std::vector<std::string>
-        linked_inputs;                 // its objects and libraries, relative to the build folder
-    std::filesystem::path precompiled; // the folder of the precompiled headers
+    std::vector<std::string> linked_inputs; // files in `link`, relative to the build folder
+    std::filesystem::path precompiled;      // the folder of the precompiled headers
     /// Names that the rest of the worker defines, or takes from libraries.
     std::set<std::string> reserved = {};
 };
 
 /// The compiler for students' files that the environment variable RIGOR_COMPILER names by its path;
-/// empty for the compiler of the main build. @throws InputError if there is none
+/// empty for the compiler of the main build. @throws InputError if the variable names no program
 std::string chosen_compiler();
 
-/// The toolchain in the commands of the main build, with the chosen compiler.
+/// The toolchain for student/, taken from ninja's commands, with the chosen compiler.
 Toolchain student_toolchain();
 
 /// The largest file that a tool may write [bytes].
 inline constexpr std::uint64_t largest_output = std::uint64_t{256} << 20;
 
-/// A program that is run for a submission: it reads the files named here and the system's, and
-/// writes in `out` only.
+/// A tool that is run for a submission, such as a compiler or linker. It may read `folder`,
+/// `readable` and the files of the system, and write in `out` only.
 struct ToolRun {
     std::vector<std::string> arguments;
-    std::filesystem::path folder; // its working directory, which it may read
+    std::filesystem::path folder; // its working directory
     std::vector<std::filesystem::path> readable;
     std::filesystem::path out;
 };
 
-/// @throws std::system_error if it cannot be started behind these walls
+/// Runs a tool. @throws std::system_error if it cannot be started behind walls
 ConfinedRun run_tool(const ToolRun& tool);
 
 /// Why a worker does not reach its main function; empty if it does. Global objects are constructed
-/// before, and a student's constructor may fail.
+/// before it, and a constructor of a student may fail.
 std::string why_it_does_not_start(const std::filesystem::path& worker);
 
-/// Whether there is a regular file. What a tool of students left may be a link to one of our files,
-/// or a pipe that keeps its reader waiting.
+/// Whether there is a regular file, and no link, at this path. Where a tool should have left a
+/// file, a submission may have put a link to one of our files, or a pipe that keeps its reader
+/// waiting.
 bool is_plain_file(const std::filesystem::path& path);
 
-/// Moves a file that a tool made to a place of ours. It is a copy, which is ours alone.
+/// Moves a file that a tool made to a place of ours. The new file is a copy, so the tool's
+/// processes can no longer write to it.
 void take_over(const std::filesystem::path& made, const std::filesystem::path& place);
 
 /// Lets every user read a file, or a folder with its files: a tool may run as another user, and the

@@ -19,7 +19,7 @@ std::string source_text(const fs::path& file)
     return {std::istreambuf_iterator<char>(in), {}};
 }
 
-// The text of all files of a topic in reference/: `fracture.cpp`, `fracture_mesh.hpp`.
+// The text of all files of a topic in reference/, such as `fracture.cpp` and `fracture_mesh.hpp`.
 std::string reference_text(const fs::path& source, const std::string& topic)
 {
     std::string text;
@@ -32,7 +32,7 @@ std::string reference_text(const fs::path& source, const std::string& topic)
     return text;
 }
 
-// Adds what a topic calls to `called`, and what that calls in turn.
+// Adds to `called` the topics that a topic calls, and in turn those that these topics call.
 void add_called(const fs::path& source, const std::string& topic, std::set<std::string>& called)
 {
     const std::string text = reference_text(source, topic);

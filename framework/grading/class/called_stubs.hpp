@@ -7,10 +7,10 @@
 
 namespace rigor {
 
-/// The other topics whose formulas a right solution of a topic calls, and of which student/ has
-/// stubs. A submission without files for them loses the points of what calls them, since nothing
-/// but its own worker answers such a call. In the order of the assignments; none if the tree has no
-/// reference/, whose includes say what calls what.
+/// The other topics whose formulas a correct solution of `topic` calls, and whose files in student/
+/// still have stubs. A submission without files for these topics is linked with the stubs, so all
+/// formulas that call them fail. The topics are in the order of the assignments. They are found by
+/// the includes of reference/; in a tree without this folder there are none.
 std::vector<std::string> called_stubs(const std::filesystem::path& source,
                                       const std::string& topic);
 

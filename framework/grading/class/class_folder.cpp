@@ -40,7 +40,8 @@ void make_folder(const fs::path& folder)
                      (is_other ? ", which is none" : ", which cannot be made: " + error.message()));
 }
 
-// Names of submissions with the fingerprints of results. A submission may have several.
+// The unconfirmed results that a file lists: the name of the submission and the fingerprint of its
+// result. A submission may have several.
 std::set<std::pair<std::string, std::string>> unconfirmed(const fs::path& file)
 {
     std::ifstream in(file);
@@ -80,7 +81,7 @@ void ClassFolder::lock()
     descriptor_ = open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
     if (descriptor_ < 0)
         throw InputError(file.string() + ": cannot be written: " + std::strerror(errno));
-    // The processes of a run that was killed hold the lock for a moment longer.
+    // The child processes of a run that was killed hold the lock for a moment longer.
     for (int tries = 0; flock(descriptor_, LOCK_EX | LOCK_NB) != 0; ++tries) {
         if (tries == 30) {
             close(descriptor_);
@@ -108,7 +109,7 @@ void ClassFolder::check_owner(const std::string& assignment,
         throw InputError(fmt::format("--out: expected a folder with results of {}, found those of "
                                      "{} in {}",
                                      assignment, run["assignment"].dump(), folder_.string()));
-    // After a run that came to its end, a result that is missing was removed on purpose.
+    // After a complete run all results were there, so a missing result was removed on purpose.
     const bool has_all = fs::exists(folder_ / gradebook_file) && !has_unconfirmed();
     for (const Json& entry : run["submissions"]) {
         const std::string name = entry.is_string() ? entry.get<std::string>() : entry.dump();

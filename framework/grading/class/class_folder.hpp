@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The folder with the results of a class. Its subfolder `.rigor` has the
-// names of the assignment and of the submissions, a lock, and which results no control has
-// confirmed.
+// The folder with the results of a class. Its subfolder `.rigor` has the names of the assignment
+// and of the submissions, a lock, and a list of the results that no control has confirmed
+// (control.hpp).
 #pragma once
 
 #include "report/exports/row.hpp"
@@ -19,9 +19,10 @@ class ClassFolder {
 public:
     /// Makes the folder if it is missing.
     /// @param submissions  the names of all submissions of this run
-    /// @throws InputError if it holds anything but results of the same assignment, has results of
-    ///     submissions that this run does not name, is in use, or cannot be written. A submission
-    ///     whose folder was removed after a whole run need not be named.
+    /// @throws InputError if the folder holds anything but results of the same assignment, has
+    ///     results of submissions that this run does not name, is in use by another run, or cannot
+    ///     be written. A submission whose folder was removed after a complete run need not be
+    ///     named.
     ClassFolder(const std::filesystem::path& folder, const std::string& assignment,
                 const std::vector<std::string>& submissions);
     ~ClassFolder();
@@ -29,15 +30,16 @@ public:
     ClassFolder& operator=(const ClassFolder&) = delete;
 
     const std::filesystem::path& path() const { return folder_; }
-    /// The result.json of a submission.
+    /// The path of a submission's result.json.
     std::filesystem::path result_of(const std::string& submission) const;
-    /// The content of result.json; nothing if there is no such file, or if it is not whole.
+    /// The content of result.json; empty if there is no such file, or if it is incomplete.
     std::optional<Row> row_of(const std::string& submission) const;
 
-    /// Whether there are results that no control has confirmed: their run was broken off.
+    /// Whether there are results that no control has confirmed: it is so if their run was broken
+    /// off.
     bool has_unconfirmed() const;
     /// Marks results with these fingerprints as unconfirmed, in addition to those that already are.
-    /// @param fingerprints  by the name of the submission
+    /// @param fingerprints  the fingerprint of each submission's result, by the submission's name
     void begin_unconfirmed(const std::map<std::string, std::string>& fingerprints) const;
     void confirm() const;
     /// Removes the results that no control has confirmed. They are recognised by their fingerprints

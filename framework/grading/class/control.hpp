@@ -12,12 +12,13 @@
 namespace rigor {
 
 /// What is wrong with the result of a control; empty if nothing is.
-/// @param is_complete  whether it must get every point; otherwise it must get none
+/// @param is_complete  true: the control must get every point; false: it must get none
 std::string fault_of_control(const Result& result, bool is_complete);
 
-/// Grades the reference, if there is one, and a file without formulas, as submissions are graded.
-/// @param when  "before the first submission", for the message
-/// @return what is wrong with one of them; empty if nothing is
+/// Grades the reference, if there is one, and a file without formulas, in the same way as
+/// submissions.
+/// @param when  for the message: "before the first submission" or "after the last submission"
+/// @return what is wrong with a control; empty if nothing is
 std::string fault_of_controls(const ClassWork& work, const WorkFolders& folders, unsigned jobs,
                               const std::string& when, const std::function<void()>& on_wait);
 

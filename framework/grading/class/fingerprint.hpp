@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a result depends on, as a hash. As long as it is the same, a submission is not graded again.
+// The fingerprint of a result is a hash of all that it depends on. As long as the fingerprint is
+// the same, the submission is not graded again.
 #pragma once
 
 #include "grading/intake/found_submissions.hpp"
@@ -11,16 +12,18 @@
 
 namespace rigor {
 
-/// A hash of all but the submission: the assignment, this program, the tests, the reference and
-/// what else is linked into a worker, the files of student/ that fill gaps, the scenes, the seed
-/// and the walls.
+/// A hash of all that a result depends on except the submission: the assignment, this program, the
+/// tests, the reference and what else is linked into a worker, the files of student/, which stand
+/// in for missing files of submissions, the scenes, the seed and the walls.
 std::uint64_t fingerprint_of(const Selection& selection, const GradingRun& run);
 
-/// The fingerprint of a submission's result: two hashes of 16 hexadecimal digits, first that of all
-/// but the submission, then that of both. An archive counts byte by byte.
+/// The fingerprint of a submission's result: two hashes of 16 hexadecimal digits, first
+/// `all_but_the_submission`, then a hash of this number and of the submission. An archive is hashed
+/// as it is, without unpacking it.
 std::string fingerprint_of(const Submission& submission, std::uint64_t all_but_the_submission);
 
-/// Whether a result with this fingerprint depends on the same but for the submission.
+/// Whether the result with this fingerprint was made with the same tests, points, seeds and walls,
+/// whatever its submission: whether the first hash of the fingerprint is `all_but_the_submission`.
 bool is_of_the_same_tests(const std::string& fingerprint, std::uint64_t all_but_the_submission);
 
 } // namespace rigor

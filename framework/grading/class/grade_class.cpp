@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // An engine (engine.hpp) grades the submissions and hands over the texts of the files to write;
 // result.json is written last, and whole. So a run that is killed loses only what it was grading,
-// and the next run finds the rest by its fingerprint.
+// and the next run finds the other results by their fingerprints.
 #include "grading/class/grade_class.hpp"
 
 #include "errors/input_error.hpp"
@@ -81,7 +81,7 @@ private:
                 to_do_.push_back(i);
         }
         std::mt19937 random(work_.run.seed);
-        for (std::size_t i = to_do_.size(); i > 1; --i) // Fisher and Yates
+        for (std::size_t i = to_do_.size(); i > 1; --i) // shuffle (Fisher and Yates)
             std::swap(to_do_[i - 1], to_do_[random() % i]);
     }
 
@@ -150,7 +150,7 @@ private:
     Engine& engine_;
     const ClassListener& listener_;
     OldResults old_;
-    std::vector<std::optional<Row>> before_, rows_; // the results of earlier runs, and all results
+    std::vector<std::optional<Row>> before_, rows_; // old results; results of this run
     std::vector<std::size_t> to_do_;
     std::size_t done_ = 0;
 };

@@ -13,13 +13,14 @@
 
 namespace rigor {
 
-/// What the run tells while it goes on.
+/// Functions that are called during the run, to show its progress.
 struct ClassListener {
-    /// Called from time to time. @param doing  what is being done  @param detail  by whom
+    /// Called from time to time. @param doing  such as "grading"  @param detail  such as "3 tasks",
+    /// or empty
     std::function<void(std::size_t done, std::size_t total, const std::string& doing,
                        const std::string& detail)>
         on_progress;
-    /// Called once, if submissions have a result that is kept.
+    /// Called once, before the grading, if some submissions keep their old result.
     std::function<void(std::size_t kept, std::size_t total)> on_kept;
     /// Called for each submission that was graded. @param before  its old result, if there is one
     std::function<void(const Row& row, const std::optional<Row>& before)> on_row;
@@ -27,24 +28,26 @@ struct ClassListener {
 
 struct ClassOutcome {
     std::vector<Row> rows;  // in the order of the submissions
-    std::size_t graded = 0; // how many were graded now; the others were there before
-    /// What is wrong with a control; empty if nothing is. The results that it does not confirm have
-    /// been removed, and there are no rows.
+    std::size_t graded = 0; // submissions of this run; the others keep an old result
+    /// What is wrong with a control; empty if nothing is. If a control is wrong, all unconfirmed
+    /// results have been removed, and `rows` is empty.
     std::string control_fault;
 };
 
-/// What happens to a result that was made with other tests, points, seeds or walls. A new or
-/// changed submission is graded in both cases.
+/// What happens to an old result that was made with other tests, points, seeds or walls. `stay`:
+/// the run ends with an error. `are_replaced`: the submission is graded again. A new or changed
+/// submission is graded in both cases.
 enum class OldResults { stay, are_replaced };
 
-/// Grades the submissions and writes the files of each as soon as they are there. Before the first
-/// and after the last one the controls are graded: the reference, which must get every point, and a
-/// file without formulas, which must get none.
+/// Grades the submissions and writes the files about each as soon as it is graded. Before the first
+/// and after the last submission the controls are graded: the reference, which must get every
+/// point, and a file without formulas, which must get none.
 ///
-/// The submissions are graded in an order that the run's seed draws, so that a slow hour does not
-/// always meet the same students.
+/// The submissions are graded in a random order, drawn from the run's seed, so that it is not
+/// always the same students who meet a slow hour of the machine.
 /// @param work  the class, whose `fingerprints` and `out` are not set yet
-/// @throws InputError if a result cannot be written, or if an old one has to stay
+/// @throws InputError if a result cannot be written, or if `old` is `stay` and an old result would
+///     have to be replaced
 ClassOutcome grade_class(ClassWork work, const ClassFolder& folder, Engine& engine,
                          const ClassListener& listener, OldResults old);
 

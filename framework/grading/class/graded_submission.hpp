@@ -12,26 +12,26 @@
 
 namespace rigor {
 
-/// What is written about a submission: file names and texts. All names are in each; an empty text
-/// means that there is no such file.
+/// The files about a submission: their texts by their names. All names are always in the map; an
+/// empty text means that there is no such file.
 using ResultFiles = std::map<std::string, std::string>;
 
-/// The files about a submission that are in a folder.
+/// Reads the files about a submission from its folder.
 ResultFiles result_files_in(const std::filesystem::path& folder);
 
-/// The same as a text that can be sent to another process, and back.
+/// Converts the files to a text that can be sent to another process, and back.
 std::string packed(const ResultFiles& files);
 ResultFiles unpacked(const std::string& text);
 
 /// Takes the files of a submission, builds a worker from them and runs the tests.
-/// @param place  a folder for the files, new
+/// @param place  a new folder, for the files of the submission
 /// @throws std::runtime_error with the reason if a fault of the framework prevents grading
 ResultFiles graded_submission(const Selection& selection, const Submission& submission,
                               const GradingRun& run, const std::filesystem::path& place,
                               const std::string& fingerprint);
 
 /// The files about a submission that could not be graded because of a fault of the framework. They
-/// have no fingerprint, so the next run tries again.
+/// have no fingerprint, so the next run grades the submission again.
 ResultFiles faulty_submission(const Selection& selection, const Submission& submission,
                               const GradingRun& run, const std::string& fault);
 

@@ -94,7 +94,7 @@ std::string last_line(std::string text)
 Isolated::Isolated(const std::function<std::string()>& work)
     : text_(file_in_memory("result")), said_(file_in_memory("said"))
 {
-    std::fflush(nullptr); // otherwise the new process would print it again
+    std::fflush(nullptr); // otherwise the new process would print the buffered text again
     process_ = fork();
     if (process_ == 0) work_and_exit(work, text_, said_);
     if (process_ > 0) return;

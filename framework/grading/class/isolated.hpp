@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Work in processes of its own: a crash of the framework costs only what crashed. A process costs a
-// millisecond, and threads would share the crash.
+// Runs each piece of work in a process of its own, so that a crash of the framework costs only this
+// piece. In a thread, a crash would end the whole program. A process costs a millisecond.
 #pragma once
 
 #include <chrono>
@@ -13,11 +13,12 @@
 
 namespace rigor {
 
-/// A function that runs in a forked process. It must not rely on threads of this process. The
-/// process ends when this one does. What it prints is kept from the terminal.
+/// A function that runs in a forked process. It must not need other threads of the parent process,
+/// which a fork does not copy. The forked process ends when its parent ends. What it prints does
+/// not reach the terminal.
 class Isolated {
 public:
-    /// @throws InputError if the machine has no memory or no process for it
+    /// @throws InputError if the machine has no memory or no process left
     explicit Isolated(const std::function<std::string()>& work);
     /// Ends the process if it still runs.
     ~Isolated();
@@ -26,11 +27,11 @@ public:
 
     /// Whether the process has ended. Does not wait.
     bool has_ended();
-    /// Ends the process, and with it all that it started.
+    /// Ends the process, and with it all processes that it started.
     void stop();
-    /// What the function returned; nothing if it threw or crashed.
+    /// What the function returned; empty if it threw or crashed.
     std::optional<std::string> text() const;
-    /// What went wrong, in one line.
+    /// Why the function returned nothing, in one line.
     std::string fault() const;
 
 private:
@@ -40,7 +41,7 @@ private:
     bool has_ended_ = false;
 };
 
-/// For work that may take any time.
+/// The `longest` for work that may take any time.
 inline constexpr std::chrono::duration<double> no_limit{std::numeric_limits<double>::infinity()};
 
 /// How one piece of work ended.
@@ -51,9 +52,10 @@ struct WorkDone {
     bool was_tried_twice = false;
 };
 
-/// Runs `work(i)` for each `i < count`, up to `jobs` at a time, each isolated. What fails is tried
-/// once more. What takes longer than `longest` is ended, and not tried again. `on_done` is called
-/// in this process, in the order in which they end, and `on_wait` while it waits.
+/// Runs `work(i)` for each `i < count`, up to `jobs` at a time, each in a process of its own. Work
+/// that fails is tried once more. Work that takes longer than `longest` is ended, and not tried
+/// again. This process calls `on_done` each time that a piece of work is done, and `on_wait`
+/// repeatedly while it waits.
 void run_isolated(std::size_t count, unsigned jobs,
                   const std::function<std::string(std::size_t)>& work,
                   const std::function<void(const WorkDone&)>& on_done,

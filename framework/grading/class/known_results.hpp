@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Results that another folder has already, in place of grading them.
+// Takes results from another folder in place of grading.
 #pragma once
 
 #include "grading/class/class_folder.hpp"
@@ -7,12 +7,12 @@
 
 namespace rigor {
 
-/// Takes each result from the known folder that has the wanted fingerprint, and lets another engine
-/// grade the other submissions.
+/// Takes the results of a known folder that have the wanted fingerprints. Another engine grades the
+/// other submissions.
 class KnownResults : public Engine {
 public:
-    /// @param known  the folder with the results; those that no control has confirmed do not count
-    /// @param engine  grades the others; if null, a missing result is an InputError
+    /// @param known  the folder with the results; if some of them are unconfirmed, none is taken
+    /// @param engine  grades the other submissions; nullptr: another submission is an InputError
     KnownResults(const ClassFolder& known, Engine* engine) : known_(known), engine_(engine) {}
 
     std::string grade(const ClassWork& work, const std::vector<std::size_t>& numbers,

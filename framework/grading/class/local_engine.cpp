@@ -13,12 +13,12 @@ namespace rigor {
 namespace {
 
 // The time after which the grading of a submission is ended. The compiler, each call and each scene
-// have limits of their own, so that only a fault of the framework takes this long. The controls
-// were just graded, at this machine's speed and under its load.
+// have limits of their own, so that only a fault of the framework takes this long. The time that
+// the controls took tells how fast and how busy this machine is.
 std::chrono::duration<double> longest_grading(std::chrono::duration<double> controls)
 {
     constexpr double multiple = 100;
-    constexpr std::chrono::minutes least(30); // compilers that run into their limits
+    constexpr std::chrono::minutes least(30); // enough if each compiler runs into its limit
     return std::max<std::chrono::duration<double>>(least, multiple * controls);
 }
 

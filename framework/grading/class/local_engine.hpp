@@ -9,9 +9,10 @@ namespace rigor {
 class LocalEngine : public Engine {
 public:
     /// @param jobs  how many submissions are graded at the same time
-    /// @param part  a name of its own for each of several engines that grade parts of one run, such
-    ///              as `JOB_RESTARTS` of a task of Slurm: the engine's working folders have it in
-    ///              their names. Empty for an engine that grades the whole run.
+    /// @param part  the beginning of the names of the working folders. If several engines grade
+    ///              parts of one run, each has its own; for a task of Slurm it is `JOB_RESTARTS`,
+    ///              the number of the task's job and how often the task was restarted. Empty for an
+    ///              engine that grades the whole run.
     explicit LocalEngine(unsigned jobs, std::string part = {}) : jobs_(jobs), part_(std::move(part))
     {
     }

@@ -6,12 +6,13 @@
 
 namespace rigor {
 
-/// The folders that the submissions of a class are unpacked in. They and what was built from them
-/// are removed again, also those of a run that was killed.
+/// The folders that the submissions of a class are unpacked in. The destructor removes them, with
+/// what was built from them. The constructor removes those that a killed run has left.
 class WorkFolders {
 public:
     /// @param out  the results' folder, which tells the runs apart
-    /// @param part  a part of the run whose folders are its own; empty: all of the run
+    /// @param part  the beginning of the names of the folders, for one part of the run; empty: the
+    ///     object has all folders of the run
     explicit WorkFolders(const std::filesystem::path& out, const std::string& part = {});
     ~WorkFolders();
     WorkFolders(const WorkFolders&) = delete;

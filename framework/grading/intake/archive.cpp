@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Reads archives by libarchive. Every byte of every file is read and counted, so that a damaged
-// file is found, and an archive that grows without end is left as soon as it passes a limit.
-// Compressions are limited to those that libarchive has built in, one for each archive: others
-// would start programs, or could be nested.
+// file is found, and an archive that grows without end is left as soon as it passes a limit. Only
+// compressions that libarchive has built in are allowed, since it would start a program for any
+// other; and an archive may not be compressed twice.
 #include "grading/intake/archive.hpp"
 
 #include "errors/printable.hpp"
@@ -91,7 +91,7 @@ public:
         archive_read_support_format_tar(a);
         archive_read_support_format_zip(a);
         if (archive_read_open_fd(a, descriptor, 65536) != ARCHIVE_OK) break_off();
-        if (archive_filter_count(a) > 2) // the compression, and the bytes of the file
+        if (archive_filter_count(a) > 2) // one is the compression, one the file itself
             refuse_compressed_again();
     }
 
@@ -137,7 +137,8 @@ private:
             contents_.add_other(name);
     }
 
-    // The text of the entry that was read last if it is a source; other files are only counted.
+    // The text of the current entry if it is a source. The bytes of other files are only counted,
+    // and the result is empty.
     std::string content_of(const std::string& name)
     {
         std::string text;

@@ -13,13 +13,13 @@ namespace rigor {
 /// .rar.
 bool is_archive_name(std::string_view name);
 
-/// The name without the ending of an archive: "alice" of "alice.tar.gz".
+/// The name without the ending of an archive: "alice" for "alice.tar.gz".
 std::string without_archive_ending(std::string_view name);
 
 /// Reads a whole archive from a descriptor. Nothing is written to the disk. The library that reads
-/// it may have errors, so `read_archive_behind_walls` is for what students hand in.
-/// @throws Refused if it is broken or encrypted, holds anything but files and folders, has a name
-///     that leads out of it, a name twice, or more than the limits allow
+/// it may have security holes, so what students hand in is read by `read_archive_behind_walls`.
+/// @throws Refused if the archive is broken or encrypted, holds anything but files and folders, has
+///     a name with ".." or the same name twice, or exceeds a limit
 Contents read_archive(int descriptor, const IntakeLimits& limits = {});
 
 } // namespace rigor

@@ -17,8 +17,8 @@ struct IntakeLimits {
     std::size_t archive_bytes = std::size_t{64} << 20;     // size of an archive
     std::size_t unpacked_bytes = std::size_t{64} << 20;    // what an archive unpacks to
     std::size_t unpacked_ratio = 200;                      // unpacked bytes / bytes of the archive
-    std::size_t bytes_at_any_ratio = std::size_t{1} << 20; // below this the ratio does not matter
-    std::size_t source_bytes = std::size_t{16} << 20;      // all sources together
+    std::size_t bytes_at_any_ratio = std::size_t{1} << 20; // any ratio is allowed up to here
+    std::size_t source_bytes = std::size_t{16} << 20;      // size of all sources
 };
 
 /// Files by their names, such as "alice/collision.cpp". Only sources have a text.
@@ -27,9 +27,10 @@ public:
     explicit Contents(const IntakeLimits& limits) : limits_(limits) {}
 
     /// Counts a folder or a file. @param given  its name, as the submission has it
-    /// @return the name without "./", with slashes; empty for the submission's own folder
+    /// @return the name without "./", with "/" in place of "\"; empty for the submission's own
+    ///     folder
     /// @throws Refused if the name leads out of the submission or cannot be shown, or if there are
-    ///     too many
+    ///     too many files and folders
     std::string add_name(std::string_view given);
     /// @throws Refused if there is another file of this name, or if it cannot be written to a disk
     ///     together with the others

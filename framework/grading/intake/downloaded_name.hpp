@@ -7,16 +7,16 @@
 
 namespace rigor {
 
-/// What such a name says.
+/// What the name of a downloaded file or folder says.
 struct DownloadedName {
-    std::string student;         // tells the students of a class apart
+    std::string student;         // such as "doejane_4711"; no other student has it
     std::string file;            // the name that the student gave the file; empty for a folder
-    bool is_online_text = false; // typed into a page of Moodle
+    bool is_online_text = false; // whether it is a text typed into a page of Moodle
 };
 
-/// Canvas: `doejane_LATE_4711_99_collision.cpp`. Moodle: `Jane Doe_17_assignsubmission_file` for a
-/// folder, or `Jane Doe_17_assignsubmission_file_collision.cpp` where it makes none. Nothing for
-/// any other name.
+/// Parses a name from Canvas or Moodle; empty for any other name. Canvas:
+/// `doejane_LATE_4711_99_collision.cpp`. Moodle: `Jane Doe_17_assignsubmission_file` for a folder,
+/// or `Jane Doe_17_assignsubmission_file_collision.cpp` where Moodle makes no folder.
 std::optional<DownloadedName> downloaded_name(const std::string& name);
 
 /// Whether the student's name for a file is the wanted one. Canvas adds a number when a file is

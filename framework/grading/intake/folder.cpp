@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Walks through a folder in the order of the names, so that the first fault that is found is the
-// same everywhere. Each source is opened without following a link and without waiting for a
+// same on every machine. Each source is opened without following a link and without waiting for a
 // writer. What a program made, such as `.git`, is passed over.
 #include "grading/intake/folder.hpp"
 
@@ -68,7 +68,7 @@ private:
         for (fs::directory_iterator entry(folder_ / below, error), end; !error && entry != end;
              entry.increment(error)) {
             names.push_back(below / entry->path().filename());
-            if (names.size() > limits_.entries) break; // the names are counted below
+            if (names.size() > limits_.entries) break; // too many: `take` refuses them
         }
         if (error) fail(below.empty() ? "." : below, error.value());
         std::sort(names.begin(), names.end());

@@ -114,7 +114,7 @@ public:
             throw InputError("expected a folder or an archive, found no file " + in_quotes(text));
         if (!fs::is_directory(path)) return add(path);
         const Listing listing = listing_of(path);
-        if (is_only_path && listing.is_empty()) return; // reported as no submission
+        if (is_only_path && listing.is_empty()) return; // no submission: `result` throws
         if (!holds_many(path, listing, wanted_, is_only_path)) return add(path);
         for (const fs::path& folder : listing.folders)
             add(folder);
@@ -179,8 +179,8 @@ private:
     }
 
     // Adds the students who handed in a file without an archive. If the file has another name than
-    // the wanted one and the student has no other submission, the student gets a row too, so that
-    // nobody is missing.
+    // the wanted one and the student has no other submission, a refused submission is added, so
+    // that no student is missing in the results.
     void add_downloaded(const Listing& listing)
     {
         std::set<std::string> students;
@@ -231,8 +231,8 @@ private:
                     in_quotes(student), names.size(), first_names(names)));
     }
 
-    // What a browser or a file manager made the name of a second file from: "kim" of "kim (1)".
-    // Empty if it did not.
+    // The original name if a browser or a file manager has added a number: "kim" for "kim (1)".
+    // Empty for any other name.
     static std::string without_number(const std::string& name)
     {
         const std::size_t open = name.rfind(" (");

@@ -11,25 +11,27 @@ namespace rigor {
 
 /// A folder, an archive or a single source that somebody handed in.
 struct Submission {
-    std::string name; // the folder's, or the file's without its ending
+    std::string name; // name of the folder, or of the file without its ending
     std::filesystem::path path;
     std::string refusal; // why it cannot be graded; empty if nothing speaks against it yet
 };
 
 struct FoundSubmissions {
     std::vector<Submission> submissions; // sorted by name, each name once
-    std::vector<std::string> notes;      // what was passed over, a line each
+    std::vector<std::string> notes;      // what was passed over or is doubtful, a line each
 };
 
-/// Finds all submissions. A path is a submission, or a folder of many. A folder holds many if the
-/// wanted file does not lie in it and it has archives in it, or several folders with that file; if
-/// it is the only path, any folder in it is a submission. A single file in such a folder is one if
-/// it has a name that Canvas or Moodle gives (downloaded_name.hpp).
+/// Finds all submissions. Each path is a submission or a folder of submissions. It is a folder of
+/// submissions if it does not contain the wanted file, but contains archives, files with names that
+/// Canvas or Moodle gives (downloaded_name.hpp), or several folders with the wanted file. If there
+/// is no other path, a single folder with any content is enough. Each of these archives, files and
+/// folders is a submission.
 ///
-/// A student who has several submissions by the names of Canvas or Moodle gets a note.
+/// `notes` names each student who has several submissions, according to the names that Canvas or
+/// Moodle gave.
 ///
-/// A name that several submissions have, that cannot be shown, or that is reserved, is refused in
-/// `refusal`; the last two are changed.
+/// A submission is refused, with the reason in `refusal`, if another one has the same name, or if
+/// its name cannot be shown or is reserved. In these last two cases its name is changed.
 /// @param wanted  name of the file that the assignment asks for
 /// @param reserved  names that the results need for their own files
 /// @throws InputError if a path does not exist, or if there is no submission

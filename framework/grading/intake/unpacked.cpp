@@ -83,7 +83,7 @@ template <class Limits> auto all_of(Limits& limits)
 Confinement walls_of_unpack()
 {
     using std::filesystem::perms;
-    std::error_code error; // if this is not allowed, the start says so
+    std::error_code error; // if this is not allowed, the start of `unpack` reports it
     fs::permissions(RIGOR_UNPACK, perms::others_read | perms::others_exec,
                     std::filesystem::perm_options::add, error);
 #ifdef RIGOR_SANITIZED // a sanitizer needs calls and memory that walls refuse
@@ -91,9 +91,10 @@ Confinement walls_of_unpack()
 #else
     Confinement walls{Profile::compiler, usual_tier()};
     walls.readable = {RIGOR_UNPACK};
-    // The library keeps a dictionary beside the sources, of at most some hundred megabytes.
+    // Besides the sources, the library keeps a dictionary for decompression in memory, of at most
+    // some hundred megabytes.
     walls.limits.address_space = std::uint64_t{1} << 30;
-    walls.limits.processor_time = 60; // [s]; 64 MB take less than one
+    walls.limits.processor_time = 60; // [s]; 64 MB take less than a second
     walls.limits.file_size = 0;
     walls.limits.open_files = 32;
     walls.limits.processes = 8;
@@ -105,7 +106,8 @@ std::string what_unpack_prints(int archive, const IntakeLimits& limits)
 {
     RunLimits run_limits;
     run_limits.time = std::chrono::seconds(120);
-    // Names and lengths come on top of the sources.
+    // The output has the sources, and besides these at most 2048 bytes for each name and its
+    // lengths.
     run_limits.output = run_limits.output_kept = limits.source_bytes + limits.entries * 2048;
     std::vector<std::string> command = {RIGOR_UNPACK};
     for (const std::string& argument : arguments_of(limits))

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Archives are read by a program of their own behind walls, `unpack`. It gets the archive as its
-// stdin and prints what is in it; a fault of the library that reads it ends only this program.
+// Archives are read by a separate program behind walls, `unpack`. It gets the archive as its stdin
+// and prints what is in it; a fault of the library that reads it ends only this program.
 #pragma once
 
 #include "grading/intake/contents.hpp"
@@ -16,16 +16,17 @@ namespace rigor {
 std::string printed(const Contents& contents);
 std::string printed_refusal(std::string_view reason);
 
-/// The contents that were printed. Every name and size is checked again.
-/// @throws Refused with the printed reason, or because it is not what `unpack` prints
+/// Reads contents from what `unpack` has printed. Every name and size is checked again.
+/// @throws Refused with the printed reason, or because the text does not have the form that
+///     `unpack` prints
 Contents read_printed(std::string_view text, const IntakeLimits& limits);
 
-/// The limits as arguments of `unpack`, and back.
+/// Converts limits to arguments of `unpack`, and back.
 std::vector<std::string> arguments_of(const IntakeLimits& limits);
 IntakeLimits limits_of(const std::vector<std::string>& arguments);
 
 /// Reads a whole archive by `unpack`. @throws Refused as `read_archive`, and also if the program
-/// crashes or takes too long; std::system_error without walls
+/// crashes or takes too long; std::system_error if the walls cannot be put up
 Contents read_archive_behind_walls(const std::filesystem::path& file,
                                    const IntakeLimits& limits = {});
 

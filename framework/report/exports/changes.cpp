@@ -41,7 +41,7 @@ std::string tasks_that_change(const Row& before, const Row& after)
     return text;
 }
 
-// The mean of the points that there are.
+// The mean of the points as a text; "none" if the list is empty.
 std::string mean(const std::vector<double>& points)
 {
     double sum = 0;

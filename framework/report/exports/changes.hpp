@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What another run of the grading changes: for whom, from which points to which.
+// What a new grading of a class changes: the points of each submission before and after.
 #pragma once
 
 #include "report/exports/row.hpp"
@@ -12,11 +12,11 @@ namespace rigor {
 
 /// How a submission's result changes: its points, and below them a line for each task whose points
 /// are not the same. Empty if neither the status nor any points change.
-/// @param before  nothing if the submission is new
+/// @param before  empty if the submission is new
 std::string change_text(const std::optional<Row>& before, const Row& after);
 
-/// The changes of a class, and how many there are. The rows are those of the same submissions, in
-/// the same order.
+/// The changes of a class, and how many there are. `before` and `after` have the same submissions
+/// in the same order.
 std::string changes_text(const std::vector<std::optional<Row>>& before,
                          const std::vector<Row>& after);
 

@@ -13,11 +13,12 @@ using Json = nlohmann::ordered_json;
 
 struct Field {
     const char *name, *variable;
-    const char* otherwise = ""; // the variable that stands in for one that is not set
+    const char* otherwise = ""; // is read if `variable` is not set
 };
 
-// The runner sets these for every submission. It corrects `owner`, `assignment_type` and `datetime`
-// in what it finds, and refuses a result without them.
+// The fields of a result that the runner requires, and the variables that it sets for them. It
+// corrects `owner`, `assignment_type` and `datetime` in the result, and refuses a result that lacks
+// one of these fields.
 constexpr std::array<Field, 8> required = {{{"classroom", "CLASSROOM"},
                                             {"assignment", "ASSIGNMENT"},
                                             {"assignment_type", "ASSIGNMENT_TYPE"},

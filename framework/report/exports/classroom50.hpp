@@ -11,12 +11,13 @@ namespace rigor {
 /// The value of an environment variable; empty if it is not set.
 using Variable = std::function<std::string(const char* name)>;
 
-/// result.json of an autograder of Classroom 50, by its contract `classroom50/result/v1`: whose
-/// submission this is, as the variables of its runner say, and the points of each task. The
-/// contract wants whole points; parts of a point are left out.
-/// @param now  a time in UTC, as 2026-09-01T08:00:00Z; the runner puts that of the commit there
-/// @return nothing outside of its runner, or for an `internal_error`: the runner then reports that
-///     the autograder failed
+/// The result.json that Classroom 50 expects of an autograder, in its format
+/// `classroom50/result/v1`: whose submission this is, from the environment variables of the runner,
+/// and the points of each task. The format has whole points only, so points are rounded down.
+/// @param now  a time in UTC, as 2026-09-01T08:00:00Z; the runner replaces it by the time of the
+///     commit
+/// @return an empty text outside of the runner, or for an `internal_error`: the runner then reports
+///     that the autograder failed
 std::string classroom50_json(const Result& result, const Variable& variable,
                              const std::string& now);
 

@@ -12,8 +12,8 @@ bool is_number(const std::string& cell)
     return cell.find_first_not_of("0123456789.") == std::string::npos;
 }
 
-// Spreadsheets run a cell that begins with one of these, also after spaces. The second row has the
-// same signs in full width, which some of them read as the plain ones.
+// Spreadsheets take a cell that begins with one of these signs for a formula, also after spaces.
+// The last four are the full-width forms of =, +, - and @, which some spreadsheets read as these.
 constexpr std::string_view signs[] = {"=",      "+",      "-",      "@",
                                       "\t",     "\r",     "\n", // plain
                                       "\uFF1D", "\uFF0B", "\uFF0D", "\uFF20"};

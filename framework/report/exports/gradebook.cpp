@@ -17,7 +17,7 @@ std::string cell_of(const Row& row, double points)
     return row.has_points() ? csv_number(points) : "";
 }
 
-// The rows that were judged, whether they got points or not.
+// The rows of the submissions that were judged, also those that do not compile.
 std::vector<const Row*> judged(const std::vector<Row>& rows)
 {
     std::vector<const Row*> result;
@@ -93,7 +93,7 @@ std::string distribution(const std::vector<const Row*>& rows)
 // The mistakes that several submissions have in common, the most frequent first.
 std::string common_mistakes(const std::vector<const Row*>& rows)
 {
-    std::map<std::pair<std::size_t, std::string>, int> counts; // by task and sentence
+    std::map<std::pair<std::size_t, std::string>, int> counts; // by index of the task and sentence
     for (const Row* row : rows)
         for (std::size_t t = 0; t < row->tasks.size(); ++t)
             if (!row->tasks[t].mistake.empty()) ++counts[{t, row->tasks[t].mistake}];

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What an instructor reads about a class. Neither text depends on times or on the order of grading.
+// What an instructor reads about a class. The texts do not depend on times or on the order of
+// grading.
 #pragma once
 
 #include "report/exports/row.hpp"
@@ -14,8 +15,8 @@ namespace rigor {
 /// @param rows  sorted by name, all of one assignment
 std::string gradebook_csv(const std::vector<Row>& rows);
 
-/// summary.txt: how many passed each task, how the points are distributed, and who could not be
-/// graded and why.
+/// summary.txt: how many passed each task, how the points are distributed, which mistakes are
+/// common, and which submissions could not be graded and why.
 std::string class_summary(const std::vector<Row>& rows);
 
 } // namespace rigor

@@ -49,7 +49,7 @@ std::string output_of(const Result& result)
     return text;
 }
 
-// The largest error of a task's tests as a part of its tolerance; 1 if one of them did not pass.
+// The largest error / tolerance of a task's tests; 1 if one of the tests did not pass.
 double largest_error_of(const TaskResult& task)
 {
     if (task.status != Status::passed) return 1;
@@ -59,7 +59,8 @@ double largest_error_of(const TaskResult& task)
     return largest;
 }
 
-// Error beside run time. Everybody sees the leaderboard, so hidden tasks are no part of it.
+// The leaderboard of Gradescope: points, largest error, and run time. Everybody sees it, so its
+// points and its error are those of the visible tasks.
 Json leaderboard_of(const Result& result)
 {
     double points = 0, error = 0;

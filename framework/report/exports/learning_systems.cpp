@@ -17,7 +17,7 @@ bool has_grade(const Row& row)
     return row.status == "graded" || row.status == "compile_error";
 }
 
-// A status for people: "timed out".
+// A status in words, such as "timed out".
 std::string in_words(std::string status)
 {
     if (status == "compile_error") return "not defined";
@@ -25,7 +25,7 @@ std::string in_words(std::string status)
     return status;
 }
 
-// The tasks that did not get all points.
+// A text about the tasks that did not get all points.
 std::string feedback(const Row& row)
 {
     if (row.status == "compile_error") return "does not compile";
@@ -44,8 +44,8 @@ std::string number_in(const std::string& submission, const std::regex& downloade
     return std::regex_match(submission, parts, downloaded) ? parts[2].str() : "";
 }
 
-// The numbers that several graded submissions have. The system would take the last one, which is
-// not known to be the one that counts.
+// The numbers of the students with several graded submissions. The system would take the last of
+// these, which may not be the one that counts.
 std::set<std::string> ambiguous(const std::vector<Row>& rows, const std::regex& downloaded)
 {
     std::set<std::string> once, several;
@@ -56,7 +56,7 @@ std::set<std::string> ambiguous(const std::vector<Row>& rows, const std::regex& 
     return several;
 }
 
-// The names that the systems give to what they download.
+// The names that Canvas and Moodle give to submissions when they are downloaded.
 const std::regex& from_canvas()
 {
     static const std::regex name("^([^_]+)_(?:LATE_)?([0-9]+)_[0-9]+(?:_.*)?$");

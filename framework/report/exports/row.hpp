@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A row of the gradebook, read back from a result.json. The gradebook is made from the files and
-// never from what is in memory, so it is the same whether results are new or were there before.
+// A row of the gradebook, read back from a result.json. The gradebook is always made from these
+// files, never from results in memory, so it is the same for new and for kept results.
 #pragma once
 
 #include <optional>
@@ -25,12 +25,12 @@ struct Row {
     double points = 0, max_points = 0;
     std::vector<TaskPoints> tasks;
 
-    /// Whether it has points: a fault of the framework gives none, not even zero.
+    /// Whether the submission has points: a fault of the framework gives none, not even zero.
     bool has_points() const { return status != "internal_error"; }
 };
 
-/// The row of a result.json. Nothing if the text is not the whole result of one submission: a task
-/// without points, or points that are not the sum of those of the tasks.
+/// The row of a result.json. Empty if the text is not the complete result of one submission; the
+/// submission's points must be the sum of the tasks' points.
 std::optional<Row> read_row(const std::string& result_json);
 
 } // namespace rigor

@@ -19,7 +19,8 @@ struct Answer {
     std::vector<std::string> lines;
 };
 
-// A controller that does not answer makes Slurm's commands wait and try again.
+// How long a command of Slurm may be silent. It waits and tries again while Slurm's controller does
+// not answer.
 constexpr double longest_silence = 120; // [s]
 
 Answer asked(const std::vector<std::string>& arguments)
@@ -48,7 +49,7 @@ std::string errors_in(const std::vector<std::string>& lines)
     return text.empty() ? "no reason" : text.substr(0, 300);
 }
 
-// `12`, or `12;cluster` where there are several clusters.
+// The number of the job in what sbatch prints: `12`, or `12;cluster` if there are several clusters.
 std::optional<std::string> job_number(const std::vector<std::string>& lines)
 {
     for (const std::string& line : lines) {
@@ -93,7 +94,7 @@ std::string submit(const ArrayJob& job)
 
 TaskCounts parsed_counts(const std::vector<std::string>& lines)
 {
-    // In all other states a task runs, is about to run, or is about to end.
+    // A task whose state is in neither list runs, is about to run, or is about to end.
     constexpr std::array<std::string_view, 9> over = {"BOOT_FAIL",     "CANCELLED", "COMPLETED",
                                                       "DEADLINE",      "FAILED",    "NODE_FAIL",
                                                       "OUT_OF_MEMORY", "REVOKED",   "TIMEOUT"};
@@ -102,7 +103,7 @@ TaskCounts parsed_counts(const std::vector<std::string>& lines)
     TaskCounts counts;
     for (const std::string& line : lines) {
         const std::string state = line.substr(0, line.find('|'));
-        if (state.empty() || state.size() == line.size()) continue; // a message
+        if (state.empty() || state.size() == line.size()) continue; // no task, but a message
         if (state == "CANCELLED") ++counts.cancelled;
         if (std::find(over.begin(), over.end(), state) != over.end()) continue;
         if (std::find(waits.begin(), waits.end(), state) == waits.end()) {

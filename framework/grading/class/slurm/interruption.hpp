@@ -6,9 +6,9 @@
 
 namespace rigor {
 
-/// While this object lives, SIGINT and SIGTERM are only noted, so that work elsewhere can be
-/// cancelled first. When the object ends, a noted signal does what it usually does. There is one
-/// object at a time.
+/// While this object lives, SIGINT and SIGTERM are only noted, so that a job of Slurm can be
+/// cancelled first. The destructor raises a noted signal again, now with its usual effect. At most
+/// one such object may live at a time.
 class Interruption {
 public:
     Interruption();

@@ -23,14 +23,14 @@ namespace rigor::slurm {
 
 /// What a job array is to grade.
 struct Plan {
-    unsigned round = 1; // the first job, or a later one for what was lost
+    unsigned round = 1; // 1: the first job; more: a later job for what was lost
     std::string assignment, out;
     std::uint32_t seed = 0;
     std::string secret_file;                      // absolute path; empty: no secret
-    std::uint64_t fingerprint = 0;                // all but the submissions
+    std::uint64_t fingerprint = 0;                // fingerprint_of(selection, run)
     std::vector<Submission> submissions;          // those of this job
     std::vector<std::string> fingerprints;        // one for each submission
-    std::vector<std::vector<std::size_t>> chunks; // for each task, numbers in `submissions`
+    std::vector<std::vector<std::size_t>> chunks; // for each task, indices in `submissions`
 };
 
 class SharedFolder {
@@ -38,11 +38,12 @@ public:
     /// @param out  the results' folder, absolute
     explicit SharedFolder(const std::filesystem::path& out);
 
-    /// Makes the folder and its script. @throws InputError if it cannot be written
+    /// Makes the folder and its script. What an earlier run left is removed, except for `graded`.
+    /// @throws InputError if it cannot be written
     void make() const;
     void remove() const;
 
-    /// @return the plan's file
+    /// @return the path of the plan's file
     std::filesystem::path write_plan(const Plan& plan) const;
 
     /// The number of the job that runs; empty if none does.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The engine submits a job array and follows it: it takes each result as soon as its file is there,
 // and asks Slurm from time to time whether the tasks still wait or run. A task that has ended well
-// says so by a file of its own. When all have, or when Slurm knows of none that could go on, the
-// round is over, and what is missing makes the next one.
+// writes a file to say so. The round is over when all tasks have written theirs, or when Slurm
+// knows of no task that waits or runs. The submissions that are still missing make the next round.
 #include "grading/class/slurm/slurm_engine.hpp"
 
 #include "errors/input_error.hpp"
@@ -30,10 +30,11 @@ constexpr std::chrono::milliseconds look_every(250);
 constexpr std::chrono::seconds ask_every(2);
 // Slurm's daemons are restarted now and then. The tasks go on meanwhile.
 constexpr std::chrono::minutes longest_silence(10);
-// NFS keeps what it knows of a folder for some seconds, so files of another machine appear late.
+// NFS caches the list of files in a folder for some seconds, so files of another machine appear
+// late.
 constexpr std::chrono::seconds last_look(5);
 
-// A job that is cancelled unless it has ended.
+// A job of Slurm. The destructor cancels it, unless it was released.
 class RunningJob {
 public:
     RunningJob(const slurm::ArrayJob& job, const slurm::SharedFolder& shared)
@@ -49,7 +50,8 @@ public:
     RunningJob& operator=(const RunningJob&) = delete;
 
     const std::string& number() const { return number_; }
-    /// The job is not cancelled any more, because it has ended or nobody can end it.
+    /// From now on the destructor does not cancel the job, because it has ended or Slurm does not
+    /// answer.
     void release() { has_ended_ = true; }
 
 private:
@@ -81,7 +83,7 @@ public:
                 note(fmt::format("{} of {} tasks of Slurm's job were lost{}", lost,
                                  plan.chunks.size(), reason));
                 if (round_ >= most_rounds && !missing_.empty()) give_up_missing(reason);
-                if (round_ <= most_rounds) continue; // in a last round only controls are graded
+                if (round_ <= most_rounds) continue; // the last round grades controls only
                 fault = "control after the last submission could not be graded" + reason;
             }
             shared_.remove();
@@ -95,8 +97,8 @@ private:
         if (options_.on_note) options_.on_note(text);
     }
 
-    // Cancels the job of a run that was killed. The results that it has made are taken, except
-    // those that report a fault.
+    // Cancels the job of a run that was killed. The results that this job has made are taken,
+    // except those that report a fault.
     void take_over_from_broken_run()
     {
         if (const std::string job = shared_.job(); !job.empty()) slurm::cancel(job, name_);
@@ -122,8 +124,8 @@ private:
         });
     }
 
-    // What the next job has to grade. If no submission is missing, it is one task with the
-    // controls.
+    // The plan of the next job. If no submission is missing, the job has one task, which grades the
+    // controls only.
     slurm::Plan next_plan() const
     {
         slurm::Plan plan;
@@ -166,7 +168,7 @@ private:
                          plan.chunks.size() == 1 ? "task" : "tasks"));
         const slurm::TaskCounts counts = follow(job, plan, interruption);
         take_results();
-        if (!shared_.control_fault().empty()) return; // the job is cancelled
+        if (!shared_.control_fault().empty()) return; // ~RunningJob cancels it
         job.release();
         const bool is_whole = shared_.ended(round_).size() == plan.chunks.size();
         if (!is_whole && counts.cancelled > 0)
@@ -178,7 +180,8 @@ private:
                              work_.out.string() + ", in which no task could write");
     }
 
-    // Returns when all tasks have ended well, when none goes on, or when a control was wrong.
+    // Returns when all tasks have ended well, when no task waits or runs any more, or when a
+    // control was wrong.
     slurm::TaskCounts follow(RunningJob& job, const slurm::Plan& plan,
                              const Interruption& interruption)
     {
@@ -243,7 +246,7 @@ private:
         return fmt::format("{} {}", counts.running, counts.running == 1 ? "task" : "tasks");
     }
 
-    // The last words of the first task that did not end well.
+    // Of the lost tasks that have printed anything, the last line of the first one.
     std::string first_reason(const slurm::Plan& plan) const
     {
         const std::set<std::size_t> ended = shared_.ended(round_);
@@ -269,9 +272,9 @@ private:
     const ClassWork& work_;
     const OnGraded& on_graded_;
     const OnWait& on_wait_;
-    std::vector<std::size_t> missing_; // submissions without a result
+    std::vector<std::size_t> missing_; // numbers of the submissions without a result
     slurm::SharedFolder shared_;
-    WorkFolders folders_; // those of the tasks; what a lost task left there is removed
+    WorkFolders folders_; // working folders of the tasks; removed, also if a task was lost
     std::string name_;
     unsigned round_ = 0;
 };

@@ -6,20 +6,21 @@
 namespace rigor {
 
 struct SlurmOptions {
-    std::vector<std::string> task_command; // the program that grades a chunk; a plan's file follows
+    std::vector<std::string> task_command; // grades a chunk; without the plan's file
     std::string secret_file;               // absolute path of the course's secret; empty: none
     std::size_t chunk = 8;                 // submissions in a task; more for a huge class
     unsigned at_once = 0;                  // most tasks that run at the same time; 0: no limit
-    std::function<void(const std::string&)> on_note; // called for what the user should know
+    std::function<void(const std::string&)> on_note; // called with messages for the user
 };
 
-/// Grades on a cluster, by job arrays of Slurm. Each task grades a chunk of the submissions between
-/// two controls, as a LocalEngine does, and writes what it has to say into the results' folder.
-/// All nodes must see this folder, the submissions and this tree. Slurm runs the tasks of a lost
-/// node again; what is still missing at the end is submitted again, in up to three jobs.
+/// Grades on a cluster, by job arrays of Slurm. Each task grades a chunk of the submissions by a
+/// LocalEngine, with the controls before and after it, and writes the results into a shared folder
+/// inside the results' folder. All nodes must see this folder, the submissions and this tree. Slurm
+/// runs the tasks of a lost node again. Submissions without a result at the end of a job go into a
+/// new job, up to three jobs in all.
 ///
 /// @throws InputError if Slurm takes no job or does not answer, if the nodes do not see the folder,
-///     or if somebody has cancelled the job. SIGINT and SIGTERM cancel it, and then end this
+///     or if somebody has cancelled the job. SIGINT and SIGTERM cancel the job, and then end this
 ///     process.
 class SlurmEngine : public Engine {
 public:

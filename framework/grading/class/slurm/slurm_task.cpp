@@ -28,7 +28,7 @@ void require_same_framework(const slurm::Plan& plan, const ClassWork& work)
                      work.run.test_program.string());
 }
 
-// Why a submission is not the one that the plan means; empty if it is.
+// Why a submission is not as it was when the plan was made; empty if it is.
 std::string difference(const slurm::Plan& plan, std::size_t i, const ClassWork& work)
 {
     if (fingerprint_of(plan.submissions[i], work.fingerprint) == plan.fingerprints[i]) return "";
@@ -52,7 +52,7 @@ std::string run_slurm_task(const slurm::Plan& plan, std::size_t task, ClassWork 
     const auto write = [&](std::size_t i, const ResultFiles& files) {
         shared.write_graded(plan.fingerprints[i], files);
     };
-    std::vector<std::size_t> numbers; // those that this task did not grade before its node was lost
+    std::vector<std::size_t> numbers; // without a result yet; a restarted task has some
     for (const std::size_t i : plan.chunks[task]) {
         if (shared.graded(plan.fingerprints[i])) continue;
         const std::string other = difference(plan, i, work);
