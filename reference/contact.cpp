@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Solutions of assignment A5: the impulses of many contacts between many bodies. A5.1 to A5.4
 // resolve one contact after the other, the deepest first, and then level by level from the ground
-// up (Guendelman, Bridson and Fedkiw 2003). A5.5 resolves all contacts together
-// by projected Gauss–Seidel (Jean 1999).
+// up (Guendelman, Bridson and Fedkiw 2003). A5.5 resolves all contacts together by projected
+// Gauss–Seidel (Jean 1999).
 #include "formulas/contact.hpp"
 
 #include "formulas/collision.hpp"
@@ -102,9 +102,9 @@ struct Visit {
     std::size_t next; // the index of the edge to follow next
 };
 
-// Depth-first search from `first`. Appends to `found` each body that can be reached from `first`
-// and was not seen yet, including `first` itself, after the bodies that the search reached from it.
-// The path is kept in a list, because a tall stack of bodies could exceed the depth of recursion.
+// Depth-first search from `first`. Appends to `found`, in post-order, each body that can be reached
+// from `first` and was not seen yet, including `first` itself. The path is kept in a list, because
+// a tall stack of bodies could exceed the depth of recursion.
 void search(int first, const Edges& edges, std::vector<bool>& is_seen, std::vector<int>& found)
 {
     if (is_seen[first]) return;
@@ -124,13 +124,13 @@ void search(int first, const Edges& edges, std::vector<bool>& is_seen, std::vect
     }
 }
 
-// What has one level. The contacts are those whose higher body has it, the deepest first.
+// The bodies of one level, and the contacts whose higher body has this level, the deepest first.
 struct Level {
     std::vector<int> bodies, contacts;
 };
 
-// The larger eigenvalue λ of K perpendicular to n: that of the matrix (a d; d c) of K in two
-// directions perpendicular to n.
+// The larger eigenvalue λ of K in the plane perpendicular to n. There, K is the matrix (a d; d c)
+// in the directions t and b.
 double tangential_eigenvalue(const Matrix3d& K, const Vector3d& n)
 {
     const Vector3d t = n.unitOrthogonal(), b = n.cross(t);
@@ -142,8 +142,8 @@ struct Stiffness {
     double normal, tangential; // nᵀ K n and λ
 };
 
-// The total impulse of a contact after one visit, if it was j before and the relative velocity is
-// v.
+// The total impulse of a contact after it is visited once in a sweep. Before, the total impulse was
+// j and the relative velocity v.
 Vector3d projected_impulse(const BodyContact& c, const Stiffness& stiffness, const Vector3d& j,
                            const Vector3d& v)
 {
@@ -222,7 +222,7 @@ ContactResult shock_propagation(const Bodies& bodies, const Contacts& contacts,
     ContactResult result = untouched(bodies, contacts);
     for (const auto& [level, of_level] : upwards) {
         if (level > 0) resolve_in_order(result, contacts, of_level.contacts, n);
-        for (int i : of_level.bodies) { // these bodies are held from here on
+        for (int i : of_level.bodies) { // from now on they count as static
             result.bodies[i].inverse_mass = 0;
             result.bodies[i].inverse_inertia.setZero();
         }

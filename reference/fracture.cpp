@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Solutions of A7.1 to A7.4 and A7.6; the others are in fracture_vertices.cpp. A7.1 to A7.3 smooth
-// the stress and find the crack plane from its largest eigenvalue; A7.6 cuts elements along a plane
+// Solutions of tasks A7.1 to A7.4 and A7.6, about fracture; the others are in
+// fracture_vertices.cpp. A7.1 to A7.3 smooth the stress and find the crack plane from its largest
+// eigenvalue; A7.4 finds the face that is closest to this plane; A7.6 cuts elements along a plane
 // (O'Brien and Hodgins 1999). `split_element` first finds the vertices above and below the plane,
 // then halves the tetrahedra at the edges that cross it, then splits the mesh along the faces on
 // the plane.
@@ -31,7 +32,7 @@ std::vector<int> tetrahedra_at(const Tetrahedra& tetrahedra, const std::set<int>
     return result;
 }
 
-// A cut through a vertex.
+// A plane through a vertex, with what is near this vertex.
 struct Cut {
     std::vector<int> ring;        // the tetrahedra that have this vertex
     std::map<int, double> height; // heights of their vertices above the plane [m], 0 for a vertex
@@ -56,7 +57,8 @@ Cut cut_at(const TetrahedralMesh& mesh, int vertex, const Vector3d& n)
     return cut;
 }
 
-// The edges of the ring that cross the plane, each from its upper vertex to its lower one.
+// The edges of the ring's tetrahedra that cross the plane, each from its upper vertex to its lower
+// one.
 std::set<std::array<int, 2>> crossing_edges(const Tetrahedra& tetrahedra, const Cut& cut)
 {
     std::set<std::array<int, 2>> edges;
@@ -67,7 +69,8 @@ std::set<std::array<int, 2>> crossing_edges(const Tetrahedra& tetrahedra, const 
     return edges;
 }
 
-// Halves each tetrahedron of `near` that has the edge a b, at the new vertex p of this edge.
+// Halves each tetrahedron of `near` that has the edge a b, at the new vertex p of this edge. The
+// second halves are appended to the mesh and to `near`.
 void halve(SplitMesh& split, std::vector<int>& near, int a, int b, int p)
 {
     for (std::size_t i = 0, count = near.size(); i < count; ++i) {
@@ -106,7 +109,8 @@ Face face_of(const Tetrahedron& t, int face)
     return result;
 }
 
-// The faces between tetrahedra of the vertex that are on different sides. They lie on the plane.
+// The faces at the vertex between a tetrahedron above the plane and one below. They lie on the
+// plane.
 std::vector<MeshFace> faces_on_plane(const TetrahedralMesh& mesh, const std::vector<int>& near,
                                      const Cut& cut, int vertex, const Vector3d& n)
 {
@@ -181,7 +185,7 @@ int closest_face(const std::array<Vector3d, 4>& tetrahedron, const Vector3d& nor
 
 SplitMesh split_element(const TetrahedralMesh& mesh, int vertex, const Vector3d& normal)
 {
-    SplitMesh result = split_along_faces(mesh, {}); // unchanged
+    SplitMesh result = split_along_faces(mesh, {}); // the mesh as it is
     std::vector<Vector3d>& x = result.mesh.vertices;
     if (!is_mesh(mesh) || !is_index(vertex, x.size())) return result;
 

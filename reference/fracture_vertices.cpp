@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Solutions of A7.5 and A7.7: they find out which corners of tetrahedra are the same vertex. A7.5
-// joins the corners of tetrahedra that share a face which is not cut; A7.7 (Molino, Bao and Fedkiw
-// 2004) first copies each cracked tetrahedron once for each part of its corners, then joins the
-// copies that share a real corner. Both use union-find on corners, and each group of corners that
-// is left becomes a vertex.
+// Solutions of tasks A7.5 and A7.7, about fracture. Both find out which corners of tetrahedra are
+// the same vertex. A7.5 joins the corners of tetrahedra that share a face which is not cut. A7.7
+// (Molino, Bao and Fedkiw 2004) first copies each cracked tetrahedron once for each part of its
+// corners, then joins the copies that share a real corner. Both use union-find on corners, and each
+// group of corners becomes a vertex in the end.
 #include "formulas/fracture.hpp"
 
 #include "fracture_mesh.hpp"
@@ -21,7 +21,7 @@ namespace {
 using Eigen::Matrix4d;
 using Eigen::Vector4d;
 
-// The number of corner c of tetrahedron t. Corners are what is joined or separated.
+// The number of corner c of tetrahedron t, among the corners of all tetrahedra.
 int corner(int t, int c)
 {
     return 4 * t + c;
@@ -64,7 +64,7 @@ struct SharedFace {
     int t1, t2; // the tetrahedra that share it
 };
 
-// The faces that two tetrahedra share and that have at least one vertex with `is_some`.
+// The faces that two tetrahedra share and that have at least one vertex v with `is_some[v]`.
 std::vector<SharedFace> shared_faces(const Tetrahedra& tetrahedra, const std::vector<bool>& is_some)
 {
     std::vector<std::pair<FaceVertices, int>> faces;
@@ -83,8 +83,9 @@ std::vector<SharedFace> shared_faces(const Tetrahedra& tetrahedra, const std::ve
     return result;
 }
 
-// Gives each group of corners its own vertex, for the vertices with `may_double`. The first group
-// of a vertex keeps its number. Returns the parent of each vertex.
+// Gives each group of corners its own vertex, if it is a group of a vertex v with `may_double[v]`.
+// The first group of v keeps its number, and each other group gets a new vertex, a copy of v.
+// Returns for each vertex the one that it is a copy of, or itself.
 std::vector<int> separate(Tetrahedra& tetrahedra, Groups& groups,
                           const std::vector<bool>& may_double)
 {
@@ -110,13 +111,14 @@ std::vector<int> separate(Tetrahedra& tetrahedra, Groups& groups,
 // column for each corner.
 using Piece = Matrix4d;
 
-// A part of the material of a cracked tetrahedron.
+// A part of the material of a cracked tetrahedron. real: 1 for each corner that belongs to it.
 struct Part {
     Tetrahedron real = {1, 1, 1, 1};
     std::vector<Piece> pieces = {Piece::Identity()};
 };
 
-// Halves a piece until none of its edges crosses the plane. h: the heights of its corners.
+// Halves a piece until none of its edges crosses the plane. h: the heights of its corners above the
+// plane.
 void clip(const Piece& piece, const Vector4d& h, std::vector<Piece>& above,
           std::vector<Piece>& below)
 {
@@ -160,7 +162,7 @@ bool comes_first(const Part& a, const Part& b)
     return a.real > b.real;
 }
 
-// A part's share of the volume.
+// A part's share of the volume of its tetrahedron.
 double fraction(const Part& part)
 {
     double sum = 0;
@@ -243,7 +245,8 @@ EmbeddedMesh virtual_nodes(const TetrahedralMesh& mesh, const std::vector<Elemen
         }
     }
 
-    // Two copies that have a real corner in common share the whole face.
+    // If the copies of two tetrahedra have a real corner of a shared face in common, they share the
+    // whole face.
     Tetrahedra& copies = result.mesh.tetrahedra;
     Groups groups(4 * copies.size());
     for (const SharedFace& face : shared_faces(mesh.tetrahedra, may_double))

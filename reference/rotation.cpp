@@ -47,7 +47,7 @@ Matrix3d gram_schmidt(const Matrix3d& R)
     // b = R₁ - (a·R₁) a, normalized
     Vector3d b = R.col(1).isZero(0) ? Vector3d::Zero() : direction(R.col(1));
     b -= a.dot(b) * a;
-    if (b.norm() <= 4 * eps) b = a.unitOrthogonal(); // R₁ depends on R₀
+    if (b.norm() <= 4 * eps) b = a.unitOrthogonal(); // R₁ is 0 or parallel to R₀
     b.normalize();
     b = direction(b - a.dot(b) * a); // again, because a short b has a rounding error along a
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Solution of assignment A8: tests by laws. Each begins with a case by hand where there is one. It
+// Solution of assignment A8: tests by laws. A test begins with a case by hand where there is one,
 // goes on with laws for many arguments of every size, and ends with the special cases.
 #include "formulas/validation.hpp"
 
@@ -10,7 +10,7 @@ namespace rigor {
 
 namespace {
 
-constexpr double rounding = 1e-12; // a part of the largest term
+constexpr double rounding = 1e-12; // relative to the largest term
 
 // False also if a number is not finite.
 bool is_close(double a, double b, double scale)
@@ -24,7 +24,7 @@ public:
     {
         return low + (high - low) * static_cast<double>(bits_()) * 0x1p-32;
     }
-    // Of every size between 1e-6 and 1e6.
+    // A number of any size between 1e-6 and 1e6.
     double magnitude() { return std::pow(10, uniform(-6, 6)); }
     Vector3d vector()
     {
@@ -42,7 +42,8 @@ bool collision_keeps_laws(const LineCollision& collide, double m1, double m2, do
     const auto [u1, u2] = collide(m1, m2, v1, v2, e);
     if (v1 <= v2) return u1 == v1 && u2 == v2;
     const double v = std::max(std::abs(v1), std::abs(v2)), P = (m1 + m2) * v;
-    // Rounding may be a part of the speed of a light body, which bounces off a heavy one.
+    // Errors are relative to the larger speed: if a light body bounces off a heavy one, the
+    // rounding of the light body's velocity is that large.
     return is_close(m1 * u1 + m2 * u2, m1 * v1 + m2 * v2, P) &&
            is_close(u1 - u2, -e * (v1 - v2), v);
 }
@@ -89,7 +90,7 @@ Judgement test_spring_force(const SpringForce& force)
         if (!is_close(f.cross(x2 - x1).norm() / r, 0, scale)) return rejected();
         if (!is_close((f + f2).norm(), 0, scale)) return rejected();
     }
-    // An end on the other one feels no force, and neither does a spring at its rest length.
+    // There is no force if both ends are at one point, or if the spring has its rest length.
     const Vector3d x = {0.5, -1, 2};
     if (force(x, x, 3, 1) != Vector3d::Zero()) return rejected();
     if (force(x, x + Vector3d::UnitY(), 3, 1) != Vector3d::Zero()) return rejected();
@@ -105,7 +106,7 @@ Judgement test_tangent(const Tangent& tangent)
     Numbers random;
     for (int i = 0; i < 60; ++i)
         if (!keeps_laws(random.vector().normalized())) return rejected();
-    // On each axis, near it, on each diagonal, and near it, on both sides.
+    // Directions along each axis and each diagonal, both ways, and directions near them.
     for (const double near : {0.0, 1e-9, 1e-6, 1e-3, 0.03, 0.1})
         for (int x = -1; x <= 1; ++x)
             for (int y = -1; y <= 1; ++y)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Figures of A4: K as an ellipse at the tip of a rod, the friction cone, a jam, and deepest against
-// first point.
+// The figures of assignment A4, about collisions: the impulse matrix K as an ellipse at the tip of
+// a rod, the friction cone, a contact that jams, and the deepest point against the point that
+// touches first.
 #include "figures/collision_figures.hpp"
 
 #include "formulas/collision.hpp"
@@ -21,7 +22,7 @@ Vector2d flat(const Vector3d& x)
     return x.head<2>();
 }
 
-// K of a rod of 1 kg and 1 m at its tip, which is at the origin.
+// The impulse matrix K of a rod of 1 kg and 1 m, for impulses at its tip, which is at the origin.
 Matrix3d rod_at_tip(const Vector3d& along)
 {
     const Matrix3d I_inverse = 12 * (Matrix3d::Identity() - along * along.transpose());
@@ -61,7 +62,7 @@ Drawing impulse_ellipse()
 
 void draw_cone(Drawing& drawing, const Vector3d& v, double mu, const std::string& text)
 {
-    const Matrix3d K = Vector3d(3.5, 1, 3.5).asDiagonal(); // a ball
+    const Matrix3d K = Vector3d(3.5, 1, 3.5).asDiagonal(); // as for a ball
     const Vector3d sticks = static_friction_impulse(K, v, up, 0.5);
     const Vector3d j = collision_impulse(K, v, up, 0.5, mu);
     const double top = 3.4;
@@ -69,7 +70,7 @@ void draw_cone(Drawing& drawing, const Vector3d& v, double mu, const std::string
     drawing.line({-2, 0}, {2, 0}, "ink thick");
     drawing.arrow({-0.6 * v.x() - 0.2, 1.2}, {-0.2, 0.4}, "green");
     drawing.label({-0.6 * v.x() - 0.2, 1.2}, "v", Side::left, "green");
-    const Vector2d corner(-1.75, 0); // the two directions, beside the contact
+    const Vector2d corner(-1.75, 0); // where the arrows n and T start, beside the contact
     drawing.arrow(corner, corner + Vector2d(0, 0.7), "ink");
     drawing.label(corner + Vector2d(0, 0.6), "n", Side::right);
     drawing.arrow(corner, corner + Vector2d(0.7, 0), "ink");
@@ -108,7 +109,7 @@ Drawing jam()
     drawing.arrow({0, 0}, {3.6, 0}, "ink thin");
     drawing.label({3.6, 0}, "μ", Side::right);
     drawing.arrow({0, -0.6}, {0, 1.6}, "ink thin");
-    constexpr double unit = 0.42; // one on the vertical axis
+    constexpr double unit = 0.42; // length of 1 on the vertical axis
     for (int tick = 0; tick <= 3; ++tick) {
         drawing.line({-0.04, tick * unit}, {0, tick * unit}, "ink thin");
         drawing.label({-0.04, tick * unit}, std::to_string(tick), Side::left, "grey");
@@ -152,7 +153,7 @@ Drawing first_point()
     draw_plate(0, "blue filled");
     draw_plate(speed * h, "red filled");
     draw_plate(speed * impact, "green filled");
-    // from right edge to right edge
+    // from the right edge of the plate at t = 0 to its right edge after one step
     drawing.arrow({plate, 0.13}, {speed * h + plate, 0.13}, "grey dashed");
     drawing.label({0.21, 0.13}, fmt::format("{:.3f} m in one step", speed * h), Side::above,
                   "grey");

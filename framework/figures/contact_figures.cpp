@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Figures of A5: the load that the first end of a rod takes, the levels of a contact graph, how
-// three methods stop a stack, and the seesaw.
+// The figures of assignment A5, about contact: the load that the first end of a rod takes, the
+// levels of a contact graph, how three methods stop a stack, and the seesaw.
 #include "figures/contact_figures.hpp"
 
 #include "formulas/collision.hpp"
@@ -119,7 +119,7 @@ Drawing levels()
     return drawing;
 }
 
-// A stack of blocks of 1 kg without rotation; gravity has given all the speed of one step.
+// A stack of blocks of 1 kg without rotation. Gravity has given each block the speed of one step.
 struct Stack {
     std::vector<Body> bodies;
     std::vector<BodyContact> contacts;
@@ -171,7 +171,7 @@ Drawing sweeps()
     };
     drawing.label(at(0, 1) + Vector2d(-40, 18), "fastest approach [m/s]", Side::right);
     drawing.line(at(0, 1), at(0, least), "ink thin");
-    for (const double gap : {0.0, 8.0}) // the break
+    for (const double gap : {0.0, 8.0}) // two short lines: the break of the axis
         drawing.line(at(0, least) + Vector2d(-7, -24 - gap), at(0, least) + Vector2d(7, -18 - gap),
                      "ink thin");
     for (const double v : {1.0, 1e-1, 1e-2, 1e-3, 0.0}) {

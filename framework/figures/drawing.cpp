@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Writes SVG elements one after the other. Colors are classes, so that one style sheet has a
-// version for dark ground. Coordinates are written with two digits after the point.
+// Writes SVG elements one after the other. Colors are classes, so that the style sheet can have
+// other colors for a dark background. Coordinates are written with two digits after the point.
 #include "figures/drawing.hpp"
 
 #include "errors/markup.hpp"
@@ -51,7 +51,7 @@ std::string markup(const std::string& text)
         "<tspan dy=\"4\" font-size=\"11\">$1</tspan><tspan dy=\"-4\">$2</tspan>");
 }
 
-// A number with two digits. Rounding must not give "-0.00".
+// A number with two digits after the point. Rounding must not give "-0.00".
 std::string number(double value)
 {
     const double rounded = std::round(value * 100) / 100;

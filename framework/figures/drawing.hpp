@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A drawing in the plane, as SVG that can be read on light and on dark ground.
+// A drawing in the plane, as SVG that can be read on a light and on a dark background.
 #pragma once
 
 #include <Eigen/Dense>
@@ -18,15 +18,15 @@ using Points = std::vector<Vector2d>;
 /// Where the text of a label lies beside its point.
 enum class Side { left, right, above, below, middle };
 
-/// What is drawn gets a class of style: a color ("ink", "grey", "blue", "orange", "green", "red"),
-/// and with it "dashed", "thick", "thin" or "filled".
+/// A drawing. Each thing in it has a style: a color ("ink", "grey", "blue", "orange", "green",
+/// "red"), to which "dashed", "thick", "thin" or "filled" can be added.
 class Drawing {
 public:
     /// @param title  one sentence, which screen readers read
     /// @param width, height  [px]
     Drawing(std::string title, double width, double height);
 
-    /// Everything after this call is drawn with the origin at `origin`, in px from the upper left
+    /// Sets where the following things are drawn: the origin at `origin`, in px from the upper left
     /// corner, and `unit` px for a unit of length. The second coordinate points up.
     void place(const Vector2d& origin, double unit);
 
@@ -55,13 +55,14 @@ private:
     Vector2d origin_ = Vector2d::Zero();
 };
 
-/// A view of space from the side and from above, without perspective.
+/// A parallel projection of space onto the drawing, without perspective.
 class View {
 public:
     /// @param turn, tilt  how far the eye is turned about the vertical and raised [degrees]
     View(double turn, double tilt);
     Vector2d operator()(const Vector3d& x) const { return {right_.dot(x), up_.dot(x)}; }
-    /// How far a point is in front of the plane through the origin that faces the eye.
+    /// How far a point lies in front of the plane through the origin that is perpendicular to the
+    /// line of sight.
     double nearness(const Vector3d& x) const { return right_.cross(up_).dot(x); }
 
 private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Figures of A7: smoothed stress, the plane of a crack in a tetrahedron, and what each of the three
-// answers makes of a mesh.
+// The figures of assignment A7, about fracture: smoothed stress, the plane of a crack in a
+// tetrahedron, and what each of the three fracture methods makes of a mesh.
 #include "figures/fracture_figures.hpp"
 
 #include "formulas/fracture.hpp"
@@ -35,7 +35,8 @@ std::array<Vector3d, 4> corners(const TetrahedralMesh& mesh, std::size_t t)
     return x;
 }
 
-// Where the plane n·x = height cuts a tetrahedron: its corners in order around their middle.
+// The polygon in which the plane n·x = height cuts a tetrahedron: its corners, in order around
+// their middle.
 Points section(const std::array<Vector3d, 4>& x, const Vector3d& n, double height)
 {
     std::vector<Vector3d> crossings;
@@ -72,7 +73,7 @@ TetrahedralMesh bar(int cubes)
                 mesh.vertices.emplace_back(i, j, k);
     const auto vertex = [](int i, int j, int k) { return 4 * i + 2 * j + k; };
     for (int c = 0; c < cubes; ++c) {
-        // along the diagonal of the cube, one tetrahedron for each order of the axes
+        // six tetrahedra along a diagonal of the cube, one for each order of the axes
         for (const auto& [a, b, third] :
              {std::array{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}}) {
             std::array<int, 3> step = {0, 0, 0};
@@ -161,7 +162,7 @@ Drawing crack_plane_figure()
     return drawing;
 }
 
-// The tetrahedra that lie to the right of x, by their middles.
+// Whether the middle of a tetrahedron lies to the right of the plane x = cut.
 bool is_right(const std::array<Vector3d, 4>& x, double cut)
 {
     return (x[0] + x[1] + x[2] + x[3]).x() / 4 > cut;
@@ -262,7 +263,8 @@ Drawing with_virtual_nodes()
                 drawing.dot(view(x[i]), color);
             else
                 drawing.circle(view(x[i]), 0.03, color);
-            // the matter reaches from a real corner to the crack, or to another real corner
+            // the material reaches along an edge from a real corner to the crack, or to the other
+            // end
             for (std::size_t j = 0; j < 4; ++j) {
                 if (i == j || split.real[t][i] == 0) continue;
                 const double hi = n.dot(x[i] - on_crack), hj = n.dot(x[j] - on_crack);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Figures of A2: a hammer and its simpler figure, the ellipsoid of inertia, the parallel shift of a
-// union, and the polhodes of a free box.
+// The figures of assignment A2, about inertia: a hammer with its bounding box and the ellipsoids of
+// the same inertia, the ellipsoid of inertia, the parallel shift for a union of bodies, and the
+// polhodes of a free box.
 #include "figures/inertia_figures.hpp"
 
 #include "formulas/inertia.hpp"
@@ -36,7 +37,7 @@ void draw_hammer(Drawing& drawing, const std::string& style)
     drawing.polygon(rectangle(head_center.head<2>(), head_size.head<2>()), style);
 }
 
-// The section of the ellipsoid that a uniform solid of this mass and inertia would fill.
+// The section in the plane x y of the uniform ellipsoid that has this mass and inertia.
 Points equal_ellipse(const MassProperties& of)
 {
     const Vector3d J = of.inertia.diagonal();
@@ -78,7 +79,7 @@ Drawing shifted()
         330);
     const MassProperties whole = hammer();
     drawing.place({290, 205}, 150);
-    // turned on its side: y goes to the right
+    // the hammer lies on its side: its y axis goes to the right
     const auto at = [](double y, double x) { return Vector2d(y - 0.2, x); };
     const auto box = [&](double y, double length, double width) {
         return rectangle(at(y, 0), {length, width});
@@ -100,10 +101,12 @@ Drawing shifted()
     return drawing;
 }
 
-// Moments (5, 10, 13): L on the sphere |L| = 1, with the energy ½ Σ L_i²/J_i.
+// The principal moments of a free box. In its body frame, L moves on the sphere |L| = 1 and keeps
+// the energy ½ Σ L_i²/J_i.
 constexpr double J1 = 5, J2 = 10, J3 = 13;
 
-// The polhode of this energy, about the axis with the largest or the smallest moment.
+// A polhode: the path of L on the sphere, around the axis with the largest or the smallest moment.
+// share: from 0 at this axis to 1 on the separatrix, which sets the energy.
 std::vector<Vector3d> polhode(double share, bool about_largest)
 {
     // Σ L_i² = 1 and Σ L_i²/J_i = 2E, with 2E between 1/J3 and 1/J2, or between 1/J2 and 1/J1
@@ -156,7 +159,7 @@ Drawing polhodes()
     const View view(38, 28);
     drawing.place({330, 205}, 170);
     drawing.circle({0, 0}, 1, "grey thin");
-    // the middle axis points up
+    // the axis with the middle moment points up
     for (const double share : {0.08, 0.25, 0.5, 0.75, 0.9999}) {
         for (const bool about_largest : {true, false}) {
             const bool is_separatrix = share > 0.99;
@@ -192,7 +195,7 @@ Drawing ellipsoid()
     for (int a = 0; a < 8; ++a)
         for (const int bit : {1, 2, 4})
             if (!(a & bit)) drawing.line(corner(a), corner(a | bit), "grey");
-    // ω·Iω = 49 (as for ω = (1, 2, 3), twice the energy is 98); drawn to scale
+    // the ellipsoid ω·Iω = 49, drawn at 0.8 of its size
     const Vector3d J = box.inertia.diagonal();
     for (int i = 0; i < 3; ++i) {
         const int j = (i + 1) % 3;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Figures of A4: a level set with the surface between its nodes, and one of its cells.
+// The figures of assignment A4 that are about level sets: a level set with the surface between its
+// nodes, and one of its cells.
 #include "figures/level_set_figures.hpp"
 
 #include "formulas/collision.hpp"

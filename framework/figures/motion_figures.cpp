@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Figures of A1: object space and world space, velocity modes, lever and torque, and the
-// centripetal accelerations that add up to ω × I ω.
+// The figures of assignment A1, about rigid motion: object space and world space, velocity modes,
+// lever and torque, and the centripetal accelerations that add up to ω × I ω.
 #include "figures/motion_figures.hpp"
 
 #include "formulas/kinematics.hpp"
@@ -55,7 +55,7 @@ Drawing spaces()
     return drawing;
 }
 
-// Velocities of the corners and edges of a square under one mode.
+// Draws a square with the velocities of nine of its points in one velocity mode.
 void draw_mode(Drawing& drawing, const Vector2d& origin, int mode, const std::string& text)
 {
     drawing.place(origin, 58);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Figures of A6: the deviatoric plane with the radial return, the yield surface in the plane of two
-// principal stresses, and a bar that is stretched and let go.
+// The figures of assignment A6, about plasticity: the deviatoric plane with the radial return, the
+// yield surface in the plane of two principal stresses, and a bar that is stretched and let go.
 #include "figures/plasticity_figures.hpp"
 
 #include "formulas/plasticity.hpp"
@@ -18,7 +18,7 @@ constexpr double pi = std::numbers::pi;
 constexpr double E = 200e9, nu = 0.3, sigma_Y = 250e6;
 constexpr double lambda = E * nu / ((1 + nu) * (1 - 2 * nu)), G = E / (2 * (1 + nu));
 
-// A stress in the plane perpendicular to the pressure, in units of σ_Y.
+// The three principal stresses s projected onto the deviatoric plane, in units of σ_Y.
 Vector2d in_plane(const Vector3d& s)
 {
     const Vector3d right = Vector3d(1, -1, 0).normalized(),
@@ -118,7 +118,7 @@ Drawing stretched()
         total(0, 0) = e;
         plastic = plastic_flow(plastic, isotropic_stress(total - plastic, lambda, G), sigma_Y, G);
         held.push_back(at(e, isotropic_stress(total - plastic, lambda, G)(0, 0)));
-        // one dimension: the stress is E times the elastic stretch, at most σ_Y
+        // in one dimension the stress is E times the elastic strain, at most σ_Y
         free_plastic = std::clamp(free_plastic, e - sigma_Y / E, e + sigma_Y / E);
         free_width.push_back(at(e, E * (e - free_plastic)));
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Figures of A3: the naive step of a matrix, the linear step of a quaternion on its circle, Euler
-// angles on the way to gimbal lock, and a top whose inertia does not turn with it.
+// The figures of assignment A3, about rotation: the naive step of a matrix, the linear step of a
+// quaternion on its circle, Euler angles on the way to gimbal lock, and a top whose inertia does
+// not turn with it.
 #include "figures/rotation_figures.hpp"
 
 #include "formulas/inertia.hpp"
@@ -123,11 +124,11 @@ Drawing gimbal_lock()
     return drawing;
 }
 
-// The top of the scene symmetric_top.
+// The principal moments and the first ω of the top in the scene symmetric_top.
 const Vector3d top_moments(0.04, 0.04, 0.02), top_spin(2, 4, 6);
 
-// The path of the top's axis in 1.1 s, where ω is I(t)⁻¹ L. The tensor turns with the top, or it
-// stays as it is at the start.
+// The path of the top's axis in 1.1 s, where ω is I(t)⁻¹ L. inertia_turns: whether I(t) turns with
+// the top; otherwise it stays as it is at the start.
 Points path_of_the_axis(const View& view, bool inertia_turns)
 {
     const Matrix3d I_body_inverse = top_moments.cwiseInverse().asDiagonal();

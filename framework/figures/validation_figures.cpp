@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Figures of A8: which law catches which wrong kinetic energy, and how the errors of two steps of
-// an oscillator fall with the step. Each mark is found by trying the law on the formula.
+// The figures of assignment A8, about tests: which law catches which wrong kinetic energy, and how
+// the errors of two methods for an oscillator fall with the time step. Each mark is found by trying
+// the law on the formula.
 #include "figures/validation_figures.hpp"
 
 #include <algorithm>
@@ -40,7 +41,7 @@ bool keeps_sum(Energy E)
     return equal(E(5, v), E(2, v) + E(3, v));
 }
 
-// Each unit changes alone: kg m²/s².
+// If one unit changes, the energy changes as its unit kg m²/s² does.
 bool keeps_units(Energy E)
 {
     const Vector3d v(0.3, -1.2, 0.5);
@@ -113,13 +114,13 @@ State exact(const State& s, double h)
     return {s.x() * std::cos(h) + s.y() * std::sin(h), s.y() * std::cos(h) - s.x() * std::sin(h)};
 }
 
-// x' = v, v' = -x at the start of the step
+// Euler's method: the slope x' = v, v' = -x at the start of the step.
 State euler(const State& s, double h)
 {
     return s + h * State(s.y(), -s.x());
 }
 
-// the same slope in the middle of the step
+// The midpoint method: the slope in the middle of the step.
 State midpoint(const State& s, double h)
 {
     const State middle = euler(s, h / 2);
@@ -131,9 +132,9 @@ Drawing order()
     Drawing drawing("The error of one step over its length, both on logarithmic scales: Euler's "
                     "step falls by two decades for one of the step, the midpoint method by three.",
                     660, 380);
-    const State start(0.6, 0.8); // A = 1
+    const State start(0.6, 0.8); // the amplitude is 1
     drawing.place({400, 45}, 1);
-    constexpr double across = 110, down = 28; // a power of ten
+    constexpr double across = 110, down = 28; // lengths of a power of ten on the two axes
     const auto at = [&](double h, double error) {
         return Vector2d(across * std::log10(h), down * std::log10(error));
     };

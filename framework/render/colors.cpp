@@ -88,7 +88,7 @@ const Vector4f resting = linear_color(0.66, 0.68, 0.71);
 const Vector4f dark = linear_color(0.16, 0.20, 0.26);
 const Vector4f ghostly = linear_color(0.42, 0.30, 0.62, 0.34);
 
-// Overlays. The opacity is that of the part behind a body.
+// The colors of overlays. Their opacity is for the part of an overlay that a body hides.
 const Vector4f difference = linear_color(0.86, 0.10, 0.42, 0.75);
 const Vector4f axis_x = linear_color(0.83, 0.20, 0.18, 0.22);
 const Vector4f axis_y = linear_color(0.15, 0.60, 0.25, 0.22);

@@ -39,8 +39,9 @@ private:
     std::vector<Vector3d> places_;             // one for each point [m]
     std::vector<Vector3d> normals_;            // one for each triangle, unit
     std::vector<std::vector<Vector3d>> lines_; // for each point, unit vectors along its sharp edges
-    std::vector<std::array<bool, 3>> sharp_;   // for each triangle: the sides 0 1, 1 2, 2 0
-    std::vector<int> corners_, first_corner_;  // 3 triangle + corner, sorted by their points
+    std::vector<std::array<bool, 3>> sharp_; // for each triangle: whether its three sides are sharp
+    // Corners, as 3 triangle + corner, sorted by their points, and the first one of each point.
+    std::vector<int> corners_, first_corner_;
 };
 
 DeformedSurface::DeformedSurface(const SolidFrame& solid)
@@ -111,8 +112,9 @@ void DeformedSurface::add_line(const Edge& edge, const Edge& other_side)
         lines_[point].push_back(along);
 }
 
-// A sharp edge of other triangles that lies in the plane of this one and touches it only in this
-// corner. It is drawn here as well, since the line would have gaps otherwise.
+// The direction of a sharp edge of other triangles that lies in the plane of this triangle and
+// touches it only in this corner; nullptr: there is none. Such an edge is drawn on this triangle
+// too, since its line would have gaps otherwise.
 const Vector3d* DeformedSurface::line_through(int triangle, int corner) const
 {
     if (sharp_[triangle][corner] || sharp_[triangle][(corner + 2) % 3]) return nullptr;
@@ -120,8 +122,8 @@ const Vector3d* DeformedSurface::line_through(int triangle, int corner) const
     const Vector3d a = place(triangle, corner + 1) - p, b = place(triangle, corner + 2) - p;
     for (const Vector3d& along : lines_[triangles_[triangle].points[corner]]) {
         if (!(std::abs(along.dot(normals_[triangle])) < 0.5)) continue;
-        // A triangle beyond the end of the edge gets no line: it lies on both sides of the edge's
-        // line, or has a side on it.
+        // A triangle beyond the end of the edge gets no line: the straight line through the edge
+        // cuts this triangle, or runs along one of its sides.
         const Vector3d across = normals_[triangle].cross(along);
         const double side_a = across.dot(a) / a.norm(), side_b = across.dot(b) / b.norm();
         if (side_a * side_b > 0 && std::min(std::abs(side_a), std::abs(side_b)) > 0.1)
@@ -156,10 +158,11 @@ DeformedVertex DeformedSurface::vertex(int triangle, int corner) const
     DeformedVertex vertex{p.cast<float>(), normal(triangle, corner).cast<float>()};
     const double base = (last - next).norm();
     const double height = base > 0 ? (next - p).cross(last - p).norm() / base : 0;
-    for (int side = 0; side < 3; ++side) // a corner lies on two sides
+    for (int side = 0; side < 3; ++side) // the distance is 0 to the two sides at the corner
         if (sharp_[triangle][side])
             vertex.edges[side] = side == (corner + 1) % 3 ? static_cast<float>(height) : 0.0F;
-    // A line that touches corner `at` takes the place of the opposite side.
+    // The line of an edge that touches the triangle only in corner `at` is stored in place of the
+    // opposite side, if that side is not sharp.
     for (int at = 0; at < 3; ++at) {
         const int side = (at + 1) % 3;
         const Vector3d* along = sharp_[triangle][side] ? nullptr : line_through(triangle, at);

@@ -13,12 +13,13 @@ namespace rigor {
 /// The triangles of a solid's surface in this frame: smooth where it bends by less than 30 degrees,
 /// with edges where it bends by more and around surfaces that a crack opened.
 ///
-/// @param color  the color of a triangle's corner, from the triangle and the point of the surface
+/// @param color  gives the color of a corner, for its triangle and its point of the surface
 void add_deformed_surface(std::vector<DeformedVertex>& vertices, const SolidFrame& solid,
                           const std::function<Vector4f(const EmbeddedTriangle&, int point)>& color);
 
-/// A quantity of the elements at the points of the surface. Each node gets the mean of the elements
-/// around it, and the points get values interpolated linearly between the nodes.
+/// The values of a quantity at the points of the surface, from its values in the elements. Each
+/// node gets the mean of the elements around it, and the points get values interpolated linearly
+/// between the nodes.
 std::vector<float> at_points(const SolidTopology& topology, const std::vector<float>& of_elements);
 
 } // namespace rigor

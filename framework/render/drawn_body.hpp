@@ -13,8 +13,8 @@ namespace rigor {
 struct DrawnBody {
     std::string name;
     bool is_static = false;
-    std::vector<Part> parts;                     // about the center of mass
-    std::vector<int> models;                     // one for each part; -1: box, ball or plane
+    std::vector<Part> parts;                     // relative to the center of mass
+    std::vector<int> models;                     // for each part, its model; -1: box, ball or plane
     Matrix3d inverse_inertia = Matrix3d::Zero(); // I_body⁻¹ [1/(kg m²)]
     double mass = 0, mean_inertia = 0;           // [kg], [kg m²]
     double radius = 0;                           // around the center of mass [m]

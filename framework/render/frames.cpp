@@ -24,7 +24,7 @@ namespace rigor {
 namespace {
 
 constexpr std::size_t most_frames = 100000; // file names have five digits
-constexpr std::size_t on_their_way = 3;     // the most pictures or images between two stages
+constexpr std::size_t on_their_way = 3;     // largest number of pictures between two stages
 
 std::filesystem::path frame_file(const std::filesystem::path& directory, std::size_t number)
 {
@@ -220,7 +220,8 @@ void FrameSequence::Pipeline::push(Picture picture)
     if (pushed_ == most_frames)
         throw InputError(
             fmt::format("{}: more than {} frames", options_.directory.string(), most_frames));
-    // After an error nothing is left half written: every stage ends before it is reported.
+    // `pictures_.push` returns false after an error. No file is left half written then: `finish`
+    // ends every stage before it throws the error.
     if (!pictures_.push(std::move(picture))) finish();
     ++pushed_;
 }

@@ -28,7 +28,7 @@ struct FrameReport {
     std::size_t frames = 0;  // number of frames written
     std::size_t removed = 0; // number of files of an earlier run that were removed
     std::optional<std::filesystem::path> video;
-    std::string renderer; // what drew the frames
+    std::string renderer; // the name of the renderer
     std::string notice;   // one line to show, or empty
 };
 
@@ -44,8 +44,8 @@ public:
     /// Finishes the pictures that were pushed, so that a run that ends early leaves its frames.
     ~FrameSequence();
 
-    /// Adds the next picture. Waits while too many are in the pipeline, so
-    /// that memory stays bounded.
+    /// Adds the next picture. Waits while too many are in the pipeline, so that memory stays
+    /// bounded.
     /// @throws the error of an earlier picture, such as InputError for a full disk
     void push(Picture picture);
 

@@ -51,8 +51,8 @@ void add_arrows(Picture& picture, const DrawnBody& body, const RigidState& state
             arrow(1.2 * body.radius * R.col(i), 0.8F, color[i]);
     }
     // Lengths saturate, so that a slow rotation can be seen and a fast one stays in the picture.
-    // The arrow of L has the length for the ω of a body with the mean inertia. It is thinner and
-    // longer, so that both arrows can be seen if they are parallel.
+    // The arrow of L has the length that ω would have in a body with the mean inertia. It is
+    // thinner and longer than the arrow of ω, so that both can be seen if they are parallel.
     constexpr double half = 2; // [rad/s]
     const Vector3d& L = state.angular_momentum;
     const Vector3d w = R * (body.inverse_inertia * (R.transpose() * L));

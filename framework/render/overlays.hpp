@@ -15,7 +15,7 @@ namespace rigor {
 void add_arrows(Picture& picture, const DrawnBody& body, const RigidState& state,
                 const Overlays& overlays, float thickness);
 
-/// A dot at each contact, and the impulse on body 1, or on body 2 if body 1 is static.
+/// A dot at each contact, and an arrow for the impulse on body 1, or on body 2 if body 1 is static.
 void add_contacts(Picture& picture, const Frame& frame, const std::vector<DrawnBody>& bodies,
                   float thickness);
 

@@ -48,7 +48,7 @@ struct Model {
     std::vector<Instance> instances;
 };
 
-/// A corner of a triangle of a surface that deforms, in the world.
+/// A corner of a triangle of a surface that deforms, in world space.
 struct DeformedVertex {
     Vector3f position, normal;                 // [m]
     Vector3f edges = Vector3f::Constant(1e6F); // as in SurfaceVertex
@@ -96,7 +96,7 @@ struct Picture {
     std::vector<DeformedVertex> deformed;       // deformable solids, 3 for a triangle; cast shadows
     std::vector<DeformedVertex> ghost_deformed; // translucent
     // Overlays: cylinders and cones with base z = 0 and tip z = 1, and small balls. Their opacity
-    // is that of the parts behind a body; other parts are opaque.
+    // is for the parts that a body hides; the other parts are opaque.
     std::vector<Instance> rods, cones, dots;
     std::vector<Ground> grounds;
     std::vector<Text> texts;
@@ -110,7 +110,8 @@ Vector4f linear_color(double red, double green, double blue, double opacity = 1)
 void add_rod(Picture& picture, const Vector3f& from, const Vector3f& to, float radius,
              const Vector4f& color);
 
-/// Adds an arrow from `from` to `to`: a rod and a cone. Nothing is added if it has no length.
+/// Adds an arrow from `from` to `to`: a rod and a cone. An arrow that is too short to be seen is
+/// left out.
 void add_arrow(Picture& picture, const Vector3f& from, const Vector3f& to, float radius,
                const Vector4f& color);
 

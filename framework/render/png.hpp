@@ -14,7 +14,8 @@ namespace rigor {
 std::vector<std::uint8_t> png_bytes(const Image& image);
 
 /// Writes a file completely or not at all: under a temporary name in the same folder, renamed when
-/// it is complete. It does not wait for the disk, since a run that is cut off is drawn again.
+/// it is complete. The function does not wait until the disk has the bytes: frames that are lost in
+/// a power failure can be drawn again.
 /// @throws InputError that names the file and the reason, such as a full disk
 void write_picture(const std::filesystem::path& file, std::span<const std::uint8_t> bytes);
 

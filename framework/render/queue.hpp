@@ -15,7 +15,7 @@ template <class T> class Queue {
 public:
     explicit Queue(std::size_t capacity) : capacity_(capacity) {}
 
-    /// Waits for room and adds an item. @return false if the queue is closed and drops the item
+    /// Waits for room and adds an item. @return false: the queue is closed, and the item is dropped
     bool push(T item)
     {
         std::unique_lock lock(mutex_);

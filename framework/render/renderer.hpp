@@ -35,7 +35,7 @@ enum class Gl { osmesa, egl };
 Gl default_gl();
 
 /// @param text  "osmesa" or "egl"
-/// @throws InputError for another
+/// @throws InputError for any other text
 Gl gl_from_text(const std::string& text);
 
 struct OpenRenderer {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Draws deformable solids. With a color scale, the stress or plastic strain of the elements is
-// averaged at the nodes and shown by color. The range of the scale is that of the scene's file;
-// without one it ends at the smallest yield stress or strength, or at the largest value of the
-// frame, rounded up.
+// averaged at the nodes and shown by color. The scene's file can give the range of the scale.
+// Otherwise a scale of stress ends at the smallest yield stress or strength of the solids; if none
+// has one, and for strain, the scale ends at the largest value of the frame, rounded up.
 #include "render/solid_visualizer.hpp"
 
 #include "geometry/bounds/bounds.hpp"
@@ -86,7 +86,7 @@ SolidVisualizer::color_range(const std::vector<std::vector<float>>& values) cons
 void SolidVisualizer::draw(Picture& picture, const Frame& frame) const
 {
     const bool is_scale = overlays_.solids != SolidColors::color;
-    std::vector<std::vector<float>> values(frame.solids.size()); // at points of the surfaces
+    std::vector<std::vector<float>> values(frame.solids.size()); // for each solid, at its surface
     for (std::size_t i = 0; i < values.size() && is_scale; ++i)
         values[i] =
             at_points(*frame.solids[i].topology, quantity(frame.solids[i], overlays_.solids));

@@ -10,8 +10,8 @@
 
 namespace rigor {
 
-/// H.264 video in an MP4 file. The file is written completely or not at all. An odd width or height
-/// gets one more column or row.
+/// H.264 video in an MP4 file. The file is written completely or not at all. The picture gets one
+/// more column or row if its width or height is odd, since H.264 needs even sizes.
 class Video {
 public:
     /// @throws InputError if ffmpeg is not installed
@@ -20,7 +20,7 @@ public:
     Video& operator=(const Video&) = delete;
     ~Video();
 
-    /// @throws InputError with ffmpeg's last message if it ended
+    /// @throws InputError with ffmpeg's last message, if ffmpeg has ended
     void add(const Image& image);
     void finish();
 

@@ -18,8 +18,8 @@ namespace rigor {
 /// Identifies a surface: a mesh, or a kind of shape with its sizes.
 using SurfaceKey = std::pair<const SolidMesh*, std::array<double, 3>>;
 
-/// Draws the frames of a run. It keeps what stays the same from frame to frame. The colors of
-/// neighbors differ also for the color-blind.
+/// Draws the frames of a run. It keeps what stays the same from frame to frame. Bodies that follow
+/// each other in the scene have colors that the color-blind can tell apart too.
 class Visualizer {
 public:
     /// @throws InputError if scene and record do not have the same bodies
@@ -28,8 +28,8 @@ public:
 
     Picture picture(const Frame& frame) const;
 
-    /// Two runs of the scene at one time in one picture: `frame` as usual, the bodies of `other`
-    /// that lie apart as ghosts, and a line between the two centers of each. The
+    /// Two runs of the scene at one time in one picture: `frame` as usual, and as ghosts those
+    /// bodies of `other` that lie apart from `frame`, each with a line between its two centers. The
     /// legend names both runs.
     Picture comparison(const Frame& frame, const Frame& other, const std::string& name,
                        const std::string& other_name) const;
@@ -46,7 +46,7 @@ private:
     std::vector<DrawnBody> bodies_;
     SolidVisualizer solids_;
     std::map<SurfaceKey, int> model_numbers_; // indices in the picture's models
-    Picture start_;           // camera, and lines as a ground if the scene has no plane
+    Picture start_;           // its camera; a grid as ground if the scene has no plane
     float thickness_ = 0.01F; // radius of a rod [m]
 };
 

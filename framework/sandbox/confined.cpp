@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Starts a program in four steps: the launcher is spawned with the options for its walls; it
 // reports that the walls are up and hands over the listener of blocked calls; the grader allows the
-// one call that starts the program; and the launcher's end of the socket closes, because the
-// program has started. Ends it by a signal to the monitor, which ends all the others first.
+// one call that starts the program; and the launcher's end of the socket closes, which shows that
+// the program has started. The program is ended by a signal to the monitor, which ends all other
+// processes first.
 #include "sandbox/confined.hpp"
 
 #include "sandbox/argument_pointers.hpp"
@@ -40,7 +41,7 @@ void check(int result, const char* what)
     if (result < 0) throw_errno(errno, what);
 }
 
-/// Takes SIGCHLD again if it is ignored, because this process would never learn how its children
+/// Makes this process no longer ignore SIGCHLD: otherwise it would never learn how its children
 /// ended.
 void notice_children()
 {
@@ -150,7 +151,7 @@ struct Sockets {
 };
 
 struct Received {
-    bool closed = false; // there is no report any more
+    bool closed = false; // whether no more reports can come
     Report report = {};
     pid_t sender = -1;
     int listener = -1;

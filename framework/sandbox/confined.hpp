@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 // A program behind walls, from start to end.
 //
-// The grader starts the launcher `confine`, which stays as the monitor outside the walls; its child
-// puts up the walls around itself and becomes the program. The monitor ends in the way in which the
-// program ends, and nothing that the program started outlives it. A call that is not allowed waits
-// for the grader, who learns which call it is from the kernel; the program never sees an answer.
+// The grader starts the launcher `confine`. The launcher stays outside the walls as the monitor;
+// its child puts up the walls around itself and becomes the program. The monitor ends in the way in
+// which the program ends, and nothing that the program started outlives the monitor. A system call
+// that is not allowed waits for the grader, who learns from the kernel which call it is; the
+// program never gets an answer.
 #pragma once
 
 #include "sandbox/descriptor.hpp"
@@ -21,7 +22,7 @@
 
 namespace rigor {
 
-/// What kind of program it is. In tier C both are limited in the same way.
+/// The kind of a program. In tier C, both kinds are limited in the same way.
 enum class Profile {
     worker,  // a static program that computes: it opens and starts nothing
     compiler // a program that reads /usr and the readable paths, and starts others from there
@@ -34,19 +35,20 @@ struct ResourceLimits {
     std::optional<std::uint64_t> file_size;      // [bytes]
     std::optional<std::uint64_t> open_files;
     std::optional<std::uint64_t> stack; // [bytes]
-    /// Processes and threads of the user; left out unless `can_limit_processes`.
+    /// Processes and threads of the user. This limit is left out unless `can_limit_processes`.
     std::optional<std::uint64_t> processes;
 };
 
 struct Confinement {
     Profile profile;
     Tier tier; // usual_tier() for what students wrote
-    /// Paths to read and start programs from, and paths to change, for a compiler. In tiers A and B
-    /// it has no others, besides those of the system. If it runs as another user, the paths to
-    /// change become that user's, and the others must be readable for everybody.
+    /// For a compiler: the paths from which it may read and start programs, and the paths that it
+    /// may change. In tiers A and B it reaches no others, besides those of the system. If it runs
+    /// as another user, the writable paths become that user's, and the readable ones must be
+    /// readable for everybody.
     std::vector<std::filesystem::path> readable = {}, writable = {};
     std::filesystem::path folder = "/";        // its working directory
-    std::vector<std::string> environment = {}; // "NAME=value"; it has no others
+    std::vector<std::string> environment = {}; // "NAME=value"; it inherits nothing else
     ResourceLimits limits = {};
 };
 
@@ -63,7 +65,8 @@ class Confined {
 public:
     /// Starts a program. `arguments` begins with its path, and `descriptors` become its descriptors
     /// 0, 1, …; it has no others.
-    /// @param awaits  whether to wait until the program runs; otherwise `await_start` does so later
+    /// @param awaits  whether to wait until the program runs; otherwise the caller calls
+    ///                `await_start` later
     /// @throws std::system_error if it cannot be started behind these walls
     Confined(const Confinement& confinement, const std::vector<std::string>& arguments,
              std::span<const int> descriptors, bool awaits = true);
@@ -72,25 +75,26 @@ public:
     Confined(const Confined&) = delete;
     Confined& operator=(const Confined&) = delete;
 
-    /// Waits until the program runs, if it does not yet. With a listener of blocked calls, the
-    /// walls are up until then, but no instruction of the program runs.
+    /// Waits until the program runs. A worker with a listener of blocked calls does not start
+    /// before this call: the launcher puts up the walls and waits.
     /// @throws std::system_error if it cannot be started behind these walls
     void await_start();
 
-    /// The monitor. It ends as the program ends, and stops as it stops.
+    /// The process number of the monitor. The monitor ends as the program ends, and stops as the
+    /// program stops.
     pid_t monitor() const { return monitor_; }
 
-    /// The program itself. Its number is only good for a look at `/proc`.
+    /// The process number of the program. It is only good for a look at `/proc`.
     pid_t program() const { return program_; }
 
-    /// The first call of the program that was not allowed. The program, or one that it started,
-    /// waits forever then. Without a listener the program was killed by SIGSYS instead.
+    /// The first system call that was not allowed. The process that made it, the program or one
+    /// that it started, then waits forever. Without a listener it was killed by SIGSYS instead.
     std::optional<int> blocked_call();
 
-    /// Becomes readable when a call was blocked; -1 without a listener.
+    /// A descriptor that becomes readable when a call was blocked; -1: there is no listener.
     int listener() const { return listener_; }
 
-    /// Begins to end the program and all that it started, and does not wait.
+    /// Begins to end the program and all that it started, without waiting for their end.
     void begin_end();
     /// Ends the program and all that it started. @return what they used
     rusage end();

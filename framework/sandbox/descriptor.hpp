@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A descriptor that closes itself, and pairs of them.
+// A file descriptor that closes itself, and the two ends of a pipe.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@ class Descriptor {
 public:
     Descriptor() = default;
     /// Takes over the descriptor `low`, which may be the result of a call that failed.
-    /// @throws std::system_error if it is negative, from errno
+    /// @throws std::system_error with errno, if it is negative
     Descriptor(int low, const char* what);
     ~Descriptor();
     Descriptor(Descriptor&& other) noexcept;

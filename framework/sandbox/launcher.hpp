@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where the launcher is: the program that puts up the walls (`main/`) and becomes another one.
+// The path of the launcher, the program that puts up the walls (`main/`) and becomes another
+// program.
 #pragma once
 
 namespace rigor {

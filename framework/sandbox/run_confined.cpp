@@ -63,7 +63,7 @@ private:
         const double left = std::max(0.0, limits_.time.count() - seconds());
         poll(waiting, 3, static_cast<int>(1000 * std::min(left, 3600.0)) + 1);
         has_ended_ = waiting[0].revents != 0;
-        // A listener whose processes have all ended would be ready forever.
+        // A listener whose processes have all ended would be ready forever, so it is left out.
         if (waiting[2].revents & POLLHUP) listener_is_open_ = false;
     }
 
@@ -86,7 +86,7 @@ private:
     {
         siginfo_t info{};
         if (waitid(P_PID, program_.monitor(), &info, WEXITED | WNOHANG | WNOWAIT) != 0) return;
-        if (info.si_pid == 0) return; // it was ended by a limit
+        if (info.si_pid == 0) return; // it still runs: a limit or a blocked call ends it
         (info.si_code == CLD_EXITED ? result_.status : result_.signal) = info.si_status;
     }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The launcher itself tries each wall (`main/probe.cpp`) and prints which ones held. A tier is a
-// set of walls that together can be relied on: without a filter of system calls there is only tier
-// C, and a filter that can neither ask the grader nor rely on Landlock would let a program start
-// others.
+// The launcher itself tries each wall (`main/probe.cpp`) and prints which ones work. A tier is a
+// set of walls that together can be relied on. Without a filter of system calls there is only tier
+// C. There is also only tier C with a filter that can neither ask the grader nor rely on Landlock,
+// because such a filter would let a program start others.
 #include "sandbox/tier.hpp"
 
 #include "errors/input_error.hpp"
@@ -107,7 +107,7 @@ Walls walls_of(Tier tier)
     if (tier == Tier::c) return {};
     Walls walls = possible_walls();
     if (tier == Tier::b) walls.namespaces = Walls::Namespaces::none;
-    // A user namespace knows only the user who made it.
+    // In a user namespace there is only the user who made it, so no other user can be taken.
     if (walls.namespaces == Walls::Namespaces::user) walls.another_user = false;
     return walls;
 }
@@ -123,8 +123,8 @@ std::string description(Tier tier)
 
 unsigned unused_user()
 {
-    // Debian and systemd keep both ranges free: the second is for containers that have only 65536
-    // numbers.
+    // Debian and systemd keep both ranges of user numbers free. The second one is for containers
+    // that have only 65536 numbers.
     constexpr unsigned first = 0x70000000, count = 1u << 24;
     constexpr unsigned first_in_container = 60706, count_in_container = 478;
     std::ifstream map("/proc/self/uid_map");

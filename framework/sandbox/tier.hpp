@@ -8,7 +8,8 @@
 // | C    | limits on resources only                                                   |
 //
 // All tiers have limits on resources, and in all of them nothing that the program starts outlives
-// it. The tier is part of each result; nothing runs in a weaker one without being asked to.
+// it. The tier is part of each result. A tier below the strongest possible one is used only if
+// RIGOR_TIER names it.
 #pragma once
 
 #include <string>
@@ -17,7 +18,7 @@ namespace rigor {
 
 enum class Tier { a, b, c };
 
-/// What this machine and this user allow.
+/// A set of walls: those that this machine and this user allow, or those of a tier.
 struct Walls {
     enum class Namespaces { none, plain, user } namespaces = Namespaces::none;
     bool another_user = false;
@@ -41,13 +42,13 @@ Tier usual_tier();
 /// and RIGOR_TIER does not say that this will do.
 bool has_too_weak_walls();
 
-/// The walls of a tier here: those of weaker tiers are possible, but left out.
+/// The walls of a tier on this machine. Walls that only a stronger tier has are left out.
 Walls walls_of(Tier tier);
 
 /// `A: namespaces, uid, seccomp, Landlock`, or `B: seccomp, no Landlock`.
 std::string description(Tier tier);
 
-/// A user number that nobody has: drawn at random from numbers that are given to nobody.
+/// A user number that nobody has, drawn at random from a range that systems give to nobody.
 unsigned unused_user();
 
 } // namespace rigor

@@ -15,14 +15,15 @@ namespace rigor {
 
 namespace {
 
-constexpr std::size_t piece = std::size_t{1} << 18; // states that one request advances [bytes]
+/// The size of the states that one request advances [bytes].
+constexpr std::size_t piece = std::size_t{1} << 18;
 
 std::string text_of(const Bytes& bytes)
 {
     return printable(std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
 }
 
-/// The subject of the formula whose index a worker sent.
+/// Tag and name of the formula whose index a worker sent.
 std::string missing_in(const Bytes& reply)
 {
     try {
@@ -170,7 +171,7 @@ Worker::Seconds Worker::duration(Question question)
     }
 }
 
-/// How fast this worker streams the answers of a scene; nothing if it fails.
+/// How fast this worker streams the answers of a scene; all 0 if it fails.
 Pace Worker::pace(const Question& question)
 {
     subject_ = "the oracle";

@@ -16,7 +16,7 @@ const std::string& subject_of(FormulaIndex formula);
 
 /// How fast an implementation streams the answers of a scene.
 struct Pace {
-    std::chrono::duration<double> whole{}, longest_wait{}; // for all of it, and between two parts
+    std::chrono::duration<double> whole{}, longest_wait{}; // time for all; longest between parts
     std::size_t size = 0;                                  // all answers together [bytes]
 };
 
@@ -34,14 +34,14 @@ public:
     explicit Worker(std::filesystem::path executable, Limits limits = {}, Worker* oracle = nullptr);
 
     /// The encoded result of a formula on encoded arguments, valid until the next request.
-    /// @param largest  largest size of an encoded result [bytes]
     /// A formula that the time budget has given up is not called.
+    /// @param largest  largest size of an encoded result [bytes]
     /// @throws NotImplemented, FormulaMissing, WorkerFailure
     const Bytes& call(FormulaIndex formula, std::span<const std::byte> arguments,
                       std::size_t largest);
 
-    /// Runs a scene and passes its trajectory to `sink` as it comes, up to the failure if there is
-    /// one. The bytes have not been checked.
+    /// Runs a scene and passes its trajectory to `sink` as it arrives, up to the failure if there
+    /// is one. The bytes have not been checked.
     /// @param threads  number of threads for the reference; other implementations use one
     /// @throws NotImplemented, WorkerFailure, NotFinite, what `sink` throws
     void run_scene(const std::string& scene_text, const std::string& scene_name, Record record,
@@ -86,9 +86,9 @@ private:
     Limits limits_;
     Worker* oracle_;
     std::unique_ptr<Session> session_;
-    /// The previous process, whose end takes a moment, and a spare one behind walls for the next
-    /// fresh start, which has not begun to run. A spare one is made once a process was renewed,
-    /// since others will be.
+    /// The previous process, which may still be ending, and a spare process for the next fresh
+    /// start: its walls are up, but its program has not started. It is made only after a first
+    /// `renew`, since others will follow.
     std::unique_ptr<Session> ending_, spare_;
     std::string subject_; // what the current request asks for
     std::string output_;

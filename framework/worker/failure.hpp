@@ -31,7 +31,7 @@ struct WorkerFailure : std::runtime_error {
     std::string_view status() const { return cause == timed_out ? "timed_out" : "crashed"; }
 
     Cause cause;
-    std::string subject; // "A4.10 apply_impulse", "scene bounce", "the start of the program"
+    std::string subject; // what failed: "A4.10 apply_impulse", "scene bounce"
     std::string output;  // the beginning of what the implementation printed
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Starts and ends a worker process. It is started by the launcher with only a null input, a pipe
-// for its output and the shared memory, and with limits on its resources. Its output is read
-// without waiting, and its monitor ends it and all that it started.
+// Starts and ends a worker process. The launcher starts it with only a null input, a pipe for its
+// output and the shared memory, and with limits on its resources. Its output is read without
+// waiting, and its monitor ends it and all that it started.
 #include "worker/process.hpp"
 
 #include "sandbox/blocked_calls.hpp"
@@ -51,12 +51,12 @@ ResourceLimits resources(const Limits& limits)
     return resources;
 }
 
-// Lets other users start the executable, because it runs as another user if root grades. A build
-// under a strict umask does not allow this.
+// Lets other users start the executable, because a worker runs as another user if root grades. A
+// build under a strict umask does not give this permission.
 void let_others_start(const std::filesystem::path& executable)
 {
     using std::filesystem::perms;
-    std::error_code error; // if this is not allowed, the start says so
+    std::error_code error; // ignored: a start that fails reports it
     std::filesystem::permissions(executable, perms::group_exec | perms::others_exec,
                                  std::filesystem::perm_options::add, error);
 }
@@ -143,11 +143,12 @@ std::optional<Broken> Process::ending()
 std::optional<Process::Progress> Process::progress() const
 {
     const std::string folder = "/proc/" + std::to_string(program_.program());
-    // The main thread's time on a processor [ns], see proc(5). The time that it waits for one is
-    // there too, but it grows only when the waiting is over.
+    // The main thread's time on a processor [ns], see proc(5). The same file has the time that the
+    // thread waited for a processor, but that number grows only when the waiting is over.
     std::ifstream times(folder + "/schedstat");
     std::int64_t on_processor = 0;
-    // The state is the letter after the name, which may have spaces but is in brackets.
+    // The state of the process is the letter after its name. The name is in brackets and may have
+    // spaces.
     std::ifstream status(folder + "/stat");
     std::string line;
     std::getline(status, line);

@@ -23,7 +23,7 @@ inline constexpr double sanitizer_factor = is_sanitized ? 20 : 1;
 
 /// Whose formulas a worker runs. It decides which walls there are around it.
 enum class Trust {
-    ours,     // the reference, or scenes of the author's own code: limits on resources only
+    ours,     // the reference, or code that its own author runs: limits on resources only
     students, // formulas that are graded: the walls of the usual tier; needs a static worker
 };
 
@@ -35,8 +35,8 @@ enum class Trust {
 struct Limits {
     Trust trust = Trust::ours;
     std::chrono::duration<double> start{10}; // from exec until the worker is ready
-    // Floor for a formula, or 256 kB of states to advance. Even under a sanitizer no formula comes
-    // near it.
+    // Floor for a call of a formula, or for advancing 256 kB of states. Even under a sanitizer no
+    // formula takes nearly as long.
     std::chrono::duration<double> call{2};
     std::chrono::duration<double> scene{20 * sanitizer_factor}; // floor for a whole scene
     /// Whether a scene's limit is for the time between two records instead of the whole scene. This
@@ -49,10 +49,11 @@ struct Limits {
     /// for the calls of any assignment, and less than five for its scenes.
     std::chrono::duration<double> all_calls{8 * sanitizer_factor},
         all_scenes{20 * sanitizer_factor};
-    std::size_t memory = std::size_t{2} << 30; // address space [bytes]; unlimited under a sanitizer
-    std::size_t output = std::size_t{1} << 20; // what a request may print [bytes]
+    /// Limit on the address space [bytes]. Our own workers have none under a sanitizer.
+    std::size_t memory = std::size_t{2} << 30;
+    std::size_t output = std::size_t{1} << 20;     // what a request may print [bytes]
     std::size_t trajectory = std::size_t{1} << 30; // what a scene may stream [bytes]
-    std::size_t output_kept = 4096;                // kept beginning of the output [bytes]
+    std::size_t output_kept = 4096;                // how much of its beginning is kept [bytes]
 };
 
 /// Why a process cannot be used any more.
@@ -66,18 +67,19 @@ struct Broken {
 /// environment. It dies with the thread that started it, and ending it ends all that it started.
 class Process {
 public:
-    /// Starts the executable and does not wait for that: `await_start` comes before anything else.
+    /// Begins to start the executable, without waiting until it runs. `await_start` must be called
+    /// before the process is used.
     /// @throws std::system_error if its launcher cannot be started
     Process(const std::filesystem::path& executable, const Limits& limits);
     ~Process();
     Process(const Process&) = delete;
     Process& operator=(const Process&) = delete;
 
-    /// Waits until the executable runs; it may not be ready yet.
+    /// Waits until the executable runs. It may not be ready for requests yet.
     /// @throws std::system_error if it cannot be started behind these walls
     void await_start() { program_.await_start(); }
 
-    /// Begins to end it and does not wait; the destructor does.
+    /// Begins to end the process, without waiting for its end. The destructor waits.
     void begin_end() { program_.begin_end(); }
 
     Channel& channel() { return *channel_; }
@@ -85,15 +87,17 @@ public:
     /// How it ended or stopped; empty while it runs.
     std::optional<Broken> ending();
 
-    /// What it has done so far, as the kernel tells; nothing if it does not.
+    /// What the process has done so far, as the kernel tells it. `progress` returns nothing if the
+    /// kernel does not tell.
     struct Progress {
         std::chrono::nanoseconds on_processor{0}; // time that it has computed
-        bool sleeps = false; // it waits for something, and neither computes nor wants to
+        bool sleeps = false; // whether it waits for something other than a processor
     };
     std::optional<Progress> progress() const;
 
-    /// Reads what it has printed so far and appends up to `keep` bytes in all to `kept`.
-    /// @return the number of bytes read
+    /// Reads a part of what the process has printed, and appends it to `kept` as far as that has
+    /// less than `keep` bytes.
+    /// @return the number of bytes read; 0: nothing to read now, or the pipe is closed
     std::size_t drain(std::string& kept, std::size_t keep);
 
 private:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Takes a stream of answers apart. Each has a header with the formula and the size. If the formula
-// is not the one that the engine calls, or if the run ended before, the call of this formula has no
-// answer: the failure names the formula, as that of a single call does.
+// Takes a stream of answers apart. Each answer has a header with its formula and its size. If this
+// is not the formula that the engine calls now, or if the worker's run has ended, the call has no
+// answer. The failure then names the formula, as for a call outside of scenes.
 #include "worker/scene_answers.hpp"
 
 #include "worker/protocol/streamed_answer.hpp"
@@ -35,7 +35,7 @@ SceneAnswers::SceneAnswers(Worker& worker, const std::string& scene_name, Reques
 
 SceneAnswers::~SceneAnswers()
 {
-    if (!worker_.session_) return; // it has failed
+    if (!worker_.session_) return; // the worker has failed
     const bool has_engine_failed = std::uncaught_exceptions() > exceptions_;
     try {
         Allowance allowance{Seconds(1)};
@@ -54,8 +54,8 @@ std::span<const std::byte> SceneAnswers::next(FormulaIndex formula, std::size_t 
     StreamedAnswer header{};
     require(sizeof header, formula);
     std::memcpy(&header, part_.data() + at_, sizeof header);
-    // An answer in a scene is never longer than the answer to a single call. This check keeps a
-    // size that a worker announces from filling this process's memory.
+    // An answer in a scene is never longer than the answer to a single call. Without this check, a
+    // worker could announce a size that fills this process's memory.
     if (header.formula != static_cast<std::uint32_t>(formula) ||
         header.size > std::min(largest, Channel::capacity))
         fail({WorkerFailure::malformed, "sent no answer: it is out of step with the scene"},
@@ -91,7 +91,7 @@ void SceneAnswers::fail_as_given_up(FormulaIndex formula)
     worker_.fail({WorkerFailure::timed_out, worker_.budget_.why_given_up(formula)}, nullptr);
 }
 
-/// Waits until `size` bytes of the stream are there.
+/// Waits until the next `size` bytes of the stream are in `part_`.
 void SceneAnswers::require(std::size_t size, FormulaIndex formula)
 {
     while (part_.size() - at_ < size) {
@@ -158,8 +158,8 @@ const Pace& SceneAnswers::reference_pace()
     return *reference_pace_;
 }
 
-/// How long the answers so far may have taken: as long as the reference takes for as many bytes of
-/// its own, times the usual multiple.
+/// How long the answers so far may have taken: the time that the reference takes for as many bytes,
+/// times `Limits::multiple`.
 SceneAnswers::Seconds SceneAnswers::time_for_answers()
 {
     const Pace& pace = reference_pace();

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// A scene with an implementation's formulas, whose motion the implementation cannot make up: the
-// engine runs in the client. The worker runs the same scene ahead of it, and streams only the
-// answer of each formula in the order of the calls; the client's engine takes these instead of
-// asking for each, which would take far longer. Both engines are the same code and get the same
-// answers, so they call the same formulas. A worker that streams something else has only given
-// wrong answers.
+// Runs a scene with an implementation's formulas, such that the implementation cannot make up the
+// motion: the engine whose states count runs in the client. The worker runs the same scene ahead of
+// the client and streams only the answer of each formula, in the order of the calls. The client's
+// engine takes these answers instead of asking for each, which would take far longer. Both engines
+// are the same code and get the same answers, so they call the same formulas. If a worker streams
+// something else, these are only wrong answers of its formulas.
 //
-// Some answers may be given to the worker instead, those of the reference: it waits at each until
-// the client has come to the same call and has sent the answer.
+// Where the reference answers a formula instead, the client gives the worker this answer: the
+// worker waits at such a call until the client has come to the same call and has sent the answer.
 #pragma once
 
 #include "worker/client.hpp"
@@ -18,15 +18,16 @@ namespace rigor {
 
 class SceneAnswers {
 public:
-    /// Starts the run in the worker, which must outlive this object and gets no other request.
+    /// Starts the run in the worker, which must outlive this object and gets no other request
+    /// meanwhile.
     /// @param scene_name  for messages
     /// @param kind        run_scene or advance
-    /// @param payload     as `kind` expects it
-    /// @param every_step  whether every step is recorded: a record of a solid calls formulas
-    /// @param given       the formulas that `give` answers
+    /// @param payload     what `Request` says for this kind
+    /// @param every_step  whether every step is recorded, which calls formulas if there is a solid
+    /// @param given       the formulas whose answers the worker gets by `give`
     SceneAnswers(Worker& worker, const std::string& scene_name, Request kind, Bytes payload,
                  bool every_step, const FormulaSet& given = {});
-    /// Ends the worker's process, unless it is done with the scene too.
+    /// Ends the worker's process, unless the worker has come to the end of the scene too.
     ~SceneAnswers();
     SceneAnswers(const SceneAnswers&) = delete;
     SceneAnswers& operator=(const SceneAnswers&) = delete;
@@ -36,7 +37,7 @@ public:
     /// @throws NotImplemented, FormulaMissing, WorkerFailure
     std::span<const std::byte> next(FormulaIndex formula, std::size_t largest);
 
-    /// Gives the worker the encoded answer of a formula that the engine has called now.
+    /// Gives the worker the encoded answer of a formula that the engine has just called.
     /// @throws WorkerFailure
     void give(FormulaIndex formula, std::span<const std::byte> answer);
 
@@ -60,11 +61,11 @@ private:
     std::string scene_name_;
     Bytes payload_;
     Question question_;
-    Bytes part_;                   // the part of the stream that has come last
-    std::size_t at_ = 0;           // how much of it was taken
-    std::size_t taken_before_ = 0; // the size of the parts before that one, and of what was given
-    int exceptions_ = std::uncaught_exceptions(); // when the scene began
-    Seconds waited_{};                            // for all answers so far
+    Bytes part_;                                  // received bytes of the stream
+    std::size_t at_ = 0;                          // how much of `part_` was taken [bytes]
+    std::size_t taken_before_ = 0;                // bytes that were taken before `part_`, or given
+    int exceptions_ = std::uncaught_exceptions(); // their number when the scene began
+    Seconds waited_{};                            // time of all waits so far
     std::array<Seconds, formula_count> waited_for_{};
     std::optional<Pace> reference_pace_;
 };

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Asks a worker process and waits for its reply. While it waits, it passes on what is streamed,
-// collects what the process prints, and checks that the process lives and keeps its time limit.
-// While the worker computes, its time on a processor counts. A reply is copied before it is
-// checked.
+// Asks a worker process a question and waits for its reply. While the session waits, it passes on
+// the parts of the stream, collects what the process prints, and checks that the process lives and
+// keeps its time limit. While the worker computes, its time on a processor counts for this limit. A
+// reply is copied before it is checked, so that the worker cannot change it in between.
 #include "worker/session.hpp"
 
 #include "worker/protocol/streamed_answer.hpp"
@@ -93,10 +93,11 @@ const Reply& Session::ask(const Question& question, Allowance& allowance)
     return take_reply();
 }
 
-/// The part of the time that the worker used: all of it while it sleeps, otherwise the time that it
-/// was on a processor. A busy machine may leave a process waiting for seconds. At least a tenth of
-/// the time counts, since a worker could keep the machine busy itself to gain time.
-/// @param has_replied  whether it sleeps because it is done
+/// The part of `passed` that counts for the time limit: all of it if the worker sleeps, otherwise
+/// the time that it was on a processor since `before`. A busy machine may leave a process waiting
+/// for seconds. At least a tenth of the time counts, since a worker could keep the machine busy
+/// itself to gain time.
+/// @param has_replied  whether the worker has sent something: a worker that sleeps then is done
 Allowance::Seconds Session::counted(Allowance::Seconds passed,
                                     std::optional<Process::Progress>& before,
                                     bool has_replied) const
@@ -120,13 +121,15 @@ Bytes Session::next_part(Allowance& allowance)
     for (;;) {
         if (Bytes part = take_stream(); !part.empty()) return part;
         const Clock::time_point start = Clock::now();
-        // A worker that waits for an answer has streamed little since it last woke this process.
+        // If the client gives answers, anything new in the stream ends the wait too: a worker that
+        // waits for such an answer may have streamed only a few bytes before.
         const Until streamed{process_.channel().stream.written, taken_};
         const std::uint32_t now =
             await_change(reply, awaited, sequence_ - 1, slice, gives_ ? &streamed : nullptr);
         const Allowance::Seconds passed = Clock::now() - start;
-        // A client that was itself waiting for a processor sees a reply late that was there in
-        // time. In the first slice, which is short, the worker's progress is not asked for.
+        // If this process itself had to wait for a processor, it sees a reply late that was there
+        // in time. So the last wait counts as one slice at most. What comes within the first slice,
+        // which is short, is counted without a look at the worker's progress.
         const bool has_replied = now == sequence_;
         const bool has_come = has_replied || (gives_ && streamed.word.load() != taken_);
         const Allowance::Seconds time =
@@ -137,20 +140,21 @@ Bytes Session::next_part(Allowance& allowance)
         if (Bytes part = has_come ? take_stream() : Bytes(); !part.empty()) return part;
         collect_output();
         if (const auto ending = process_.ending()) {
-            if (reply.load(std::memory_order_acquire) == sequence_) continue; // it answered before
+            if (reply.load(std::memory_order_acquire) == sequence_) continue; // it was in time
             if (Bytes part = take_stream(); !part.empty()) return part;
             throw *ending;
         }
         if (allowance.used_up()) throw Broken{WorkerFailure::timed_out, allowance.verdict()};
-        // A wake-up for what was streamed may be missed, so such a wait is never long.
+        // If the client gives answers, the slice stays short, because a wake-up for streamed bytes
+        // may be missed.
         if (!gives_) slice = std::min(2 * slice, std::chrono::milliseconds(20));
     }
 }
 
 const Reply& Session::take_reply()
 {
-    // Each word is read once and the payload is copied, so that the worker
-    // cannot change them later.
+    // Each word is read once and the payload is copied, so that the worker cannot change them
+    // later.
     Channel& channel = process_.channel();
     const ReplyStatus status = channel.status;
     const std::uint64_t size = channel.reply_size;
@@ -194,8 +198,9 @@ void Session::give_bytes(std::span<const std::byte> bytes, Allowance& allowance)
     }
 }
 
-/// Waits for a moment until the worker has used some of what was given to it. It cannot be waiting
-/// meanwhile: what it streamed before this answer was read.
+/// Waits for at most 20 ms until the worker has read some of the answers that were given to it.
+/// Meanwhile the worker cannot be waiting for room in its own stream: this process has read all
+/// that was streamed before this answer.
 void Session::await_room(std::uint32_t used, std::optional<Process::Progress>& before,
                          Allowance& allowance)
 {
@@ -215,7 +220,8 @@ Bytes Session::rest_of_stream()
     return read_stream(n);
 }
 
-/// Copies the next n bytes of the stream, which are there, and makes room for others.
+/// Takes the next n bytes out of the stream, which makes room in the ring. The caller has checked
+/// that they are there.
 Bytes Session::read_stream(std::uint32_t n)
 {
     Ring& stream = process_.channel().stream;
@@ -223,9 +229,9 @@ Bytes Session::read_stream(std::uint32_t n)
     stream.copy_out(taken_, bytes);
     taken_ += n;
     streamed_ += n;
-    stream.read.store(taken_); // before `wake` reads whether it is awaited
+    stream.read.store(taken_); // before `wake` reads `read_awaited`
     // A worker waits only if it found the ring full. The client reads a full ring in at most two
-    // parts, and one of them is at least half of it.
+    // parts. One of these is at least half of the ring, and only such a part wakes the worker.
     if (n >= Ring::size / 2) wake(stream.read, stream.read_awaited);
     return bytes;
 }
@@ -235,7 +241,8 @@ Bytes Session::take_stream()
     const std::uint32_t n =
         process_.channel().stream.written.load(std::memory_order_acquire) - taken_;
     if (n == 0) return {};
-    // Whichever word of the channel a worker overwrites first, the verdict is the same.
+    // A worker may overwrite any word of the channel. The message is then the same as for a wrong
+    // sequence number.
     if (n > Ring::size) throw Broken{WorkerFailure::malformed, out_of_turn};
     if (streamed_ + n > longest_stream_)
         throw Broken{WorkerFailure::flooded,
@@ -257,8 +264,8 @@ void Session::collect_output()
 
 std::string Session::take_output()
 {
-    // Reads no more than a pipe holds, since a process that prints without end would never end this
-    // loop.
+    // Reads no more than a pipe holds, since a process that prints without end would keep this loop
+    // running forever.
     for (std::size_t n = 0; n <= pipe_size;) {
         const std::size_t more = process_.drain(output_, limits_.output_kept);
         if (more == 0) break;

@@ -8,15 +8,16 @@
 
 namespace rigor {
 
-/// The time that a question may take. The oracle, the worker of the reference, is asked for its
-/// time only after the floor is used up.
+/// The time that a question may take. At first the limit is a fixed time, the floor. When the floor
+/// is used up, the oracle (the worker of the reference) is asked how long it takes for the same
+/// question, and the limit may grow.
 struct Allowance {
     using Seconds = std::chrono::duration<double>;
 
-    Seconds limit;                           // the floor at first
-    double multiple = 0;                     // factor for the time of the reference
-    std::function<Seconds()> reference = {}; // empty if there is none or it has been asked
-    bool by_silence = false;                 // whether a part of the stream restarts the time
+    Seconds limit;       // the floor, until `used_up` raises it
+    double multiple = 0; // the limit grows to `multiple` times the reference's time
+    std::function<Seconds()> reference = {}; // measures that time; empty: no reference, or done
+    bool by_silence = false;                 // whether each part of the stream restarts the time
     Seconds waited = {}, reference_took = {};
 
     bool used_up();
@@ -27,10 +28,10 @@ struct Question {
     Request kind;
     std::uint32_t argument = 0;
     std::span<const std::byte> payload;
-    std::size_t largest = 0;        // largest size of an answer [bytes]
+    std::size_t largest = 0;        // largest size of the reply [bytes]
     std::size_t longest_stream = 0; // [bytes]
-    const ByteSink* sink = nullptr; // takes what is streamed
-    FormulaSet given = {};          // formulas whose answers `give` has for a scene
+    const ByteSink* sink = nullptr; // takes what is streamed; nullptr: the question streams nothing
+    FormulaSet given = {};          // formulas whose answers the scene gets by `Session::give`
 };
 
 /// A reply as the worker wrote it. Only its size has been checked.
@@ -46,23 +47,23 @@ public:
     /// Waits until the process is ready. @throws Broken, std::system_error
     void await_greeting();
 
-    /// Begins to end the process and does not wait; the destructor does.
+    /// Begins to end the process, without waiting for its end. The destructor waits.
     void begin_end() { process_.begin_end(); }
 
-    /// Asks a question and waits for the reply.
-    /// The reply is valid until the next question.
-    /// @throws Broken, what the sink throws; the session cannot be used any more then
+    /// Asks a question and waits for the reply, which is valid until the next question.
+    /// @throws Broken, what the sink throws; after both, the session cannot be used any more
     const Reply& ask(const Question& question, Allowance& allowance);
 
-    /// The same in parts: asks a question, whose sink is not used. After it, `next_part` is called
-    /// until there is no more, and then `take_reply`. @throws Broken
+    /// Does what `ask` does, in separate calls: this one sends the question, whose sink is not
+    /// used. Then the caller calls `next_part` until it returns nothing, and `take_reply` once.
+    /// @throws Broken
     void begin(const Question& question);
-    /// Waits for a part of the stream. @return it; empty if the reply has come instead
+    /// Waits for the next part of the stream. @return the part; empty: the reply has come
     Bytes next_part(Allowance& allowance);
     const Reply& take_reply();
 
-    /// Gives the worker an encoded answer that its scene waits for. Waits only while the worker is
-    /// far behind. @throws Broken
+    /// Gives the worker an encoded answer that its scene waits for. This call waits only if the
+    /// worker is far behind in reading such answers. @throws Broken
     void give(FormulaIndex formula, std::span<const std::byte> answer, Allowance& allowance);
 
     /// The rest of the stream that came before the conversation broke.
@@ -83,11 +84,11 @@ private:
 
     Limits limits_;
     Process process_;
-    std::uint32_t sequence_ = 1; // number of the last question; 1 asks whether it is ready
+    std::uint32_t sequence_ = 1; // number of the last question; 1: whether the worker is ready
     std::uint32_t taken_ = 0;    // how much of the stream was read, modulo 2^32 [bytes]
-    std::uint32_t given_ = 0;    // how much was given, modulo 2^32 [bytes]
+    std::uint32_t given_ = 0;    // how much was given to the scene, modulo 2^32 [bytes]
     bool gives_ = false;         // whether the last question has answers to give
-    std::size_t streamed_ = 0;   // how much of the stream was read [bytes]
+    std::size_t streamed_ = 0;   // how much of the stream was read, in full [bytes]
     std::size_t largest_ = 0, longest_stream_ = 0; // limits of the last question [bytes]
     std::size_t printed_ = 0; // how much was printed since the last question [bytes]
     Reply reply_{};           // kept, so that its memory is used again

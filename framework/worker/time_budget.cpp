@@ -8,7 +8,8 @@ namespace rigor {
 namespace {
 
 // The share of the free time of all calls that one formula may use before it is compared with the
-// reference, so that some is left for the others. Without a reference it may use all of it.
+// reference, so that some is left for the other formulas. Without a reference, one formula may use
+// all of the free time.
 constexpr double share_with_reference = 0.25;
 
 } // namespace
@@ -101,7 +102,7 @@ TimeBudget::Seconds TimeBudget::floor_of_wait(FormulaIndex formula) const
 
 TimeBudget::Seconds TimeBudget::floor_of_scene() const
 {
-    // With a reference that tells how long each scene takes, the floor is for short scenes alone.
+    // A reference tells how long each scene may take. The floor then matters for short scenes only.
     const Seconds floor = has_reference_ ? std::min(limits_.call, limits_.scene) : limits_.scene;
     return scenes_are_used_up() ? floor / 10 : floor;
 }

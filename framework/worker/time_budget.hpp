@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 // What one submission may cost: the time of all its requests together, and the formulas that are
-// not asked any more. An endless loop costs seconds then, however many tests and other formulas
-// reach it. Time is what `Limits` counts: on a processor, or asleep while the client waits.
+// not asked any more. So an endless loop costs only seconds, however many tests and other formulas
+// reach it. Time counts as in `Limits`: while the worker is on a processor, or asleep while the
+// client waits.
 //
-// A part of the time is free. After it, nothing gets more than a tenth of its usual floor, or
-// `multiple` times what the reference takes for the same, whichever is longer. So a solution that
-// is slow and right is graded to its end, and one that does not return is soon given up.
+// The first seconds are free (`Limits::all_calls` and `all_scenes`). When they are used up, a call
+// or a scene gets a tenth of its usual floor, or `Limits::multiple` times what the reference takes
+// for the same, whichever is longer. So a solution that is slow and right is graded to its end, and
+// one that does not return is soon given up.
 #pragma once
 
 #include "formulas/table.hpp"
@@ -16,7 +18,7 @@
 
 namespace rigor {
 
-/// What a submission has cost so far, for a later run of the same one.
+/// What a submission has cost so far. A later run of the same submission goes on from this.
 struct Spent {
     std::chrono::duration<double> calls{}, scenes{};
     std::vector<FormulaIndex> given_up;
@@ -32,7 +34,8 @@ public:
     /// Goes on from what an earlier run has spent.
     void go_on_from(const Spent& spent);
 
-    /// Forgets what was spent. All calls have this free time from now on, and so have all scenes.
+    /// Forgets what was spent. From now on, `free` is the free time of all calls together, and also
+    /// that of all scenes together.
     void begin_again(Seconds free);
 
     /// Counts a call that was answered.
@@ -52,8 +55,8 @@ public:
     bool is_given_up(FormulaIndex formula) const;
     /// Why the formula was given up, as the end of a sentence that begins with the formula.
     std::string why_given_up(FormulaIndex formula) const;
-    /// Whether a scene ends at once where it calls the formula. A formula that was given up gets
-    /// two short chances in scenes, where its arguments may be others.
+    /// Whether a scene ends at once when it calls the formula. A formula that was given up still
+    /// gets two short chances in scenes, because its arguments may differ there.
     bool ends_scenes(FormulaIndex formula) const;
 
     /// The floors of `Limits`, which are shorter when the free time is used up.
@@ -62,13 +65,14 @@ public:
     Seconds floor_of_scene() const;
 
     Spent spent() const;
-    /// What is not asked any more and which free time is used up, in a sentence; empty if nothing.
+    /// A sentence about the formulas that are not asked any more and the free times that are used
+    /// up; empty if there are none.
     std::string report() const;
 
 private:
     struct Row {
         int timeouts = 0, failed_scenes = 0;
-        bool was_given_up = false; // in an earlier run
+        bool was_given_up = false; // whether an earlier run gave it up
         Seconds answered{}, lost{}, compared{}, by_reference{};
     };
 

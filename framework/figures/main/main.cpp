@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Writes the figures of the handouts, or of one of them: DIR/<handout>/figures/<name>.svg. All of
-// them are written or none. With --check it writes nothing and names each file that differs from
-// what it would write.
+// Writes the figures of all handouts, or of one handout: DIR/<handout>/figures/<name>.svg. Either
+// all of these files are written or none. With --check the program writes nothing and names each
+// file that differs from what it would write.
 #include "figures/figures.hpp"
 
 #include <cerrno>
@@ -50,7 +50,7 @@ std::vector<fs::path> missing_folders(const fs::path& file)
     return missing;
 }
 
-// Writes a draft of each file, and gives all of them their names when each is on the disk.
+// Writes each figure to a draft. When all drafts are on the disk, they get the names of the files.
 // @return whether that went well; otherwise nothing is left behind, and a line says why
 bool write(const std::vector<Drawn>& figures)
 {
@@ -59,7 +59,7 @@ bool write(const std::vector<Drawn>& figures)
         for (const Drawn& figure : figures)
             std::remove(figure.draft().c_str());
         for (auto folder = made.rbegin(); folder != made.rend(); ++folder)
-            std::remove(folder->c_str()); // those that are empty
+            std::remove(folder->c_str()); // a folder that is not empty stays
         fmt::print(stderr, "rigor: --out: cannot write {}: {}\n", file.string(), reason);
         return false;
     };

@@ -7,7 +7,7 @@
 
 namespace rigor {
 
-/// @throws std::runtime_error if there is no such context on this machine
+/// A context by EGL. @throws std::runtime_error if this machine cannot make one
 std::unique_ptr<Context> make_egl_context();
 
 } // namespace rigor

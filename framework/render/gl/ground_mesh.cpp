@@ -12,8 +12,8 @@ namespace rigor {
 GroundPieces ground_pieces(const Ground& ground, const Vector3f& origin, float half,
                            const View& view, bool shadows)
 {
-    // u and v are the first two coordinates of to_light; they are 0 or 1 on the edges
-    // of the shadow map.
+    // u and v are the first two coordinates of to_light; they are 0 or 1 on the edges of the shadow
+    // map.
     const Eigen::Map<const Eigen::Matrix4f> to_light(view.to_light);
     const Eigen::Matrix<float, 2, 3> L = to_light.topLeftCorner<2, 3>();
     Eigen::Matrix2f M; // maps a spot on the ground to (u, v)

@@ -106,8 +106,8 @@ std::vector<Text> Lettering::wrapped(const Text& text, float width)
     return lines;
 }
 
-// Draws the color bar in its strip at the right border, with its numbers to the right
-// and its title above.
+// Draws the color bar in its strip at the right border, with its numbers to the right and its title
+// above.
 void Lettering::draw_scale(const ColorScale& scale)
 {
     const auto pixels = [](int n) { return static_cast<float>(n); };

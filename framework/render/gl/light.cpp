@@ -57,8 +57,8 @@ Matrix4f to_clip(const Picture& picture, float aspect, float strip)
     return smaller * perspective * camera;
 }
 
-/// The direction to the sun: over the left shoulder of the camera, so that what the
-/// camera sees is lit.
+/// The direction to the sun: over the left shoulder of the camera, so that what the camera sees is
+/// lit.
 Vector3f towards_sun(const Picture& picture)
 {
     const Matrix3f rows = looking_along(forward_of(picture));

@@ -32,7 +32,7 @@ struct Rule {
 
 /// The numbers that the rules of a worker refer to.
 struct OwnNumbers {
-    std::uint32_t process; // the number of this process, as it sees it
+    std::uint32_t process; // the number of this process in its own namespace
     std::uint32_t report;  // the socket to the grader, closed when the program starts
     std::uint32_t program; // the descriptor of the program, closed when it starts
 };

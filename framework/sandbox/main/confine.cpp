@@ -18,7 +18,8 @@ namespace rigor::confine {
 
 namespace {
 
-/// The first process of a process namespace. It does nothing; if it ends, all others there do.
+/// Starts the first process of a process namespace. It does nothing; when it ends, the kernel ends
+/// all others there.
 pid_t start_init()
 {
     const pid_t init = must(fork(), "start the first process");

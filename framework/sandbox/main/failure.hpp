@@ -6,7 +6,7 @@
 
 namespace rigor::confine {
 
-/// The socket to the grader; -1 if nobody asks, as while probing.
+/// The socket to the grader; -1: there is none, as while probing.
 inline int report_socket = -1;
 
 /// Reports the errno of the action that failed and ends this process.

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The kernel gives orphans to the nearest ancestor that has asked for them, so every descendant
 // becomes a child of the monitor when its parents have died, in whatever session it is. The monitor
-// kills its children until it has none. In a process namespace, killing the first process does it.
+// kills its children until it has none. If there is a process namespace, it is enough to kill the
+// first process in it.
 #include "sandbox/main/monitor.hpp"
 
 #include "sandbox/main/failure.hpp"
@@ -56,7 +57,7 @@ void kill_children()
 void end_descendants(pid_t program, pid_t init)
 {
     if (init > 0) kill(init, SIGKILL);
-    if (program > 0) kill(-program, SIGKILL); // the program's group, most of the processes at once
+    if (program > 0) kill(-program, SIGKILL); // the program's group: most of its processes
     for (;;) {
         kill_children();
         pid_t ended;
@@ -93,7 +94,7 @@ void collect_children(pid_t program, pid_t init)
             raise(SIGSTOP);
             continue;
         }
-        end_descendants(0, init); // the number of the group may be another's by now
+        end_descendants(0, init); // 0: the program's number may be reused by now
         end_like(status);
     }
 }

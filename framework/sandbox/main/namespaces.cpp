@@ -27,7 +27,7 @@ void write_file(const char* path, const std::string& text)
     close(file);
 }
 
-// The user keeps its numbers and gets every capability inside the new namespaces.
+// The user keeps its user and group number, and gets every capability inside the new namespaces.
 void map_own_user(uid_t user, gid_t group)
 {
     const auto itself = [](unsigned id) {

@@ -11,7 +11,7 @@ namespace rigor::confine {
 /// A path that the program may use.
 struct OpenPath {
     const char* name;
-    int descriptor; // O_PATH
+    int descriptor; // opened with O_PATH
     Access access;
 };
 

@@ -27,7 +27,7 @@ constexpr LimitName limit_names[] = {
     fail("read the option " + std::string(option));
 }
 
-// NAME:NUMBER
+// Reads a limit that is written NAME:NUMBER.
 ResourceLimit limit(std::string_view text)
 {
     for (const auto& [name, resource] : limit_names)

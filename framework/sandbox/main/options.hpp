@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The command line of the launcher, which only the grader writes (`sandbox/confined.cpp`):
 //
-//     confine --report=4 --profile=worker --namespaces=own --user=1879048200 --seccomp=notify
+//     confine --report=4 --profile=worker --namespaces=plain --user=1879048200 --seccomp=notify
 //             --landlock --read=FOLDER --write=FOLDER --folder=FOLDER
 //             --limit=address_space:2147483648 -- PROGRAM ARGUMENT...
 #pragma once
@@ -26,8 +26,9 @@ struct Options {
     bool user_namespace = false; // whether the namespaces need a user namespace around them
     unsigned user = 0;           // the program's user and group; 0: the user as it is
     bool seccomp = false;
-    bool notify =
-        false; // a blocked call waits for the grader, who learns which; otherwise it kills
+    /// Whether a blocked call waits for the grader, who learns which call it is. Otherwise a
+    /// blocked call kills the process.
+    bool notify = false;
     bool landlock = false;
     std::vector<const char*> readable, writable; // paths, besides those of the profile
     const char* folder = "/";                    // working directory

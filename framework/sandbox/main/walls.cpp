@@ -24,8 +24,8 @@ namespace rigor::confine {
 
 namespace {
 
-// The parts of a system that a compiler, its assembler and its linker consist of. Those that a
-// system does not have are left out.
+// The paths of a system in which a compiler, its assembler and its linker have their parts. Paths
+// that do not exist are left out.
 struct SystemPath {
     const char* name;
     Access access;
@@ -94,7 +94,7 @@ void restrict_to(const std::vector<OpenPath>& paths, int program)
     restrict_files(grants);
 }
 
-// @return the listener, or -1
+// @return the listener; -1: there is none
 int put_filter_in_force(const Options& options, int program)
 {
     if (options.is_compiler)
@@ -118,7 +118,7 @@ void drop_capabilities()
 {
     // Without this, a program that is started as root would get all capabilities again.
     for (int capability = 0; prctl(PR_CAPBSET_READ, capability) >= 0; ++capability)
-        prctl(PR_CAPBSET_DROP, capability); // fails if this process had none of them
+        prctl(PR_CAPBSET_DROP, capability); // fails if this process has no capabilities
     __user_cap_header_struct header = {_LINUX_CAPABILITY_VERSION_3, 0};
     const __user_cap_data_struct none[2] = {};
     must(syscall(SYS_capset, &header, none), "drop capabilities");
@@ -135,7 +135,7 @@ void become_program(const Options& options)
     if (has_walls) drop_capabilities();
     must(chdir(options.folder), "enter the working directory");
     must(prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0), "refuse new privileges");
-    must(prctl(PR_SET_PDEATHSIG, SIGKILL), "end with the monitor"); // lost by a change of user
+    must(prctl(PR_SET_PDEATHSIG, SIGKILL), "end with the monitor"); // a change of user clears it
     set_limits(options);
     if (options.landlock) restrict_to(paths, program);
     const int listener = options.seccomp ? put_filter_in_force(options, program) : -1;

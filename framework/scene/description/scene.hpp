@@ -24,7 +24,7 @@ enum class MassMethod {
     thin_rod,     ///< `thin_rod`, for a cylinder
 };
 
-/// The orientation of a body a moment after the start, as a film would show it.
+/// The orientation of a body shortly after the start, as seen in a film.
 struct LaterOrientation {
     double after = 0; // [s]
     Quaternion orientation;
@@ -42,8 +42,8 @@ struct BodyDescription {
     bool is_static = false;
     std::optional<Drive> drive; // the given motion of a body that counts as static
     std::optional<double> mass; // given instead of densities [kg]
-    // The inertia is given together with the mass, about the center of mass, which is the origin of
-    // the frame [kg m²].
+    // The inertia about the center of mass, given together with the mass [kg m²]. The center of
+    // mass is then the origin of the frame.
     std::optional<Matrix3d> inertia;
     MassMethod mass_method = MassMethod::exact;
     int mass_samples = 0;                 // 0: the default of the method
@@ -87,7 +87,7 @@ struct Overlays {
     bool axes = false, angular_velocity = false, angular_momentum = false, contacts = false,
          labels = false, grid = true;
     SolidColors solids = SolidColors::color;
-    std::optional<std::array<double, 2>> solids_range; // range of the colors [Pa, or no unit]
+    std::optional<std::array<double, 2>> solids_range; // ends of the color scale [Pa, or no unit]
 };
 
 /// The settings of a scene that says nothing else: gravity along -y.

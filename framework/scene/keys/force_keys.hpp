@@ -6,11 +6,12 @@
 
 namespace rigor {
 
-/// Reads springs and forces. Their points are as in the file.
+/// Reads springs. Their points are in the bodies' frames, as in the file.
 /// @throws Mistake
 std::vector<Spring> read_springs(const Value& value, const std::vector<BodyDescription>& bodies);
 
-/// Forces, and the numbers of those whose points are in world space.
+/// The result of `read_forces`: forces with their points as in the file, and the indices of those
+/// whose points are in world space.
 struct ForcesRead {
     std::vector<AppliedForce> forces;
     std::vector<int> in_world;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The reader of an object of one kind, a shape or a mesh, whose keys are its sizes.
+// Reads an object that is a shape or a mesh of one kind, and whose keys are its sizes.
 #pragma once
 
 #include "scene/language/keys.hpp"
@@ -21,7 +21,7 @@ T read_kind(const Value& value, Keys<T> keys, std::initializer_list<std::string_
     return kind;
 }
 
-/// Refuses a length that is not below a limit, which another length sets.
+/// Refuses a length that is not below its limit, which another length of the object sets.
 inline void less(const Value& object, std::string_view key, double limit)
 {
     const Value& value = *find(object, key);

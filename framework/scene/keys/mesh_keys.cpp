@@ -114,7 +114,8 @@ constexpr MeshKey voussoir_keys[] = {
     cells_key,
 };
 
-// Sets the shape to a generated mesh. The values of all keys identify it in the library.
+// Sets the shape to a generated mesh. In the library, a mesh is identified by the values of all its
+// keys.
 void set_mesh(ShapeDraft& draft, const Value& value, const MeshDraft& m,
               const std::function<TriangleMesh()>& make)
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Reads an expression by recursive descent, a function for each level of binding, and writes its
-// program in the order in which a stack computes it.
+// Reads an expression by recursive descent, with a function for each level of precedence, and
+// writes its program in the order in which a stack computes it.
 #include "scene/language/expression.hpp"
 
 #include "errors/nearest.hpp"
@@ -239,7 +239,7 @@ private:
 
 double Expression::operator()(double t) const
 {
-    double stack[4 * most_depth + 8]; // a level holds one value each of sum, product, power, call
+    double stack[4 * most_depth + 8]; // each level of depth holds at most 4 values
     int top = -1;
     for (const Instruction& i : program_)
         if (!i.function) {

@@ -14,7 +14,7 @@ namespace rigor {
 namespace {
 
 // Larger numbers are refused, in the unit of their key: the limit guards products against overflow.
-constexpr double largest = 1e12; // the messages say it too
+constexpr double largest = 1e12; // the error messages repeat this number
 
 } // namespace
 

@@ -29,7 +29,7 @@ bool boolean(const Value& value);
 std::string line_of_text(const Value& value, std::string_view what);
 Vector3d vector3(const Value& value, std::string_view what = "three numbers");
 Vector3d positive3(const Value& value, std::string_view what);
-/// A number > 0, which stands for all three, or three of them.
+/// Three numbers > 0, or one number > 0 that stands for all three.
 Vector3d scale3(const Value& value, std::string_view what);
 Vector3d color(const Value& value);
 const std::vector<Value>& array(const Value& value, std::string_view what);
@@ -37,8 +37,9 @@ const std::vector<Value>& array(const Value& value, std::string_view what);
 /// Reads one of several words. Returns its index.
 std::size_t one_of(const Value& value, std::span<const std::string_view> words);
 
-/// Reads one of the words for the values of an enumeration, which stand in its order. `last` is its
-/// last value: an enumeration that has more values than words, or fewer, does not compile.
+/// Reads a word that stands for a value of an enumeration. `words` has the order of the
+/// enumeration, and `last` is the last value: if there are more words than values, or fewer, the
+/// call does not compile.
 template <auto last, std::size_t count>
 decltype(last) enumerator(const Value& value, const std::string_view (&words)[count])
 {

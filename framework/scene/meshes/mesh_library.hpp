@@ -21,9 +21,10 @@ public:
     void read_texts(const Value& value);
 
     /// The mesh of a file, read from its OBJ text in "meshes" and multiplied by `scale` along x, y
-    /// and z. A mesh with a depth is the solid below it, see geometry/meshes/terrain.hpp.
-    /// @param depth  [m]; 0: the mesh is closed
-    /// @param file  the value in the scene that holds the file name
+    /// and z. With a depth, the file has an open surface, and the mesh is the solid below that
+    /// surface, see geometry/meshes/terrain.hpp.
+    /// @param file   the value in the scene that holds the file name
+    /// @param depth  [m]; 0: the surface in the file is closed
     /// @throws Mistake
     SharedMesh from_file(const Value& file, const Vector3d& scale, double depth, int cells);
 

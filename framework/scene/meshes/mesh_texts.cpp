@@ -30,7 +30,7 @@ constexpr std::uintmax_t most_mesh_bytes = 64'000'000, most_scene_bytes = 16'000
 struct NamedFile {
     const Value* name;
     bool is_solid; // whether it is a mesh of tetrahedra
-    bool is_open;  // whether it is an open surface, checked as the solid with its depth
+    bool is_open;  // whether it has a depth: it is checked as the solid below the surface
 };
 
 // Collects the names of mesh files below a value, {"mesh": {"file": …}}.

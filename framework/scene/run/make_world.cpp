@@ -55,7 +55,7 @@ Deformable make_solid(const SolidDescription& described)
     return solid;
 }
 
-// ω, given or from two orientations a moment apart.
+// The angular velocity ω of a body: given, or computed from two orientations a moment apart.
 Vector3d angular_velocity_of(const BodyDescription& body)
 {
     if (!body.later) return body.angular_velocity;
@@ -76,7 +76,7 @@ Vector3d set_mass_by(const BodyDescription& described, RigidBody& body)
     return properties.center_of_mass;
 }
 
-// The point of a force in object space, if the scene gives it in world space.
+// The point of a force in object space. The scene gives this point in world space.
 Vector3d point_of_force(const AppliedForce& force, const World& world)
 {
     const RigidState& state = world.bodies[force.body].state;

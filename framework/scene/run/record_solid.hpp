@@ -16,7 +16,7 @@ public:
     SolidFrame frame(const Deformable& solid, double time);
 
 private:
-    std::shared_ptr<const SolidTopology> topology_; // that of the frame before
+    std::shared_ptr<const SolidTopology> topology_; // the mesh in the frame before
     int change_ = 0; // the number of mesh changes when `topology_` was made
 };
 

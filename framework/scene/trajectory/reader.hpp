@@ -55,7 +55,7 @@ private:
     void read_counters(ByteCursor& bytes);
 
     Handlers handlers_;
-    std::vector<std::byte> pending_; // too few bytes for the next stage so far
+    std::vector<std::byte> pending_; // received bytes, too few for the next stage
     Stage stage_;
     std::size_t needed_ = 0; // number of bytes that the stage needs
     Scene scene_;

@@ -17,8 +17,8 @@ struct TopologyCounts {
 
 constexpr std::size_t topology_counts_size = 5 * sizeof(std::uint32_t); // [bytes]
 
-/// @param where  names the solid, for an error
-/// @throws InputError also if a count is larger than its limit
+/// @param where  names the solid in error messages
+/// @throws InputError, also if a count is larger than its limit
 TopologyCounts read_topology_counts(ByteCursor& bytes, const std::string& where);
 
 /// The number of bytes of a mesh, and the mesh read from them. @throws InputError

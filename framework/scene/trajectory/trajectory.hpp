@@ -2,7 +2,7 @@
 // The recorded motion of a scene. A worker writes it; it can be sent as a stream or stored, and it
 // can be read while it is still being written.
 //
-// The format is little-endian binary:
+// The format is little-endian binary. After each number of things follow the things:
 //     "RIGORTRJ"  u32 version: 1 without deformable solids, 2 with
 //     u32 bytes, name of the scene       u32 bytes, scene file as text
 //     u32 bodies, each: u8 is_static, f64 mass, 3 f64 center of mass, 9 f64 inertia (I_body by
@@ -18,7 +18,7 @@
 //              then 13 f64 (mass, volume, kinetic energy, elastic energy, momentum, angular
 //              momentum, center of mass), nodes × 6 f64 (x, v),
 //              elements × 2 f32 (von Mises stress [Pa], equivalent plastic strain √(2/3) ‖ε_p‖)
-//     'E'  u32 counters, each u64 in the order of Counters; the run is complete
+//     'E'  u32 counters, each: u64, in the order of Counters. After it the run is complete.
 // A file that ends before 'E' contains the run up to that moment.
 #pragma once
 

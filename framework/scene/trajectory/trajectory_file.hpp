@@ -7,7 +7,8 @@
 
 namespace rigor {
 
-/// The trajectory of a file, as far as the file goes. @throws InputError
+/// Reads the trajectory in a file. If the file was cut off, the trajectory has the frames before
+/// the cut. @throws InputError
 Trajectory load_trajectory(const std::filesystem::path& file);
 
 } // namespace rigor

@@ -13,7 +13,7 @@ namespace {
 const Stream* listener = nullptr;
 const TakeAnswer* giver = nullptr;
 FormulaSet are_given;
-wire::Bytes encoded; // kept, since a scene makes millions of calls
+wire::Bytes encoded; // its memory is kept, since a scene makes millions of calls
 
 template <class Result> void stream_answer(FormulaIndex formula, const Result& result)
 {

@@ -23,11 +23,11 @@ extern "C" {
 extern const AnyFormula rigor_formulas[];
 }
 
-/// Waits for the next encoded answer that the client gives. `answer` becomes it.
+/// Waits for the next encoded answer that the client gives, and copies it to `answer`.
 using TakeAnswer = std::function<void(FormulaIndex formula, std::vector<std::byte>& answer)>;
 
-/// Streams the answer of each formula as long as this object lives, and takes those of `given` from
-/// the client.
+/// As long as this object lives, each answer of a formula is streamed to the client. The formulas
+/// in `given` are excepted: the client gives their answers.
 class StreamAnswers {
 public:
     StreamAnswers(const Stream& stream, const FormulaSet& given, const TakeAnswer& take);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The engine's part of a worker. It is linked beforehand, with local names, and so is the main
-// function's part: an implementation can neither replace a function of the engine nor call one.
+// The engine's part of a worker. This part and the part with the main function are linked
+// beforehand, with local names. So an implementation can neither replace a function of the engine
+// nor call one.
 #pragma once
 
 #include "worker/engine/answers.hpp"
@@ -20,16 +21,17 @@ struct SceneRequest {
     Request kind; // run_scene or advance
     SceneOptions options;
     std::span<const std::byte> payload;
-    /// Whether the implementation is the reference, so that the engine's faster forms of its
-    /// formulas may be used. Other formulas may not be safe to call from several threads either.
+    /// Whether the implementation is the reference. Then the engine may use its faster forms of the
+    /// formulas, and several threads: other implementations may not be thread-safe.
     bool is_reference;
-    /// The formulas whose answers the client gives while answers are streamed, and how to take one.
+    /// The formulas whose answers the client gives, if answers are streamed, and the function that
+    /// takes one of these answers.
     FormulaSet given;
     TakeAnswer take;
 };
 
 extern "C" {
-/// Runs a scene and streams what the request asks for. `result` becomes the answer.
+/// Runs a scene and streams what the request asks for. `result` becomes the encoded answer.
 /// @throws NonFiniteAnswer, wire::Malformed, what a formula throws
 void rigor_run_scenes(const SceneRequest& request, const Stream& stream, wire::Bytes& result);
 }

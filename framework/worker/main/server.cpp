@@ -101,7 +101,7 @@ void Server::reply_text(ReplyStatus status, std::string text)
 // longer than most writes, so it is woken rarely; it also looks by itself from time to time.
 void Server::stream(std::span<const std::byte> bytes)
 {
-    // Fewer bytes are not announced alone, because each wake-up costs a system call.
+    // The client is not woken for fewer new bytes, because each wake-up costs a system call.
     constexpr std::uint32_t worth_waking = std::uint32_t{1} << 16; // [bytes]
     Ring& ring = channel_.stream;
     while (!bytes.empty()) {
@@ -131,7 +131,8 @@ FormulaSet Server::given_formulas() const
     return set;
 }
 
-// The client comes to the same calls in the same order, so the next answer is that of this formula.
+// The client's engine makes the same calls in the same order, so the next answer in the ring is
+// that of this formula.
 void Server::take_answer(FormulaIndex formula, wire::Bytes& answer)
 {
     StreamedAnswer header{};
@@ -148,7 +149,7 @@ void Server::take_bytes(std::span<std::byte> bytes)
     while (!bytes.empty()) {
         const std::uint32_t given = ring.written.load(std::memory_order_acquire);
         if (given == used_) {
-            wake(channel_.reply, channel_.reply_awaited); // for what has been streamed so far
+            wake(channel_.reply, channel_.reply_awaited); // to read what has been streamed so far
             await_change(ring.written, ring.written_awaited, given, std::chrono::hours(1));
             continue;
         }

@@ -37,15 +37,15 @@ private:
 
     Channel& channel_;
     bool is_reference_;
-    wire::Bytes answer_; // to the current request; kept, since a test makes thousands of calls
-    std::uint32_t streamed_ = 0, announced_ = 0; // streamed bytes; their number at the last wake-up
-    std::uint32_t used_ = 0;                     // bytes of what was given
-    std::uint32_t sequence_ = 1;                 // the current request; request 1 is to get ready
+    wire::Bytes answer_; // to the current request; its memory is kept for the next one
+    std::uint32_t streamed_ = 0, announced_ = 0; // bytes streamed: in all; at the last wake-up
+    std::uint32_t used_ = 0;                     // bytes read of the answers that the client gives
+    std::uint32_t sequence_ = 1;                 // number of the current request; 1: the greeting
 };
 
 /// The main function of a worker: takes the shared memory from its client and serves forever.
 /// @param is_reference  see SceneRequest
-/// @return the exit status, if no client started it
+/// @return the exit status; it returns only if no client started it
 int run_worker(bool is_reference);
 
 } // namespace rigor

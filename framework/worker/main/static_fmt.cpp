@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The functions of the library fmt that are compiled once. Debian has them as a shared library
-// only, and a worker is static.
+// The functions of the library fmt that are not templates in its headers. Debian has them in a
+// shared library only, but a worker is linked statically.
 #include <fmt/format-inl.h>
 
 namespace fmt {

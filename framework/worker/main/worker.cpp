@@ -3,8 +3,8 @@
 #include "rigid/parallel/keep_memory.hpp"
 #include "worker/main/server.hpp"
 
-// The build decides whether the formulas are the reference's, so that no other implementation can
-// claim it.
+// The build says whether the formulas are the reference's, so that no other implementation can
+// claim to be the reference.
 #ifdef RIGOR_REFERENCE
 constexpr bool is_reference = true;
 #else

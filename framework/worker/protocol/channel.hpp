@@ -4,13 +4,14 @@
 // The client writes a request and sets `request` to the next sequence number; the worker writes the
 // reply over the request and sets `reply` to the same number. The worker may write to this memory
 // at any time: so the client keeps its own values in variables of its own, and copies a reply
-// before it looks at it. What a scene streams goes through a ring buffer beside it, so that all of
-// it can be read even if the worker dies in the next instruction. Another one has the answers that
-// the client gives to a scene in place of the worker's own formulas.
+// before it looks at it. What a scene streams goes through a ring buffer of its own, so that all of
+// it can be read even if the worker dies in the next instruction. A second ring buffer has the
+// answers that the client gives to a scene in place of the worker's own formulas.
 //
-// Before a process sleeps, it says so in a second word beside the one that it waits for. So the
-// other process wakes it only if it may be asleep, since waking is a system call and takes as long
-// as the rest of a call. A worker with a false value there is not woken, and exceeds its time.
+// Before a process sleeps until a word changes, it says so in a second word beside the first. The
+// other process wakes it only if this second word is set, since waking is a system call and takes
+// as long as the rest of a call. A worker that does not set it is not woken, and exceeds its time
+// limit.
 #pragma once
 
 #include "formulas/table.hpp"
@@ -28,7 +29,7 @@ namespace rigor {
 enum class Request : std::uint32_t {
     call,      // calls formula `argument` on the encoded arguments in the payload
     run_scene, // runs a scene: the payload has its text and name, `argument` the SceneOptions
-    advance,   // advances states: the payload has text, name, steps and starts, as above
+    advance,   // advances states: the payload also has the number of steps and the first states
 };
 
 /// How a scene is run, and what comes back.
@@ -36,8 +37,8 @@ struct SceneOptions {
     /// Whether the answers of the formulas are streamed, one after the other, instead of the
     /// trajectory or the states.
     bool streams_answers = false;
-    bool every_step = false; // whether a trajectory has every step, or only the frames
-    int threads = 1;         // for the reference; other implementations use one
+    bool every_step = false; // whether a trajectory has every step, not only the frames
+    int threads = 1;         // threads for the reference; others use one
 
     std::uint32_t packed() const
     {
@@ -56,7 +57,7 @@ enum class ReplyStatus : std::uint32_t {
     not_implemented, // the payload is the text of NotImplemented
     not_finite,      // the payload says which quantity of the scene is not finite
     threw,           // the payload says what was thrown
-    missing,         // the payload is the index of a formula that is nowhere defined
+    missing, // the payload is the index of a formula that the implementation does not define
     last = missing,
 };
 
@@ -77,34 +78,34 @@ struct Channel {
     std::atomic<ReplyStatus> status;
     std::atomic<std::uint64_t> reply_size;
     std::atomic<std::uint32_t> reply_awaited; // not 0: the client may sleep until `reply` changes
-    Ring stream;                              // from the worker
-    Ring answers;                             // from the client
+    Ring stream;                              // what a scene streams, from the worker
+    Ring answers;                             // answers given to a scene, from the client
     std::byte payload[capacity];
 };
 
 /// A hash of the table of formulas (tags, names, names of arguments) and of the version of this
-/// protocol. A worker whose hash is another one is refused.
+/// protocol. A worker with another hash is refused.
 std::uint64_t contract_fingerprint();
 
 /// Wakes the process that sleeps until the word changes, if there may be one.
-/// @param awaited  whether there may be one
+/// @param awaited  not 0: a process may be asleep
 void wake(std::atomic<std::uint32_t>& word, const std::atomic<std::uint32_t>& awaited);
 
 /// Sets the word and wakes the process that sleeps until it changes.
 void post(std::atomic<std::uint32_t>& word, const std::atomic<std::uint32_t>& awaited,
           std::uint32_t value);
 
-/// A word and the value that it has until something happens.
+/// A word of shared memory, and its value before the awaited change.
 struct Until {
     const std::atomic<std::uint32_t>& word;
     std::uint32_t old;
 };
 
-/// Spins for a moment, then sleeps until the word is not `old` any more, until it is woken, or
-/// until the time is over.
-/// @param awaited  is set while this process may be asleep
+/// Spins for a moment, then sleeps until the word is not `old` any more, until this process is
+/// woken, or until `longest` has passed.
+/// @param awaited  is 1 while this process may be asleep, otherwise 0
 /// @param other    ends the wait too, if it changes before this process sleeps
-/// @return the word
+/// @return the present value of the word
 std::uint32_t await_change(std::atomic<std::uint32_t>& word, std::atomic<std::uint32_t>& awaited,
                            std::uint32_t old, std::chrono::nanoseconds longest,
                            const Until* other = nullptr);

@@ -8,7 +8,7 @@
 //         return answer<FormulaIndex::combine, Signature<decltype(&combine)>>(a, b);
 //     }
 //
-// The including file defines `answer` before.
+// A file that includes this one defines the function template `answer` before it uses the macro.
 #pragma once
 
 #include "formulas/table.hpp"

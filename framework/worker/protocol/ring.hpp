@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A ring buffer of bytes in shared memory: one process writes, the other one reads. Each waits for
-// the other in its own way, so only where the bytes lie is decided here.
+// A ring buffer of bytes in shared memory: one process writes, the other one reads. This header
+// only says where the bytes lie. The two processes wait for each other in different ways, so the
+// waiting is in their own code.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +15,7 @@ namespace rigor {
 struct Ring {
     static constexpr std::uint32_t size = std::uint32_t{4} << 20; // [bytes], a power of two
 
-    // Numbers of bytes written and read since the scene's start, modulo 2^32.
+    // How many bytes were written and read since the scene's start, modulo 2^32.
     alignas(64) std::atomic<std::uint32_t> written;
     std::atomic<std::uint32_t>
         written_awaited; // not 0: the reader may sleep until `written` changes
@@ -22,7 +23,8 @@ struct Ring {
     std::atomic<std::uint32_t> read_awaited; // not 0: the writer may sleep until `read` changes
     alignas(64) std::byte bytes[size];       // byte n is bytes[n % size]
 
-    /// Sets the bytes from number `at` on. @param from  at most `size` of them
+    /// Copies `from`, which has at most `size` bytes, into the ring. Its first byte becomes byte
+    /// `at`.
     void copy_in(std::span<const std::byte> from, std::uint32_t at)
     {
         const std::uint32_t start = at % size;
@@ -31,7 +33,7 @@ struct Ring {
         std::ranges::copy(from.subspan(before_end), bytes);
     }
 
-    /// Copies the bytes from number `at` on. @param to  at most `size` of them
+    /// Fills `to`, which has at most `size` bytes, with the bytes of the ring from byte `at` on.
     void copy_out(std::uint32_t at, std::span<std::byte> to) const
     {
         const std::uint32_t start = at % size;

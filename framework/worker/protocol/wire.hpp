@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Values as bytes: numbers, fixed-size Eigen types, containers, and plain structs field by field.
 // Both processes run on one machine, so numbers have the same bytes as in memory. A reader trusts
-// no byte: it checks every length against the bytes that are there, and accepts one encoding of
-// each value.
+// no byte: it checks every length against the bytes that are there, and accepts only one encoding
+// of each value.
 #pragma once
 
 #include "formulas/fields.hpp"
@@ -43,8 +43,8 @@ template <class A, class B> inline constexpr bool is_pair<std::pair<A, B>> = tru
 
 using Bytes = std::vector<std::byte>;
 
-/// Whether the encoding of every T is the T as it lies in memory: numbers, one after the other,
-/// without gaps and without booleans.
+/// Whether every T is encoded exactly as it lies in memory: numbers, one after the other, without
+/// gaps and without booleans.
 template <class T> bool lies_as_encoded()
 {
     if constexpr (std::is_arithmetic_v<T>) {
@@ -71,8 +71,8 @@ template <class T> bool lies_as_encoded()
     }
 }
 
-/// The result of `lies_as_encoded`, computed once for each type. To copy a value as a whole takes a
-/// fraction of the time.
+/// The result of `lies_as_encoded`, computed once for each type. Where it is true, a value is
+/// copied as a whole, which takes a fraction of the time.
 template <class T> inline const bool is_whole = lies_as_encoded<T>();
 
 inline void put(Bytes& bytes, const void* data, std::size_t size)
@@ -117,7 +117,7 @@ template <class T> void encode(Bytes& bytes, const T& value)
 template <class... T> void encode_all(Bytes& bytes, const T&... values)
 {
     if ((is_whole<T> && ...)) {
-        bytes.resize((sizeof(T) + ...)); // mostly the size for the previous call
+        bytes.resize((sizeof(T) + ...)); // usually it has this size already
         std::byte* end = bytes.data();
         ((end = std::copy_n(reinterpret_cast<const std::byte*>(&values), sizeof(T), end)), ...);
         return;
@@ -126,7 +126,8 @@ template <class... T> void encode_all(Bytes& bytes, const T&... values)
     (encode(bytes, values), ...);
 }
 
-/// The least and the largest size of an encoding of T [bytes]. They bound a count and a reply.
+/// The least and the largest size of an encoding of T [bytes]. The least one bounds how many
+/// elements a list can have, and the largest one bounds a reply.
 struct Size {
     static constexpr std::size_t unbounded = std::numeric_limits<std::size_t>::max();
     std::size_t least = 0, most = 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Checks of lists and indices in the answers of formulas. Tests and the engine use them as indices
-// into arrays of their own, in a process that a student must not reach. So an answer that does not
-// fit its arguments never leaves the proxy.
+// Checks the lengths of lists and the indices in the answers of formulas. Tests and the engine
+// index arrays of their own with them, in a process that a student must not reach. So an answer
+// that does not fit its arguments never leaves the proxy.
 #pragma once
 
 #include "deformable/fracture/checked_answers.hpp"
@@ -13,7 +13,7 @@
 
 namespace rigor {
 
-/// @throws std::out_of_range that names the formula, unless there are as many as expected
+/// @throws std::out_of_range that names the formula, unless `found` is the expected number
 inline void require_size(FormulaIndex formula, const char* what, std::size_t found,
                          std::size_t expected)
 {
@@ -23,8 +23,8 @@ inline void require_size(FormulaIndex formula, const char* what, std::size_t fou
                                 std::to_string(expected) + " were expected");
 }
 
-/// Checks an answer against the arguments of the call. A number always fits, and so does a fixed
-/// count of numbers. @throws std::out_of_range
+/// Checks an answer against the arguments of the call. An answer of fixed size, such as a number or
+/// a matrix, always fits. @throws std::out_of_range
 template <FormulaIndex formula, class Result, class... Argument>
 void check_sizes(const Result& result, const Argument&... argument)
 {

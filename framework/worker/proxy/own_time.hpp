@@ -18,8 +18,8 @@ namespace rigor {
 /// The exit status of a program that computed for too long between two calls.
 inline constexpr int stalled_status = 75;
 
-/// What such a program writes before it ends. The name of the formula that answered last comes
-/// between the two parts.
+/// What a program that computed for too long writes before it ends. Between the two parts it writes
+/// the name of the formula that was called last.
 struct LastWords {
     int descriptor = -1;
     std::string before, after;
@@ -28,7 +28,8 @@ struct LastWords {
 /// Begins to count for a test case. @param stall  longest time between two calls [s]
 void watch_own_time(LastWords words, double stall);
 
-/// Limits the time on a processor as long as it lives; an inner limit counts beside an outer one.
+/// Limits the time on a processor as long as this object lives. If one limit lives within another,
+/// both hold.
 class OwnTimeLimit {
 public:
     /// @param subject  for the message: "scene bounce"
@@ -42,13 +43,13 @@ public:
 
 private:
     std::string subject_;
-    double seconds_, end_; // both on a processor
+    double seconds_, end_; // the limit, and the time at which it is reached, on a processor [s]
     const OwnTimeLimit* outer_;
 };
 
 namespace own_time {
 
-extern volatile std::sig_atomic_t ticks; // since the last call of a formula
+extern volatile std::sig_atomic_t ticks; // ticks of the timer since the last call of a formula
 extern volatile std::sig_atomic_t last_formula;
 
 void check();

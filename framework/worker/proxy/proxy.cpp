@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Every function of the contract, generated from the table. Each one encodes its arguments, asks
 // the worker, decodes the result, and checks it for NaN and infinity and for the lengths of its
-// lists. While a scene runs, the answer is the next one of the stream; the engine checks the states
-// that it computes from them.
+// lists. While a scene runs, the next answer of the stream is the result. Numbers in it are not
+// checked then, because the engine checks the states that it computes from them.
 #include "worker/proxy/proxy.hpp"
 
 #include "worker/protocol/define_formulas.hpp"
@@ -39,7 +39,7 @@ template <class Result> void refuse_non_finite(FormulaIndex formula, const Resul
     throw NotFinite(subject_of(formula), which);
 }
 
-/// Keeps a call among the recent ones. A long one is left out, so that they need little memory.
+/// Keeps a call among the recent ones. A call with long arguments is left out, to save memory.
 void keep(FormulaIndex formula, const wire::Bytes& arguments)
 {
     constexpr std::size_t most = 64, longest = std::size_t{1} << 14;
@@ -64,7 +64,8 @@ template <class Result> Result decoded(FormulaIndex formula, std::span<const std
     }
 }
 
-/// The encoded arguments, valid until the next call. A call of the worker under test is kept.
+/// Encodes the arguments of a call; the result is valid until the next call. A call of the worker
+/// under test is also kept, for `last_call` and `recent_calls`.
 template <class... Argument>
 const wire::Bytes& note_call(FormulaIndex formula, const Argument&... arguments)
 {
@@ -80,7 +81,7 @@ const wire::Bytes& note_call(FormulaIndex formula, const Argument&... arguments)
     return last->arguments;
 }
 
-/// Gives an answer of the reference to the scene that runs in the worker under test, if one does.
+/// If a scene runs in the worker under test, gives it an answer of the reference.
 template <FormulaIndex formula, class Result> void give(const Result& result)
 {
     if (!run) return;
@@ -105,7 +106,8 @@ typename Formula::Result answer(const Argument&... arguments)
     if (run && !is_by_reference) {
         try {
             Result result = decoded<Result>(formula, run->next(formula, largest));
-            // It may become an argument of the reference, which must not fail by it.
+            // The result may become an argument of a formula of the reference, which must not fail
+            // because of it.
             if (replaced.any()) refuse_non_finite(formula, result);
             check_sizes<formula>(result, arguments...);
             return result;

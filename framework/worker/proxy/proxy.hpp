@@ -14,7 +14,7 @@ namespace rigor {
 
 /// Makes the formulas ask this worker from now on. The oracle, the worker of the reference, tells
 /// how long a slow call may take and answers `by_reference`.
-/// @param oracle  its program; nothing: there is no reference
+/// @param oracle  the program of the oracle; nothing: there is no reference
 void use_worker(const std::filesystem::path& executable,
                 const std::optional<std::filesystem::path>& oracle = {}, const Limits& limits = {});
 
@@ -24,12 +24,13 @@ Worker& worker();
 /// The worker that runs the reference; nullptr if there is none.
 Worker* oracle();
 
-/// Makes the formulas take their answers from this run of a scene; nullptr: ask for each again.
+/// Makes the formulas take their answers from this run of a scene. nullptr: each call asks the
+/// worker again.
 void answer_from(SceneAnswers* run);
 
-/// Lets the reference answer these formulas in place of the worker under test, until the next call
-/// of this function. Outside of scenes, the worker learns nothing of the answers but what becomes
-/// an argument of its own formulas. @throws std::logic_error if there is no reference for them
+/// Until the next call of this function, the reference answers these formulas in place of the
+/// worker under test. Outside of scenes, the worker sees only those answers that become an argument
+/// for one of its own formulas. @throws std::logic_error if there is no reference
 void replace_by_reference(const FormulaSet& these);
 
 /// The formulas that the reference answers at present.
@@ -47,7 +48,8 @@ struct FormulaCall {
 /// The last call of a formula of the worker under test since `renew_worker`, if there was one.
 const std::optional<FormulaCall>& last_call();
 
-/// Some dozens of the last calls of the worker under test since `renew_worker`, in any order.
+/// The last calls of the worker under test since `renew_worker`, up to 64 of them in any order,
+/// without those with long arguments.
 std::span<const FormulaCall> recent_calls();
 
 /// The reference failed, which is never the fault of the implementation under test.

@@ -12,8 +12,8 @@ namespace rigor {
 
 namespace {
 
-// Makes the engine's formulas take their answers from a run of the worker under test, which is
-// given those that the reference answers.
+// As long as this object lives, the engine's formulas take their answers from a run of the scene in
+// the worker under test. Where the reference answers a formula, the worker is given that answer.
 class Answered {
 public:
     Answered(const Scene& scene, Request kind, Bytes payload, Record record)
@@ -30,8 +30,8 @@ private:
     SceneAnswers answers_;
 };
 
-// The longest time of our engine for a scene. With answers that make sense it takes a few seconds;
-// others may give it meshes that grow without end.
+// The longest time of our engine for a scene. With answers that make sense, the engine takes a few
+// seconds; senseless answers may give it meshes that grow without end.
 constexpr double longest_run = 30 * sanitizer_factor; // on a processor [s]
 
 // Runs the engine for a scene. @throws NotFinite, WorkerFailure
@@ -53,8 +53,8 @@ void run_scene_with_worker(const Scene& scene, Record record, const ByteSink& wr
     wire::encode(request, scene.text);
     wire::encode(request, scene.name);
     const Answered answered(scene, Request::run_scene, std::move(request), record);
-    // The scene is read again from its text, as the worker does, so that both engines start
-    // equally.
+    // The scene is read again from its text, as the worker does, so that both engines start from
+    // the same numbers.
     judged(scene, [&](const OwnTimeLimit& limit) {
         run_scene(parse_scene(scene.text, scene.name), record,
                   [&](std::span<const std::byte> bytes) {

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
-// Runs of scenes on this side, with the formulas of the worker under test.
+// Runs scenes with the engine of this process and the formulas of the worker under test.
 #pragma once
 
 #include "scene/run/run_scene.hpp"
 
 namespace rigor {
 
-/// As `run_scene`. @throws NotImplemented, FormulaMissing, WorkerFailure, NotFinite
+/// The same as `run_scene`, with the worker's formulas.
+/// @throws NotImplemented, FormulaMissing, WorkerFailure, NotFinite
 void run_scene_with_worker(const Scene& scene, Record record, const ByteSink& write);
 
-/// As `advance`. @throws as above
+/// The same as `advance`, with the worker's formulas. @throws as `run_scene_with_worker`
 std::vector<std::vector<RigidState>>
 advance_with_worker(const Scene& scene, const std::vector<Moment>& starts, int steps);
 

@@ -11,7 +11,7 @@ namespace rigor {
 
 /// The data that the shaders of one picture share, in the layout of their uniform block (std140).
 struct View {
-    float to_clip[16], to_light[16]; // by columns
+    float to_clip[16], to_light[16]; // 4 × 4 matrices, by columns
     float eye[4];
     float light[4];  // towards the sun; [3]: offset of shadows along a normal [m]
     float screen[4]; // width, height [pixels], 1 / side of the shadow map
