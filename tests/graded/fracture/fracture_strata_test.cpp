@@ -155,6 +155,8 @@ TEST_CASE("fracture: the longest edge of all tetrahedra of the vertex decides", 
 
 TEST_CASE("fracture: a plane that is hardly tilted cuts where it is", "[A7.6][fracture]")
 {
+    // A plane that passes all vertices closely cuts nothing; that all planes do is out of question.
+    int cuts = 0;
     for (Random random : seeds(2)) {
         TetrahedralMesh mesh = jiggled(block(2, 2, 2), random);
         const Matrix3d R = random.rotation(); // so that the plane crosses edges
@@ -170,16 +172,15 @@ TEST_CASE("fracture: a plane that is hardly tilted cuts where it is", "[A7.6][fr
                     (Vector3d::Unit(axis) + std::ldexp(1, -power) * along).normalized();
                 const SplitMesh result = split_element(mesh, middle, n);
                 double highest = 0; // the height above the plane that a new vertex has [m]
-                int count = 0;
                 for (std::size_t i = 0; i < result.origins.size(); ++i) {
                     if (result.origins[i].first == result.origins[i].second) continue;
-                    ++count;
+                    ++cuts;
                     highest = std::max(highest, std::abs(n.dot(result.mesh.vertices[i] - p)));
                 }
-                check_that(count > 0, "the plane cuts edges of the element");
                 REQUIRE_THAT(highest, IsClose(0.0, Rounding(64, 4)));
             }
     }
+    check_that(cuts > 0, "one plane at least cuts edges of the element");
 }
 
 } // namespace fracture_strata_test

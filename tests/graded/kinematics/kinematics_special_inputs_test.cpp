@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// A1: particles and forces at X itself, at the origin, and several at one place.
+#include "formulas/kinematics.hpp"
+#include "support/close.hpp"
+
+namespace kinematics_special_inputs_test {
+
+using namespace rigor;
+using namespace rigor::testing;
+
+TEST_CASE("kinematics: a particle at X has mass but no moment", "[A1.7][kinematics]")
+{
+    Matrix6d expected = Matrix6d::Zero();
+    expected.topLeftCorner<3, 3>() = 2 * Matrix3d::Identity();
+    for (const Vector3d& X : {Vector3d(0, 0, 0), Vector3d(1, 2, 3)})
+        REQUIRE_THAT(generalized_mass({{2, X}}, X), IsExactly(expected));
+}
+
+TEST_CASE("kinematics: a particle at the origin, and several at one place", "[A1.7][kinematics]")
+{
+    const Vector3d X(1, 0, 0);
+    // a lever of 1 m along x: SᵀS has 1 on its diagonal but for the rotation about x
+    const Matrix6d one = generalized_mass({{1, {0, 0, 0}}}, X),
+                   all = generalized_mass({{1, {0, 0, 0}}, {2, {0, 0, 0}}, {2, {0, 0, 0}}}, X);
+    const Matrix3d block = one.bottomRightCorner<3, 3>();
+    REQUIRE_THAT(block, IsClose(Matrix3d(Vector3d(0, 1, 1).asDiagonal()), Rounding(8, 1)));
+    REQUIRE_THAT(all, IsClose(Matrix6d(5 * one), Rounding(8)));
+}
+
+TEST_CASE("kinematics: forces at one point, and a couple whose one force acts at X",
+          "[A1.8][kinematics]")
+{
+    const Wrench several = net_wrench(
+        {{{1, 0, 0}, {0, 1, 0}}, {{0, 0, 2}, {0, 1, 0}}, {{0, 0, 2}, {0, 1, 0}}}, {0, 0, 0});
+    REQUIRE_THAT(several.force, IsClose(Vector3d(1, 0, 4), Rounding(8)));
+    REQUIRE_THAT(several.torque, IsClose(Vector3d(4, 0, -1), Rounding(8)));
+    const Wrench couple = net_wrench({{{0, -1, 0}, {0, 0, 0}}, {{0, 1, 0}, {1, 0, 0}}}, {0, 0, 0});
+    REQUIRE_THAT(couple.force, IsExactly(Vector3d(0, 0, 0)));
+    REQUIRE_THAT(couple.torque, IsClose(Vector3d(0, 0, 1), Rounding(8)));
+}
+
+TEST_CASE("kinematics: particles at one place, and one alone", "[A1.13][kinematics]")
+{
+    const Vector3d X(0, 0, 0), w(0, 0, 1);
+    const Wrench alone = inertial_wrench({{1, {1, 0, 0}}}, X, {0, 0, 0}, w);
+    REQUIRE_THAT(alone.force, IsClose(Vector3d(-1, 0, 0), Rounding(8)));
+    const Wrench several =
+        inertial_wrench({{1, {1, 0, 0}}, {2, {1, 0, 0}}, {2, {1, 0, 0}}}, X, {0, 0, 0}, w);
+    REQUIRE_THAT(several.force, IsClose(Vector3d(-5, 0, 0), Rounding(8)));
+}
+
+} // namespace kinematics_special_inputs_test
