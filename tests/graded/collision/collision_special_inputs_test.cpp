@@ -5,6 +5,8 @@
 #include "sliding_pair.hpp"
 #include "support/close.hpp"
 
+#include <stdexcept>
+
 namespace collision_special_inputs_test {
 
 using namespace rigor;
@@ -113,7 +115,7 @@ template <class Impulse> void check_jams(Impulse impulse, std::initializer_list<
                     REQUIRE_THAT(impulse(K, v, up, restitution, friction),
                                  IsClose(jammed(K, v, restitution, friction), Rounding(256)));
                 }
-    REQUIRE(jams > 0);
+    if (jams == 0) throw std::logic_error("no case jams");
 }
 
 } // namespace

@@ -97,7 +97,7 @@ TEST_CASE("inertia: a tetrahedron inside out, near and far", "[A2.13][inertia]")
         const TriangleMesh mesh = tetrahedron({far, -far, 2 * far});
         const MassProperties right = mesh_mass_properties(mesh, 6),
                              out = mesh_mass_properties(inside_out(mesh), 6);
-        const double scale = 1 + far * far * far; // of the tetrahedra with the origin
+        const double scale = 1 + far * far * far; // that of the tetrahedra with the origin
         REQUIRE_THAT(right.mass, IsClose(1.0, Rounding(64, scale)));
         REQUIRE_THAT(out.mass, IsClose(-1.0, Rounding(64, scale)));
         REQUIRE_THAT(out.center_of_mass,
@@ -106,14 +106,9 @@ TEST_CASE("inertia: a tetrahedron inside out, near and far", "[A2.13][inertia]")
     }
 }
 
-TEST_CASE("inertia: a mesh without density, and vertices that no triangle uses", "[A2.13][inertia]")
+TEST_CASE("inertia: vertices that no triangle uses do not matter", "[A2.13][inertia]")
 {
     TriangleMesh mesh = tetrahedron({1, 2, 3});
-    const MassProperties nothing = mesh_mass_properties(mesh, 0);
-    REQUIRE_THAT(nothing.mass, IsExactly(0.0));
-    REQUIRE_THAT(nothing.center_of_mass, IsExactly(Vector3d(0, 0, 0)));
-    REQUIRE_THAT(nothing.inertia, IsExactly(Matrix3d(Matrix3d::Zero())));
-
     mesh.vertices.insert(mesh.vertices.begin(), Vector3d(10, -20, 30));
     for (std::array<int, 3>& triangle : mesh.triangles)
         for (int& vertex : triangle)

@@ -13,6 +13,15 @@ namespace rigor::testing {
 
 namespace {
 
+// "mass I_inverse" as a list for people: "mass and I_inverse".
+std::string listed(std::string_view names)
+{
+    std::string text(names);
+    for (std::size_t at = text.find(' '); at != std::string::npos; at = text.find(' ', at + 5))
+        text.replace(at, 1, " and ");
+    return text;
+}
+
 /// Arguments in which a formula is affine together.
 struct Affine {
     std::string_view formula, arguments;
@@ -141,7 +150,7 @@ template <FormulaIndex f, auto& formula> void check_affine(const Affine& row)
 
         INFO(fmt::format("{} is affine in {}: the result for (1-t) a + t b is (1-t) times that for "
                          "a plus t times that for b, here with t = {:.3g}",
-                         row.formula, row.arguments, t));
+                         row.formula, listed(row.arguments), t));
         REQUIRE_THAT(found, IsClose(expected, of_superposition(scale)));
     }
 }

@@ -57,9 +57,7 @@ TEST_CASE("rotation: the exact update turns by any angle, forth and back", "[A3.
                     CAPTURE(h);
                     const Vector3d w = random.uniform(1, 20) * random.unit_vector();
                     const double half = h * w.norm() / 2;
-                    const Eigen::Quaterniond by(std::cos(half), 0, 0, 0);
-                    Quaternion turned = plain(by);
-                    turned.v = std::sin(half) * w.normalized();
+                    const Quaternion turned{std::cos(half), std::sin(half) * w.normalized()};
                     REQUIRE_THAT(advance_exact(q, w, h), IsClose(plain(eigen(turned) * eigen(q)),
                                                                  Rounding(32, 1 + std::abs(half))));
                 }
@@ -73,7 +71,7 @@ TEST_CASE("rotation: the linear update steps forth and back, and by no time", "[
                 for (const double h : {time, -time}) {
                     CAPTURE(h);
                     const Vector3d w = random.uniform(1, 20) * random.unit_vector();
-                    Quaternion turned{1, h / 2 * w};
+                    const Quaternion turned{1, h / 2 * w};
                     const Eigen::Quaterniond sum = eigen(turned) * eigen(q);
                     REQUIRE_THAT(advance_linear(q, w, h),
                                  IsClose(plain(Eigen::Quaterniond(sum.coeffs() / sum.norm())),
