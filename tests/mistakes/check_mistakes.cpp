@@ -108,6 +108,9 @@ std::vector<Mistake> chosen(const std::vector<Mistake>& all, const Wanted& wante
     if (!wanted.sample.empty() && result.size() != wanted.sample.size())
         throw std::invalid_argument(fmt::format("expected {} mistakes by name, found {} of them",
                                                 wanted.sample.size(), result.size()));
+    if (result.empty())
+        throw std::invalid_argument(
+            fmt::format("expected the tag or the name of a formula, found '{}'", wanted.formula));
     return result;
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Plastic flow of the elements whose von Mises stress is above the yield stress (O'Brien, Bargteil
-// and Hodgins 2002, "Graphical modeling and animation of ductile fracture", for the additive split
-// of the strain). For each of them it asks the formula `plastic_flow` for the new plastic strain,
-// limits it, and updates the elastic strain.
+// Plastic flow of the elements whose von Mises stress is above the yield stress. For each of them
+// it asks the formula `plastic_flow` for the new plastic strain, limits it, and updates the elastic
+// strain. The strain is split into a sum as by O'Brien, Bargteil and Hodgins (2002), "Graphical
+// modeling and animation of ductile fracture".
 #include "deformable/elasticity/flow.hpp"
 
 #include "deformable/elasticity/element.hpp"

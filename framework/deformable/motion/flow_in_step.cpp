@@ -16,9 +16,9 @@ namespace rigor {
 
 namespace {
 
-// The flow that a solve has assumed counts as right if the error of its stress is below this share
-// of the yield stress. The error falls quadratically, so that a larger tolerance would hardly save
-// a round.
+// The flow that a solve has assumed counts as right if the error of its stress, divided by the
+// yield stress, is below this number. The error falls quadratically, so that a larger tolerance
+// would hardly save a round.
 constexpr double flow_tolerance = 1e-9;
 // The rounding error of a stress, relative to the trial stress.
 constexpr double rounding = 1e-13;

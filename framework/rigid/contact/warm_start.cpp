@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Warm start of the contacts by the impulses of the previous step. For each pair of bodies it
 // computes the distances between old and new contacts in world space, and matches the nearest ones
-// first. A matched contact starts from the old contact's impulse, projected onto the friction cone
-// of the new contact.
+// first. A matched contact starts from the old contact's impulse, projected onto its own friction
+// cone.
 #include "rigid/contact/warm_start.hpp"
 
 #include "geometry/shapes/pose.hpp"

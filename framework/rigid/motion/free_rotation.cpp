@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Jacobi's solution for the free rotor, in four stages: the ellipse on which the angular momentum
 // circles in the body, the elliptic functions at the end of the step by the addition theorem, the
-// angle about the fixed momentum by Carlson's integrals, and the rotation of the body. The rotation
-// is the one between two frames, each made of axis 3 and the momentum, at the start and at the end
-// of the step. Every difference of squares is written as a sum of positive terms, so that nothing
-// cancels near the unstable axis or where two moments are nearly equal.
+// angle about the fixed momentum by Carlson's integrals, and the rotation of the body. For the last
+// one, axis 3 and the momentum span a frame at the start of the step and another one at its end.
+// Every difference of squares is written as a sum of positive terms, so that nothing cancels near
+// the unstable axis or where two moments are nearly equal.
 #include "rigid/motion/free_rotation.hpp"
 
 #include "rigid/motion/elliptic_functions.hpp"
@@ -19,8 +19,8 @@ namespace rigor {
 
 namespace {
 
-// The smallest 1 - m. Smaller values make no difference: with this one, M already needs 115 units
-// of u to pass the unstable axis.
+// The smallest 1 - m. Smaller values make no difference: with this one, M passes the unstable axis
+// only after 115 units of u.
 constexpr double least_m1 = 1e-100;
 
 // The closed curve of the unit vector M/|M| in the body.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Values as bytes: numbers, fixed-size Eigen types, containers, and plain structs field by field.
 // Both processes run on one machine, so numbers have the same bytes as in memory. A reader trusts
-// no byte: it checks every length against the bytes that are there, and accepts only one encoding
-// of each value.
+// no byte: it checks every length against the bytes that are there, and accepts each value in one
+// encoding only.
 #pragma once
 
 #include "formulas/fields.hpp"

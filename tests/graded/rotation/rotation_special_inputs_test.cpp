@@ -22,61 +22,68 @@ std::vector<Quaternion> starts(Random& random)
     return {{1, {0, 0, 0}}, {-1, {0, 0, 0}}, {0, {0, 0, 1}}, random.quaternion()};
 }
 
+// Calls check(q, ω, Δt) for all these starts and times, also back in time.
+template <class Check> void for_each_update(const Check& check)
+{
+    for (Random random : seeds(5))
+        for (const Quaternion& q : starts(random))
+            for (const double time : times)
+                for (const double h : {time, -time}) {
+                    CAPTURE(h);
+                    check(q, random.uniform(1, 20) * random.unit_vector(), h);
+                }
+}
+
+// Calls check(n) for axes along x, y and z, and for others.
+template <class Check> void for_each_axis(const Check& check)
+{
+    for (int i = 0; i < 3; ++i)
+        check(Vector3d(Vector3d::Unit(i)));
+    for (Random random : seeds(20))
+        check(random.unit_vector());
+}
+
+// The matrix of half a turn about the axis n.
+Matrix3d half_turn(const Vector3d& n)
+{
+    return 2 * n * n.transpose() - Matrix3d::Identity();
+}
+
 } // namespace
 
 TEST_CASE("rotation: a half turn turns a vector", "[A3.8][rotation]")
 {
-    REQUIRE_THAT(rotate({0, {0, 0, 1}}, {1, 2, 3}), IsClose(Vector3d(-1, -2, 3), Rounding(16)));
-    for (Random random : seeds(20)) {
-        const Vector3d axis = random.unit_vector(), p = random.vector();
-        REQUIRE_THAT(rotate({0, axis}, p),
-                     IsClose(Vector3d(2 * axis.dot(p) * axis - p), Rounding(32, 2)));
-    }
+    for_each_axis([](const Vector3d& n) {
+        const Vector3d p(1, 2, 3);
+        REQUIRE_THAT(rotate({0, n}, p), IsClose(Vector3d(half_turn(n) * p), Rounding(32, 8)));
+    });
 }
 
 TEST_CASE("rotation: the matrix of a half turn", "[A3.9][rotation]")
 {
-    for (int i = 0; i < 3; ++i) {
-        const Vector3d axis = Vector3d::Unit(i);
-        const Matrix3d expected = 2 * axis * axis.transpose() - Matrix3d::Identity();
-        REQUIRE_THAT(to_matrix({0, axis}), IsClose(expected, Rounding(16)));
-    }
-    for (Random random : seeds(20)) {
-        const Vector3d axis = random.unit_vector();
-        const Matrix3d expected = 2 * axis * axis.transpose() - Matrix3d::Identity();
-        REQUIRE_THAT(to_matrix({0, axis}), IsClose(expected, Rounding(16, 1)));
-    }
+    for_each_axis([](const Vector3d& n) {
+        REQUIRE_THAT(to_matrix({0, n}), IsClose(half_turn(n), Rounding(16, 1)));
+    });
 }
 
 TEST_CASE("rotation: the exact update turns by any angle, forth and back", "[A3.11][rotation]")
 {
-    for (Random random : seeds(5))
-        for (const Quaternion& q : starts(random))
-            for (const double time : times)
-                for (const double h : {time, -time}) {
-                    CAPTURE(h);
-                    const Vector3d w = random.uniform(1, 20) * random.unit_vector();
-                    const double half = h * w.norm() / 2;
-                    const Quaternion turned{std::cos(half), std::sin(half) * w.normalized()};
-                    REQUIRE_THAT(advance_exact(q, w, h), IsClose(plain(eigen(turned) * eigen(q)),
-                                                                 Rounding(32, 1 + std::abs(half))));
-                }
+    for_each_update([](const Quaternion& q, const Vector3d& w, double h) {
+        const double half = h * w.norm() / 2;
+        const Quaternion turned{std::cos(half), std::sin(half) * w.normalized()};
+        REQUIRE_THAT(advance_exact(q, w, h),
+                     IsClose(plain(eigen(turned) * eigen(q)), Rounding(32, 1 + std::abs(half))));
+    });
 }
 
 TEST_CASE("rotation: the linear update steps forth and back, and by no time", "[A3.12][rotation]")
 {
-    for (Random random : seeds(5))
-        for (const Quaternion& q : starts(random))
-            for (const double time : times)
-                for (const double h : {time, -time}) {
-                    CAPTURE(h);
-                    const Vector3d w = random.uniform(1, 20) * random.unit_vector();
-                    const Quaternion turned{1, h / 2 * w};
-                    const Eigen::Quaterniond sum = eigen(turned) * eigen(q);
-                    REQUIRE_THAT(advance_linear(q, w, h),
-                                 IsClose(plain(Eigen::Quaterniond(sum.coeffs() / sum.norm())),
-                                         Rounding(32, 1)));
-                }
+    for_each_update([](const Quaternion& q, const Vector3d& w, double h) {
+        const Eigen::Quaterniond sum = eigen({1, h / 2 * w}) * eigen(q);
+        REQUIRE_THAT(
+            advance_linear(q, w, h),
+            IsClose(plain(Eigen::Quaterniond(sum.coeffs() / sum.norm())), Rounding(32, 1)));
+    });
 }
 
 TEST_CASE("rotation: the matrix update grows with each turn", "[A3.1][rotation]")

@@ -71,8 +71,8 @@ std::vector<int> from_the_lowest(const ContactProblem& problem, const Island& is
 }
 
 // The part of v₁ - v₂ that comes from static and driven bodies, relative to V, with the opposite
-// sign. These bodies have no unknowns and no impulse changes them, so this velocity becomes a part
-// of the target velocity s.
+// sign. These bodies have no unknowns and no impulse changes them, so the target velocity s
+// contains this velocity.
 Vector3d surface_velocity(const ContactProblem& problem, const ContactConstraint& c,
                           const Vector3d& V)
 {

@@ -33,8 +33,8 @@ struct PlacedBox {
 };
 
 // An axis that may separate the boxes: its direction, a unit vector, and the distance of the boxes
-// along it. It is axis `axis1` of a box, or perpendicular to axis `axis1` of box 1 and axis `axis2`
-// of box 2.
+// along it. It is an axis of one box (`axis1`), or perpendicular to an axis of box 1 (`axis1`) and
+// to an axis of box 2 (`axis2`).
 struct Axis {
     double separation = -std::numeric_limits<double>::infinity();
     int axis1 = 0, axis2 = 0;
