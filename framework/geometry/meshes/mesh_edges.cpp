@@ -6,6 +6,7 @@
 #include "geometry/meshes/triangle.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 
 namespace rigor {
@@ -39,6 +40,20 @@ std::vector<MeshEdge> mesh_edges(const TriangleMesh& mesh, const std::vector<Vec
         edges.push_back({up.low, up.high, up.triangle, down.triangle, bend});
     }
     return edges;
+}
+
+double facet_angle(const TriangleMesh& mesh)
+{
+    // Faces that meet at a smaller angle lie in one plane, up to rounding; at a larger one they are
+    // the sides of an edge. A wheel with nine sides bends by 40 degrees.
+    constexpr double flat = 1e-6, largest = 0.7; // [rad]
+    const std::vector<Vector3d> normals = triangle_normals(mesh);
+    double angle = 0;
+    for (const MeshEdge& edge : mesh_edges(mesh, normals)) {
+        const double bend = std::atan2(edge.bend, normals[edge.left].dot(normals[edge.right]));
+        if (bend > flat && bend < largest) angle = std::max(angle, bend);
+    }
+    return angle;
 }
 
 std::vector<Vector3d> triangle_normals(const TriangleMesh& mesh)

@@ -32,6 +32,10 @@ struct MeshEdge {
 /// @param normals  unit, one for each triangle
 std::vector<MeshEdge> mesh_edges(const TriangleMesh& mesh, const std::vector<Vector3d>& normals);
 
+/// The largest angle between two facets of a closed mesh that stands for a round surface [rad].
+/// Only convex edges count at which the faces meet at 40 degrees or less. 0 if there are none.
+double facet_angle(const TriangleMesh& mesh);
+
 /// Unit normal of each triangle.
 std::vector<Vector3d> triangle_normals(const TriangleMesh& mesh);
 

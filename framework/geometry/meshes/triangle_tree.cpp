@@ -5,6 +5,9 @@
 #include "geometry/meshes/triangle_tree.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
+#include <unordered_set>
 
 namespace rigor {
 
@@ -50,19 +53,39 @@ void TriangleTree::descend(int index, const Vector3d& p, Found& best) const
     if (to_far < best.squared_distance) descend(far, p, best);
 }
 
-// Whether the vertex or edge on which a found point lies also belongs to the given triangle.
-bool TriangleTree::is_on(const Found& found, int triangle) const
-{
-    const auto& own = mesh_.triangles[found.triangle];
-    const auto& other = mesh_.triangles[triangle];
-    const auto has = [&](int vertex) {
-        return std::find(other.begin(), other.end(), vertex) != other.end();
-    };
-    if (found.feature == 6) return false;
-    if (found.feature < 3) return has(own[found.feature]);
-    const int edge = found.feature - 3;
-    return has(own[edge]) && has(own[(edge + 1) % 3]);
-}
+namespace {
+
+// The vertices and edges of the triangles that were added.
+class SeenFeatures {
+public:
+    // Whether the vertex or edge of a triangle (`feature` as in NearestOnTriangle) belongs to an
+    // added triangle.
+    bool has(const std::array<int, 3>& triangle, int feature) const
+    {
+        if (feature == 6) return false; // the face is the triangle's own
+        if (feature < 3) return vertices_.contains(triangle[feature]);
+        return edges_.contains(edge(triangle, feature - 3));
+    }
+    void add(const std::array<int, 3>& triangle)
+    {
+        for (int i = 0; i < 3; ++i) {
+            vertices_.insert(triangle[i]);
+            edges_.insert(edge(triangle, i));
+        }
+    }
+
+private:
+    static std::uint64_t edge(const std::array<int, 3>& triangle, int i)
+    {
+        const auto [low, high] = std::minmax(triangle[i], triangle[(i + 1) % 3]);
+        return static_cast<std::uint64_t>(low) << 32 | static_cast<std::uint64_t>(high);
+    }
+
+    std::unordered_set<int> vertices_;
+    std::unordered_set<std::uint64_t> edges_;
+};
+
+} // namespace
 
 std::vector<TriangleTree::Found> TriangleTree::local_minima(const Vector3d& p, double within) const
 {
@@ -78,11 +101,11 @@ std::vector<TriangleTree::Found> TriangleTree::local_minima(const Vector3d& p, d
         return std::pair(a.squared_distance, a.triangle) <
                std::pair(b.squared_distance, b.triangle);
     });
-    for (std::size_t i = 0; i < near.size(); ++i) {
-        const bool is_beside_a_nearer =
-            std::any_of(near.begin(), near.begin() + static_cast<std::ptrdiff_t>(i),
-                        [&](const Found& nearer) { return is_on(near[i], nearer.triangle); });
-        if (!is_beside_a_nearer) minima.push_back(near[i]);
+    SeenFeatures nearer;
+    for (const Found& found : near) {
+        const auto& triangle = mesh_.triangles[found.triangle];
+        if (!nearer.has(triangle, found.feature)) minima.push_back(found);
+        nearer.add(triangle);
     }
     return minima;
 }

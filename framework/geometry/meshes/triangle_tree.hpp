@@ -34,7 +34,6 @@ public:
 
 private:
     void descend(int index, const Vector3d& p, Found& best) const;
-    bool is_on(const Found& found, int triangle) const;
 
     const TriangleMesh& mesh_;
     BoundingTree tree_;

@@ -6,6 +6,7 @@
 
 #include "geometry/level_sets/level_set.hpp"
 #include "geometry/meshes/mesh_checks.hpp"
+#include "geometry/meshes/mesh_edges.hpp"
 
 #include <algorithm>
 
@@ -23,6 +24,11 @@ SolidMesh::SolidMesh(TriangleMesh mesh, std::string name, int cells)
 const Hull& SolidMesh::hull() const
 {
     return hull_.get([&] { return std::make_unique<Hull>(mesh_); });
+}
+
+double SolidMesh::facet_angle() const
+{
+    return facet_angle_.get([&] { return std::make_unique<double>(rigor::facet_angle(mesh_)); });
 }
 
 int SolidMesh::cells() const

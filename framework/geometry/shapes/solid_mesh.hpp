@@ -49,6 +49,9 @@ public:
     /// @pre is_convex()
     const Hull& hull() const;
 
+    /// The largest angle between two facets of a rounded surface, see mesh_edges.hpp [rad].
+    double facet_angle() const;
+
     /// Sample points and sharp edges of the surface, one cell of the level set apart.
     const MeshSurface& surface() const;
 
@@ -76,6 +79,7 @@ private:
     double radius_ = 0, volume_ = 0;
     bool is_convex_ = false;
     Lazy<Hull> hull_;
+    Lazy<double> facet_angle_;
     Lazy<int> chosen_cells_;
     Lazy<MeshSurface> surface_;
     Lazy<TriangleTree> triangles_;
