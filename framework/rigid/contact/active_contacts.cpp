@@ -18,7 +18,7 @@ UninitializedVector<int> activate_contacts(ContactProblem& problem, const Island
                 if (!(c.normal_K > 0) || !(c.tangential_K > 0)) continue; // neither body can move
                 c.target_speed =
                     c.gap > 0 ? -c.gap / problem.time_step : correction_speed(problem, c);
-                if (c.passes_by > 0) c.target_speed -= c.passes_by / problem.time_step;
+                if (c.passes_by != 0) c.target_speed -= c.passes_by / problem.time_step;
                 active.push_back(i);
             }
         return active;

@@ -23,6 +23,8 @@ struct ContactConstraint : Contact {
     // ground in this step. `turning_speed` is the part of v·n with which rotation moves such a
     // point towards the other body, ≤ 0 [m/s]. `passes_by` is the depth that the point would reach
     // on a straight line, or 0 if it would not reach the other body on a straight line either [m].
+    // If the gap belongs to the orientation at the end of the step (`ContactCandidates::turned`),
+    // `passes_by` takes the rotation out of the predicted gap, which already includes it.
     double turning_speed = 0, passes_by = 0;
     double force_speed = 0;        // change of v·n by the forces in this step [m/s]
     double free_speed = 0;         // v·n after the forces without any impulse [m/s]

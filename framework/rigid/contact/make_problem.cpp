@@ -124,6 +124,7 @@ struct PairValues {
     int body1 = -1, body2 = -1;
     double margin = 0, radius = 0; // [m]
     bool rolls1 = false, rolls2 = false;
+    bool turned1 = false, turned2 = false; // whether contacts belong to the end's orientation
     Material material;
 
     bool is_of(const Contact& contact) const
@@ -148,7 +149,26 @@ struct Filter {
                 r1 > 0 && r2 > 0 ? std::min(r1, r2) : std::max(r1, r2),
                 rolls(world.bodies[body1]),
                 rolls(world.bodies[body2]),
+                has_turned(body1),
+                has_turned(body2),
                 material_between(world.pair_laws, world.bodies, body1, body2)};
+    }
+
+    bool has_turned(int body) const
+    {
+        return !candidates.turned.empty() && candidates.turned[body];
+    }
+
+    // The part of v·n by the rotation of bodies whose contacts belong to the orientation at the end
+    // of free flight. The gap already includes this rotation.
+    double turning_speed(const Contact& contact, const PairValues& pair) const
+    {
+        const auto speed = [&](int i, bool turned) {
+            const Body& body = problem.bodies[i];
+            const Vector3d r = contact.point - body.position;
+            return turned ? contact.normal.dot(body.angular_velocity.cross(r)) : 0.0;
+        };
+        return speed(contact.body1, pair.turned1) - speed(contact.body2, pair.turned2);
     }
 
     // Appends the contact if it may close in this step.
@@ -157,10 +177,17 @@ struct Filter {
     {
         const Vector3d &n = contact.normal, &x = contact.point;
         const double free_speed = problem.velocity_between(after_forces, contact, x).dot(n);
-        if (contact.gap + problem.time_step * free_speed >= pair.margin) return;
+        const double turning = turning_speed(contact, pair);
+        const double end_gap = contact.gap + problem.time_step * (free_speed - turning);
+        if (end_gap >= pair.margin) return;
 
         ContactConstraint& c = taken.emplace_back(ContactConstraint{contact});
-        if (pair.rolls1 || pair.rolls2) set_turning(problem, pair.rolls1, pair.rolls2, c);
+        if (pair.turned1 || pair.turned2) {
+            c.turning_speed = std::min(turning, 0.0);
+            c.passes_by = -problem.time_step * turning;
+        } else if (pair.rolls1 || pair.rolls2) {
+            set_turning(problem, pair.rolls1, pair.rolls2, c);
+        }
         c.free_speed = free_speed;
         c.force_speed = free_speed - problem.velocity_at(c, x).dot(n);
         c.restitution = pair.material.restitution;

@@ -6,6 +6,7 @@
 
 #include "geometry/distance/support.hpp"
 #include "geometry/shapes/shape_bounds.hpp"
+#include "geometry/shapes/solid_mesh.hpp"
 #include "rigid/bodies/height_order.hpp"
 #include "rigid/bodies/non_finite.hpp"
 #include "rigid/detection/shapes/box_box.hpp"
@@ -168,6 +169,62 @@ Vector3d velocity_of(const RigidBody& body)
     return body.is_still() ? Vector3d(0, 0, 0) : body.state.velocity;
 }
 
+bool is_concave(const Shape& shape)
+{
+    const Mesh* mesh = std::get_if<Mesh>(&shape);
+    return mesh && !mesh->solid->is_convex();
+}
+
+// Two bodies with the displacements that their velocities give them in this step.
+struct MovingPair {
+    bool is_still1 = false, is_still2 = false;
+    Vector3d move1, move2, relative_move;
+
+    MovingPair(const RigidBody& body1, const RigidBody& body2, double time_step)
+        : is_still1(body1.is_still()), is_still2(body2.is_still()),
+          move1(time_step * velocity_of(body1)), move2(time_step * velocity_of(body2)),
+          relative_move(time_step * (velocity_of(body1) - velocity_of(body2)))
+    {
+    }
+    // The displacement of a contact point, which belongs to the body that moves.
+    Vector3d point_move() const
+    {
+        return is_still2 ? move1 : is_still1 ? move2 : Vector3d((move1 + move2) / 2);
+    }
+};
+
+// Appends the contacts with the part of a concave shape that another shape reaches in this step, as
+// in a bowl, where the wall ahead is steeper than the wall below. Each is found after the move of
+// both shapes, and its gap is measured along the same normal before the move. It is kept if the
+// shapes would overlap there, do not overlap now, and touch nowhere else along this normal. Without
+// it, a shape would move into the wall, and the position correction would lift it, which adds
+// energy.
+//
+// @param first  the contacts of these two shapes start at this index
+void find_contacts_ahead(const Shape& shape1, const Pose& pose1, const Shape& shape2,
+                         const Pose& pose2, const MovingPair& pair, double reach,
+                         Counters& counters, std::size_t first, Contacts& contacts)
+{
+    constexpr double same_normal = 1e-4; // length of the difference of two unit normals
+    const Bounds bounds1 = bounds_of(shape1, {}), bounds2 = bounds_of(shape2, {});
+    const double size =
+        std::min((bounds1.high - bounds1.low).norm(), (bounds2.high - bounds2.low).norm());
+    const double slop = resting_overlap * size / 2;
+    if (pair.relative_move.norm() < slop) return;
+    Contacts ahead;
+    find_in_any_order(shape1, {pose1.R, pose1.X + pair.move1}, shape2,
+                      {pose2.R, pose2.X + pair.move2}, {0, 0, 0}, reach, counters, ahead);
+    for (const Contact& c : ahead) {
+        const double now = c.gap - c.normal.dot(pair.relative_move);
+        if (c.gap >= 0 || now < -slop) continue;
+        if (std::none_of(contacts.begin() + static_cast<std::ptrdiff_t>(first), contacts.end(),
+                         [&](const Contact& known) {
+                             return (known.normal - c.normal).norm() < same_normal;
+                         }))
+            contacts.push_back({c.point - pair.point_move(), c.normal, now});
+    }
+}
+
 // The name of the body that has the shape, whose level set was sampled.
 const std::string& owner(const RigidBody& body1, const RigidBody& body2, const Shape* shape)
 {
@@ -196,8 +253,7 @@ void find_contacts(const World& world, const std::vector<Pose>& poses, int body1
                    double reach, std::vector<Contact>& contacts, Counters& counters,
                    double time_step)
 {
-    const Vector3d move =
-        time_step * (velocity_of(world.bodies[body1]) - velocity_of(world.bodies[body2]));
+    const MovingPair pair(world.bodies[body1], world.bodies[body2], time_step);
     const std::vector<Part>& parts1 = world.bodies[body1].parts;
     const std::vector<Part>& parts2 = world.bodies[body2].parts;
     const bool is_compound = parts1.size() * parts2.size() > 1;
@@ -211,8 +267,12 @@ void find_contacts(const World& world, const std::vector<Pose>& poses, int body1
             const Pose pose2 = part_pose(poses[body2], part2);
             if (is_compound && !bounds1.overlaps(bounds_of(part2.shape, pose2))) continue;
             try {
-                find_in_any_order(part1.shape, pose1, part2.shape, pose2, move, reach, counters,
-                                  contacts);
+                const std::size_t first_of_parts = contacts.size();
+                find_in_any_order(part1.shape, pose1, part2.shape, pose2, pair.relative_move, reach,
+                                  counters, contacts);
+                if (is_concave(part1.shape) || is_concave(part2.shape))
+                    find_contacts_ahead(part1.shape, pose1, part2.shape, pose2, pair, reach,
+                                        counters, first_of_parts, contacts);
             } catch (const NonFiniteLevelSet& e) {
                 throw NonFiniteState(owner(world.bodies[body1], world.bodies[body2], e.shape),
                                      std::string(e.quantity) + " of the level set", world.time);

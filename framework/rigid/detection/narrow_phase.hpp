@@ -28,9 +28,9 @@ void find_shape_contacts(const Shape& shape1, const Pose& pose1, const Shape& sh
 ///
 /// @param poses      the poses of all bodies
 /// @param counters   the numbers of level sets built and sampled are added to it
-/// @param time_step  spheres and boxes look ahead by this time along their velocities, for a normal
-///                   along which they are apart now and will not meet (box_box.hpp); with 0 only
-///                   the poses are used [s]
+/// @param time_step  bodies look ahead by this time along their velocities: spheres and boxes for a
+///                   normal along which they are apart now and will not meet (box_box.hpp), concave
+///                   meshes for the walls that they reach; with 0 only the poses are used [s]
 /// @throws NonFiniteState if the distance or normal of a level set is not finite
 void find_contacts(const World& world, const std::vector<Pose>& poses, int body1, int body2,
                    double reach, std::vector<Contact>& contacts, Counters& counters,

@@ -4,6 +4,9 @@
 // with the first power of the step, and is no gain.
 #include "classics/problems.hpp"
 
+#include "geometry/meshes/generators.hpp"
+#include "geometry/shapes/solid_mesh.hpp"
+
 using namespace rigor;
 using namespace rigor::testing;
 
@@ -80,6 +83,79 @@ TEST_CASE("classics: a disk that rolls on its rim loses little energy and gains 
             // The position correction leaves an overlap of a millionth of the radius, or lifts it.
             check_at_most(most / first, 1 + 1e-6, "energy");
             check_at_least(energy(world.bodies[1]) / first, kept, "energy");
+        }
+}
+
+TEST_CASE("classics: a body in a faceted bowl gains no energy", "[classics]")
+{
+    // The wall ahead is steeper than the wall below, in corners or along a curve. A body that moves
+    // into it and is pushed out again would be lifted by nothing.
+    struct Named {
+        const char* name;
+        Shape shape;
+    };
+    const auto mesh = [](const TriangleMesh& triangles) -> Shape {
+        return Mesh{std::make_shared<SolidMesh>(triangles)};
+    };
+    const std::vector<Named> shapes = {{"sphere", Sphere{0.1}},
+                                       {"capsule", Capsule{0.08, 0.1}},
+                                       {"torus", Torus{0.08, 0.03}},
+                                       {"box", Box{{0.12, 0.12, 0.12}}},
+                                       {"cylinder", Cylinder{0.08, 0.12}},
+                                       {"ellipsoid", Ellipsoid{{0.1, 0.08, 0.06}}},
+                                       {"icosphere", mesh(icosphere(0.1, 3))},
+                                       {"ring", mesh(ring_mesh(0.07, 0.1, 0.05, 48))}};
+    for (const int sides : {24, 96}) {
+        const Shape bowl = mesh(bowl_mesh(1.1, 0.1, sides));
+        for (const auto& [name, shape] : shapes)
+            for (const double friction : {0., 0.5})
+                for (const double h : {0.02, 0.01, 0.005}) {
+                    CAPTURE(sides, name, friction, h);
+                    const Material material{0, friction};
+                    World world =
+                        solved({fixed(bowl, material), body_of(shape, {0.35, -0.75, 0.05}, material,
+                                                               turn({1, 2, 3}, 0.7))});
+                    const RigidBody& body = world.bodies[1];
+                    const double bottom = -body.mass * g, first = energy(body) - bottom;
+                    double least = first, rise = 0;
+                    while (world.time < 8) {
+                        step(world, h);
+                        least = std::min(least, energy(body) - bottom);
+                        rise = std::max(rise, (energy(body) - bottom - least) / first);
+                    }
+                    check_at_most(rise, 0.02, "energy that was gained");
+                    check_at_least(least, 0, "energy above the bottom");
+                }
+    }
+}
+
+TEST_CASE("classics: a ball swings in a faceted bowl or ring without a gain", "[classics]")
+{
+    const Material smooth{0, 0};
+    const auto mesh = [](const TriangleMesh& triangles) -> Shape {
+        return Mesh{std::make_shared<SolidMesh>(triangles)};
+    };
+    for (const int sides : {12, 48, 180})
+        for (const bool is_ring : {false, true}) {
+            const Shape wall =
+                mesh(is_ring ? ring_mesh(1, 1.2, 1, sides) : bowl_mesh(1.1, 0.1, sides));
+            const Quaternion q = is_ring ? turn({1, 0, 0}, pi / 2) : Quaternion{};
+            for (const double start : {0.2, 1.2}) // from the vertical [rad]
+                for (const double h : {0.02, 0.01, 0.005}) {
+                    CAPTURE(sides, is_ring, start, h);
+                    const Vector3d X = 0.89 * std::cos(pi / sides) *
+                                       Vector3d(std::sin(start), -std::cos(start), 0);
+                    World world = solved(
+                        {fixed(wall, smooth, {0, 0, 0}, q), body_of(Sphere{0.1}, X, smooth)});
+                    const RigidBody& ball = world.bodies[1];
+                    const double bottom = -0.9 * ball.mass * g, first = energy(ball) - bottom;
+                    double most = 0;
+                    while (world.time < 20) {
+                        step(world, h);
+                        most = std::max(most, energy(ball) - bottom);
+                    }
+                    check_at_most(most / first, 1 + 1e-3, "energy");
+                }
         }
 }
 

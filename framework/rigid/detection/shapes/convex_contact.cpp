@@ -7,10 +7,12 @@
 
 #include "geometry/distance/separation.hpp"
 #include "geometry/distance/support.hpp"
+#include "geometry/shapes/solid_mesh.hpp"
 #include "rigid/detection/shapes/reduce_contacts.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace rigor {
 
@@ -165,6 +167,26 @@ Outline overlap(const Outline& a, const Outline& b)
     return o;
 }
 
+// Whether a place is inside a polygon or, up to rounding, on its border.
+bool contains(const Outline& polygon, const Vector2d& place)
+{
+    for (int i = 0; i < polygon.count(); ++i) {
+        const Vector2d& a = polygon.places[i];
+        const Vector2d d = polygon.places[(i + 1) % polygon.count()] - a;
+        if (cross(d, place - a) < -line_rounding * d.squaredNorm()) return false;
+    }
+    return true;
+}
+
+// The vertices of a mesh that stands for a round body. Such a body rolls within the step from the
+// facet that it turns to the other shape to the next ones. Other shapes have none.
+std::span<const Vector3d> vertices_of_round(const Shape& shape)
+{
+    const Mesh* mesh = std::get_if<Mesh>(&shape);
+    if (!mesh || mesh->solid->facet_angle() == 0) return {};
+    return mesh->solid->mesh().vertices;
+}
+
 // The middle of the gap where the shapes are nearest. If the feature of a shape is a single point,
 // this point is used, because the closest points from the search for the distance are less exact:
 // for a round shape and a large face they depend on the last triangle of the search.
@@ -212,6 +234,18 @@ void find_convex_contacts(const Shape& shape1, const Pose& pose1, const Shape& s
         lowest = std::min(lowest, gap);
         add(nearest.point2 + frame * p, gap);
     }
+    const auto add_vertices = [&](const Shape& shape, const Pose& placed, const Outline& face,
+                                  double sign) {
+        if (face.count() < 3) return;
+        for (const Vector3d& v : vertices_of_round(shape)) {
+            const Vector3d p = frame.transpose() * (placed * v - nearest.point2);
+            const double away = sign * (p.z() - height_at(face, p.head<2>()));
+            if (away < reach && contains(face, p.head<2>()))
+                add(nearest.point2 + frame * (p - away / 2 * sign * Vector3d::UnitZ()), away);
+        }
+    };
+    add_vertices(shape1, pose, below, 1);
+    add_vertices(shape2, Pose{}, above, -1);
     const double extent = (nearest.point1 - pose.X).norm();
     if (!(lowest <= nearest.distance + gap_tolerance * extent))
         add(nearest_middle(nearest, feature1, feature2), nearest.distance);

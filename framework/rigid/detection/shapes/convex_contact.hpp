@@ -12,7 +12,8 @@ namespace rigor {
 /// All contacts have the same normal: the direction in which the shapes are closest, or, if they
 /// overlap, in which they separate soonest. If both shapes turn a face or a line to each other, one
 /// is clipped against the other (Sutherland and Hodgman 1974), and each corner of the result is a
-/// contact with its own gap. Otherwise there is one contact.
+/// contact with its own gap. Otherwise there is one contact. A mesh that stands for a round body
+/// (`SolidMesh::facet_angle`) touches a flat face with all its near vertices.
 void find_convex_contacts(const Shape& shape1, const Pose& pose1, const Shape& shape2,
                           const Pose& pose2, double reach, std::vector<Contact>& contacts);
 

@@ -30,14 +30,16 @@ constexpr double far = 6;
 // its nearest point. Two points are equally near if their distances differ by less than
 // `equally_near`.
 constexpr double small_node = 1.5, equally_near = 1e-3;
+// Two gradients belong to one flat face if their difference is shorter than this.
+constexpr double same_face = 1e-3;
 
 // The surface points of a mesh that are near another shape.
 class PointsInField {
 public:
     // @param pose  pose of the mesh in the frame of the field
-    PointsInField(const MeshSurface& surface, const Pose& pose, const DistanceField& field,
-                  double reach)
-        : surface_(surface), pose_(pose), field_(field), reach_(reach)
+    PointsInField(const SolidMesh& mesh, const Pose& pose, const DistanceField& field, double reach)
+        : surface_(mesh.surface()), pose_(pose), field_(field), reach_(reach),
+          facet_cosine_(std::cos(mesh.facet_angle()))
     {
     }
 
@@ -45,7 +47,9 @@ public:
     // @return the deepest point that was looked at, whether it is a contact or not
     DeepestPoint find(std::vector<Contact>& contacts)
     {
+        const std::size_t first = contacts.size();
         descend(0, contacts);
+        if (facet_cosine_ < 1) remove_points_ahead_of_round(contacts, first);
         return deepest_;
     }
 
@@ -100,12 +104,34 @@ private:
         const Vector3d n = -(pose_.R * own);
         if (n.dot(gradient) < least_opposition) return;
         contacts.push_back({p - gap / 2 * n, n, gap});
+        gradients_.push_back(gradient);
+    }
+
+    // Removes contacts of a round mesh that have a gap and a normal that differs from the gradient
+    // by more than a facet, if a nearer point faces the same flat face. Such points lie ahead of a
+    // rolling wheel, which turns them away before they touch.
+    void remove_points_ahead_of_round(std::vector<Contact>& contacts, std::size_t first) const
+    {
+        const std::vector<Contact> all(contacts.begin() + static_cast<std::ptrdiff_t>(first),
+                                       contacts.end());
+        const auto faces = [&](std::size_t i) {
+            return all[i].normal.dot(gradients_[i]) >= facet_cosine_;
+        };
+        contacts.resize(first);
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            bool is_ahead = false;
+            for (std::size_t k = 0; k < all.size() && !is_ahead; ++k)
+                is_ahead = all[i].gap > 0 && !faces(i) && faces(k) && all[k].gap < all[i].gap &&
+                           (gradients_[k] - gradients_[i]).norm() < same_face;
+            if (!is_ahead) contacts.push_back(all[i]);
+        }
     }
 
     const MeshSurface& surface_;
     const Pose& pose_;
     const DistanceField& field_;
-    double reach_;
+    double reach_, facet_cosine_;
+    std::vector<Vector3d> gradients_; // one for each contact that was found
     DeepestPoint deepest_;
 };
 
@@ -144,7 +170,7 @@ DeepestPoint add_points(const Shape& shape1, const Pose& from_1, const SolidMesh
     const DistanceField field1(shape1, counters);
     const Pose from_2 = inverse(from_1);
     const std::size_t first = found.size();
-    const DeepestPoint deepest = PointsInField(mesh2.surface(), from_2, field1, reach).find(found);
+    const DeepestPoint deepest = PointsInField(mesh2, from_2, field1, reach).find(found);
     for (std::size_t i = first; i < found.size(); ++i)
         found[i] = seen_from_2(found[i], from_1);
     return deepest;
@@ -212,9 +238,9 @@ void find_mesh_contacts(const Shape& shape1, const Pose& pose1, const Shape& sha
     std::vector<Contact> own; // contacts of points of shape 1, if it is no mesh
     const DistanceField field2(shape2, counters);
     const Mesh* mesh1 = std::get_if<Mesh>(&shape1);
-    const DeepestPoint of_1 =
-        mesh1 ? PointsInField(mesh1->solid->surface(), from_1, field2, reach).find(found)
-              : find_smooth_contacts(shape1, from_1, field2, reach, own);
+    const DeepestPoint of_1 = mesh1
+                                  ? PointsInField(*mesh1->solid, from_1, field2, reach).find(found)
+                                  : find_smooth_contacts(shape1, from_1, field2, reach, own);
     if (is_round(shape1)) remove_points_ahead(found, shape1, from_1, own, 0.5);
     found.insert(found.end(), own.begin(), own.end());
     find_edge_contacts(shape1, from_1, mesh2.surface(), reach, found);

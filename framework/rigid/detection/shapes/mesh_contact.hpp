@@ -19,8 +19,8 @@ namespace rigor {
 /// level set, any other shape its exact distance. The normal is the gradient of the distance if it
 /// lies in the cone of the point's own normals, otherwise the direction in this cone that is
 /// closest to it. So a point inside a face pushes along the normal of the face, also at an edge of
-/// the other shape. Edges are tested against edges exactly, so that crossing bars touch although no
-/// point of one bar lies inside the other.
+/// the other shape. Points ahead of a rolling mesh wheel are left out. Edges are tested against
+/// edges exactly, so that crossing bars touch although no point of one bar lies inside the other.
 ///
 /// @param shape1  a mesh, a box, a cylinder, a cone or an ellipsoid
 /// @param shape2  a mesh
