@@ -19,24 +19,29 @@ constexpr double needed_rest = 0.5;
 // but with at most this time [s]. Otherwise a moving body would fall asleep at once where steps are
 // long.
 constexpr double first_rest = needed_rest / 2;
-// Largest move, in radii, and largest rotation [rad] of a body at rest. With a larger value, bodies
-// that creep would sleep; with a smaller one, the errors of the solver would keep piles awake.
+// Largest move and largest rotation [rad] of a body at rest. The unit of the move is the body's
+// radius or, if it is shorter, the way of a free fall during `needed_rest`. So a large body that
+// begins to slide or fall does not count as one at rest. With a larger value, bodies that creep
+// would sleep; with a smaller one, the errors of the solver would keep piles awake.
 constexpr double rest_fraction = 1e-4;
 
-bool is_near(const RigidState& a, const RigidState& b, double radius)
+// @param fall  way of a free fall during `needed_rest` [m]
+bool is_near(const RigidState& a, const RigidState& b, double radius, double fall)
 {
+    const double unit = std::min(radius, fall);
     const double moved = (a.position - b.position).norm();
     const double turned = 2 * orientation_distance(a.orientation, b.orientation);
-    return moved <= rest_fraction * radius && turned <= rest_fraction;
+    return moved <= rest_fraction * unit && turned * radius <= rest_fraction * unit;
 }
 
 // Adds up how long each body of the island has been at rest.
 void add_rest_times(World& world, const Island& island, const std::vector<double>& radii,
                     const std::vector<RigidState>& states, double time_step)
 {
+    const double fall = world.settings.gravity.norm() * needed_rest * needed_rest / 2;
     for (int i : island.bodies) {
         Rest& rest = world.bodies[i].rest;
-        if (rest.duration > 0 && is_near(states[i], rest.place, radii[i])) {
+        if (rest.duration > 0 && is_near(states[i], rest.place, radii[i], fall)) {
             rest.duration += time_step;
         } else {
             rest.duration = std::min(time_step, first_rest);
