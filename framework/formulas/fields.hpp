@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The fields of the plain types, by name and in order. The code that sends, compares or prints a
-// value, or checks it for NaN, uses this one list. A new field needs one more name here.
+// The fields of the plain types, by name and in order. All code that sends, compares or prints a
+// value, or checks it for NaN, uses these lists. A new field needs one more name here, or beside
+// its type in validation.hpp and under_test.hpp.
 #pragma once
 
 #include "formulas/types.hpp"

@@ -69,18 +69,21 @@ SplitMesh split_along_faces(const TetrahedralMesh& mesh, const std::vector<MeshF
 
 /// A7.6 A crack through a vertex, along a plane, that cuts elements (O'Brien and Hodgins 1999).
 ///
-/// The plane through the vertex cuts the tetrahedra that have this vertex. The height of a vertex
-/// above the plane is n·(x - x_v) with the place x_v of the given vertex. A vertex of these
-/// tetrahedra counts as lying on the plane if its distance to the plane is less than 0.05 of their
-/// longest edge. Each of their edges with ends on different sides gets a new vertex where it
-/// crosses the plane. All tetrahedra of the mesh that have this edge are halved there, also those
-/// without the vertex, so that the mesh stays conforming. The edges are processed one after
-/// another, in any order. Then each tetrahedron of the vertex is on one side of the plane: where
-/// its vertices are that do not lie on the plane, or where its center is if all of them do. The
-/// height of the center is the mean of the true heights of its vertices, compared with 0 without a
-/// tolerance (above, if it is exactly 0). The mesh splits, as in `split_along_faces`, along the
-/// faces between tetrahedra on different sides. The volume is conserved and no tetrahedron is
-/// inverted. Origins and parents refer to `mesh`.
+/// The plane through the vertex cuts the tetrahedra that have this vertex, in three steps:
+///
+/// 1. Heights. The height of a vertex x above the plane is n·(x - x_v), where x_v is the place of
+///    the given vertex. A vertex of these tetrahedra counts as lying on the plane if its distance
+///    to the plane is less than 0.05 of their longest edge.
+/// 2. Cut edges. Each of their edges with ends on different sides gets a new vertex where it
+///    crosses the plane. All tetrahedra of the mesh that have this edge are halved there, also
+///    those without the vertex, so that the mesh stays conforming. The edges are processed one
+///    after another, in any order.
+/// 3. Split. Now each tetrahedron of the vertex is on one side of the plane: on the side of its
+///    vertices that do not count as lying on it. If all four count as lying on it, the mean of
+///    their heights decides, without a tolerance (above, if it is exactly 0). The mesh splits, as
+///    in `split_along_faces`, along the faces between tetrahedra on different sides.
+///
+/// The volume is conserved and no tetrahedron is inverted. Origins and parents refer to `mesh`.
 ///
 /// @param vertex  index into the vertices
 /// @param normal  unit normal of the plane
@@ -100,9 +103,10 @@ SplitMesh split_element(const TetrahedralMesh& mesh, int vertex, const Vector3d&
 /// Vertices that are not joined are separate.
 ///
 /// A copy's share of the volume is the share of its part. The cracks of a tetrahedron are applied
-/// in order. Each crack divides, along its plane, the material of the parts whose corners it
-/// separates, and it ends at the other parts. The planes stay where they are: unlike in A7.6, no
-/// corner that is near a plane counts as lying on it. So the shares of a tetrahedron sum to 1.
+/// in order. Each crack cuts, along its plane, the material of those parts that have corners on
+/// both its sides. A part with all corners on one side stays whole: the crack ends there. The
+/// planes stay where they are: unlike in A7.6, no corner that is near a plane counts as lying on
+/// it. So the shares of a tetrahedron sum to 1.
 ///
 /// @param cracks  any number for each tetrahedron, in the order in which they opened
 /// @return  copies in the order of their parents, those of one parent ordered by their first real

@@ -9,11 +9,11 @@
 //     A1.8 any point.
 //   * R and the unit quaternion q rotate object space into world space: x = R p + X.
 //   * Bodies 1 and 2: the unit normal n points from 2 to 1, v = v1 - v2, body 1 receives +j and
-//     body 2 receives -j. The bodies approach where v.n < 0.
+//     body 2 receives -j. The bodies approach where v·n < 0.
 //   * δ is the identity matrix, and w* the cross-product matrix of w: w* x = w × x.
 //   * A static body is one whose velocity nothing changes. It has inverse mass 0 and inverse
 //     inertia 0, and no formula divides by its mass.
-//   * Every formula is total: finite input, with squares in range, gives a finite result. The
+//   * Every formula is total: if the arguments and their squares are finite, so is the result. The
 //     exceptions are A3.13 (at rest) and A6.7 (G = 0), which say that they are infinite.
 #pragma once
 
@@ -123,7 +123,7 @@ struct Body {
     bool is_static() const { return inverse_mass == 0; }
 };
 
-/// A point where body 1 penetrates body 2.
+/// A point where body 1 touches or penetrates body 2, or is about to touch it.
 struct ContactPoint {
     Vector3d point = Vector3d::Zero();             // x, world space [m]
     Vector3d normal = Vector3d::UnitY();           // n, unit, from body 2 to body 1

@@ -17,8 +17,8 @@
 
 namespace rigor {
 
-/// One call of a formula under test. All numbers of the arguments and of the result are in their
-/// order, vectors by their components.
+/// One call of a formula under test: the numbers of its arguments and those of its result, in the
+/// order of the declaration, each vector component by component.
 struct KnownCall {
     std::vector<double> arguments, result;
 };

@@ -72,9 +72,10 @@ Judgement test_oscillator_step(const OscillatorStep& step);
 
 /// A8.5 The law of the units, for any formula: if the unit of mass, length or time is replaced by
 /// another one, each number of the result changes as its dimension says. The formula is accepted
-/// where this holds for each of the three units, from a grain of sand to a planet.
+/// where this holds for each of the three units, smaller and larger by factors up to 2⁴⁰.
 ///
-/// A right formula may take roots, so that a factor whose exponent becomes a fraction is rounded.
+/// A right formula may take a root of a factor, which need not be exact: √(2⁴) = 2², but √2 is
+/// rounded. So the test allows for rounding.
 ///
 /// @param formula    takes as many numbers as `arguments` has dimensions
 /// @param example    arguments that the formula is made for, also after a unit is changed by a

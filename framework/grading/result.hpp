@@ -22,7 +22,7 @@ enum class Status {
     passed,
     skipped,
     not_implemented,
-    compile_error, // the formula, or one that it calls, is missing from what was compiled
+    compile_error, // the formula, or one that it calls, did not compile or is missing
     failed,
     not_finite,
     timed_out,

@@ -98,7 +98,7 @@ private:
     Queue<Drawn> filmed_{on_their_way};
     std::size_t pushed_ = 0;
 
-    std::mutex mutex_; // guards error_, written_ and the figures of report_
+    std::mutex mutex_; // guards error_ and written_
     std::exception_ptr error_;
     std::set<std::size_t> written_;
 

@@ -44,9 +44,9 @@ struct Limits {
     bool scene_by_silence = false;
     std::chrono::duration<double> oracle{60 * sanitizer_factor}; // limit for the oracle itself
     double multiple = 50;
-    /// The free time for all calls of formulas together, and for all scenes together. When it is
-    /// used up, the floors are a tenth, see `TimeBudget`. The reference needs less than one second
-    /// for the calls of any assignment, and less than five for its scenes.
+    /// How long all calls of formulas together, and all scenes together, may take before the floors
+    /// `call` and `scene` are reduced to a tenth, see `TimeBudget`. The reference needs less than
+    /// one second for the calls of any assignment, and less than five for its scenes.
     std::chrono::duration<double> all_calls{8 * sanitizer_factor},
         all_scenes{20 * sanitizer_factor};
     /// Limit on the address space [bytes]. Our own workers have none under a sanitizer.

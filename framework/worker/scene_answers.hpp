@@ -23,7 +23,7 @@ public:
     /// @param scene_name  for messages
     /// @param kind        run_scene or advance
     /// @param payload     what `Request` says for this kind
-    /// @param every_step  whether every step is recorded, which calls formulas if there is a solid
+    /// @param every_step  whether to record every step; the record of a solid calls formulas
     /// @param given       the formulas whose answers the worker gets by `give`
     SceneAnswers(Worker& worker, const std::string& scene_name, Request kind, Bytes payload,
                  bool every_step, const FormulaSet& given = {});

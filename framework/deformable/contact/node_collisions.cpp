@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Applies impulses and position correction at the contacts of nodes, one contact after the other.
 // The impulse is `collision_impulse` of assignment A4, between the node as a point mass and the
-// rigid body.
+// rigid body. The position correction is that of rigid bodies for a single contact: a part of the
+// penetration is removed without a change of velocities (Catto 2009).
 #include "deformable/contact/node_collisions.hpp"
 
 #include "formulas/collision.hpp"

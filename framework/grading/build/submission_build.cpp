@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the worker needs besides the folder's files is built first, by the main build. Then each
-// file is compiled, and the objects are linked. If the link fails, objects are added one after the
+// Ninja first builds what a worker needs besides the submission's files. Then each of these files
+// is compiled, and the objects are linked. If the link fails, objects are added one after the
 // other, and those that make it fail are left out.
 #include "grading/build/submission_build.hpp"
 

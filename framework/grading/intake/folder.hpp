@@ -13,7 +13,7 @@ namespace rigor {
 Contents read_folder(const std::filesystem::path& folder, const IntakeLimits& limits = {});
 
 /// Reads a source that was handed in without a folder or an archive around it.
-/// @param called  the name that the file gets, since a learning system has changed its name
+/// @param called  the name that the file gets, since Moodle or Canvas may have renamed it
 /// @throws Refused as `read_folder`
 Contents read_single_file(const std::filesystem::path& file, const std::string& called,
                           const IntakeLimits& limits = {});

@@ -27,7 +27,7 @@ bool holds(const fs::path& folder, const std::string& wanted)
     return fs::exists(fs::symlink_status(folder / wanted, error));
 }
 
-// Whether the name is one that a learning system gives to a single file, or to a folder with
+// Whether the name is one that a learning platform gives to a single file, or to a folder with
 // nothing but a typed text.
 bool is_downloaded_alone(const std::string& file, bool is_folder)
 {
@@ -39,7 +39,7 @@ bool is_downloaded_alone(const std::string& file, bool is_folder)
 // What lies in a folder, without what programs made, such as `.git`.
 struct Listing {
     std::vector<fs::path> folders, archives, links, others;
-    std::vector<fs::path> downloaded; // files and typed texts with the names of a learning system
+    std::vector<fs::path> downloaded; // files and typed texts with the names of a learning platform
     std::vector<fs::path> dotted;     // folders and archives whose names begin with a dot
 
     bool is_empty() const

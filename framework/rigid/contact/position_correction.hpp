@@ -21,9 +21,9 @@ struct Displacement {
 /// stay the same, the correction adds no kinetic energy and bodies do not jump.
 ///
 /// In a stack, every penetration above rounding is corrected; otherwise the errors of its contacts
-/// would add up and the stack would lean. In a pile, a slop of 1e-4 of the radius is kept and
-/// overlap below twice the slop is left alone, because each correction disturbs other contacts and
-/// the pile would never come to rest.
+/// would add up and the stack would lean. In a pile (`is_pile`), a slop of 1e-4 of the radius is
+/// kept and overlap below twice the slop is left alone, because each correction disturbs other
+/// contacts and the pile would never come to rest.
 ///
 /// Without gravity nothing is corrected here, since a displacement does not conserve angular
 /// momentum. In such a world, `correction_speed` corrects penetration.

@@ -2,7 +2,8 @@
 // Advances a world by one time step in the order of Guendelman, Bridson and Fedkiw (2003):
 // collisions, velocities, contact, positions. Free flight and the search for contacts come first.
 // Last, single bounces are computed at their exact times, the step of islands with too much overlap
-// is repeated in two halves, and islands at rest fall asleep.
+// is repeated in two halves, or up to an impact of two balls and after it, and islands at rest fall
+// asleep.
 #include "rigid/step/step.hpp"
 
 #include "rigid/bodies/non_finite.hpp"
@@ -55,8 +56,9 @@ Step step_of_parts(int divisions)
 
 // Free flight, and the contacts on the way. A sleeping body that another body may touch wakes up
 // and then moves too. So flight and search are done again, until no further body wakes.
-ContactCandidates find_contacts(World& world, const std::vector<bool>& pulled, double time_step,
-                                ThreadPool& pool, std::vector<RigidState>& flown)
+ContactCandidates fly_and_find_contacts(World& world, const std::vector<bool>& pulled,
+                                        double time_step, ThreadPool& pool,
+                                        std::vector<RigidState>& flown)
 {
     const Counters before = world.counters;
     for (;;) {
@@ -80,7 +82,8 @@ std::vector<ContactRecord> step(World& world, double time_step, int divisions)
 
     const std::vector<bool> pulled = with_dragged_bodies(forced, world);
     std::vector<RigidState> flown;
-    const ContactCandidates candidates = find_contacts(world, pulled, time_step, pool, flown);
+    const ContactCandidates candidates =
+        fly_and_find_contacts(world, pulled, time_step, pool, flown);
     if (candidates.contacts.empty())
         return finish_step(world, time_step, {std::move(flown), {}, {}});
 

@@ -5,6 +5,9 @@
 // stage                 reads                     writes               where
 //   a single body       its state, gravity        its state            step/single_body: no stages
 //   wake up             forces, springs           sleeping bodies      step/sleep, `wake_pulled`
+//   bodies with forces  forces, drag              none                 motion/forces,
+//                                                                      `pulled_bodies`,
+//                                                                      `with_dragged_bodies`
 // 1 free flight         states, forces            flown states         motion/free_flight
 // 2 find contacts       states, flown states      contact candidates   detection/contact_candidates
 //   broad, narrow phase bounds, then shapes       pairs, then points   detection/broad_phase,
@@ -29,19 +32,23 @@
 // 9 sleep               states, islands           memory, states       step/sleep
 //   finish the step     states, records           world                step/step_result
 //
+// "Memory" is what the world keeps for its next step (`StepMemory` in bodies/step_memory.hpp). A
+// "record" is a contact with its impulse, for the trajectory (`ContactRecord`).
+//
 // The normal and the friction part of an impulse are found together, so there is no file of
-// friction. The law of friction stands in contact/solvers/: optimised_sweeps and
-// collision_law_sweeps for one contact, newton_row for Newton's method; simultaneous_sweeps and
-// contact/one_at_a_time call the formulas of topic `contact`. Stage 3 has friction in the formula
-// `collision_impulse`. Nodes of deformable solids have friction once more:
+// friction. The law of friction stands in contact/solvers/: `contact_law` in optimised_sweeps and
+// `correct` in collision_law_sweeps for one contact, `projected` in newton_row for Newton's method;
+// simultaneous_sweeps and contact/one_at_a_time call the formulas of topic `contact`. Stage 3 has
+// friction in the formula `collision_impulse`. Nodes of deformable solids have friction once more:
 // deformable/contact/node_collisions calls `collision_impulse`, and deformable/motion/contact_set
 // has the law for the implicit step.
 //
 // Papers of the stages, by the numbers above: 1 Buss (2000), see constant_wrench_step.hpp, Blanes
 // and Moan (2002) and Munthe-Kaas (1999), see free_flight.hpp; 2 Verlet (1967) for the pair cache,
 // Gottschalk et al. (1996) for boxes, Guendelman et al. (2003) for level sets; 3 Guendelman et al.;
-// 5 Guendelman et al., Silcowitz-Hansen et al. (2010), Alart and Curnier (1991); 6 Catto (2009),
-// and Baumgarte (1972) without gravity. Stages 7 to 9 are Rigor's own.
+// 5 Guendelman et al., Jean (1999), Erleben (2007), Silcowitz-Hansen et al. (2010), Alart and
+// Curnier (1991); 6 Catto (2009), and Baumgarte (1972) without gravity. Stages 7 to 9 are Rigor's
+// own.
 #pragma once
 
 #include "rigid/bodies/world.hpp"

@@ -52,7 +52,7 @@ std::string run_slurm_task(const slurm::Plan& plan, std::size_t task, ClassWork 
     const auto write = [&](std::size_t i, const ResultFiles& files) {
         shared.write_graded(plan.fingerprints[i], files);
     };
-    std::vector<std::size_t> numbers; // without a result yet; a restarted task has some
+    std::vector<std::size_t> numbers; // submissions to grade; after a restart, not all of the chunk
     for (const std::size_t i : plan.chunks[task]) {
         if (shared.graded(plan.fingerprints[i])) continue;
         const std::string other = difference(plan, i, work);

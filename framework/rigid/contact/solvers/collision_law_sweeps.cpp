@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Projected Gauss–Seidel sweeps by `collision_impulse`. For each contact the sweep computes the
-// velocity without the contact's own impulse, then the new impulse by the formula, and applies the
-// change to both bodies.
+// Projected Gauss–Seidel sweeps (Jean 1999; Erleben 2007) by `collision_impulse`. For each contact
+// the sweep computes the velocity without the contact's own impulse, then the new impulse by the
+// formula, and applies the change to both bodies.
 #include "rigid/contact/solvers/collision_law_sweeps.hpp"
 
 #include "formulas/collision.hpp"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Projected Gauss–Seidel sweeps in a form that the compiler can turn into SIMD code. The
+// Projected Gauss–Seidel sweeps (Jean 1999; Erleben 2007), which is what the formula
+// `resolve_simultaneously` does, in a form that the compiler can turn into SIMD code. The
 // quantities of body 1 and body 2 are side by side in a register while the contacts of a pair are
 // visited one after the other. The blocks of one color are swept by several threads at the same
 // time.
