@@ -208,8 +208,8 @@ TEST_CASE("A4: friction that jams and friction that adds energy", "[numbers]")
     check_shown("A4", "they lose 4.64 J.", {-jammed.dot(v + separates) / 2});
     const Vector3d j = collision_impulse(K, v, up, 0, 1.75);
     check_shown("A4", "$j = (-7, 4, 0)$", listed(j));
-    check_shown("A4", "takes 22 J by its work on $v$ and adds 49.5 J",
-                {-j.dot(v), j.dot(K * j) / 2});
+    check_shown("A4", "which is $-22 + 49.5 = 27.5$ J",
+                {j.dot(v), j.dot(K * j) / 2, j.dot(v + K * j / 2)});
 
     // The rod whose center falls straight down: the tip moves with (1.5, -2.5) m/s.
     const Vector3d d = Vector3d(1, 1, 0).normalized(), X = d / 2, tip(1.5, -2.5, 0);
