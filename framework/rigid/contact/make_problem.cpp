@@ -177,7 +177,7 @@ struct Filter {
     {
         const Vector3d &n = contact.normal, &x = contact.point;
         const double free_speed = problem.velocity_between(after_forces, contact, x).dot(n);
-        const double turning = turning_speed(contact, pair);
+        const double turning = pair.turned1 || pair.turned2 ? turning_speed(contact, pair) : 0;
         const double end_gap = contact.gap + problem.time_step * (free_speed - turning);
         if (end_gap >= pair.margin) return;
 

@@ -53,6 +53,25 @@ TEST_CASE("statistics: energy and momentum by hand")
     CHECK(sums.deepest_penetration == 0.03);
 }
 
+TEST_CASE("statistics: a slack rope has no energy, a taut one that of a spring")
+{
+    for (const bool only_pulls : {false, true})
+        for (const double rest_length : {1., 10.}) {
+            CAPTURE(only_pulls, rest_length);
+            Scene scene = spring_scene();
+            scene.springs[0].only_pulls = only_pulls;
+            scene.springs[0].rest_length = rest_length;
+            const Statistics statistics(
+                scene, {{false, 2, Vector3d(1, 2, 3), Matrix3d::Identity()}, {true}});
+            Frame frame;
+            frame.bodies = {{Vector3d(0, 0, 0), {}, Vector3d(0, 0, 0), Vector3d(0, 0, 0)}, {}};
+            const double stretch = std::sqrt(10.0) - rest_length; // from (0, 0, 1) to (3, 0, 0)
+            const bool is_slack = only_pulls && stretch < 0;
+            CHECK_THAT(statistics.of(frame).potential_energy,
+                       IsClose(is_slack ? 0 : 4 * stretch * stretch, Rounding(16)));
+        }
+}
+
 TEST_CASE("statistics: matter without a moment about an axis has no energy from it")
 {
     const Scene scene = spring_scene();
