@@ -23,7 +23,7 @@ UninitializedVector<int> activate_contacts(ContactProblem& problem, const Island
             }
         return active;
     };
-    constexpr std::size_t grain_size = 256; // least number of pairs in a range
+    constexpr std::size_t grain_size = 256; // a thread takes at least this many pairs at a time
     const std::span<const ContactPair> pairs = island.pairs;
     return concatenate_ranges(*problem.pool, pairs.size(), grain_size,
                               [&](std::size_t first, std::size_t last) {

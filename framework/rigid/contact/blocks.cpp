@@ -15,21 +15,23 @@ namespace rigor {
 namespace {
 
 // A large island is divided into 3 or 7 slabs with the same number of bodies, and one slab at each
-// end with half of that number. So two or four threads get equal shares of the bodies, where the
-// two end slabs count as one. They also get equal shares of the borders between slabs: first of
-// every second border, then of the remaining borders.
+// end with half of that number. Together the two end slabs count as one slab, so two or four
+// threads get equal shares of the bodies. There are 4 or 8 borders between slabs. Threads first
+// share the pairs across every second border, then those across the remaining ones, so they get
+// equal numbers of borders too.
 //
 // The least number of bodies in a slab. Smaller slabs would let threads share smaller islands, but
 // more pairs would lie between two slabs. Chosen by trial; `bench pile` shows what a second thread
 // gains.
 constexpr std::size_t bodies_of_a_slab = 48;
-// The largest number of slabs, in units of four. Eight slabs are enough for four threads; with more
-// slabs, more pairs would lie between two slabs.
+// The largest number of slabs, divided by four, where the two end slabs count as one. Eight slabs
+// are enough for four threads; with more slabs, more pairs would lie between two slabs.
 constexpr int most_fours = 2;
 
 // The slab of each body of an island. The slabs lie side by side along the longest horizontal
 // extent of the island. All have the same number of bodies, except the first and the last slab,
-// which have half that number.
+// which have half that number. `fours` is the number of slabs, divided by four, if these two count
+// as one slab.
 class Slabs {
 public:
     Slabs(const ContactProblem& problem, std::span<const int> bodies, int fours)
@@ -49,7 +51,7 @@ public:
 
 private:
     struct SortedBody {
-        double along, across1, across2; // [m]
+        double along, across1, across2; // position along the row of slabs and across it [m]
         int body;
 
         friend bool operator<(const SortedBody& a, const SortedBody& b)
@@ -75,7 +77,8 @@ private:
         return axis;
     }
 
-    // Sorts the bodies into the half slabs [first, last).
+    // Sorts the bodies into the half slabs [first, last). Half slabs 2i - 1 and 2i make slab i; the
+    // first and the last slab have only one half.
     void divide(int first, int last)
     {
         const auto at = [&](int half) {
@@ -109,8 +112,9 @@ std::vector<ContactPair> split_into_blocks(const ContactProblem& problem, Island
     island.colors = {{0, 1}};
     if (fours == 0) return {};
 
-    // Blocks, in this order: pairs within one slab; pairs between slabs 2i and 2i + 1; pairs
-    // between slabs 2i + 1 and 2i + 2; all other pairs.
+    // The order of the blocks: first a block for each slab, with the pairs whose moving bodies lie
+    // in it; then a block for each two slabs 2i and 2i + 1, with the pairs between them; then the
+    // same for slabs 2i + 1 and 2i + 2; and last one block with all other pairs.
     const Slabs slabs(problem, island.bodies, fours);
     const int count = 4 * fours + 1, even = count, odd = even + count / 2, far = odd + count / 2;
     const auto block_of = [&](const ContactPair& pair) {

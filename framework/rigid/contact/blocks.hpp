@@ -7,14 +7,15 @@
 namespace rigor {
 
 /// Splits an island of many bodies into blocks. The bodies are divided into upright slabs; a block
-/// holds the pairs within a slab or between two neighbouring slabs. Blocks of the same color share
-/// no moving body (graph coloring). Within a block the pairs keep their order.
+/// holds the pairs within a slab or between two neighbouring slabs. The last block holds the
+/// pairs of slabs that are farther apart. Blocks of the same color share no moving body (graph
+/// coloring). Within a block the pairs keep their order.
 ///
 /// @return the former list `island.pairs` if the island was split, otherwise an empty list
 std::vector<ContactPair> split_into_blocks(const ContactProblem& problem, Island& island);
 
-/// Calls work(k) for each block, one color after the other. The blocks of a color are shared by
-/// several threads.
+/// Calls work(k) for each block k, one color after the other. Several threads work on different
+/// blocks of the same color at the same time.
 template <class Work> void visit_blocks(const Island& island, ThreadPool& pool, const Work& work)
 {
     for (const IndexRange& color : island.colors)

@@ -20,31 +20,31 @@ namespace {
 // would take more time. Contacts that still approach are left to the contact stage.
 constexpr int most_sweeps = 10;
 constexpr int most_rounds = 4;
-// Points whose depths have at least this ratio are averaged. With a larger value, a box that is
-// hardly tilted would bounce on one corner; with a smaller one, a tilted box would bounce as if it
-// were level.
+// Two points are averaged if the smaller of their depths is at least this fraction of the larger
+// one. With a larger value, a box that is hardly tilted would bounce on one corner; with a smaller
+// one, a tilted box would bounce as if it were level.
 constexpr double equally_deep = 0.9;
-constexpr double same_normal = 1e-9; // largest 1 - n·n' of two normals that count as equal
+constexpr double same_normal = 1e-9; // normals n, n' count as equal if 1 - n·n' is smaller
 // The front point of a rolling wheel moves towards the ground by rotation without reaching it in
-// this step; `turning_speed` is this part of v·n. A remaining approach speed below this share of
-// `turning_speed` is ignored, because the rotation of a step predicts the speed only to first
-// order.
+// this step; `turning_speed` is this part of v·n. If the rest of v·n is an approach slower than
+// this share of |turning_speed|, it is ignored, because `turning_speed` is exact only to first
+// order in the rotation during the step.
 constexpr double negligible_share = 0.1;
-// A remaining speed below this share of `turning_speed` counts as zero. The share is far above the
-// rounding error of a speed and far below any speed that matters.
+// If the rest of v·n is below this share of |turning_speed|, it counts as zero. The share is far
+// above the rounding error of a speed and far below any speed that matters.
 constexpr double rounding_share = negligible_share * 1e-9;
 
 // The points of a pair at which a collision may happen now.
 struct Candidates {
     std::vector<ContactPoint> points;
-    std::vector<int> contacts; // indices of the same contacts in the problem
-    bool any_approaches = false;
+    std::vector<int> contacts;   // the index of each point in `ContactProblem::contacts`
+    bool any_approaches = false; // whether v·n < 0 at one of the points
 };
 
 // Whether a contact approaches only by a rotation that does not close it, as at the front of a
-// rolling wheel. `others` is the rest of v·n. If gravity alone causes this rest, a bounce at its
-// speed would end within the step (2 others ≥ force_speed, see `is_over_in_the_step`), so the
-// contact stage handles it.
+// rolling wheel. `others` is v·n without this rotation. If gravity alone causes `others`, a bounce
+// with this speed would end within the step (2 others ≥ force_speed, see `is_over_in_the_step` in
+// `collect`), so the contact is left to the contact stage.
 bool only_turns(const ContactConstraint& c, double v_n)
 {
     const double others = v_n - c.turning_speed;
@@ -70,9 +70,9 @@ void collect(const ContactProblem& problem, const ContactPair& pair, Candidates&
         const bool is_over_in_the_step = v_n < 0 && 2 * v_n > c.force_speed;
         if (is_over_in_the_step) continue;
         if (only_turns(c, v_n)) continue;
-        // At a point that has bounced with ε = 0, only a rounding error of the speed is left. The
-        // formula could choose this point again and again, and the real hits of the pair would be
-        // left out.
+        // At a point that has bounced with ε = 0, only a rounding error of the speed is left.
+        // `deepest_approaching_point` could choose this point again and again, and the points of
+        // the pair that really hit would never bounce.
         if (v_n < 0 && -v_n <= problem.rounding_speed(c)) continue;
         candidates.points.push_back({c.point, c.normal, depth, v});
         candidates.contacts.push_back(i);
@@ -95,8 +95,8 @@ int checked(int index, std::size_t size)
 Vector3d without_energy_gain(const Matrix3d& K, const Vector3d& v, const Vector3d& j)
 {
     const double work = j.dot(v), stored = j.dot(optimised::product(K, j)) / 2;
-    constexpr double rounding = 1e-12; // in ½ jᵀKj: a few thousand rounding errors
-    if (!(work + stored > rounding * stored)) return j; // a NaN is reported later
+    constexpr double rounding = 1e-12; // relative to ½ jᵀKj: some thousand rounding errors
+    if (!(work + stored > rounding * stored)) return j; // also if NaN, which is reported later
     return std::max(0.0, -work / stored) * j;
 }
 

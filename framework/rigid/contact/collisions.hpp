@@ -11,11 +11,12 @@ namespace rigor {
 ///
 /// The stage visits islands one after the other, and the pairs of an island from the lowest up, in
 /// sweeps until no pair approaches. In a pair, the deepest point that still approaches is handled
-/// first (`deepest_approaching_point`); depths are those at the predicted positions. Points whose
-/// depths differ by less than a tenth count as touching at the same time, and their impulse acts at
-/// their mean point, so that a box that lands flat does not start to spin. A bounce that would be
-/// over within the step is left to the contact stage. No bounce may increase the energy: with
-/// restitution and friction together, an impulse that would increase it is scaled down.
+/// first (`deepest_approaching_point`); depths are those at the end of the step if nothing bounces.
+/// If the depths of points differ by at most 10 % of the larger depth, the points count as touching
+/// at the same time, and one impulse acts at their mean point, so that a box that lands flat does
+/// not start to spin. If gravity would bring the bodies together again within the step, their
+/// bounce is left to the contact stage. No bounce may increase the energy: with restitution and
+/// friction together, an impulse that would increase the energy is scaled down.
 void process_collisions(ContactProblem& problem);
 
 } // namespace rigor

@@ -18,8 +18,8 @@ namespace rigor {
 
 namespace {
 
-// The larger eigenvalue of K in the tangent plane of n. The two eigenvalues there have the sum tr K
-// - nᵀKn, and their squares have the sum |K|² - 2 |K n|² + (nᵀKn)².
+// The larger eigenvalue of K in the tangent plane of n. The sum of the two eigenvalues there is
+// tr K - nᵀKn, and the sum of their squares is |K|² - 2 |K n|² + (nᵀKn)².
 double tangential_eigenvalue(const Matrix3d& K, const Vector3d& n)
 {
     const Vector3d Kn = optimised::product(K, n);
@@ -150,7 +150,7 @@ Vector3d ContactProblem::velocity_between(std::span<const Body> states, const Co
 double ContactProblem::rounding_speed(const ContactConstraint& c) const
 {
     constexpr double few_errors = 64 * std::numeric_limits<double>::epsilon();
-    double speed = std::abs(c.force_speed); // the speeds of the point on both bodies follow
+    double speed = std::abs(c.force_speed); // the loop adds the speeds of both bodies
     for (const int i : {c.body1, c.body2}) {
         const Body& body = bodies[i];
         speed += body.velocity.lpNorm<1>() +

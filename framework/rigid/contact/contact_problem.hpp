@@ -18,17 +18,18 @@ namespace rigor {
 /// rounding.
 struct ContactConstraint : Contact {
     double restitution = 0, friction = 0;
-    double radius = 0; // radius of the smaller body that can move [m]
+    double radius = 0; // of the body that can move; if both can, of the smaller one [m]
     // The front of a rolling wheel moves down, but also forward, so that it does not reach the
     // ground in this step. `turning_speed` is the part of v·n with which rotation moves such a
     // point towards the other body, ≤ 0 [m/s]. `passes_by` is the depth that the point would reach
     // on a straight line, or 0 if it would not reach the other body on a straight line either [m].
-    // If the gap belongs to the orientation at the end of the step (`ContactCandidates::turned`),
-    // `passes_by` takes the rotation out of the predicted gap, which already includes it.
+    // If `gap` belongs to the orientation at the end of the step (`ContactCandidates::turned`), it
+    // already includes the rotation. Then `passes_by` is -h times the part of v·n by rotation, so
+    // that the predicted gap does not count the rotation twice (h: time step).
     double turning_speed = 0, passes_by = 0;
     double force_speed = 0;        // change of v·n by the forces in this step [m/s]
     double free_speed = 0;         // v·n after the forces without any impulse [m/s]
-    double target_speed = 0;       // v·n after the contact stage [m/s]
+    double target_speed = 0;       // least v·n that the contact stage has to reach [m/s]
     Matrix3d K = Matrix3d::Zero(); // K₁ + K₂, impulse matrix of both bodies [1/kg]
     double normal_K = 0;           // nᵀKn [1/kg]
     double tangential_K = 0;       // λ, the larger eigenvalue of K in the tangent plane [1/kg]
@@ -61,17 +62,17 @@ struct IndexRange {
 /// Bodies that are not static and that contacts connect, directly or through other such bodies.
 struct Island {
     std::vector<int> bodies;
-    std::vector<ContactPair> pairs; // block after block; within a block from the lowest up
-    // A large island is split into blocks for several threads, see `split_into_blocks`. Any other
-    // island has a single block, or none before it is prepared.
+    std::vector<ContactPair> pairs; // sorted by blocks, and within a block from the lowest up
+    // A large island is split into blocks for several threads (`split_into_blocks` in blocks.hpp).
+    // A smaller island has a single block. Before `split_into_blocks` there are no blocks.
     std::vector<IndexRange> blocks; // ranges of `pairs`
     std::vector<IndexRange> colors; // ranges of `blocks`; blocks of a color share no moving body
 };
 
 std::size_t contact_count(std::span<const ContactPair> pairs);
 
-/// An island of up to this many bodies is always cheap enough to be solved like a stack: Newton's
-/// method then has at most 48 unknowns.
+/// An island of up to this many bodies is always cheap enough to be solved like a stack, since
+/// Newton's method has 6 unknowns for each body, so at most 48 here.
 inline constexpr std::size_t few_bodies = 8;
 
 /// Whether the island is a pile rather than a stack: many bodies with many contacts between them.
@@ -97,10 +98,10 @@ struct ContactProblem {
     std::vector<Body> bodies; // one for each body of the world; set only for those with contacts
     UninitializedVector<ContactConstraint> contacts;
     std::vector<DrivenBody> driven;
-    std::vector<Island> islands; // only those in which two bodies would penetrate
+    std::vector<Island> islands; // only those where two bodies would penetrate in this step
     double time_step = 0;        // [s]
     Settings settings;
-    bool optimised = false; // whether the faster forms of the formulas are used
+    bool optimised = false; // whether optimised_forms.hpp and optimised_sweeps.hpp are used
     Counters* counters = nullptr;
     ThreadPool* pool = nullptr;
 
@@ -109,14 +110,14 @@ struct ContactProblem {
 
     /// The motions relative to which the speeds of an island are measured: those of the static and
     /// driven bodies that it touches, in the order of their indices. All bodies that never move
-    /// count as one. If the island touches none, it is the motion of its center of mass. Speeds in
-    /// the world are not used, because a scene that moves at a constant velocity has to give the
-    /// same result as at rest (Galilei 1632).
+    /// count as one. If the island touches no such body, the only motion in the list is that of its
+    /// center of mass. Speeds in the world are not used, because a scene that moves as a whole at a
+    /// constant velocity has to give the same result as at rest (Galilei 1632).
     std::vector<Body> grounds_of(const Island& island) const;
     /// Copies of the bodies of an island, in the order of `island.bodies`.
     std::vector<Body> bodies_of(const Island& island) const;
 
-    /// The gap at the end of the step if the bodies keep their velocities [m].
+    /// The gap at the end of the step if the contact keeps the normal velocity v_n [m].
     double predicted_gap(const ContactConstraint& contact, double v_n) const
     {
         return contact.gap + contact.passes_by + time_step * v_n;
@@ -126,7 +127,7 @@ struct ContactProblem {
     {
         return velocity_between(bodies, contact, x);
     }
-    /// v₁ - v₂ at a point, for other states of the bodies [m/s].
+    /// v₁ - v₂ at a point, if the bodies have these states instead of `bodies` [m/s].
     Vector3d velocity_between(std::span<const Body> states, const Contact& contact,
                               const Vector3d& x) const;
     /// The size of rounding errors in v₁ - v₂ [m/s]. A smaller speed counts as zero.
@@ -136,9 +137,10 @@ struct ContactProblem {
     /// Computes K, `normal_K` and `tangential_K` of a contact.
     void set_impulse_matrix(ContactConstraint& contact) const;
     /// Sets the velocities of the driven bodies that an island touches, for the contact stage of
-    /// this island. While the island moves with the mean velocity V, its contact points move over
-    /// the surface of a driven body (with the velocity V_d and the angular velocity ω) by h (V -
-    /// V_d). This changes the velocity of the surface at these points by h ω × (V - V_d).
+    /// this island. Let V be the mean velocity of the bodies that touch a driven body, and V_d and
+    /// ω the velocity and angular velocity of the driven body. In a step h, the contact points move
+    /// over its surface by h (V - V_d). So the velocity of the surface at these points changes by
+    /// h ω × (V - V_d).
     void set_drives(const Island& island);
     /// Gives all driven bodies their mean velocities again.
     void reset_drives();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Islands: groups of bodies connected by contacts, found by union–find over the pairs of moving
 // bodies. The contacts are first grouped into pairs of bodies, and the pairs are sorted by height.
-// Then each pair joins the island of its body that is not static, and islands in which nothing
-// would penetrate are left out.
+// Then each pair is added to the island of its moving body or bodies. Islands in which nothing
+// would penetrate in this step are left out.
 #include "rigid/contact/islands.hpp"
 
 #include "rigid/bodies/height_order.hpp"
@@ -40,7 +40,7 @@ void sort_by_height(const ContactProblem& problem, std::vector<ContactPair>& pai
 {
     if (pairs.size() < 2) return;
     struct Sortable {
-        HeightOrder::Key lowest; // key of the pair's lowest contact
+        HeightOrder::Key lowest; // sort key of the pair's lowest contact
         ContactPair pair;
     };
     const auto lowest_of = [&](const ContactPair& pair) -> const Vector3d& {
@@ -67,7 +67,7 @@ std::vector<Island> islands_of(const World& world, const ContactProblem& problem
         if (!world.bodies[c.body1].is_static && !world.bodies[c.body2].is_static)
             groups.unite(c.body1, c.body2);
     }
-    if (!world.settings.optimisations.islands) // all bodies with contacts form one island
+    if (!world.settings.optimisations.islands) // then all bodies with contacts form one island
         for (const ContactConstraint& c : problem.contacts)
             for (int i : {c.body1, c.body2})
                 if (!world.bodies[i].is_static)

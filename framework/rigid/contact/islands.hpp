@@ -14,7 +14,8 @@ std::vector<ContactPair> pairs_of(std::span<const ContactConstraint> contacts);
 /// does not depend on how the bodies are numbered.
 void sort_by_height(const ContactProblem& problem, std::vector<ContactPair>& pairs);
 
-/// The islands in which at least two bodies would penetrate, in the order of their first pairs.
+/// The islands in which at least two bodies would penetrate in this step, in the order of their
+/// first pairs.
 std::vector<Island> islands_of(const World& world, const ContactProblem& problem,
                                const std::vector<ContactPair>& pairs);
 

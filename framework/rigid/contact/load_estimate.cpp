@@ -34,8 +34,8 @@ std::vector<Support> supports_of(const ContactProblem& problem, std::span<const 
     return supports;
 }
 
-// Sets the initial impulse of a contact to a push on the upper body. If the push lies outside the
-// friction cone, only its normal part is taken.
+// Sets the initial impulse of the contact `by` so that the upper body gets the impulse `push`
+// [N s]. If this impulse lies outside the friction cone, only its normal part is taken.
 void support(ContactProblem& problem, const Support& by, const Vector3d& push)
 {
     ContactConstraint& c = problem.contacts[by.contact];
@@ -63,7 +63,8 @@ void estimate_loads(ContactProblem& problem, const Island& island, std::span<con
         const double p = height(a.upper), q = height(b.upper);
         return p > q || (p == q && a.upper < b.upper);
     });
-    std::vector<double> loads(problem.bodies.size(), 0.0); // [N s]
+    // Weight of each body and load on it, both times the time step [N s].
+    std::vector<double> loads(problem.bodies.size(), 0.0);
     for (int i : island.bodies)
         loads[i] = g * problem.time_step / problem.bodies[i].inverse_mass;
     for (auto first = supports.begin(); first != supports.end();) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The contact problem of a step, made from the contact candidates. First it takes the bodies that
-// have contacts, then the contacts that may close in this step. It groups them into pairs of bodies
-// and islands, and at the same time sets their warm-start impulses. Last, it computes their impulse
-// matrices and splits large islands into blocks.
+// have contacts, then the contacts that may close in this step. It groups the contacts into
+// pairs of bodies and islands, while other threads set the warm-start impulses. Last, it computes
+// the impulse matrices of the contacts and splits large islands into blocks.
 #include "rigid/contact/make_problem.hpp"
 
 #include "rigid/bodies/orientation.hpp"
@@ -31,7 +31,8 @@ Body static_in_world(const RigidBody& rigid, double time, double time_step)
     return body;
 }
 
-// Copies the bodies that have contacts, as they are now and as the step's forces would leave them.
+// Copies the bodies that have contacts: as they are at the start of the step to `problem.bodies`,
+// and with the velocities that the forces would give them in this step to `after_forces`.
 void take_bodies(const World& world, std::span<const RigidState> flown,
                  std::span<const Contact> contacts, ContactProblem& problem,
                  UninitializedVector<Body>& after_forces)
@@ -48,7 +49,7 @@ void take_bodies(const World& world, std::span<const RigidState> flown,
                                       drive_velocity(*drive, world.time + problem.time_step)});
     problem.bodies.resize(world.bodies.size());
     after_forces.resize(world.bodies.size());
-    constexpr std::size_t grain_size = 64; // least number of bodies in a range
+    constexpr std::size_t grain_size = 64; // a thread takes at least this many bodies at a time
     problem.pool->for_each_range(
         touching.size(), grain_size, [&](std::size_t first, std::size_t last) {
             for (std::size_t k = first; k < last; ++k) {
@@ -62,9 +63,9 @@ void take_bodies(const World& world, std::span<const RigidState> flown,
         });
 }
 
-// The second and higher orders of the displacement of the end of a lever arm r by the rotation
-// vector α (`turn`): (sin α/α - 1) α × r + (1 - cos α)/α² α × (α × r), by Rodrigues' formula
-// (1840).
+// The rotation vector α (`turn`) moves the end of a lever arm r by α × r to first order. This is
+// the rest of the displacement, by Rodrigues' formula (1840):
+// (sin |α|/|α| - 1) α × r + (1 - cos |α|)/|α|² α × (α × r).
 Vector3d bend_of_path(const Vector3d& turn, const Vector3d& r)
 {
     const double angle = turn.norm();
@@ -74,8 +75,8 @@ Vector3d bend_of_path(const Vector3d& turn, const Vector3d& r)
     return (std::sin(angle) / angle - 1) * line + 2 * half * half * turn.cross(line);
 }
 
-// Whether all of a body's shapes have a curved side or rim, on which it may roll. Spheres are left
-// out: rotation of a ball about its center moves none of its contacts along the normal.
+// Whether all of a body's shapes have a curved side or rim, on which it may roll. Spheres do not
+// count, because rotation of a ball about its center moves none of its contacts along the normal.
 bool rolls(const RigidBody& body)
 {
     return !body.is_static && !body.parts.empty() &&
@@ -90,16 +91,17 @@ bool rolls(const RigidBody& body)
 
 // Finds the part of v·n with which the rotation of rolling bodies moves a point towards the other
 // body without closing the gap (`turning_speed`, `passes_by`). The solver moves a point along a
-// straight line, on which it may reach the other body although it does not on its real path, a
-// circle.
+// straight line. There the point may reach the other body, although its real path, an arc of a
+// circle, does not.
 void set_turning(const ContactProblem& problem, bool rolls1, bool rolls2, ContactConstraint& c)
 {
     // The real path of a point bends away from the straight line. The bend is computed for a fixed
-    // normal, but on a curved surface the normal turns within the step. So the computed clearance
-    // may be wrong by this share of the bend. Chosen by trial; tests/classics has wheels that roll.
+    // normal, but on a curved surface the normal turns within the step. So the computed distance to
+    // the other body may be wrong by this share of the bend. Chosen by trial; tests/classics has
+    // wheels that roll.
     constexpr double bend_tolerance = 0.1;
-    // The time for which the turning of each body is followed: the step, or 0 for a body with
-    // corners, because its corners do hit the other body.
+    // The time over which the rotation of each body counts: the time step if it rolls, otherwise
+    // 0. The corners of a box, for example, do hit the other body.
     const Body &body1 = problem.bodies[c.body1], &body2 = problem.bodies[c.body2];
     const double h1 = rolls1 ? problem.time_step : 0, h2 = rolls2 ? problem.time_step : 0;
     const Vector3d turn1 = h1 * body1.angular_velocity, turn2 = h2 * body2.angular_velocity;
@@ -122,9 +124,11 @@ void set_turning(const ContactProblem& problem, bool rolls1, bool rolls2, Contac
 // The values that all contacts of a pair of bodies share.
 struct PairValues {
     int body1 = -1, body2 = -1;
-    double margin = 0, radius = 0; // [m]
+    // Sum of both bodies' margins, and the radius as in `ContactConstraint` [m].
+    double margin = 0, radius = 0;
     bool rolls1 = false, rolls2 = false;
-    bool turned1 = false, turned2 = false; // whether contacts belong to the end's orientation
+    // Whether the gaps belong to the body's orientation at the end of free flight.
+    bool turned1 = false, turned2 = false;
     Material material;
 
     bool is_of(const Contact& contact) const
@@ -159,8 +163,8 @@ struct Filter {
         return !candidates.turned.empty() && candidates.turned[body];
     }
 
-    // The part of v·n by the rotation of bodies whose contacts belong to the orientation at the end
-    // of free flight. The gap already includes this rotation.
+    // The part of v·n that comes from rotation, summed over those of the two bodies whose contacts
+    // belong to the orientation at the end of free flight. The gap already includes this rotation.
     double turning_speed(const Contact& contact, const PairValues& pair) const
     {
         const auto speed = [&](int i, bool turned) {
@@ -171,7 +175,7 @@ struct Filter {
         return speed(contact.body1, pair.turned1) - speed(contact.body2, pair.turned2);
     }
 
-    // Appends the contact if it may close in this step.
+    // Appends the contact to `taken` if it may close in this step.
     void take(const Contact& contact, const PairValues& pair,
               UninitializedVector<ContactConstraint>& taken) const
     {
@@ -195,8 +199,8 @@ struct Filter {
         c.radius = pair.radius;
     }
 
-    // The contacts that may close in this step. In the list, the contacts of a pair of bodies must
-    // follow each other.
+    // Those of `contacts` that may close in this step. In `contacts`, the contacts of a pair of
+    // bodies must follow each other.
     UninitializedVector<ContactConstraint> take(std::span<const Contact> contacts) const
     {
         UninitializedVector<ContactConstraint> taken;
@@ -213,14 +217,14 @@ struct Filter {
 void take_contacts(const Filter& filter, ContactProblem& problem)
 {
     const std::vector<Contact>& contacts = filter.candidates.contacts;
-    constexpr std::size_t grain_size = 256; // least number of contacts in a range
+    constexpr std::size_t grain_size = 256; // a thread takes at least this many contacts at a time
     problem.contacts = concatenate_ranges(
         *problem.pool, contacts.size(), grain_size, [&](std::size_t first, std::size_t last) {
             return filter.take(std::span(contacts).subspan(first, last - first));
         });
 }
 
-// Finds the islands and, at the same time, the impulses from which iterative methods start.
+// Finds the islands, while other threads find the impulses from which iterative methods start.
 void find_islands(const World& world, const ContactCandidates& candidates, ContactProblem& problem)
 {
     const std::vector<ContactPair> pairs = pairs_of(problem.contacts);
@@ -234,7 +238,7 @@ void find_islands(const World& world, const ContactCandidates& candidates, Conta
         method == ContactMethod::built_in || method == ContactMethod::simultaneous;
     if (!is_iterative || !problem.settings.optimisations.warm_start) return find();
 
-    constexpr std::size_t grain_size = 128; // least number of pairs in a range
+    constexpr std::size_t grain_size = 128; // a thread takes at least this many pairs at a time
     std::atomic<std::uint64_t> started = 0;
     problem.pool->for_each_range_beside(
         find, pairs.size(), grain_size, [&](std::size_t first, std::size_t last) {
@@ -244,12 +248,13 @@ void find_islands(const World& world, const ContactCandidates& candidates, Conta
     problem.counters->warm_starts += started;
 }
 
-// Computes the impulse matrices and, at the same time, splits the island into blocks.
+// Computes the impulse matrices of the contacts, while another thread splits the island into
+// blocks.
 void prepare(ContactProblem& problem, Island& island)
 {
-    constexpr std::size_t grain_size = 64; // least number of pairs in a range
+    constexpr std::size_t grain_size = 64; // a thread takes at least this many pairs at a time
     const std::span<const ContactPair> pairs = island.pairs;
-    std::vector<ContactPair> replaced; // keeps `pairs` valid until all threads are done
+    std::vector<ContactPair> replaced; // the old `island.pairs`, to which the span `pairs` points
     problem.pool->for_each_range_beside(
         [&] { replaced = split_into_blocks(problem, island); }, pairs.size(), grain_size,
         [&](std::size_t first, std::size_t last) {
@@ -280,7 +285,7 @@ ContactProblem make_problem(World& world, std::span<const RigidState> flown,
     problem.optimised = world.settings.uses_optimised_formulas();
     problem.counters = &world.counters;
     problem.pool = &pool;
-    UninitializedVector<Body> after_forces; // set for the bodies that have contacts
+    UninitializedVector<Body> after_forces; // one for each body; set only for those with contacts
     take_bodies(world, flown, candidates.contacts, problem, after_forces);
     take_contacts({world, problem, candidates, after_forces}, problem);
     find_islands(world, candidates, problem);

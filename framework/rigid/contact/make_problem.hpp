@@ -11,14 +11,14 @@ namespace rigor {
 /// settings and memory, and changes its counters.
 ///
 /// @param flown       the states after free flight, as if there were no contacts
-/// @param candidates  a contact is left out if its gap after free flight is at least the sum of
-///                    both bodies' margins
+/// @param candidates  the contacts to choose from; a contact is left out if its gap after free
+///                    flight is at least the sum of both bodies' margins
 ContactProblem make_problem(World& world, std::span<const RigidState> flown,
                             const ContactCandidates& candidates, double time_step,
                             ThreadPool& pool);
 
-/// The body with the changes of its velocity and angular momentum in free flight, but with the pose
-/// at the start of the step.
+/// The body after the forces of the step: the changes of its velocity and angular momentum from
+/// `start` to `flown` are added, but its pose stays that of the start of the step.
 Body with_forces(Body body, const RigidState& start, const RigidState& flown);
 
 } // namespace rigor

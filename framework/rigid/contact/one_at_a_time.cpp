@@ -15,13 +15,14 @@ namespace rigor {
 
 namespace {
 
-// The number of iterations of each of the formulas `resolve_contacts` and `shock_propagation`, as
-// in the paper (Guendelman, Bridson and Fedkiw 2003).
+// The number of iterations of `resolve_contacts`, and also of `shock_propagation`, as in the paper
+// (Guendelman, Bridson and Fedkiw 2003).
 constexpr int iterations = 10;
-// The load of a heavy body passes through a light one in small parts. Before shock propagation the
-// number of iterations is therefore multiplied by `growth` until contacts approach at no more than
-// `enough_share` of their first speed, as long as no more than `most_visits` contacts are visited.
-// With ten iterations alone, the plank of a seesaw passed on only half the weight of a heavy body.
+// In one iteration, a light body passes on only a small part of the load of a heavy body. Before
+// shock propagation, `resolve_contacts` therefore runs again, from the same start, with `growth`
+// times as many iterations, until the fastest approach is at most `enough_share` of that at the
+// start. A run may visit at most `most_visits` contacts, counted in all its iterations. With ten
+// iterations alone, the plank of a seesaw passed on only half the weight of a heavy body.
 constexpr double enough_share = 0.02;
 constexpr int growth = 4, most_visits = 4000;
 
@@ -64,7 +65,7 @@ void resolve_one_at_a_time(ContactProblem& problem, std::span<const int> active,
 {
     const LocalIsland local = local_island(problem, active);
     ContactResult result = resolved(problem, local, iterations);
-    if (shock) { // shock propagation loses load that has not reached the ground
+    if (shock) { // shock propagation would lose load that has not reached the ground
         const double enough = enough_share * fastest_approach(local.bodies, local.contacts);
         const int most = most_visits / static_cast<int>(active.size());
         for (int n = growth * iterations;

@@ -8,7 +8,7 @@ namespace rigor {
 /// Resolves the active contacts by `resolve_contacts`. If `shock` is true, `contact_levels` and
 /// `shock_propagation` follow.
 ///
-/// @param active  indices of the contacts in the problem, at least one
+/// @param active  indices in `problem.contacts`, at least one
 void resolve_one_at_a_time(ContactProblem& problem, std::span<const int> active, bool shock);
 
 } // namespace rigor

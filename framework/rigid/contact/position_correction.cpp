@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Position correction by pseudo velocities (Catto 2009; also known as split impulses): projected
-// Gauss–Seidel on displacements, with the impulse matrices of the step. For each island it makes a
-// row for each contact that penetrates or could come to penetrate. It then sweeps over the rows as
-// the contact solver does, with displacements in place of velocities. Without gravity, the contact
-// stage corrects penetration instead, by a speed (`correction_speed`, Baumgarte 1972).
+// Gauss–Seidel on displacements, with the impulse matrices of the step. In each island it makes a
+// row (`CorrectionRow`) for each contact that penetrates, or that the corrections could make
+// penetrate. It then sweeps over the rows as the contact solver does, with displacements in
+// place of velocities. In a world without gravity, the contact stage corrects penetration instead,
+// by a target speed (`correction_speed`, Baumgarte 1972).
 #include "rigid/contact/position_correction.hpp"
 
 #include "rigid/bodies/two_bodies.hpp"
@@ -17,25 +18,27 @@ namespace rigor {
 
 namespace {
 
-// The share of the excess overlap that a step removes, and a limit of the speed of this correction,
-// in radii of the smaller body per second [1/s]. Larger values remove penetration sooner, but piles
-// jitter and bodies that overlap deeply jump apart. A fifth is the usual share in engines (0.2 in
-// Box2D, Bullet and ODE); the rate was chosen by trial.
+// `corrected_fraction` is the share of the overlap above the slop that a step removes.
+// `correction_rate` limits the speed of this correction, in radii of the smaller body per second
+// [1/s]. Larger values remove penetration sooner, but piles jitter and bodies that overlap deeply
+// jump apart. A fifth is the usual share in engines (0.2 in Box2D, Bullet and ODE); the rate was
+// chosen by trial.
 constexpr double corrected_fraction = 0.2;
 constexpr double correction_rate = 1;
-// Overlap that is left uncorrected, as a fraction of the radius. In a stack it has the size of
-// rounding errors; in a pile it is the slop without which the pile would not come to rest.
+// The slop: overlap that is left uncorrected, as a fraction of the radius of the smaller body. In a
+// stack it is only as large as numerical errors; a pile would not come to rest without `pile_slop`.
 constexpr double rounding_slop = 1e-6, pile_slop = resting_overlap;
-constexpr double weightless_slop = 1e-3; // without gravity, where a correction adds energy
-// The sweeps over an island visit about `most_visits` rows in all, but their number stays within
-// these bounds. More sweeps take more time; fewer leave more overlap of a large island to the next
-// steps. Chosen by trial; `bench pile` shows the time and the overlap.
+constexpr double weightless_slop = 1e-3; // in worlds without gravity, where corrections add energy
+// All sweeps over an island together visit about `most_visits` rows, but there are always at least
+// `fewest_sweeps` and at most `most_sweeps` sweeps. More sweeps take more time; fewer leave more
+// overlap of a large island to the next steps. Chosen by trial; `bench pile` shows the time and the
+// overlap.
 constexpr int most_visits = 2000, fewest_sweeps = 4, most_sweeps = 20;
 
 using namespace optimised;
 
 // A contact in the position correction: its normal, the distance by which its bodies have to move
-// apart along the normal, and the displacements that a unit of correction causes.
+// apart along the normal, and what is needed to compute the displacements by a correction.
 struct CorrectionRow {
     int body1 = 0, body2 = 0;
     Vector3d n;
@@ -43,11 +46,11 @@ struct CorrectionRow {
     TwoVectors torque;           // r × n
     TwoVectors turn;             // I⁻¹ (r × n)
     double inverse_normal_K = 0; // 1/(nᵀKn)
-    double distance = 0;         // least change of the gap; < 0: the gap may shrink [m]
+    double distance = 0;         // the gap must grow by this, or may shrink by -distance [m]
     double correction = 0;       // sum of the corrections so far, ≥ 0 [kg m]
 };
 
-// The rows for the contacts of a block.
+// The rows for the contacts of a block, and how many of these contacts penetrate.
 struct Rows {
     std::vector<CorrectionRow> all;
     std::uint64_t penetrating = 0;
@@ -89,11 +92,12 @@ Rows rows_of(const ContactProblem& problem, const Island& island, const IndexRan
             const double v_n = problem.velocity_at(c, c.point).dot(c.normal);
             const double gap = problem.predicted_gap(c, v_n);
             const double radius = c.radius;
-            if (gap > correction_rate * radius * h) continue; // no correction can close the gap
+            if (gap > correction_rate * radius * h) continue; // corrections cannot close this gap
             double distance = -gap;
             if (gap < 0) {
                 const double excess = -gap - slop * radius;
-                // Overlap below twice the slop is left alone, so that the correction ends.
+                // Overlap below twice the slop is not corrected, so that corrections come to an
+                // end.
                 const bool is_corrected = excess > slop * radius;
                 rows.needs_correction |= is_corrected;
                 distance = is_corrected
@@ -107,8 +111,8 @@ Rows rows_of(const ContactProblem& problem, const Island& island, const IndexRan
     return rows;
 }
 
-// Applies the law of one contact while all others are kept as they are. Displacements take the
-// place of velocities.
+// Updates the correction of one contact while those of all other contacts stay as they are. `d`
+// holds the displacements of both bodies; they take the place of velocities.
 [[gnu::always_inline]] inline void correct(CorrectionRow& row, TwoMotions& d)
 {
     const TwoVectors n = broadcast(row.n);

@@ -14,29 +14,29 @@ struct Displacement {
 };
 
 /// Displacements that reduce the penetration of bodies without changing their velocities. In each
-/// step they remove a fifth of the penetration, no faster than one radius of the smaller body per
-/// second, and without bringing other contacts into penetration. The method is projected
+/// step they remove a fifth of the penetration above the slop, no faster than one radius of the
+/// smaller body per second, and without making other contacts penetrate. The method is projected
 /// Gauss–Seidel on pseudo velocities along the contacts' normals (Catto 2009, "Modeling and solving
 /// constraints", Game Developers Conference), also known as split impulses. Since the velocities
 /// stay the same, the correction adds no kinetic energy and bodies do not jump.
 ///
-/// In a stack, every penetration above rounding is corrected; otherwise the errors of its contacts
-/// would add up and the stack would lean. In a pile (`is_pile`), a slop of 1e-4 of the radius is
-/// kept and overlap below twice the slop is left alone, because each correction disturbs other
-/// contacts and the pile would never come to rest.
+/// The slop is an overlap that remains, and overlap below twice the slop is not corrected at all.
+/// In a stack, the slop is tiny (1e-6 of the radius); otherwise the errors of the contacts would
+/// add up and the stack would lean. In a pile (`is_pile` in contact_problem.hpp), it is 1e-4 of the
+/// radius; otherwise each correction would disturb other contacts, and the pile would never rest.
 ///
-/// Without gravity nothing is corrected here, since a displacement does not conserve angular
-/// momentum. In such a world, `correction_speed` corrects penetration.
+/// In a world without gravity nothing is corrected here, since a displacement does not conserve
+/// angular momentum. There, `correction_speed` corrects penetration.
 ///
 /// @return one displacement for each body of the world; empty if nothing needs correction
 std::vector<Displacement> position_corrections(const ContactProblem& problem);
 
 /// The velocity v·n that corrects the penetration of a contact in a world without gravity [m/s],
 /// known as Baumgarte stabilisation (Baumgarte 1972, "Stabilization of constraints and integrals of
-/// motion in dynamical systems", Comput. Methods Appl. Mech. Eng. 1). It removes a fifth of the
-/// penetration in each step, no faster than one radius per second. Penetration within a
-/// thousandth of the radius is left alone, since the correction adds energy. Momentum and angular
-/// momentum are conserved. With gravity the velocity is 0.
+/// motion in dynamical systems", Comput. Methods Appl. Mech. Eng. 1). A slop of a thousandth of the
+/// radius of the smaller body remains, since the correction adds energy. In each step a fifth of
+/// the penetration above the slop is removed, no faster than one radius per second. Momentum and
+/// angular momentum are conserved. In a world with gravity the velocity is 0.
 double correction_speed(const ContactProblem& problem, const ContactConstraint& contact);
 
 } // namespace rigor

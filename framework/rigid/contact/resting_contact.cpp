@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The contact stage of an island. Its active contacts are solved by the world's contact method.
-// Where penetration is corrected by a speed, the change of the kinetic energy decides whether the
-// result is kept. If it is not kept, the island is solved again without that correction.
+// In a world without gravity, the target speeds also correct penetration. Then the change of the
+// kinetic energy decides whether the result is kept; if not, the island is solved again without
+// this correction.
 #include "rigid/contact/resting_contact.hpp"
 
 #include "rigid/contact/active_contacts.hpp"
@@ -34,8 +35,8 @@ void solve(ContactProblem& problem, const Island& island, std::span<const int> a
     solve_island(problem, island, active);
 }
 
-// Kinetic energy of an island as seen from its ground, and the part of it that belongs to the
-// motion relative to the center of mass [J].
+// `all`: kinetic energy of an island in a frame with the velocity V. `inner`: the part of it that
+// belongs to the motion relative to the island's center of mass [J].
 struct Energy {
     double all = 0, inner = 0;
 };
@@ -62,10 +63,11 @@ void resolve(ContactProblem& problem, const Island& island)
                                       [&](int i) { return problem.contacts[i].target_speed > 0; });
     if (!corrects) return solve(problem, island, active);
 
-    // A correction by a speed adds energy. It is accepted if the contacts take away at least as
-    // much energy in this step, or if the added energy is larger than the kinetic energy of the
-    // bodies' relative motion, so that bodies which hardly move relative to each other are
-    // corrected at once. Otherwise it is left to a later step.
+    // A target speed above 0 corrects penetration, but adds energy. It is accepted if the contacts
+    // take away at least as much energy in this step. It is also accepted if the added energy
+    // exceeds the kinetic energy of the bodies' relative motion, so that bodies which hardly move
+    // relative to each other are corrected at once. Otherwise the correction waits for a later
+    // step.
     constexpr double rounding = 2 * std::numeric_limits<double>::epsilon();
     const std::vector<Body> bodies = problem.bodies_of(island);
     const Vector3d V = problem.grounds_of(island).front().velocity;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Warm start of the contacts by the impulses of the previous step. For each pair of bodies it
 // computes the distances between old and new contacts in world space, and matches the nearest ones
-// first. A matched contact starts from the old contact's impulse, projected onto its own friction
-// cone.
+// first. A new contact starts from the impulse of its old contact, projected onto the friction
+// cone of the new one.
 #include "rigid/contact/warm_start.hpp"
 
 #include "geometry/shapes/pose.hpp"
@@ -15,8 +15,9 @@ namespace rigor {
 
 namespace {
 
-// Largest distance of a match, in radii of the smaller body. A larger value would match different
-// contacts, a smaller one would lose the impulses of contacts that move over a surface.
+// Largest distance between an old and a new contact that are matched, in radii of the smaller body.
+// A larger value would match different contacts, a smaller one would lose the impulses of contacts
+// that move over a surface.
 constexpr double near_fraction = 0.1;
 
 template <class C> std::pair<int, int> bodies_of(const C& contact)
@@ -37,8 +38,8 @@ Vector3d projected_to_cone(const ContactConstraint& c, const Vector3d& impulse)
     return j_n * n + j_T;
 }
 
-// The warm contacts of the previous step, which are sorted by their pairs of bodies. Pairs must be
-// asked for in ascending order.
+// The warm contacts of the previous step, which are sorted by their pairs of bodies. The calls of
+// `between_bodies_of` must ask for the pairs in ascending order.
 class WarmPairs {
 public:
     explicit WarmPairs(std::span<const WarmContact> all) : rest_(all) {}
@@ -65,16 +66,16 @@ private:
 
 // A contact, a contact of the previous step, and the distance between them.
 struct Match {
-    double distance = 0; // squared [m²]
-    std::size_t contact = 0, before = 0;
+    double distance = 0;                 // the square of the distance [m²]
+    std::size_t contact = 0, before = 0; // indices of the new and of the old contact
 
     auto operator<=>(const Match&) const = default;
 };
 
 // Gives the contacts of one pair of bodies their initial impulses. The nearest contacts are matched
 // first; otherwise a contact that carries nothing could take the impulse of its neighbour.
-// @param matches  reused memory; afterwards it begins with the matches that were made
-// @return the number of matches
+// @param matches  working memory, reused to save allocations; its old content is not used
+// @return the number of contacts that got an impulse
 std::uint64_t start_pair_warm(std::span<const WarmContact> before, const std::vector<Pose>& poses,
                               double time_step, std::span<ContactConstraint> contacts,
                               std::vector<Match>& matches)
@@ -126,7 +127,7 @@ std::vector<WarmContact> warm_contacts(const std::vector<Pose>& poses,
                                        double time_step)
 {
     std::vector<WarmContact> warm;
-    if (!(time_step > 0)) return warm; // the force j/h of such a step would be infinite
+    if (!(time_step > 0)) return warm; // with a time step of 0, the forces j/h would be infinite
     warm.reserve(contacts.size());
     for (const ContactConstraint& c : contacts) {
         if (c.contact_impulse.isZero(0)) continue;

@@ -8,9 +8,9 @@
 namespace rigor {
 
 /// Gives contacts the impulses of the previous step as initial impulses. A contact takes the
-/// impulse of the nearest old contact of the same two bodies within a tenth of the smaller body's
-/// radius. The impulse's tangential part is shortened to the contact's own friction cone, and an
-/// impulse that would pull becomes zero.
+/// impulse of the nearest old contact of the same two bodies, at a distance of at most a tenth of
+/// the smaller body's radius. The tangential part of the impulse is shortened to the friction
+/// cone of the new contact, and an impulse that would pull becomes zero.
 ///
 /// @param before  the contacts of the previous step, sorted by `body1`, then `body2`
 /// @param poses   the poses of all bodies at the start of the step
@@ -21,8 +21,8 @@ std::uint64_t start_warm(std::span<const WarmContact> before, const std::vector<
                          std::span<ContactConstraint> contacts);
 
 /// The impulses of the contacts of this step, divided by the time step, from which the next step
-/// can start. An empty list after a step that took no time. `collect_contacts` (step/step_result)
-/// calls it, and `finish_step` stores the result in `StepMemory::warm_contacts`.
+/// can start. The list is empty if the time step is 0. `collect_contacts` calls this function, and
+/// `finish_step` stores the result in `StepMemory::warm_contacts` (both in step/step_result.hpp).
 ///
 /// @param contacts  grouped by pairs of bodies, in ascending order
 std::vector<WarmContact> warm_contacts(const std::vector<Pose>& poses,

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Adaptive substeps of single islands. For each pair of bodies a bound on the new overlap is
-// computed first, from the bodies' rotation and from the remaining approach speed; contacts are
-// searched again only where the bound is too large. An island with too much new overlap is copied
-// into a world of its own, with the static bodies near it, and takes two steps of half the length.
-// An island in which two balls meet takes one step up to the impact and one after it.
+// Adaptive substeps of single islands. "New overlap" is the increase of the overlap of two bodies
+// in this step. For each pair of bodies, a bound of it is computed first, from the bodies' rotation
+// and from the remaining approach speed; contacts are searched again only where the bound is too
+// large. An island with too much new overlap is copied into a separate world, with the static
+// bodies near it, and takes two steps of half the length. An island in which two balls meet takes
+// one step up to the impact and one after it.
 #include "rigid/step/adaptive_substeps.hpp"
 
 #include "geometry/bounds/bounds.hpp"
@@ -21,12 +22,13 @@ namespace {
 
 // Largest island that may be refined [bodies]; larger ones cost too much. Chosen by trial.
 constexpr std::size_t most_bodies = 32;
-// Allowed new overlap, as a fraction of the thinner body's thickness: where bodies rotate into each
-// other, and where the solver left some approach speed. Smaller values repeat more steps, larger
-// ones leave more penetration. Chosen by trial; tests/stress shows the depth.
+// Allowed increase of the overlap in a step, as a fraction of the thinner body's thickness. The
+// first value applies where bodies rotate into each other, the second where only the solver left
+// some approach speed. With smaller values more steps are repeated, with larger ones more
+// penetration remains. Chosen by trial; tests/stress shows the depth.
 constexpr double overlap_by_turn = 0.005, overlap_by_speed = 0.05;
 
-// The smallest extent of a body's thinnest part [m].
+// The smallest extent of a body's thinnest part, where planes do not count [m].
 double thickness(const RigidBody& body)
 {
     double least = std::numeric_limits<double>::infinity();
@@ -48,7 +50,8 @@ bool is_ball(const RigidBody& body)
     return body.parts.size() == 1 && std::holds_alternative<Sphere>(body.parts[0].shape);
 }
 
-// How far the rotation of a body may move its points off the planes of its contacts [m].
+// The largest distance by which the rotation of a body in this step may move its points out of the
+// tangent planes of its contacts [m].
 double deviation_by_rotation(const World& world, const ContactProblem& problem, int i,
                              double radius)
 {
@@ -67,10 +70,10 @@ double deepest(const std::vector<Contact>& contacts)
     return depth;
 }
 
-// The bodies of an island in a world of their own, with the static bodies near them.
+// A separate world with the bodies of an island and the static bodies near them.
 struct IslandWorld {
     World world;
-    std::vector<int> bodies; // their indices in the whole world, ascending
+    std::vector<int> bodies; // for each body of `world`, its index in the whole world; ascending
 };
 
 // Copies an island and the static bodies that contacts in `near` connect with it.
@@ -154,14 +157,15 @@ private:
     std::vector<Pose> poses_; // poses after the step, set only for the pair that is checked
 };
 
-// The time of the first impact at which two moving balls bounce, among the bounces that
-// `bounce_at_impacts` has not moved to their impacts; 0 if there is none. The exact time matters,
-// as in billiards: balls part along the line of centers that they have at the impact. On straight
-// paths the distance of two balls is a convex function of time. So the predicted time is never
-// late, and repeating the prediction in the later part converges quadratically.
+// The time from the start of the step to the first bounce of two moving balls; 0 if there is none.
+// Bounces that `bounce_at_impacts` has already moved to their time of impact do not count. The
+// exact time matters, as in billiards: balls part along the line of centers that they have at the
+// impact. On straight paths the distance of two balls is a convex function of time, so the
+// predicted time is never late. The later part of the step predicts the time again and may be
+// divided again. This iteration converges quadratically.
 double first_impact(const World& world, const ContactProblem& problem, const Island& island)
 {
-    constexpr double just_before = 1 - 1e-9; // so that the bounce falls into the later part
+    constexpr double just_before = 1 - 1e-9; // so that the bounce happens in the later part
     double first = problem.time_step;
     for (const ContactPair& pair : island.pairs) {
         const ContactConstraint& c = problem.contacts[pair.first];
@@ -176,8 +180,8 @@ double first_impact(const World& world, const ContactProblem& problem, const Isl
     return first < problem.time_step ? first : 0;
 }
 
-// The number of pairs that bounced in the attempt that is discarded. The counters already include
-// them.
+// The number of pairs of an island that bounced in the step before it is repeated in parts. The
+// counters already include these bounces.
 std::uint64_t bounced_pairs(const ContactProblem& problem, const Island& island)
 {
     return std::count_if(island.pairs.begin(), island.pairs.end(), [&](const ContactPair& pair) {
@@ -228,8 +232,9 @@ Refinement refine_by_substeps(World& world, ContactProblem& problem,
             if (!part.world.bodies[k].is_static)
                 states[part.bodies[k]] = part.world.bodies[k].state;
         // The parts do not count as steps of this world. If the step was divided at an impact, the
-        // bounce of the two balls is the same as before and counts once. If it was halved, the
-        // counters hold the work of both attempts.
+        // first attempt already counted the bounce of the two balls, so it is subtracted once. If
+        // the step was halved, the counters include the work of the first attempt and of the
+        // halves.
         const std::uint64_t steps = world.counters.steps;
         world.counters = part.world.counters;
         if (!is_halved) world.counters.collision_impulses -= bounced_pairs(problem, island);

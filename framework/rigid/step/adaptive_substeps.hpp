@@ -9,7 +9,8 @@
 
 namespace rigor {
 
-/// The contacts of the islands whose step was repeated.
+/// The contacts of the islands whose step was repeated in parts, from all parts, and the impulses
+/// for the next warm start.
 struct Refinement {
     std::vector<ContactRecord> records;
     std::vector<WarmContact> warm_contacts;
@@ -18,28 +19,31 @@ struct Refinement {
 /// Does a step of a world and returns its contacts.
 using Step = std::function<std::vector<ContactRecord>(World& world, double time_step)>;
 
-/// How many times a step, and then a part of it, may be divided in two. The limit bounds the run
-/// time: after ten halvings a part is a 1024th of the step.
+/// How many times in a row a step may be divided in two: first the step, then a part of it, then a
+/// part of this part. The limit bounds the run time. A part after ten halvings is a 1024th of the
+/// step.
 inline constexpr int most_divisions = 10;
 
-/// Repeats the step of an island in two parts if two bodies overlap more at the end than before, or
+/// Repeats the step of an island in two parts if the step has made two bodies overlap too much, or
 /// if two moving balls bounce.
 ///
-/// During a step, a contact acts along one fixed normal. Bodies may slide any distance across it,
-/// but a body that rotates by θ leaves its contact plane by up to θ² r/2, and sweeps that ended
-/// early leave some approach speed. The island's step is repeated if the overlap of two bodies
-/// grows because of this: by more than 1/200 of the thinner body's thickness if they rotate,
-/// otherwise by more than 1/20.
+/// During a step, a contact acts along one fixed normal. Bodies may slide any distance in the
+/// plane of the contact. But the points of a body that rotates by θ move out of this plane by up to
+/// θ² r/2 (r: its radius), and sweeps that ended early leave some approach speed. If the overlap of
+/// two bodies grows too much because of this, the step of their island is repeated. The limit of
+/// the growth is 1/200 of the thinner body's thickness if rotation may exceed it, otherwise 1/20.
 ///
 /// A step in which two moving balls meet and bounce is divided at the time of impact, because the
 /// balls part along the line of their centers at that time. (Most bounces of two bodies that
-/// nothing else touches were already moved to their time of impact by `bounce_at_impacts`.)
+/// nothing else touches were already moved to their time of impact by `bounce_at_impacts`, see
+/// impact.hpp.)
 ///
-/// Only islands of up to 32 bodies on which nothing but gravity pulls are refined.
+/// An island is refined only if it has at most 32 bodies and none of them is `pulled`.
 ///
-/// @param problem  the impulses of repeated islands are removed from it
+/// @param problem  in it, the impulses of repeated islands are set to zero
+/// @param pulled   for each body, whether springs, applied forces or drag act on it
 /// @param states   the states after the step; those of repeated islands are replaced
-/// @param step     advances a world by one part of the step; it may divide that part again
+/// @param step     advances a world by one part of the step; it may divide this part again
 Refinement refine_by_substeps(World& world, ContactProblem& problem,
                               const std::vector<bool>& pulled, const ContactCandidates& candidates,
                               std::vector<RigidState>& states, const Step& step);

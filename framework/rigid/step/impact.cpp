@@ -20,21 +20,22 @@ namespace rigor {
 
 namespace {
 
-constexpr int most_iterations = 8; // secant steps; three or four are enough
+constexpr int most_iterations = 8; // limit of secant steps; three or four are usually enough
 
-// The two bodies alone, at some time of the step.
+// A world of the two bodies alone, at a time during the step.
 struct PairWorld {
     World world;
     double time = 0; // since the start of the step [s]
-    double gap = 0;  // the smallest gap [m]
+    double gap = 0;  // the smallest gap of the contacts, or `reach` (in `pair_at`) if smaller [m]
     std::vector<Contact> contacts;
 };
 
-// The contact of a pair that closes first: its gap [m], v·n [m/s] and the rate of v·n [m/s²].
+// The contact of a pair that closes first: its gap [m], its v·n (`speed`) [m/s] and the rate at
+// which v·n changes [m/s²].
 struct Approach {
     double gap = 0, speed = 0, rate = 0;
 
-    // The time when the gap closes: gap + speed t + ½ rate t² = 0.
+    // The time t when the gap closes, gap + speed t + ½ rate t² = 0; infinity if it never closes.
     double closes() const
     {
         if (gap <= 0) return 0;
@@ -70,7 +71,8 @@ Approach first_to_close(const World& world, const ContactProblem& problem, const
     return first;
 }
 
-// The two bodies after a flight of `time`, with their contacts up to the distance `reach`.
+// The two bodies of the contact c after a flight of length `time` from the start of the step, with
+// their contacts whose gap is at most `reach`.
 PairWorld pair_at(const World& world, const ContactConstraint& c, double time, double reach)
 {
     PairWorld pair;
@@ -95,7 +97,8 @@ PairWorld pair_at(const World& world, const ContactConstraint& c, double time, d
     return pair;
 }
 
-// Sets the states of two bodies that do not meet in this step after all.
+// Sets the states of the two bodies of c to those after free flight over the whole step, since they
+// do not meet in it.
 void fly_past(const World& world, const ContactConstraint& c, double time_step,
               std::vector<RigidState>& states)
 {
@@ -126,8 +129,9 @@ std::optional<PairWorld> pair_at_impact(const World& world, const ContactConstra
     return pair;
 }
 
-// The contact problem at the impact, with the contacts that close within the rest of the step. The
-// counters of the pair's world are dropped later, since the bounce was counted already.
+// The contact problem at the impact, with the contacts that close within the rest of the step
+// (`rest`: its length [s]). The counters of the pair's world are not added to those of the whole
+// world, since the bounce was counted there already.
 ContactProblem problem_at_impact(PairWorld& pair, double radius, double rest)
 {
     std::vector<RigidState> flown;
@@ -149,8 +153,8 @@ ContactProblem problem_at_impact(PairWorld& pair, double radius, double rest)
     return make_problem(pair.world, flown, near, rest, pair.world.pool);
 }
 
-// The contacts of the bounce with their impulses and with the body indices of the whole world. An
-// empty list if there is no impulse or if the bodies would meet again within the rest of the step.
+// The contacts of the bounce with their impulses and with the body indices of the whole world. The
+// list is empty if there is no impulse or if the bodies would meet again in the rest of the step.
 std::vector<ContactRecord> records_of_bounce(const ContactProblem& impact,
                                              const ContactConstraint& c)
 {
@@ -181,8 +185,8 @@ void fly_on(PairWorld& pair, const ContactProblem& impact, const ContactConstrai
 }
 
 // Lets the pair bounce at its impact. Changes the states of the pair unless it returns nothing.
-// @return the contacts with their impulses, an empty list if the bodies do not meet in this step
-//         after all, or nothing if the impact is not a single bounce within the step
+// @return the contacts with their impulses; an empty list if the computed time of impact is after
+//         the end of this step; or nothing if the impact is not a single bounce within the step
 std::optional<std::vector<ContactRecord>> bounce_at_impact(const World& world,
                                                            const ContactProblem& problem,
                                                            const ContactPair& contacts,
@@ -193,7 +197,7 @@ std::optional<std::vector<ContactRecord>> bounce_at_impact(const World& world,
     const Approach approach = first_to_close(world, problem, contacts);
     const double predicted = approach.closes();
     if (!(predicted > 0)) return std::nullopt;
-    if (predicted >= h) { // the acceleration in this step keeps them apart
+    if (predicted >= h) { // in free flight they do not meet in this step
         fly_past(world, c, h, states);
         return std::vector<ContactRecord>();
     }
@@ -211,7 +215,7 @@ std::optional<std::vector<ContactRecord>> bounce_at_impact(const World& world,
 }
 
 // The only pair of an island that bounced; null if no pair or several pairs bounced, or if any
-// contact got an impulse in the contact stage.
+// contact of the island got an impulse in the contact stage.
 const ContactPair* single_bounce(const ContactProblem& problem, const Island& island)
 {
     const ContactPair* single = nullptr;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The position update. Each body that got an impulse flies once more, by the integrator of free
 // flight, with its velocity after the contact stage or, if it only bounced, after the collision
-// stage. The displacements of the position correction are added last.
+// stage (before the forces; then free flight adds gravity). The displacements of the position
+// correction are added last.
 #include "rigid/step/position_update.hpp"
 
 #include "formulas/rotation.hpp"
@@ -15,9 +16,9 @@ namespace rigor {
 
 namespace {
 
-// Whether the collision stage and the contact stage gave a body an impulse. A contact impulse does
-// not count if it changes a velocity only by a rounding error, as between bodies that fall together
-// after a hit.
+// `has_bounced`: whether the collision stage gave a body an impulse; `has_contact_impulse`: whether
+// the contact stage did. An impulse of the contact stage does not count if it changes a velocity
+// only by a rounding error, as between bodies that fall together after a hit.
 struct Impulses {
     bool has_bounced = false, has_contact_impulse = false;
 };
@@ -62,12 +63,14 @@ bool is_of_higher_order(Integrator integrator_when_held)
 bool holds_along_fixed_normals(const ContactProblem& problem, const Island& island,
                                const std::vector<Body>& before)
 {
-    // A contact opens or closes if its normal velocity is above this fraction of the speed relative
-    // to the ground. A smaller normal velocity is what the sweeps leave, and moves no point by more
-    // than 1e-6 of its way. The same limit holds for a velocity change by the collision stage,
-    // which is tiny between bodies that gravity accelerates alike.
+    // A contact opens or closes if |v·n| is above this fraction of the speed of its bodies relative
+    // to the ground. A smaller |v·n| is only an error that the sweeps leave; it moves no point by
+    // more than 1e-6 of the distance that the bodies move. The limit also holds for the change of
+    // v·n by the collision stage: between bodies that gravity accelerates alike, this change may be
+    // tiny but not zero.
     constexpr double opens = 1e-6;
-    // Between bodies at rest, the sweeps leave at most this share of the speed that the forces add.
+    // Between bodies at rest, the sweeps leave a |v·n| of at most this share of the speed that the
+    // forces of the step add.
     constexpr double left_at_rest = 1e-12;
     const std::vector<Body> grounds = problem.grounds_of(island);
     const auto speed_of = [&](const Body& body) {
@@ -104,7 +107,7 @@ void update_positions(World& world, const ContactProblem& problem, const std::ve
     const auto move = [&](int i, bool by_mean_velocity, Counters& counted) {
         const bool is_displaced = !displacements.empty() && !displacements[i].is_zero();
         const auto [has_bounced, has_contact_impulse] = impulses[i];
-        if (!has_bounced && !has_contact_impulse) { // its state after free flight stays
+        if (!has_bounced && !has_contact_impulse) { // `states[i]` is that after free flight
             if (is_displaced) displace(states[i], displacements[i]);
             ++counted.free_flights;
             return;

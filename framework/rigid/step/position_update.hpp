@@ -9,12 +9,14 @@ namespace rigor {
 
 /// Computes the positions after the contact stages.
 ///
-/// A body that only bounced flies on with its velocity after the collision, with gravity in its
-/// integrator. A body that contacts hold moves with its velocity at the end of the step, which does
-/// not take it into the bodies that hold it. There is one exception: if the integrator is of higher
-/// order and the contacts act along the same normals during the whole step, the body moves with the
-/// mean of its velocities at the start and the end, which is exact for a constant acceleration.
+/// A body that only bounced and is not `pulled` flies on with its velocity after the collision, and
+/// its integrator adds gravity. Any other body that got an impulse moves with its velocity at the
+/// end of the step, because this velocity does not move it into the bodies that hold it. There is
+/// one exception: if the integrator is of higher order and the contacts act along the same normals
+/// during the whole step, the body moves with the mean of its velocities at the start and the
+/// end of the step, which is exact for a constant acceleration.
 ///
+/// @param pulled            for each body, whether springs, applied forces or drag act on it
 /// @param after_collisions  the bodies after the collision stage, before the forces
 /// @param displacements     one for each body, or an empty list
 /// @param states            the states after free flight; replaced for bodies that got an impulse

@@ -10,7 +10,8 @@ namespace rigor {
 /// Whether a world has exactly one body, which moves and on which only gravity acts.
 bool is_single_body(const World& world);
 
-/// The step of a world with `is_single_body`, without lists and stages.
+/// The step of a world for which `is_single_body` is true. It makes no lists of bodies or contacts
+/// and runs no stage but free flight.
 /// @return an empty list, since there are no contacts
 std::vector<ContactRecord> step_single_body(World& world, double time_step);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Sleep of islands at rest. For each island it adds up how long every body has stayed in its place.
-// If all have done so for long enough, the bodies become a sleeping group without velocity, and
-// their contacts are kept. A group wakes as a whole.
+// Sleep of islands at rest. For each body of an island it adds up how long the body has stayed in
+// its place. If all bodies of the island have stayed for long enough, they become a sleeping group
+// without velocity, and their contacts are stored in the world. A group wakes as a whole.
 #include "rigid/step/sleep.hpp"
 
 #include "rigid/bodies/orientation.hpp"
@@ -19,13 +19,15 @@ constexpr double needed_rest = 0.5;
 // but with at most this time [s]. Otherwise a moving body would fall asleep at once where steps are
 // long.
 constexpr double first_rest = needed_rest / 2;
-// Largest move and largest rotation [rad] of a body at rest. The unit of the move is the body's
-// radius or, if it is shorter, the way of a free fall during `needed_rest`. So a large body that
-// begins to slide or fall does not count as one at rest. With a larger value, bodies that creep
-// would sleep; with a smaller one, the errors of the solver would keep piles awake.
+// While a body is at rest, its center of mass moves, and its rotation moves its points, by at most
+// this fraction of a length: the body's radius or, if it is shorter, the distance of a free fall
+// during `needed_rest`. With the radius alone, a large body that begins to slide or fall would
+// count as one at rest. With a larger fraction, bodies that creep would sleep; with a smaller one,
+// the errors of the solver would keep piles awake.
 constexpr double rest_fraction = 1e-4;
 
-// @param fall  way of a free fall during `needed_rest` [m]
+// Whether a body that has moved from the state b to the state a counts as one at rest.
+// @param fall  distance of a free fall during `needed_rest` [m]
 bool is_near(const RigidState& a, const RigidState& b, double radius, double fall)
 {
     const double unit = std::min(radius, fall);
@@ -34,7 +36,7 @@ bool is_near(const RigidState& a, const RigidState& b, double radius, double fal
     return moved <= rest_fraction * unit && turned * radius <= rest_fraction * unit;
 }
 
-// Adds up how long each body of the island has been at rest.
+// Adds the step to the time at rest of each body of the island, or starts this time anew.
 void add_rest_times(World& world, const Island& island, const std::vector<double>& radii,
                     const std::vector<RigidState>& states, double time_step)
 {
@@ -80,7 +82,7 @@ void fall_asleep(World& world, const ContactProblem& problem, const std::vector<
                  const std::vector<ContactRecord>& records)
 {
     if (!world.settings.optimisations.sleep || world.settings.gravity.isZero(0)) return;
-    std::vector<bool> fell; // whether each body falls asleep now; empty if none does
+    std::vector<bool> fell; // for each body, whether it falls asleep now; empty if none does
     for (const Island& island : problem.islands) {
         add_rest_times(world, island, radii, states, problem.time_step);
         if (!has_rested(world, island, pulled) || is_driven(world, problem, island)) continue;
@@ -101,7 +103,7 @@ void fall_asleep(World& world, const ContactProblem& problem, const std::vector<
 
 void wake(World& world, const std::vector<int>& bodies)
 {
-    std::vector<bool> wakes(world.bodies.size(), false); // whether each group wakes
+    std::vector<bool> wakes(world.bodies.size(), false); // for each group, whether it wakes
     for (int i : bodies)
         wakes[world.bodies[i].rest.group] = true;
     const auto is_woken = [&](int i) {

@@ -7,9 +7,11 @@
 
 namespace rigor {
 
-/// Puts to sleep every island that stayed in its place: in a world with gravity, no body of the
-/// island moved by more than 1e-4 of its radius or rotated by more than 1e-4 radians for half a
-/// second. The bodies lose their remaining velocity and keep their place.
+/// Puts to sleep every island that stayed in its place, in a world with gravity: for half a second,
+/// each body has moved by at most 1e-4 of its radius and rotated by at most 1e-4 radians (less for
+/// a body that is larger than a free fall in this time, see `rest_fraction` in sleep.cpp). The
+/// bodies lose their remaining velocity and keep their place. An island on a driven body that moves
+/// stays awake.
 ///
 /// @param radii    radius of each body [m]
 /// @param pulled   for each body, whether springs or applied forces pull on it; such a body stays

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Advances a world by one time step in the order of Guendelman, Bridson and Fedkiw (2003):
 // collisions, velocities, contact, positions. Free flight and the search for contacts come first.
-// Last, single bounces are computed at their exact times, the step of islands with too much overlap
-// is repeated in two halves, or up to an impact of two balls and after it, and islands at rest fall
-// asleep.
+// Last, single bounces are computed at their exact times. The step of an island with too much new
+// overlap is repeated in two halves; that of an island in which two balls meet is repeated up to
+// the impact and then after it. Islands at rest fall asleep.
 #include "rigid/step/step.hpp"
 
 #include "rigid/bodies/non_finite.hpp"
@@ -36,7 +36,7 @@ std::vector<RigidState> free_flight(World& world, const std::vector<bool>& pulle
     return flown;
 }
 
-// Adds the changes of momentum by the forces, as computed in free flight.
+// Adds the changes of velocity and angular momentum by the forces, as free flight computed them.
 void apply_forces(ContactProblem& problem, const World& world, const std::vector<RigidState>& flown)
 {
     for (const Island& island : problem.islands)
@@ -46,16 +46,18 @@ void apply_forces(ContactProblem& problem, const World& world, const std::vector
 
 std::vector<ContactRecord> step(World& world, double time_step, int divisions);
 
-// The function that advances the two parts of a step. `divisions`: how often the original step was
-// divided to get this step.
+// A function that advances a world by a part of a divided step.
+// @param divisions  how often the original step was divided to get the step that is divided now
 Step step_of_parts(int divisions)
 {
     return
         [divisions](World& part, double time_step) { return step(part, time_step, divisions + 1); };
 }
 
-// Free flight, and the contacts on the way. A sleeping body that another body may touch wakes up
-// and then moves too. So flight and search are done again, until no further body wakes.
+// Free flight, and the search for contacts that may matter in this step. A sleeping body that
+// another body may touch wakes up and then moves too. So flight and search are repeated until no
+// further body wakes.
+// @param flown  receives the states after free flight
 ContactCandidates fly_and_find_contacts(World& world, const std::vector<bool>& pulled,
                                         double time_step, ThreadPool& pool,
                                         std::vector<RigidState>& flown)
@@ -67,14 +69,15 @@ ContactCandidates fly_and_find_contacts(World& world, const std::vector<bool>& p
         ContactCandidates candidates = contact_candidates(world, flown, time_step, pool);
         if (candidates.disturbed.empty()) return candidates;
         wake(world, candidates.disturbed);
-        world.counters = before; // the repeated work counts once
+        world.counters = before; // only the last repetition counts
     }
 }
 
 // @param divisions  how often the original step was divided to get this one
 std::vector<ContactRecord> step(World& world, double time_step, int divisions)
 {
-    // Only the reference's formulas are sure to be thread-safe. All others run on one thread.
+    // Of the implementations of the formulas, only the reference is known to be thread-safe. With
+    // any other, the step runs on one thread.
     ThreadPool alone;
     ThreadPool& pool = world.settings.formulas_are_reference ? world.pool : alone;
     const std::vector<bool> forced = pulled_bodies(world, time_step);

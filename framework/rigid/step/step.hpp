@@ -3,7 +3,8 @@
 // rigid bodies with stacking", ACM Trans. Graph. 22). Each stage is a call or two in step.cpp:
 //
 // stage                 reads                     writes               where
-//   a single body       its state, gravity        its state            step/single_body: no stages
+//   a single body       its state, gravity        its state            step/single_body; then the
+//                                                                      other stages are left out
 //   wake up             forces, springs           sleeping bodies      step/sleep, `wake_pulled`
 //   bodies with forces  forces, drag              none                 motion/forces,
 //                                                                      `pulled_bodies`,
@@ -35,20 +36,20 @@
 // "Memory" is what the world keeps for its next step (`StepMemory` in bodies/step_memory.hpp). A
 // "record" is a contact with its impulse, for the trajectory (`ContactRecord`).
 //
-// The normal and the friction part of an impulse are found together, so there is no file of
-// friction. The law of friction stands in contact/solvers/: `contact_law` in optimised_sweeps and
-// `correct` in collision_law_sweeps for one contact, `projected` in newton_row for Newton's method;
+// The normal and the friction part of an impulse are found together, so friction has no separate
+// file. The law of friction is in contact/solvers/: `contact_law` in optimised_sweeps and `correct`
+// in collision_law_sweeps for one contact, `projected` in newton_row for Newton's method;
 // simultaneous_sweeps and contact/one_at_a_time call the formulas of topic `contact`. Stage 3 has
-// friction in the formula `collision_impulse`. Nodes of deformable solids have friction once more:
+// friction in the formula `collision_impulse`. The nodes of deformable solids have friction too:
 // deformable/contact/node_collisions calls `collision_impulse`, and deformable/motion/contact_set
-// has the law for the implicit step.
+// has the law of friction for the implicit step.
 //
 // Papers of the stages, by the numbers above: 1 Buss (2000), see constant_wrench_step.hpp, Blanes
 // and Moan (2002) and Munthe-Kaas (1999), see free_flight.hpp; 2 Verlet (1967) for the pair cache,
 // Gottschalk et al. (1996) for boxes, Guendelman et al. (2003) for level sets; 3 Guendelman et al.;
 // 5 Guendelman et al., Jean (1999), Erleben (2007), Silcowitz-Hansen et al. (2010), Alart and
-// Curnier (1991); 6 Catto (2009), and Baumgarte (1972) without gravity. Stages 7 to 9 are Rigor's
-// own.
+// Curnier (1991); 6 Catto (2009), and Baumgarte (1972) without gravity. Stages 7 to 9 were made for
+// Rigor, this engine.
 #pragma once
 
 #include "rigid/bodies/world.hpp"
@@ -56,8 +57,8 @@
 namespace rigor {
 
 /// Advances a world by one time step. The result depends only on (world, time_step), since no state
-/// is kept elsewhere. Without warm start and sleep, the memory of the last step changes nothing of
-/// the result.
+/// is kept elsewhere. If warm start and sleep are turned off, the memory of the last step does not
+/// influence the result.
 ///
 /// @return the contacts that got an impulse, and those that hold sleeping bodies
 /// @throws NonFiniteState if a state is infinite or not a number

@@ -45,7 +45,7 @@ void collect_contacts(World& world, const ContactProblem& problem,
                       StepResult& result)
 {
     std::vector<ContactRecord> records;
-    constexpr std::size_t grain_size = 512; // contacts, see `ThreadPool::run_both`
+    constexpr std::size_t grain_size = 512; // two threads from twice this many contacts on
     problem.pool->run_both(
         problem.contacts.size(), grain_size,
         [&] {

@@ -11,11 +11,11 @@ namespace rigor {
 struct StepResult {
     std::vector<RigidState> states;         // one for each body
     std::vector<ContactRecord> records;     // contacts that got an impulse
-    std::vector<WarmContact> warm_contacts; // for the next step; sorted by `body1`, then `body2`
+    std::vector<WarmContact> warm_contacts; // start of the next step; sorted by `body1`, `body2`
 };
 
-/// Adds the contacts of the problem and of the refined islands to the result, and counts contacts
-/// and islands.
+/// Adds the contacts of the problem, and of the islands whose step was repeated in parts
+/// (`refined`), to the result, and counts contacts and islands in `world.counters`.
 ///
 /// @throws NonFiniteState if a state of the result is infinite or not a number
 void collect_contacts(World& world, const ContactProblem& problem,

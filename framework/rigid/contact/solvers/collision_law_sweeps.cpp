@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Projected Gauss–Seidel sweeps (Jean 1999; Erleben 2007) by `collision_impulse`. For each contact
-// the sweep computes the velocity without the contact's own impulse, then the new impulse by the
-// formula, and applies the change to both bodies.
+// Projected Gauss–Seidel sweeps (Jean 1999; Erleben 2007) with the formula `collision_impulse`. For
+// each contact, a sweep first subtracts the effect of this contact's impulse from the velocity.
+// Then it computes the new impulse by the formula, and applies the change to both bodies.
 #include "rigid/contact/solvers/collision_law_sweeps.hpp"
 
 #include "formulas/collision.hpp"
@@ -71,7 +71,7 @@ private:
         if (is_idle && v.dot(n) >= 0) return Vector3d::Zero();
 
         const Matrix3d K = c.tangential_K * Matrix3d::Identity() +
-                           (c.normal_K - c.tangential_K) * n * n.transpose(); // K̃
+                           (c.normal_K - c.tangential_K) * n * n.transpose(); // K̃, see the header
         if (!is_idle) v -= K * c.contact_impulse;
         const Vector3d j = collision_impulse(K, v, n, 0, c.friction);
         const Vector3d change = j - c.contact_impulse;
@@ -83,7 +83,7 @@ private:
     }
 
     ContactProblem& problem_;
-    std::span<const int> active_; // indices in the problem
+    std::span<const int> active_; // indices in `problem_.contacts`
 };
 
 } // namespace

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The solver of an island: accelerated projected Gauss–Seidel sweeps (Silcowitz-Hansen, Niebe and
 // Erleben 2010), and Newton's method where the sweeps do not converge. First it derives the
-// tolerance from the island's size and speed, then it sweeps. If bodies at rest have not converged,
-// Newton's method continues, and a few more sweeps check its result.
+// tolerance from the island's size and speed, then it sweeps. If the sweeps of a stack at rest,
+// or of bodies with very different masses, have not converged, Newton's method continues, and a few
+// more sweeps check its result.
 #include "rigid/contact/solvers/island_solver.hpp"
 
 #include "rigid/contact/solvers/collision_law_sweeps.hpp"
@@ -24,18 +25,19 @@ namespace {
 // may follow.
 constexpr int few_contacts = 16;
 
-// A larger island stops after a limited amount of work, and the remaining error is corrected in the
-// next steps. A pile at rest gets more work, since the remaining error would let it creep and it
-// would never fall asleep. The numbers were chosen by trial; `bench pile` shows what they cost and
-// how much they let overlap.
+// The solution of a larger island ends after a limited amount of work, and the remaining error is
+// corrected in the next steps. A pile at rest gets more work; otherwise the remaining error would
+// let the pile creep, and it would never fall asleep. The numbers were chosen by trial; `bench
+// pile` shows the run time and the overlap to which they lead.
 constexpr int most_visits = 4000; // contacts visited in all sweeps together
 constexpr int times_at_rest = 3;  // a pile at rest gets this many times the work
 constexpr int fewest_sweeps = 5, most_sweeps = 50;
-constexpr int last_sweeps = 20; // sweeps after Newton's method
+constexpr int last_sweeps = 20; // most sweeps after Newton's method, which check its result
 
-// The sweeps end when they change velocities by less than these fractions of the fastest approach
-// speed. Larger values save sweeps, but let piles creep. The first is a few hundred rounding
-// errors; the others were chosen by trial; `bench pile` shows their effect.
+// The sweeps end when they change velocities by less than one of these fractions of the fastest
+// approach speed. Larger values save sweeps, but let piles creep. The first value is a few hundred
+// times the rounding error of a double; the other values were chosen by trial, and `bench pile`
+// shows their effect.
 constexpr double to_rounding = 1e-13, for_newton = 1e-8, for_piles_at_rest = 1e-4,
                  for_moving_piles = 1e-3;
 // The sweeps of a stack have ended far from the solution if its heaviest body has more than
@@ -56,7 +58,7 @@ double largest(const ContactProblem& problem, std::span<const int> active, const
             found = std::max(found, value(problem.contacts[active[k]]));
         return found;
     };
-    constexpr std::size_t grain_size = 512; // least number of contacts in a range
+    constexpr std::size_t grain_size = 512; // a thread takes at least this many contacts at a time
     if (problem.pool->range_count(active.size(), grain_size) < 2)
         return largest_of(0, active.size());
     const std::vector<double> found =
@@ -66,7 +68,7 @@ double largest(const ContactProblem& problem, std::span<const int> active, const
 
 // The highest speed of a body at a contact, relative to the motion of `ground` [m/s]. Changes of
 // velocities below the rounding error of this speed are noise.
-// @param ground  a body without motion gives the speed in the world
+// @param ground  with a body that does not move, the speed is that in world space
 double fastest(const ContactProblem& problem, const Island& island, std::span<const int> active,
                const Body& ground)
 {
@@ -90,7 +92,8 @@ double fastest(const ContactProblem& problem, const Island& island, std::span<co
     });
 }
 
-// The highest speed of approach at a contact [m/s], which the impulses have to remove.
+// The largest difference by which v·n of a contact is below its target speed [m/s]. The impulses
+// have to remove it.
 double fastest_approach(const ContactProblem& problem, std::span<const int> active)
 {
     return largest(problem, active, [&](const ContactConstraint& c) {
@@ -119,11 +122,11 @@ std::unique_ptr<Sweeps> sweeps_of(ContactProblem& problem, const Island& island,
     return collision_law_sweeps(problem, active);
 }
 
-// Whether the highest speed is little more than |g| h, the speed that gravity gives a body in one
-// step.
+// Whether the highest speed is at most `speed_at_rest` times |g| h, the speed that gravity gives a
+// body in one step.
 bool is_at_rest(const ContactProblem& problem, double fastest)
 {
-    constexpr double speed_at_rest = 2; // in |g| h
+    constexpr double speed_at_rest = 2; // in units of |g| h
     return fastest <= speed_at_rest * problem.settings.gravity.norm() * problem.time_step;
 }
 
@@ -158,7 +161,7 @@ std::vector<Vector3d> initial_impulses(const ContactProblem& problem, std::span<
 bool adds_energy(const ContactProblem& problem, const Island& island, std::span<const int> active,
                  std::vector<Body> bodies, const std::vector<Vector3d>& impulses)
 {
-    constexpr double least_gain = 1e-9; // as a fraction of the energy; less is rounding
+    constexpr double least_gain = 1e-9; // relative to the energy; a smaller gain is rounding
     std::vector<int> places(problem.bodies.size(), -1);
     for (std::size_t i = 0; i < island.bodies.size(); ++i)
         places[island.bodies[i]] = static_cast<int>(i);
@@ -176,7 +179,7 @@ bool adds_energy(const ContactProblem& problem, const Island& island, std::span<
 struct NewtonStart {
     const std::vector<Body>& free; // the island's bodies before any impulse
     const std::vector<Vector3d>& impulses;
-    double allowed = 0; // largest change of a velocity by the first check sweep [m/s]
+    double allowed = 0; // the first sweep after Newton may change velocities by this [m/s]
 };
 
 // Continues by Newton's method and checks the result by a few sweeps. The result is accepted if the
@@ -194,11 +197,13 @@ bool solve_by_newton(ContactProblem& problem, const Island& island, std::span<co
 
 // The limits of the sweeps over an island, and whether Newton's method may follow them.
 struct SolvePlan {
-    double approach = 0; // speed that the impulses have to remove [m/s]
+    double approach = 0; // result of `fastest_approach` [m/s]
     SweepLimits limits;
     bool may_use_newton = false; // whether Newton's method follows sweeps that do not converge
-    bool is_stack = false;       // false: a pile, whose matrix has too much fill-in for Newton
-    std::vector<Body> free;      // the bodies of a stack before any impulse
+    // Whether the island is not a pile. The sparse matrix of a pile has too much fill-in for
+    // Newton's method.
+    bool is_stack = false;
+    std::vector<Body> free; // the bodies of a stack before the contact stage; empty for a pile
 };
 
 SolvePlan plan_for(const ContactProblem& problem, const Island& island, std::span<const int> active)
@@ -207,7 +212,9 @@ SolvePlan plan_for(const ContactProblem& problem, const Island& island, std::spa
     const double speed = fastest(problem, island, active, Body());
     const bool is_resting = rests(problem, island, active, problem.grounds_of(island), speed);
     const std::size_t bodies = island.bodies.size();
-    const bool is_on_joint = bodies == 1 && island.pairs.size() > 1; // sweeps are slow there
+    // One body on several static ones, as on the joint between two tiles. There sweeps converge
+    // slowly.
+    const bool is_on_joint = bodies == 1 && island.pairs.size() > 1;
     const bool is_stack = !is_pile(island);
     const bool may_use_newton = (is_resting || is_on_joint) && is_stack;
     const double approach = fastest_approach(problem, active);
@@ -225,7 +232,8 @@ SolvePlan plan_for(const ContactProblem& problem, const Island& island, std::spa
             is_stack ? problem.bodies_of(island) : std::vector<Body>()};
 }
 
-// Whether the sweeps have ended far from the solution, in a stack of bodies of very different mass.
+// Whether the sweeps have ended far from the solution in a stack of bodies with very different
+// masses, see `large_ratio`.
 bool is_far_off(const ContactProblem& problem, const Island& island, const SolvePlan& plan,
                 const Residuals& swept)
 {
@@ -233,12 +241,12 @@ bool is_far_off(const ContactProblem& problem, const Island& island, const Solve
            swept.missing() > far_off * plan.approach;
 }
 
-// Continues by Newton's method after the sweeps have not converged. It starts from the impulses
-// after the sweeps, or from the initial ones if the sweeps made the residual larger. After the
-// impact of a heavy body both may be far from the solution; if Newton's method fails then, it
-// starts again from zero impulses. If it fails again, sweeps continue from the first start. If the
-// result of these sweeps may add energy, sweeps start a last time from zero impulses; from there
-// they never add energy.
+// Continues by Newton's method if the sweeps have not converged. The method starts from the
+// impulses after the sweeps, or from the initial ones if the sweeps made the residual larger. After
+// the impact of a heavy body (`is_far_off`) both may be far from the solution; if Newton's method
+// fails then, it starts again from zero impulses. If it fails in the end, sweeps continue from the
+// impulses of its first start. If their result may add energy after such an impact, sweeps start a
+// last time from zero impulses; from there they never add energy.
 void continue_by_newton(ContactProblem& problem, const Island& island, std::span<const int> active,
                         const SolvePlan& plan, const Residuals& swept, Sweeps& sweeps)
 {
@@ -257,8 +265,8 @@ void continue_by_newton(ContactProblem& problem, const Island& island, std::span
     set_impulses(sweeps, start);
     run_sweeps(problem, sweeps, active.size(), check);
     if (!may_be_lost) return;
-    // With more than two bodies, a total energy that has not increased proves nothing: one body may
-    // still have too much speed.
+    // With more than two bodies, it is not enough that the total energy has not increased: one body
+    // may still be too fast.
     const bool is_pair = island.bodies.size() <= 2;
     if (is_pair && !adds_energy(problem, island, active, plan.free, sweeps.impulses())) return;
     set_impulses(sweeps, none);

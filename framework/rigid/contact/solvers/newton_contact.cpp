@@ -23,39 +23,42 @@ namespace {
 using namespace newton;
 using Eigen::VectorXd;
 
-// The penalty ρ of a contact is a weight divided by nᵀKn. A round leaves 1/weight of a velocity
-// error, but with a large weight Newton's method finds which contacts touch and which slide only if
-// it starts close to the solution. So the weight grows from round to round.
+// The penalty ρ of a contact is a weight divided by nᵀKn. A round reduces a velocity error to about
+// 1/weight of it. But with a large weight, Newton's method finds which contacts touch and which
+// slide only if it starts close to the solution. So the weight is multiplied by `growth` after each
+// round, up to a last weight of at least `least_last_weight`.
 constexpr double first_weight = 1000, least_last_weight = 1e6, growth = 10;
-// Through a light body a heavy one feels only a small part of the penalty. So the last weight grows
-// with the largest ratio of a body's mass to the mass 1/(nᵀKn) that a contact feels, where this
-// ratio exceeds 1/light.
+// A heavy body that rests on a light one feels only a small part of the penalty. The last weight is
+// therefore larger if the largest mass of a body exceeds 1/light times the smallest effective mass
+// 1/(nᵀKn) of a contact; above that it is proportional to this ratio.
 constexpr double light = 1e-3;
-// Limits that bound the run time; islands that can be solved need fewer. 30 bisections find a step
-// to 1e-9.
+// Limits that bound the run time; islands that can be solved need fewer rounds and steps. After 30
+// bisections the step length t, which lies in [0, 1], is known to 1e-9.
 constexpr int most_rounds = 14, most_steps = 40, most_bisections = 30;
-// An inverse inertia J is singular if det J is at most `singular_determinant` |J|³. Then
-// `least_inverse_inertia` |J| is added to its diagonal: it stands for a moment of inertia so large
-// that the body does not turn about this axis. For a point mass, J = 0, 1/(M m²) takes the place of
-// |J|.
+// An inverse inertia J counts as singular if det J is at most `singular_determinant` |J|³. Then
+// `least_inverse_inertia` |J| is added to its diagonal. About an axis with zero inverse inertia,
+// this is a moment of inertia so large that the body hardly turns. A point mass has J = 0; for it,
+// 1/(M · 1 m²) takes the place of |J|, where M is its mass.
 constexpr double singular_determinant = 1e-12, least_inverse_inertia = 1e-9;
-// The m² in 1/(M m²), which gives 1/M the unit of an inverse inertia. It is so large that a point
-// mass hardly turns: at a lever of 100 m, 1e-5 of the compliance of a contact is rotation.
+// The 1 m² in 1/(M · 1 m²), which gives 1/M the unit of an inverse inertia. It is so large that a
+// point mass hardly turns: for a contact with a lever arm of 100 m, rotation adds only 1e-5 to the
+// compliance 1/M.
 constexpr double point_area = 1;  // [m²]
 constexpr double settled = 1e-13; // the rounds end at this relative change of the impulses
 // A round must reduce the change of the impulses to this share of the change in the round before;
 // otherwise more rounds do not help.
 constexpr double gain = 0.5;
-// A line search ends where the slope has fallen to this share of its first value. A smaller share
-// takes more bisections, a larger one more steps of Newton's method.
+// A line search ends where the slope has fallen to this share of the slope at its start. A smaller
+// share takes more bisections, a larger one more steps of Newton's method.
 constexpr double flat = 0.1;
-constexpr double converged = 1e-13; // smallest step of Newton's method, relative to the velocities
-// Rounding error of a velocity, relative to the highest speed. In j - ρ u it is multiplied by the
-// weight of the penalty.
+// Newton's method ends at a step of at most this size, relative to the largest velocities.
+constexpr double converged = 1e-13;
+// Rounding error of a velocity, relative to the highest speed. In j - ρ u this error is multiplied
+// by ρ, and so by the weight of the penalty.
 constexpr double u_rounding = 1e-15;
 
-// Indices in `island.bodies`, sorted by the height of the bodies. The order does not depend on how
-// the bodies are numbered.
+// Indices in `island.bodies`, sorted by the height of the bodies from the lowest up. The order does
+// not depend on how the bodies are numbered, except for bodies at the same place.
 std::vector<int> from_the_lowest(const ContactProblem& problem, const Island& island)
 {
     std::vector<int> indices(island.bodies.size());
@@ -70,9 +73,9 @@ std::vector<int> from_the_lowest(const ContactProblem& problem, const Island& is
     return indices;
 }
 
-// The part of v₁ - v₂ that comes from static and driven bodies, relative to V, with the opposite
-// sign. These bodies have no unknowns and no impulse changes them, so the target velocity s
-// contains this velocity.
+// The part of v₁ - v₂ that comes from static and driven bodies, with the opposite sign, in a frame
+// with the velocity V. These bodies have no unknowns and no impulse changes their velocities, so
+// this part belongs to the target velocity s of the contact.
 Vector3d surface_velocity(const ContactProblem& problem, const ContactConstraint& c,
                           const Vector3d& V)
 {
@@ -95,8 +98,8 @@ public:
             unknowns[island.bodies[k]] = static_cast<int>(bodies_.size());
             bodies_.push_back(&free[k]);
         }
-        // All velocities are relative to the ground, so that their sizes, and with them the errors
-        // that are allowed, are the same in a scene that moves as a whole.
+        // All velocities are relative to the ground's velocity V. So if the whole scene moves,
+        // their sizes stay the same, and so do the tolerances that are relative to these sizes.
         const Vector3d V = problem.grounds_of(island).front().velocity;
         const auto n = static_cast<Eigen::Index>(6 * bodies_.size());
         v_free_.resize(n);
@@ -162,7 +165,7 @@ public:
     const std::vector<NewtonRow>& rows() const { return rows_; }
 
 private:
-    // The largest mass of a body, divided by the smallest mass 1/(nᵀKn) that a contact feels.
+    // The largest mass of a body, divided by the smallest effective mass 1/(nᵀKn) of a contact.
     double largest_ratio() const
     {
         double most_mass = 0, most_K = 0;
@@ -173,7 +176,7 @@ private:
         return most_mass * most_K;
     }
 
-    // The change of all velocities by the impulses: M⁻¹ Jᵀ j.
+    // The change of all velocities by the current impulses j of the rows: M⁻¹ Jᵀ j.
     VectorXd momentum_change() const
     {
         VectorXd change = VectorXd::Zero(v_free_.size());
@@ -190,8 +193,8 @@ private:
     }
 
     // Line search along dv for the minimum of Φ(v) = ½ (v - v_free)ᵀ M (v - v_free) + Σ φ(y). Here
-    // y = j - ρ u(v), and φ is the convex function with the gradient P/ρ. The slope of Φ at v + t
-    // dv,
+    // M is the mass matrix, y = j - ρ u(v) with the velocity error u(v) = J v - s of a contact, and
+    // φ is the convex function with the gradient P/ρ. The slope of Φ at v + t dv,
     //
     //     dvᵀ M (v + t dv - v_free) - Σ P(y - t ρ du)·du,   du = J dv
     //
@@ -229,7 +232,7 @@ private:
         return low;
     }
 
-    // Gradient and Hessian of Φ (see `line_search`) at v.
+    // Gradient and Hessian H of Φ (see `line_search`) at v.
     void linearise(VectorXd& gradient, Eigen::SparseMatrix<double>& H) const
     {
         gradient = VectorXd::Zero(v_.size());
@@ -242,8 +245,8 @@ private:
                 diagonal[i] * (v_.segment<6>(6 * i) - v_free_.segment<6>(6 * i));
         }
         std::vector<Eigen::Triplet<double>> entries;
-        // Sum of the coupling blocks of one pair of bodies. The rows of a pair follow each other in
-        // `rows_`.
+        // Sum of the 6 × 6 blocks by which the contacts of one pair couple its two bodies. The
+        // rows of a pair follow each other in `rows_`.
         Matrix6d coupling = Matrix6d::Zero();
         for (std::size_t k = 0; k < rows_.size(); ++k) {
             const NewtonRow& row = rows_[k];
@@ -286,7 +289,7 @@ private:
     }
 
     // sum += Jᵀ(r) D J(q), where J(r) = (δ, -r*) maps (V, ω) to the velocity at the end of the
-    // lever arm
+    // lever arm r, and r* is the matrix with r* a = r × a.
     static void add_product(const Vector3d& r, const Matrix3d& D, const Vector3d& q, Matrix6d& sum)
     {
         Matrix3d Dq; // D q*
@@ -295,20 +298,21 @@ private:
         Dq.col(2) = q.y() * D.col(0) - q.x() * D.col(1);
         sum.topLeftCorner<3, 3>() += D;
         sum.topRightCorner<3, 3>() -= Dq;
-        for (int i = 0; i < 3; ++i) { // r* by columns
+        for (int i = 0; i < 3; ++i) { // r* D and r* (D q*), column by column
             sum.block<3, 1>(3, i) += r.cross(Vector3d(D.col(i)));
             sum.block<3, 1>(3, 3 + i) -= r.cross(Vector3d(Dq.col(i)));
         }
     }
 
-    // Finds the v that minimises Φ in this round, by Newton's method. Returns whether it converged.
+    // Finds the v that minimises Φ in this round, by Newton's method.
+    // @return whether the method converged
     bool minimise()
     {
         VectorXd gradient;
         Eigen::SparseMatrix<double> H;
         for (int step = 0; step < most_steps; ++step) {
             linearise(gradient, H);
-            if (!is_analysed_) solver_.analyzePattern(H); // the pattern stays the same
+            if (!is_analysed_) solver_.analyzePattern(H); // H always has the same pattern
             is_analysed_ = true;
             solver_.factorize(H);
             if (solver_.info() != Eigen::Success) return false;
@@ -325,9 +329,9 @@ private:
     }
 
     std::vector<const Body*> bodies_;
-    std::vector<Matrix3d> inertias_; // in world space
+    std::vector<Matrix3d> inertias_; // inertia tensors in world space, none of them infinite
     std::vector<NewtonRow> rows_;
-    VectorXd v_free_, v_; // V and ω for each body
+    VectorXd v_free_, v_; // V and ω of each body: without impulses; in this iteration
     double last_weight_ = least_last_weight;
     Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> solver_;
     bool is_analysed_ = false;

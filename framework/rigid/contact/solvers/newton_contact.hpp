@@ -14,15 +14,18 @@ namespace rigor {
 ///
 ///     j ← P(j - ρ u(v))   where   M (v - v_free) = Jᵀ P(j - ρ u(v))
 ///
-/// where P makes the normal part non-negative and shortens the tangential part to μ jₙ. As long as
-/// the friction limit is held fixed, the equation for v is the minimum of a convex function, which
-/// Newton's method with a line search finds. Its linear system is sparse with 6 unknowns for each
-/// body; long chains of bodies and large mass ratios do not make it harder. Whatever the result is,
-/// the sweeps continue from it and check it.
+/// where M is the mass matrix. P makes the normal part non-negative and shortens the tangential
+/// part to the friction limit μ jₙ if it is longer. As long as the friction limit is held fixed,
+/// the solution v of the second equation is the minimum of a convex function, which Newton's method
+/// with a line search finds. Its linear system is sparse with 6 unknowns for each body; long
+/// chains of bodies and large mass ratios do not make it harder to solve. The caller checks the
+/// result by further sweeps (island_solver.hpp).
 ///
-/// @param free      the bodies of the island without the impulses, in the order of the island
-/// @param active    indices of the contacts in the problem
-/// @param impulses  impulses on body 1 of the active contacts: the start, then the result [N s]
+/// @param free      the bodies of the island before the contact stage gives them an impulse, in the
+///                  order of `island.bodies`
+/// @param active    indices in `problem.contacts`
+/// @param impulses  impulses on body 1 of the active contacts [N s]; the caller passes those from
+///                  which the method starts, and gets the result
 /// @return  whether the method succeeded; if not, the impulses are not to be used
 bool newton_impulses(const ContactProblem& problem, const Island& island,
                      const std::vector<Body>& free, std::span<const int> active,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A contact in `newton_impulses`: its velocity u, the projection P and the derivative of P.
+// A contact in `newton_impulses` (newton_contact.hpp): its velocity error u, the projection P and
+// the derivative of P.
 #pragma once
 
 #include "formulas/types.hpp"
@@ -8,16 +9,16 @@
 
 namespace rigor::newton {
 
-// A contact in Newton's method. A body is given by the index of its unknowns, or -1 if it is
-// static.
+// A contact in Newton's method.
 struct NewtonRow {
-    int body1 = -1, body2 = -1;
-    Vector3d n, r1, r2; // normal; lever arms [m]
-    Vector3d s;         // target velocity: target speed times n, plus `surface_velocity` [m/s]
+    int body1 = -1, body2 = -1; // body k has the unknowns 6k … 6k + 5; -1: a static body
+    Vector3d n, r1, r2;         // normal; lever arms [m]
+    // Target velocity: target speed times n, plus `surface_velocity` (newton_contact.cpp) [m/s].
+    Vector3d s;
     double friction = 0;
     double normal_K = 0;           // nᵀKn [1/kg]
     double rho = 0;                // penalty ρ [kg]
-    double limit = 0;              // friction limit μ jₙ, held fixed during a round [N s]
+    double limit = 0;              // friction limit μ jₙ, constant during a round [N s]
     Vector3d j = Vector3d::Zero(); // impulse j on body 1 [N s]
 };
 
@@ -32,7 +33,7 @@ inline Split split(const NewtonRow& row, const Vector3d& y)
     return {normal, y - normal * row.n};
 }
 
-// Velocity of the point of a body at the lever arm r [m/s].
+// Velocity of the point of a body at the end of the lever arm r [m/s], with the unknowns v.
 inline Vector3d velocity(const Eigen::VectorXd& v, int body, const Vector3d& r)
 {
     if (body < 0) return Vector3d::Zero();
@@ -46,7 +47,8 @@ inline Vector3d u(const NewtonRow& row, const Eigen::VectorXd& v, const Vector3d
     return velocity(v, row.body1, row.r1) - velocity(v, row.body2, row.r2) - s;
 }
 
-// The projection P(y): the normal part not negative, the tangential part at most `limit` long.
+// The projection P(y): a negative normal part becomes 0, and a tangential part that is longer than
+// `limit` is shortened to this length.
 inline Vector3d projected(const NewtonRow& row, const Vector3d& y)
 {
     auto [normal, tangential] = split(row, y);

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Projected Gauss–Seidel sweeps (Jean 1999; Erleben 2007), which is what the formula
-// `resolve_simultaneously` does, in a form that the compiler can turn into SIMD code. The
-// quantities of body 1 and body 2 are side by side in a register while the contacts of a pair are
-// visited one after the other. The blocks of one color are swept by several threads at the same
-// time.
+// Projected Gauss–Seidel sweeps (Jean 1999; Erleben 2007). They do the same as the formula
+// `resolve_simultaneously`, in a form that the compiler can turn into SIMD code. The quantities of
+// body 1 and body 2 are side by side in a register while the contacts of a pair are visited one
+// after the other. Several threads sweep different blocks of the same color at the same time.
 #include "rigid/contact/solvers/optimised_sweeps.hpp"
 
 #include "rigid/bodies/two_bodies.hpp"
@@ -25,8 +24,8 @@ struct SweepRow {
     Vector3d j;                                            // total impulse on body 1 [N s]
     double normal_K = 0;                                   // nᵀKn [1/kg]
     double inverse_normal_K = 0, inverse_tangential_K = 0; // 1/(nᵀKn), 1/λ [kg]
-    double target_speed = 0;                               // s [m/s]
-    double friction = 0;                                   // μ
+    double target_speed = 0;                               // s, least v·n [m/s]
+    double friction = 0;                                   // coefficient μ
 };
 
 // The rows [first, last) of one pair of bodies.
@@ -116,7 +115,8 @@ public:
     }
 
 private:
-    // A range of the pairs, and the progress of the last sweep there.
+    // A block of the island: its range of `pairs_`, and the progress of the last sweep over it with
+    // the number of impulses that this sweep has applied. Here `change` and `total` are squares.
     struct Block {
         IndexRange pairs;
         SweepProgress progress;

@@ -5,10 +5,10 @@
 
 namespace rigor {
 
-/// Makes the same sweeps as the reference's formulas for the methods `built_in` and `simultaneous`,
-/// but without calling the formulas.
+/// Sweeps for the contact methods `built_in` and `simultaneous` that do not call any formula. They
+/// give the same result as sweeps that call the formulas of the reference implementation.
 ///
-/// @param island  already split into blocks, which the threads of the problem's pool share
+/// @param island  must already be split into blocks; the threads of `problem.pool` share the blocks
 std::unique_ptr<Sweeps> optimised_sweeps(ContactProblem& problem, const Island& island,
                                          std::span<const int> active);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Sweeps that are accelerated by nonsmooth nonlinear conjugate gradients (Silcowitz-Hansen, Niebe
-// and Erleben 2010). After each sweep, its change of the impulses and a part of the previous search
-// direction together make the next search direction. The impulses also move on by that part.
+// and Erleben 2010). After each sweep, β times the previous search direction is also added to the
+// impulses. The next search direction is the sum of this and of the change by the sweep.
 #include "rigid/contact/solvers/run_sweeps.hpp"
 
 #include <algorithm>
@@ -13,11 +13,12 @@ namespace rigor {
 namespace {
 
 // Islands with more contacts are swept without acceleration, because plain sweeps gain more in the
-// same time. Chosen by trial; `bench pile` has islands above this number and `bench contact` stacks
-// below.
+// same time. Chosen by trial; `bench pile` has islands with more contacts than this, and `bench
+// contact` has stacks with fewer.
 constexpr std::size_t many_contacts = 1000;
-// The acceleration diverges if the residual exceeds this many times the smallest one so far. In
-// sweeps that converge the residual may grow a little; the factor was chosen by trial.
+// The acceleration counts as diverging if the residual exceeds this many times the smallest
+// residual so far. In sweeps that converge the residual may grow a little; the factor was chosen by
+// trial.
 constexpr double divergence = 2;
 constexpr double rounding = 2 * std::numeric_limits<double>::epsilon();
 
@@ -25,8 +26,8 @@ constexpr double rounding = 2 * std::numeric_limits<double>::epsilon();
 
 double Residuals::missing() const
 {
-    // The slowest decay of the residual in one sweep that the estimate assumes. It avoids a
-    // division by 0 where the sweeps reduced nothing.
+    // The estimate assumes that ln(residual) falls by at least this much in each sweep. This avoids
+    // a division by 0 if the sweeps did not reduce the residual.
     constexpr double slowest_decay = 1e-7;
     return last / std::max(slowest_decay, std::log(first / last) / sweeps);
 }
@@ -38,8 +39,8 @@ Residuals run_sweeps(ContactProblem& problem, Sweeps& sweeps, std::size_t count,
     double before = 0, smallest = std::numeric_limits<double>::infinity();
     const bool is_large = count > many_contacts;
     std::vector<Vector3d> steps(count, Vector3d::Zero());
-    std::vector<Vector3d> directions; // set from the second sweep on
-    bool diverges = false;            // whether the acceleration has made the residual larger
+    std::vector<Vector3d> directions; // search directions; empty until the first sweep is done
+    bool diverges = false;            // whether the acceleration diverges, see `divergence`
     for (int i = 1; i <= limits.most_sweeps; ++i) {
         const SweepProgress progress = sweeps.sweep(steps);
         ++problem.counters->contact_sweeps;
@@ -57,7 +58,7 @@ Residuals run_sweeps(ContactProblem& problem, Sweeps& sweeps, std::size_t count,
         smallest = std::min(smallest, progress.change);
         if (is_large) continue;
         const bool slows_down = before > 0 && progress.squared <= before && !diverges;
-        // β = 0 starts the search directions anew.
+        // With β = 0 the next search direction does not depend on the previous one.
         const double beta = slows_down ? progress.squared / before : 0;
         before = progress.squared;
         directions.resize(count, Vector3d::Zero());

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Sweeps by the formula `resolve_simultaneously` of topic `contact`, on a copy of the island. Each
-// sweep is one iteration of the formula, started from the impulses so far. Last, the velocities
-// that belong to the impulses are stored in the problem.
+// sweep is a call of the formula for one iteration, which starts from the current impulses. Last,
+// the final impulses and the velocities to which they lead are stored in the problem.
 #include "rigid/contact/solvers/simultaneous_sweeps.hpp"
 
 #include "formulas/contact.hpp"
@@ -65,7 +65,7 @@ private:
     std::span<const int> active_;
     LocalIsland local_;
     ContactResult result_;    // result of the last sweep
-    bool is_current_ = false; // whether the impulses are those of the last sweep
+    bool is_current_ = false; // false if impulses have changed since the last sweep
 };
 
 } // namespace
