@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Applies impulses and position correction at the contacts of nodes, one contact after the other.
 // The impulse is `collision_impulse` of assignment A4, between the node as a point mass and the
-// rigid body. The position correction is that of rigid bodies for a single contact: a part of the
-// penetration is removed without a change of velocities (Catto 2009).
+// rigid body. The position correction is the same as for a single contact of rigid bodies: it
+// removes a part of the penetration without a change of velocities (Catto 2009).
 #include "deformable/contact/node_collisions.hpp"
 
 #include "formulas/collision.hpp"
@@ -30,7 +30,7 @@ void collide_nodes(Deformable& solid, const std::vector<char>& is_held,
                    bool with_restitution, Counters& counters)
 {
     // A contact rests if its rebound would be slower than this [m/s]: gravity stops such a rebound
-    // within two steps.
+    // within twice `time_step`.
     const double resting_speed = 2 * time_step * rigid.world.settings.gravity.norm();
     for (const NodeContact& c : contacts.all()) {
         const Vector3d x = solid.positions[c.node], n = c.normal;
@@ -45,8 +45,8 @@ void collide_nodes(Deformable& solid, const std::vector<char>& is_held,
         const Matrix3d K =
             inverse_mass * Matrix3d::Identity() +
             impulse_matrix(body.inverse_mass, body.inverse_inertia, body.position, x);
-        // Without restitution, a node may still close its gap within the step, so only the approach
-        // speed above gap/h is removed.
+        // Without restitution, a node may still close its gap within the time step, so only the
+        // approach speed above gap / time_step is removed.
         const Vector3d closing = with_restitution ? v : v + std::max(c.gap, 0.0) / time_step * n;
         const Vector3d j =
             collision_impulse(K, closing, n, with_restitution ? c.restitution : 0.0, c.friction);
@@ -59,7 +59,7 @@ void collide_nodes(Deformable& solid, const std::vector<char>& is_held,
 void correct_node_positions(Deformable& solid, const std::vector<char>& is_held,
                             const NodeContacts& contacts, double step_share, double farthest)
 {
-    // Share of the penetration that a step removes. It is small enough that stacked nodes do not
+    // Share of the penetration that a step removes. It is small enough that resting nodes do not
     // jitter.
     constexpr double corrected_share = 0.2;
     for (const NodeContact& c : contacts.all()) {

@@ -8,17 +8,20 @@ namespace rigor {
 
 /// Applies a collision impulse to each node that would be inside a body after `time_step`, and the
 /// opposite impulse to the body: `collision_impulse` with K = δ/m + K_b, where δ is the unit
-/// matrix, m the mass of the node and K_b the `impulse_matrix` of the body. A substep calls it
-/// twice: before the forces with restitution, after them without. In the second call a remaining
-/// gap may close within the substep.
+/// matrix, m the mass of the node and K_b the `impulse_matrix` of the body. A substep of explicit
+/// integration calls this function twice: before the forces with restitution, and after them
+/// without. An implicit step calls it once, with restitution. Without restitution, a node may still
+/// close its gap within the substep.
 void collide_nodes(Deformable& solid, const std::vector<char>& is_held,
                    const NodeContacts& contacts, RigidColliders& rigid, double time_step,
                    bool with_restitution, Counters& counters);
 
-/// Position correction: moves nodes that are inside bodies outwards, without changing velocities.
+/// Position correction: moves nodes that are inside rigid bodies outwards, without changing
+/// velocities.
 ///
-/// @param step_share  substep divided by step; a whole step removes a fifth of the penetration
-/// @param farthest    the largest correction [m]
+/// @param step_share  length of the substep divided by that of the step; in a whole step, a fifth
+///                    of the penetration is removed
+/// @param farthest    the largest correction of a node [m]
 void correct_node_positions(Deformable& solid, const std::vector<char>& is_held,
                             const NodeContacts& contacts, double step_share, double farthest);
 

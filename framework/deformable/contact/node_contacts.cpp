@@ -26,11 +26,11 @@ Bounds bounds_of_nodes(const Deformable& solid)
 double reach_of(const Deformable& solid, const Body& body, double radius, const Vector3d& gravity,
                 double time_step)
 {
-    // A factor that enlarges the distance, because nodes may get faster within the step. Chosen by
+    // A factor that enlarges this bound, because nodes may get faster within the step. Chosen by
     // trial.
     constexpr double for_acceleration = 1.5;
-    // A bounding radius above this is the infinite one of a plane, and a body with a plane does not
-    // rotate [m].
+    // A plane has an infinite bounding radius. A radius above this one [m] counts as infinite; a
+    // body with a plane does not rotate.
     constexpr double unbounded = 1e9;
     double speed = 0;
     for (const Vector3d& v : solid.velocities)

@@ -11,7 +11,7 @@ namespace rigor {
 /// A node that touches a part of a rigid body, or may touch it within the step.
 struct NodeContact {
     int node = 0, body = 0;
-    int part = 0;                        // index into the parts near the solid, `parts_`
+    int part = 0;                        // index of that part in `NodeContacts::parts_`
     double gap = 0;                      // distance to the part, negative inside [m]
     Vector3d normal = Vector3d::UnitY(); // outward normal of the body
     double restitution = 0, friction = 0;

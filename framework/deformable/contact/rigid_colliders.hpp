@@ -8,12 +8,12 @@
 namespace rigor {
 
 /// The rigid bodies during a step of the deformable solids. As in the step of the rigid bodies,
-/// impulses act at the poses of the start of the step, so that angular momentum is conserved to
-/// rounding. Only the surfaces, against which distances are measured, move with each substep.
+/// impulses act at the poses of the start of the step, so that angular momentum is conserved up to
+/// rounding errors. Only `surfaces`, to which distances are measured, move with each substep.
 struct RigidColliders {
     explicit RigidColliders(const World& world);
 
-    /// Moves the surfaces by a substep [s].
+    /// Moves the surfaces with the velocities of their bodies for a substep of this length [s].
     void advance(double time_step);
     /// Writes the velocities after the impulses to the world, and wakes the bodies that got an
     /// impulse.

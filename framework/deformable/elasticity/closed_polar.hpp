@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
 // The polar decomposition in closed form, for one matrix or several at once.
 //
-// Of all rotations, the R of F = R S has the largest Tr(Rᵀ F) = Tr S =: s. With the singular values
-// s₁ ≥ s₂ ≥ |s₃| of F (s₃ < 0 where F is inverted) s = s₁ + s₂ + s₃ is the largest root of
+// Of all rotations R, the one in F = R S makes Tr(Rᵀ F) largest, namely Tr S =: s. With the
+// singular values s₁ ≥ s₂ ≥ |s₃| of F (s₃ < 0 where F is inverted), s = s₁ + s₂ + s₃ is the largest
+// root of
 //
 //     p(s) = s⁴ - 2 ‖F‖² s² - 8 det F s + ‖F‖⁴ - 4 ‖cof F‖²
 //
 // (Horn 1987, "Closed-form solution of absolute orientation using unit quaternions"; in each of the
-// other roots, two of the sᵢ change sign). Newton's method, started at √3 ‖F‖, decreases to s. As s
-// is the support function of the rotations, R = ∂s/∂F = -∂p/∂F / ∂p/∂s:
+// other roots, two of the sᵢ change sign). Newton's method, started at √3 ‖F‖, converges to s from
+// above. As s is the maximum of Tr(Rᵀ F) over all rotations R, its derivative by F is the R of this
+// maximum, R = ∂s/∂F = -∂p/∂F / ∂p/∂s:
 //
 //     R = ((s² + ‖F‖²) F + 2 s cof F - 2 F Fᵀ F) / (s³ - ‖F‖² s - 2 det F)
 //
@@ -71,12 +73,12 @@ template <class Number>
     return P;
 }
 
-/// R and s of F, with an estimate of their accuracy.
+/// R and s = Tr S of F = R S, with two numbers that tell how accurate they are.
 template <class Number> struct ClosedPolar {
     Square3<Number> R;
     Number s;            // Tr S
-    Number conditioning; // the denominator of R, over s³: 16/27 at rest, 0 where R is not unique
-    Number last_step;    // last step of Newton's method, over s
+    Number conditioning; // denominator of R, divided by s³: 16/27 at rest, 0 if R is not unique
+    Number last_step;    // last step of Newton's method, divided by s
 };
 
 // Newton's method has converged if its step, divided by s, is below this. The method converges
@@ -95,8 +97,8 @@ inline bool is_exact(double conditioning, double last_step)
 
 /// @param norm2   ‖F‖²
 /// @param start   where Newton's method starts: √3 ‖F‖, which is never below s
-/// @param is_end  is_end(x) tells whether Newton's method stops after a step of size x s; near rest
-///                it stops after the fourth step
+/// @param is_end  is_end(x) tells whether Newton's method stops after a step, where x is the step
+///                divided by s; near rest it stops after the fourth step
 template <class Number, class IsEnd>
 [[gnu::always_inline]] inline ClosedPolar<Number>
 closed_polar(const Square3<Number>& F, Number norm2, Number start, const IsEnd& is_end)
@@ -105,7 +107,7 @@ closed_polar(const Square3<Number>& F, Number norm2, Number start, const IsEnd& 
     const Number det = F.a[0][0] * C.a[0][0] + F.a[0][1] * C.a[0][1] + F.a[0][2] * C.a[0][2];
     const Number p0 = norm2 * norm2 - 4.0 * dot(C, C), p1 = 8.0 * det, p2 = 2.0 * norm2;
     Number s = start, step = start;
-    constexpr int most_steps = 20; // limits the time; four are enough near rest
+    constexpr int most_steps = 20; // limits the time; near rest, four steps are enough
     for (int i = 0; i < most_steps; ++i) {
         const Number p = ((s * s - p2) * s - p1) * s + p0;
         const Number dp = (4.0 * (s * s) - 2.0 * p2) * s - p1;

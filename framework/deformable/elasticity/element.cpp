@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Computes deformation gradient, elastic strain, stress and energy of one corotated linear
-// tetrahedron (Müller and Gross 2004), each from the one before.
+// tetrahedron (Müller and Gross 2004). Each of these follows from the one before it.
 #include "deformable/elasticity/element.hpp"
 
 #include "deformable/elasticity/polar_decomposition.hpp"
@@ -44,14 +44,15 @@ double energy_density(const Deformable& solid, int element)
 {
     const SolidMaterial& m = solid.material;
     const Matrix3d e = elastic_strain(solid, element);
-    // ½ λ Tr(ε)² + G ‖ε‖²
+    // ½ λ Tr(ε)² + G ‖ε‖², with the elastic strain ε
     return 0.5 * m.lame_lambda() * e.trace() * e.trace() + m.shear_modulus() * e.squaredNorm();
 }
 
 bool is_inverted(const Matrix3d& plastic, const Matrix3d& elastic)
 {
     const Matrix3d strain = plastic + elastic;
-    if (strain.squaredNorm() < 1) return false; // then all eigenvalues are above -1
+    // If ‖strain‖ < 1, all its eigenvalues are above -1, so the determinant below is positive.
+    if (strain.squaredNorm() < 1) return false;
     return (Matrix3d::Identity() + strain).determinant() <= 0;
 }
 

@@ -13,7 +13,9 @@ struct ElementWorkspace {
     Elements elements;
     std::vector<ElementStrain> strains;
     std::vector<std::array<int, 4>> face_neighbours;
-    std::vector<std::vector<int>> stress_neighbours; // per element, across uncracked faces
+    // For each element, its neighbours across faces without a crack. Its stress is averaged with
+    // their stresses.
+    std::vector<std::vector<int>> stress_neighbours;
 };
 
 } // namespace rigor

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Computes the nodal forces of corotated linear elasticity with plastic strain and
 // stiffness-proportional damping (Müller and Gross 2004, "Interactive virtual materials"). For each
-// pair of elements it takes the deformation gradient, its polar decomposition, the elastic strain
-// and its rate, and the stress, in this order, and then adds the forces to the nodes.
+// pair of elements it computes the deformation gradient, its polar decomposition, the elastic
+// strain and its rate, and the stress, in this order, and then adds the forces to the nodes.
 #include "deformable/elasticity/elements.hpp"
 
 #include "deformable/elasticity/polar_decomposition.hpp"
@@ -43,8 +43,8 @@ struct Symmetric {
     return D;
 }
 
-// R, S and s of both elements of a pair. Where the closed form is inaccurate, R comes from an
-// eigenvector.
+// R, S and s = Tr S of both elements of a pair. Where the closed form is inaccurate, R comes from
+// an eigenvector.
 struct PolarPair {
     Square3<Two> R;
     Symmetric S;
@@ -83,8 +83,8 @@ struct PolarPair {
     return polar;
 }
 
-// z = (s δ - S)⁻¹ a, by cofactors. Where R is almost not unique, z and the stiffness would grow
-// without bound; there z is reduced to 0 gradually.
+// z = (s δ - S)⁻¹ a, by cofactors. Near a deformation whose R is not unique, z and the stiffness
+// would grow without bound; there z is reduced to 0 gradually.
 [[gnu::always_inline]] inline void solve_spin(const PolarPair& polar, const Two (&a)[3],
                                               Two (&z)[3])
 {
@@ -123,7 +123,7 @@ struct PolarPair {
     const Two axial[3] = {a[2][1] - a[1][2], a[0][2] - a[2][0], a[1][0] - a[0][1]};
     Two w[3];
     solve_spin(polar, axial, w);
-    const Symmetric& S = polar.S; // column j of W S is w × column j of S
+    const Symmetric& S = polar.S; // column j of W S is w × (column j of S)
     return {a[0][0] - (w[1] * S.xz - w[2] * S.xy), a[1][1] - (w[2] * S.xy - w[0] * S.yz),
             a[2][2] - (w[0] * S.yz - w[1] * S.xz), a[0][1] - (w[1] * S.yz - w[2] * S.yy),
             a[0][2] - (w[1] * S.zz - w[2] * S.yz), a[1][2] - (w[2] * S.xz - w[0] * S.zz)};

@@ -17,7 +17,9 @@ using Two [[gnu::vector_size(16)]] = double;
 /// one is paired with a copy of itself that has volume 0.
 struct ElementPair {
     int nodes[2][4];
-    Square3<Two> B; // [X₁ - X₀, X₂ - X₀, X₃ - X₀]⁻¹ [1/m]; its row i is ∇N of corner i + 1
+    // [X₁ - X₀, X₂ - X₀, X₃ - X₀]⁻¹ [1/m]. Its row i is ∇N, the gradient of the shape function, of
+    // corner i + 1.
+    Square3<Two> B;
     Two volume;     // volume of the material [m³]
     Two plastic[6]; // ε_p: xx, yy, zz, xy, xz, yz
     bool is_plastic;
@@ -36,10 +38,10 @@ public:
 
     /// Adds to each node the elastic and the damping forces of its elements, -V P ∇N [N].
     ///
-    /// P = R (σ - [z]×), where σ is the stress of the elastic strain plus β times the strain rate.
-    /// If there is plastic strain or damping, σ and S do not commute. Then z = (s δ - S)⁻¹
-    /// axial(σ S - S σ) makes P the derivative of an energy that depends on S alone, so that the
-    /// forces of an element have no torque on it.
+    /// P = R (σ - [z]×), where σ is the stress that an elastic strain ε - ε_p + β Ṡ would cause.
+    /// With plastic strain or damping, σ and S do not commute. Then, with s = Tr S,
+    /// z = (s δ - S)⁻¹ axial(σ S - S σ) makes P the derivative of an energy that depends on S
+    /// alone, so that the forces of an element have no torque on it.
     void add_forces(std::span<const Vector3d> positions, std::span<const Vector3d> velocities,
                     std::vector<Vector3d>& forces) const;
 
@@ -51,7 +53,7 @@ public:
 
     void set_plastic_strain(int element, const Matrix3d& strain);
 
-    /// ∇N of each corner of an element, in its rest space [1/m].
+    /// ∇N, the gradient of the shape function, of each corner of an element, in rest space [1/m].
     std::array<Vector3d, 4> gradients(int element) const;
     double volume(int element) const { return pairs_[element / 2].volume[element % 2]; }
     std::array<int, 4> nodes(int element) const;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Plastic flow of the elements whose von Mises stress is above the yield stress. For each of them
-// it asks the formula `plastic_flow` for the new plastic strain, limits it, and updates the elastic
-// strain. The strain is split into a sum as by O'Brien, Bargteil and Hodgins (2002), "Graphical
-// modeling and animation of ductile fracture".
+// Plastic flow of the elements whose von Mises stress is above the yield stress. For each such
+// element it calls the formula `plastic_flow` to get the new plastic strain, limits this strain,
+// and updates the elastic strain. The total strain is the sum of an elastic and a plastic part, as
+// in O'Brien, Bargteil and Hodgins (2002), "Graphical modeling and animation of ductile fracture".
 #include "deformable/elasticity/flow.hpp"
 
 #include "deformable/elasticity/element.hpp"
@@ -14,7 +14,7 @@ namespace rigor {
 
 namespace {
 
-// 3/2 ‖dev ε‖²: the von Mises stress of this strain is 2 G times its square root.
+// 3/2 ‖dev ε‖². The von Mises stress of the strain ε is 2 G times the square root of this.
 double shear_strain2(const Matrix3d& strain)
 {
     const double mean = strain.trace() / 3;
@@ -23,12 +23,12 @@ double shear_strain2(const Matrix3d& strain)
     return 1.5 * dev.squaredNorm();
 }
 
-// The limit of ‖ε_p‖. Within it, the new shape at rest, δ + ε_p, keeps at least a third of its
-// height: as ε_p has no trace, the lowest eigenvalue of ε_p is at least -√⅔ ‖ε_p‖, which has to
-// stay above -⅔.
+// The limit of ‖ε_p‖. Within it, the shape without stress, δ + ε_p, keeps at least a third of its
+// length at rest in every direction: as ε_p has no trace, the lowest eigenvalue of ε_p is at least
+// -√⅔ ‖ε_p‖, which has to stay above -⅔.
 constexpr double most = 0.8; // √(3/2) ⅔ = 0.816, rounded down
 
-// Whether an element with this elastic strain yields, by the test that the solid asks for.
+// Whether an element with this elastic strain yields, by the yield test of the solid.
 bool yields(const Deformable& solid, const Matrix3d& strain)
 {
     const SolidMaterial& m = solid.material;

@@ -15,26 +15,28 @@ public:
 
     /// The plastic strain after the flow of an element.
     struct Flowed {
-        bool flows = false;      // whether it yields; if not, its plastic strain stays as it is
-        Matrix3d asked;          // the ε_p that the formula returned
-        double share = 1;        // the share of `asked` that the limit of ‖ε_p‖ leaves
+        bool flows = false; // whether the element flows; if not, ε_p stays as it is
+        Matrix3d asked;     // the ε_p that `plastic_flow` returned
+        double share = 1; // share of `asked` that is kept, below 1 if ‖`asked`‖ is above the limit
         Matrix3d plastic_strain; // ε_p after the flow, `share` times `asked`
     };
     /// @param plastic  ε_p before the flow
-    /// @param elastic  the trial strain, ε - ε_p with the total strain at the end of the step
+    /// @param elastic  the trial strain: the total strain ε at the end of the step, minus `plastic`
     Flowed flowed(const Matrix3d& plastic, const Matrix3d& elastic) const;
 
 private:
     const Deformable* solid_;
     double lambda_, G_, yield_stress_;
-    bool is_optimised_; // whether the strain is compared with `bound_`, without the test's formula
-    double bound_;      // yield strain, if `is_optimised_`
+    // Whether the yield test compares the strain with `bound_` itself, and calls no formula.
+    bool is_optimised_;
+    double bound_; // the yield strain, if `is_optimised_`
 };
 
-/// Plastic flow of each element that yields, by `plastic_flow`. For all others only the yield test
-/// is done.
+/// Plastic flow of each element that yields, by `plastic_flow`. For all other elements only the
+/// yield test is done.
 ///
-/// @param work  contains the strains at the end of the step; flow updates their elastic parts
+/// @param work  contains the strains at the end of the step; this function updates their elastic
+///              parts
 void flow(Deformable& solid, ElementWorkspace& work, const Settings& settings, Counters& counters);
 
 } // namespace rigor

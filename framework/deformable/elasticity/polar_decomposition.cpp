@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Computes the rotation R and the symmetric S of F = R S for any F, even if it is flat or inverted.
-// It takes the closed form of `closed_polar.hpp`, followed by one step of Newton's method for
-// orthogonality. Where the closed form is inaccurate, R comes from an eigenvector instead (Horn
-// 1987).
+// Computes the rotation R and the symmetric S of F = R S for any F, even a singular or inverted
+// one. It uses the closed form of `closed_polar.hpp`, followed by one step of Newton's method that
+// makes R orthogonal up to rounding. Where the closed form is inaccurate, R comes from an
+// eigenvector instead (Horn 1987).
 #include "deformable/elasticity/polar_decomposition.hpp"
 
 #include "deformable/elasticity/closed_polar.hpp"
@@ -15,8 +15,9 @@ namespace rigor {
 
 namespace {
 
-// The rotation of the quaternion q that makes Tr(Rᵀ F) = qᵀ N q largest: an eigenvector to the
-// largest eigenvalue of N (Horn 1987). This is slower than the closed form but works for every F.
+// The rotation with the largest Tr(Rᵀ F). For the quaternion q of R, this trace is qᵀ N q, so that
+// q is an eigenvector of N for its largest eigenvalue (Horn 1987). This is slower than the closed
+// form but works for every F.
 Matrix3d closest_rotation(const Matrix3d& F)
 {
     Eigen::Matrix4d N;
@@ -39,8 +40,8 @@ Matrix3d closest_rotation(const Matrix3d& F)
 
 Polar polar_decomposition(const Matrix3d& F)
 {
-    const double norm =
-        F.cwiseAbs().maxCoeff(); // makes the tolerances independent of the size of F
+    // F is divided by `norm`, so that the tolerances do not depend on the size of F.
+    const double norm = F.cwiseAbs().maxCoeff();
     if (norm == 0) return {Matrix3d::Identity(), Matrix3d::Zero()};
     Square3<double> scaled;
     for (int i = 0; i < 9; ++i)

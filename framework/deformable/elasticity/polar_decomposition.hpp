@@ -6,8 +6,8 @@
 
 namespace rigor {
 
-/// F = R S, with a rotation R and a symmetric S. If F is inverted, the eigenvalue of S that is
-/// smallest in size is negative.
+/// F = R S, with a rotation R and a symmetric S. If F is inverted, the eigenvalue of S with the
+/// smallest absolute value is negative.
 struct Polar {
     Matrix3d R = Matrix3d::Identity(), S = Matrix3d::Identity();
 };

@@ -6,9 +6,9 @@
 
 namespace rigor {
 
-/// Sums over a deformable solid.
+/// Mass, volume, energies and momenta of a whole solid.
 struct DeformableTotals {
-    double mass = 0, volume = 0;                   // [kg], volume of the material at rest [m³]
+    double mass = 0, volume = 0; // mass [kg], volume of the material at rest [m³]
     double kinetic_energy = 0, elastic_energy = 0; // [J]
     Vector3d momentum = Vector3d::Zero();          // [kg m/s]
     Vector3d angular_momentum = Vector3d::Zero();  // about the origin [kg m²/s]

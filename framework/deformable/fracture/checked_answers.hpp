@@ -12,7 +12,7 @@ namespace rigor {
 // Each function returns its argument, or throws std::out_of_range. The message names the formula,
 // what was expected and what was found.
 
-/// @param elements  number of elements; a stress is expected for each
+/// @param elements  number of elements; one stress is expected for each element
 std::vector<Matrix3d> checked_stresses(std::vector<Matrix3d> smooth, std::size_t elements);
 
 /// @return the number of a face, 0 … 3
@@ -21,7 +21,7 @@ int checked_face(int face);
 /// @param before  the mesh that was split
 SplitMesh checked_split(SplitMesh split, const TetrahedralMesh& before, const char* formula);
 
-/// For a split along faces. This one also checks that the number of elements is still the same.
+/// The same for a split by `split_along_faces`, where the number of elements has to stay the same.
 SplitMesh checked_split_along_faces(SplitMesh split, const TetrahedralMesh& before);
 
 /// @param before  the mesh without cracks

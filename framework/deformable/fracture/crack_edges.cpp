@@ -15,9 +15,9 @@ namespace {
 
 constexpr std::array<std::array<int, 2>, 6> tetrahedron_edges = {
     {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
-constexpr double least_cosine = 0.5;   // cos 60°: a continued crack turns by less than this
-constexpr double similar_cosine = 0.7; // about cos 45°; planes closer than this are one crack
-// Least distance of a corner from the plane of a crack, relative to that of the farthest corner.
+constexpr double least_cosine = 0.5;   // cos 60°, the largest angle to the wanted normal
+constexpr double similar_cosine = 0.7; // about cos 45°; planes at a smaller angle are one crack
+// Least distance of a corner from the plane of a crack, divided by that of the farthest corner.
 // Between the plane and a nearer corner there would be almost no material.
 constexpr double least_corner_height = 1e-6;
 
@@ -36,7 +36,7 @@ Corners corners_of(const TetrahedralMesh& mesh, int t)
     return x;
 }
 
-// The best plane so far among those through the same number of cut points: one, two or three.
+// The best plane so far among those through the same number of cut points (one, two or three).
 struct Best {
     const Corners& corners;
     const std::array<int, 4>& real;
@@ -57,7 +57,7 @@ struct Best {
     // Whether corners with material lie on both sides of the plane and none of them almost in it.
     // A crack splits the element into two copies, each with the material of one side. The material
     // between the plane and a corner that almost lies in it would have no volume, and the node of
-    // this corner no mass. Heights are compared relative to the largest one.
+    // this corner no mass. Distances are compared relative to the largest of them.
     bool separates(const Vector3d& point, const Vector3d& normal) const
     {
         int above = 0, below = 0;
@@ -78,7 +78,7 @@ struct Best {
 CrackEdges::CrackEdges(const Deformable& solid)
     : solid_(solid), cracks_of_(solid.uncracked.tetrahedra.size())
 {
-    // A crack cuts the edges that no earlier crack of its element has cut.
+    // A crack cuts only those edges that no earlier crack of the same element has cut.
     std::vector<std::array<bool, 6>> is_cut(solid.uncracked.tetrahedra.size());
     for (int k = 0; k < static_cast<int>(solid.cracks.size()); ++k) {
         const ElementCrack& crack = solid.cracks[k];

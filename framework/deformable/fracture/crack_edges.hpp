@@ -18,16 +18,17 @@ public:
     /// A crack of an element that continues the cracks of its neighbours. Its plane passes through
     /// the points where these cracks cut edges of the element: through three, two or one of them,
     /// as many as possible while its normal stays less than 60° from the wanted one. If there is no
-    /// such plane, it passes through the middle of the element with the wanted normal. Of several
-    /// planes through as many points, it is the one whose normal is nearest to the wanted one.
+    /// such plane, it passes through the middle of the element with the wanted normal. Among planes
+    /// through the same number of points, it is the one whose normal is nearest to the wanted one.
     /// @param parent  the element of the uncracked mesh
-    /// @param real    1 for the corners with material, at least two, which the crack has to
-    ///                separate
+    /// @param real    for each corner, 1 if it has material; the crack has to separate these
+    ///                corners, at least two, into two groups
     /// @param normal  the wanted normal
     ElementCrack continued(int parent, const std::array<int, 4>& real,
                            const Vector3d& normal) const;
 
-    /// Whether a neighbour's crack cuts an edge between two corners with material.
+    /// Whether the crack of a neighbour cuts an edge of the element between two corners with
+    /// material.
     bool meets(int parent, const std::array<int, 4>& real) const;
 
     /// Whether the element already has a crack whose normal is less than about 45° from this
@@ -41,7 +42,8 @@ private:
     // For each edge that is cut, the point of the cut [m]. The key is the two vertices of the edge,
     // in ascending order.
     std::map<std::pair<int, int>, Vector3d> cuts_;
-    std::vector<std::vector<int>> cracks_of_; // for each element, indices of its cracks
+    // For each element of the uncracked mesh, the indices of its cracks in `Deformable::cracks`.
+    std::vector<std::vector<int>> cracks_of_;
 };
 
 } // namespace rigor

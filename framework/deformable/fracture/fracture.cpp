@@ -2,7 +2,8 @@
 // Opens cracks normal to the largest principal tension where it exceeds the strength (Rankine's
 // criterion). The mesh is then changed by one of three methods: along faces, by splitting elements,
 // or with virtual nodes (Molino, Bao and Fedkiw 2004). First a bound on the stresses excludes most
-// elements, then stresses are smoothed and candidates sorted, then the chosen ones crack.
+// elements. Then the stresses are smoothed, and the elements whose stress exceeds the strength are
+// sorted. Last, the most stressed ones crack, within the limits of fracture.hpp.
 #include "deformable/fracture/fracture.hpp"
 
 #include "deformable/fracture/checked_answers.hpp"
@@ -33,7 +34,7 @@ double bound_of(const Matrix3d& stress)
     return stress.trace() / 3 + 2.0 / 3 * von_mises(stress);
 }
 
-// The same bound for the stress that an elastic strain causes [Pa].
+// The same bound, for the stress that this elastic strain causes [Pa].
 double bound_of(const Matrix3d& strain, double lambda, double G)
 {
     const double trace = strain.trace();
@@ -122,18 +123,18 @@ int crack_faces(Deformable& solid, const ElementWorkspace& work,
         taken.add(t);
         const auto& back = work.face_neighbours[other];
         const auto g = std::find(back.begin(), back.end(), c.element) - back.begin();
-        if (g == 4) continue; // after a wrong split: three elements share this face
+        if (g == 4) continue; // after a wrong split, in which three elements share this face
         solid.crack_faces[c.element][f] = solid.crack_faces[other][g] = true;
         ++cracks;
     }
     if (cracks == 0) return 0;
-    // Cracks of earlier steps are split again, because they may still be closed.
+    // The faces of earlier cracks are passed again, because these cracks may still be closed.
     remesh(solid, checked_split_along_faces(
                       split_along_faces(solid.rest, marked_faces(solid.crack_faces)), solid.rest));
     return cracks;
 }
 
-// The smallest height of an element over one of its faces.
+// The smallest height of an element over one of its faces [m].
 double least_height(const TetrahedralMesh& mesh, int element)
 {
     double largest = 0; // twice the area of the largest face
@@ -151,7 +152,7 @@ double least_height(const TetrahedralMesh& mesh)
     return least;
 }
 
-// Whether a split leaves no sliver and not too many elements. A sliver would need shorter substeps
+// Whether a split makes no sliver and not too many elements. A sliver would need shorter substeps
 // than all other elements.
 bool is_fine_enough(const Deformable& solid, const SplitMesh& split)
 {
@@ -165,8 +166,8 @@ bool is_fine_enough(const Deformable& solid, const SplitMesh& split)
     return true;
 }
 
-// The vertex of an element through which the crack runs: the one with the largest sum of
-// stresses of the candidates around it.
+// The vertex of an element through which its crack runs: the vertex with the largest `pull`, the
+// sum of the stresses of all candidates at this vertex.
 int crack_tip(const Deformable& solid, const std::vector<double>& pull, int element)
 {
     const auto& t = solid.rest.tetrahedra[element];
@@ -217,8 +218,8 @@ int crack_elements(Deformable& solid, const std::vector<Candidate>& found)
 // Cracks elements with virtual nodes. @return the number of cracks
 int crack_with_virtual_nodes(Deformable& solid, const std::vector<Candidate>& found)
 {
-    // The largest number of cracks of an element; each crack may double the number of its copies.
-    // Chosen by trial.
+    // The largest number of cracks in an element of the uncracked mesh. Each crack may double the
+    // number of copies of this element. Chosen by trial.
     constexpr int most_in_element = 3;
     if (solid.uncracked.tetrahedra.empty()) solid.uncracked = solid.rest;
     std::vector<int> count(solid.uncracked.tetrahedra.size(), 0);
@@ -228,8 +229,8 @@ int crack_with_virtual_nodes(Deformable& solid, const std::vector<Candidate>& fo
     const bool is_embedded = !solid.embedded.parents.empty();
     CrackedNodes taken(solid);
     int cracks = 0;
-    // Whether a new crack continues an old one. Then less stressed elements start no crack of their
-    // own.
+    // Whether a crack of this step continues an old one. From then on, elements with less stress
+    // may continue cracks, but start none.
     bool one_goes_on = false;
     for (const Candidate& c : found) {
         if (cracks == most_cracks) break;
@@ -238,7 +239,7 @@ int crack_with_virtual_nodes(Deformable& solid, const std::vector<Candidate>& fo
         const bool is_divisible = std::accumulate(real.begin(), real.end(), 0) > 1;
         const auto& t = solid.rest.tetrahedra[c.element];
         if (!is_divisible || count[parent] >= most_in_element || taken.any(t)) continue;
-        if (edges.has_similar(parent, c.normal)) continue; // the similar crack has to open first
+        if (edges.has_similar(parent, c.normal)) continue; // the old crack has to open first
         const bool goes_on = edges.meets(parent, real);
         if (one_goes_on && !goes_on) continue;
         one_goes_on |= goes_on;

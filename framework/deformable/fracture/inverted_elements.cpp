@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Separates elements that stay inverted for too long. It counts the time of each inverted element,
-// cracks the failed ones along all their faces, and gives each of them its shape without stress,
-// and the motion of a rigid body with the same momentum and angular momentum.
+// Separates elements that stay inverted for too long. It counts the time of each inverted element
+// and makes cracks along all faces of each element that exceeds the limit. Such an element gets its
+// shape without stress, and the motion of a rigid body with the same momentum and angular momentum.
 #include "deformable/fracture/inverted_elements.hpp"
 
 #include "deformable/elasticity/element.hpp"
@@ -36,7 +36,8 @@ bool is_held(const std::vector<HeldNode>& held, const std::array<int, 4>& nodes)
     });
 }
 
-// Adds the step to the time of each inverted element, and sets the time of all others to 0.
+// Adds the time step to the time of each inverted element, and sets the time of all other elements,
+// and of those that a handle holds, to 0.
 // @return whether an element has been inverted for too long
 bool count_time(Deformable& solid, const ElementWorkspace& work, const std::vector<HeldNode>& held,
                 double time_step)
@@ -56,7 +57,7 @@ bool count_time(Deformable& solid, const ElementWorkspace& work, const std::vect
     return is_over;
 }
 
-// For each element, whether it shares no node with others.
+// For each element, whether it shares no node with other elements.
 std::vector<char> loose_elements(const TetrahedralMesh& mesh)
 {
     std::vector<int> count(mesh.vertices.size(), 0);
@@ -83,8 +84,8 @@ void mark_faces(std::vector<std::array<bool, 4>>& crack_faces,
         }
 }
 
-// Separates elements of a solid with virtual nodes: each element of the uncracked mesh that has a
-// copy among them, with all its copies.
+// Separates elements of a solid with virtual nodes. If a copy has to be separated, the element of
+// the uncracked mesh from which it was copied is separated, together with all its copies.
 void separate_copies(Deformable& solid, const std::vector<char>& is_separated)
 {
     if (solid.uncracked.tetrahedra.empty()) solid.uncracked = solid.rest;

@@ -7,18 +7,21 @@
 
 namespace rigor {
 
-/// Gives an element that shares no node with others its shape without stress, R (δ + ε_p) X, and
-/// the motion of a rigid body. Mass, center of mass, momentum and angular momentum stay the same;
-/// energy is lost. If the element spins so fast that it would gain energy, it is not changed.
-/// @return whether it was changed
+/// Moves the nodes of an element to its shape without stress, R (δ + ε_p) X, and gives them the
+/// motion of a rigid body. The element must share no node with other elements. Mass, center of
+/// mass, momentum and angular momentum stay the same; energy is lost. If the element spins so fast
+/// that it would gain energy, it is not changed.
+/// @return whether the element was changed
 bool relax_element(Deformable& solid, int element);
 
-/// Separates elements that have been inverted for too long along all their faces, and relaxes them.
+/// Finds the elements that have been inverted for too long, separates them from the solid along all
+/// their faces, and relaxes them by `relax_element`.
 ///
 /// The elastic force on an inverted element is bounded, so neighbours at the limit of their plastic
 /// strain can hold it inverted forever. The time does not count for elements with a node that a
 /// handle holds.
-/// @return  whether there were such elements; strains computed before are then out of date
+/// @return  whether an element was inverted for too long; strains computed before are then out of
+///          date
 bool separate_inverted_elements(Deformable& solid, const ElementWorkspace& work,
                                 const std::vector<HeldNode>& held, World& world, double time_step);
 

@@ -101,8 +101,8 @@ int face_of_parent(const Deformable& solid, const SplitMesh& split, int child, i
     return -1;
 }
 
-// For each face of the new mesh, whether a crack runs along it: either it is a part of a cracked
-// face, or this split opened it.
+// For each face of the new mesh, whether a crack runs along it: either the face is a part of a
+// cracked face, or this split opened it.
 std::vector<std::array<bool, 4>> carried_cracks(const Deformable& solid, const SplitMesh& split)
 {
     const auto old_neighbours = face_neighbours(solid.rest),
@@ -119,8 +119,8 @@ std::vector<std::array<bool, 4>> carried_cracks(const Deformable& solid, const S
     return cracks;
 }
 
-// Gives the nodes of cut elements a spin about their center of mass that has the angular momentum
-// L.
+// Gives the nodes of cut elements (`is_near`) an additional rotation about their center of mass,
+// which has the angular momentum L [kg m²/s].
 void add_angular_momentum(Deformable& solid, const std::vector<char>& is_near, const Vector3d& L)
 {
     double mass = 0;
@@ -138,8 +138,8 @@ void add_angular_momentum(Deformable& solid, const std::vector<char>& is_near, c
             I += solid.masses[i] * (r.squaredNorm() * Matrix3d::Identity() - r * r.transpose());
         }
     const Vector3d w = I.ldlt().solve(L);
-    if (!w.allFinite())
-        return; // nodes on one line have no inertia about it, and lost no momentum about it
+    // Nodes that lie on one line have no inertia about this line, and lost no momentum about it.
+    if (!w.allFinite()) return;
     for (std::size_t i = 0; i < is_near.size(); ++i)
         if (is_near[i]) solid.velocities[i] += w.cross(solid.positions[i] - center);
 }
@@ -195,8 +195,8 @@ void remesh(Deformable& solid, EmbeddedMesh embedded)
     for (int t = 0; t < old_count; ++t)
         copies[solid.embedded.parents.empty() ? t : solid.embedded.parents[t]].push_back(t);
 
-    // The parent of a new copy is the old copy that had the new one's first real corner as a real
-    // corner. Such an old copy exists, because cracks only divide material.
+    // The parent of a new copy is the old copy in which the first real corner of the new copy was
+    // real too. Such an old copy exists, because cracks only divide material.
     std::vector<int> parents;
     std::vector<VertexOrigin> origins(embedded.mesh.vertices.size());
     std::vector<char> has_matter(embedded.mesh.vertices.size(), 0);
@@ -206,7 +206,7 @@ void remesh(Deformable& solid, EmbeddedMesh embedded)
         int old = -1;
         for (const int copy : copies[embedded.parents[t]])
             if (solid.embedded.real.empty() || solid.embedded.real[copy][corner]) old = copy;
-        if (old < 0) // all material was in some copy before
+        if (old < 0) // never with a correct formula: all material was in an old copy
             throw std::out_of_range("virtual_nodes returned matter that was in no element");
         parents.push_back(old);
         for (int i = 0; i < 4; ++i) {

@@ -15,16 +15,16 @@ namespace rigor {
 
 namespace {
 
-// An open contact starts to hold at this penetration, divided by the radius of the solid. It is
-// well above the penetration that rounding and the tolerance of the linear solve leave for a tied
-// node.
+// An open contact starts to hold its node if the penetration, divided by the radius of the solid,
+// exceeds this number. It is well above the penetration that rounding and the tolerance of the
+// linear solve leave for a tied node.
 constexpr double penetration_tolerance = 1e-6;
 // A sliding contact needs no further round if the relative error of its friction force is below
 // this. A smaller value takes more solves of the linear system.
 constexpr double friction_tolerance = 1e-3;
-// The largest damping of a sliding contact, divided by the trace of its node's block of the matrix.
-// At this damping the node hardly slides, and a larger value would make the system ill-conditioned,
-// so the contact sticks.
+// The largest damping of a sliding contact, divided by the trace of the diagonal block of its node
+// in the matrix. At this damping the node hardly slides, and a larger value would make the system
+// ill-conditioned, so the contact sticks.
 constexpr double largest_damping = 1e3;
 
 } // namespace
@@ -98,7 +98,7 @@ bool ContactSet::revise_tied(int k, const Vector3d& velocity, const Matrix3d& di
     const NodeContact& c = step_->contacts[k];
     const Vector3d n = c.normal, j = impulses_[k];
     const double j_n = n.dot(j);
-    if (j_n < 0) { // the contact would pull
+    if (j_n < 0) { // the contact would pull its node
         modes_[k] = ContactMode::open;
         return true;
     }

@@ -9,7 +9,7 @@
 
 namespace rigor {
 
-/// What the contacts of a step depend on. The references stay the same during the step.
+/// What the contacts of a step depend on. The references stay valid during the whole step.
 struct ContactStep {
     const Deformable& solid;
     const RigidColliders& rigid;
@@ -18,10 +18,10 @@ struct ContactStep {
     const std::vector<char>& is_held; // for each node, whether a handle holds it
     Vector3d gravity;                 // [m/s²]
     double time_step = 0;             // h [s]
-    double radius = 0;                // half the extent of the solid [m]
+    double radius = 0;                // half the diagonal of the box around the solid [m]
 };
 
-/// A contact is open (its node is free), or it holds its node, which sticks or slides.
+/// A contact is open (it does not act on its node), or it holds its node, which sticks or slides.
 enum class ContactMode : char { open, sticking, sliding };
 
 class ContactSet {
@@ -44,12 +44,12 @@ public:
     void set_impulse(int k, const Vector3d& impulse) { impulses_[k] = impulse; }
     const Vector3d& impulse(int k) const { return impulses_[k]; }
 
-    /// Corrects a contact after a solve.
+    /// Corrects the mode and the damping of a contact after a solve.
     ///
     /// @param velocity  velocity of the contact's node after the solve [m/s]
     /// @param diagonal  diagonal block of the node in the matrix of the system [kg]
-    /// @return whether the contact changed, so that the part of the solid with its node has to be
-    ///         solved for again
+    /// @return whether the contact changed, so that the part of the solid that contains its node
+    ///         has to be solved for again
     bool revise(int k, const Vector3d& velocity, const Matrix3d& diagonal);
 
 private:
@@ -60,9 +60,10 @@ private:
 
     std::optional<ContactStep> step_;
     std::vector<ContactMode> modes_; // for each contact
-    std::vector<double> dampings_;   // if sliding: friction impulse over slip speed [kg]
-    std::vector<Vector3d> impulses_; // for each contact, on its node [N s]
-    std::vector<int> tied_by_;       // for each node, its contact or -1
+    // For each contact, friction impulse divided by slip speed [kg]. Used only while it slides.
+    std::vector<double> dampings_;
+    std::vector<Vector3d> impulses_; // for each contact, its impulse on the node [N s]
+    std::vector<int> tied_by_;       // for each node, the contact that ties it, or -1
 };
 
 } // namespace rigor

@@ -23,7 +23,7 @@ namespace {
 constexpr double safety = 0.9;
 
 // A solid that needs more substeps than this has an element with almost no thickness, and its step
-// would take forever.
+// would take far too long.
 constexpr double most_substeps = 1e6;
 
 int substeps_for(const Deformable& solid, double step, double stable)
@@ -36,7 +36,7 @@ int substeps_for(const Deformable& solid, double step, double stable)
              << most_substeps << " substeps, found " << std::setprecision(3) << needed;
         throw std::domain_error(text.str());
     }
-    return needed > 1 ? static_cast<int>(needed) : 1; // the end of the step reports NaNs
+    return needed > 1 ? static_cast<int>(needed) : 1; // a NaN is reported at the end of the step
 }
 
 void accelerate(const NodeMotion& motion, double time, double h)

@@ -6,8 +6,8 @@
 
 namespace rigor {
 
-/// Symplectic Euler in stable substeps: v += h f(x, v)/m, then x += h v. Drag replaces v by
-/// v/(1 + α h).
+/// Symplectic Euler in stable substeps h: v += h f(x, v)/m, then x += h v. Between the two, drag
+/// divides v by 1 + α h.
 void move_explicitly(const NodeMotion& motion);
 
 } // namespace rigor

@@ -6,7 +6,7 @@
 // flows at the velocities of the latest solve, and compares that with what the solve had assumed.
 // If the two differ for an element, the flow is linearised about these velocities. If the
 // velocities have gone too far beyond the minimum, they are first replaced by a point between them
-// and the velocities of the linearisation before.
+// and the velocities of the previous linearisation.
 #include "deformable/motion/flow_in_step.hpp"
 
 #include <algorithm>
@@ -16,14 +16,14 @@ namespace rigor {
 
 namespace {
 
-// The flow that a solve has assumed counts as right if the error of its stress, divided by the
-// yield stress, is below this number. The error falls quadratically, so that a larger tolerance
-// would hardly save a round.
+// The flow that a solve has assumed counts as right if the error of the stress after this flow,
+// divided by the yield stress, is below this number. The error falls quadratically, so that a
+// larger tolerance would hardly save a round.
 constexpr double flow_tolerance = 1e-9;
 // The rounding error of a stress, relative to the trial stress.
 constexpr double rounding = 1e-13;
-// The velocities have gone too far beyond the minimum if the slope of the minimised function at
-// them has the opposite sign of its slope at the guess, and more than this share of its size.
+// The velocities have gone too far beyond the minimum if the slope of the minimised function there
+// has the opposite sign to its slope at the guess, and is larger than this share of that slope.
 constexpr double largest_turn = 0.5;
 
 Matrix3d deviatoric(const Matrix3d& a)
@@ -36,7 +36,7 @@ double product(const Matrix3d& a, const Matrix3d& b)
     return a.cwiseProduct(b).sum();
 }
 
-// How much of the stress of a strain d a linearised flow takes away (element_flow.hpp):
+// The part that a linearised flow takes away from the stress of a strain d (element_flow.hpp):
 // 2 G (a (dev d - (k : d) k) + (n : d) n).
 Matrix3d softening(const ElementFlow& f, double G, const Matrix3d& d)
 {
@@ -94,7 +94,7 @@ Matrix3d FlowInStep::strain_in_step(int e, const std::vector<Vector3d>& velociti
     return 0.5 * time_step_ * (A + A.transpose());
 }
 
-// Makes `next_`, the flow linearised about these velocities. Lists in `changed_` the elements for
+// Makes `next_`, the flow linearised about these velocities. Adds to `changed_` the elements for
 // which the flow differs from that of the latest solve, `flows_`.
 void FlowInStep::linearise(const std::vector<Vector3d>& velocities)
 {

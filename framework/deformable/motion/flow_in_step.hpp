@@ -10,10 +10,11 @@
 
 namespace rigor {
 
-/// Newton's method for the flow within one implicit step. The stress at the end of a step is the
-/// stress after the flow, so it depends on the velocities that the step solves for. Each round
-/// linearises the flow of each element about the velocities of the latest solve. The plastic
-/// strains of the solid do not change; `flow` changes them once the nodes have moved.
+/// Newton's method for the plastic flow within one implicit step. The stress at the end of a step
+/// is the stress after the flow, so it depends on the velocities that the step solves for. Each
+/// round linearises the flow of each element about the velocities of the latest solve. The plastic
+/// strains of the solid do not change here; the function `flow` changes them once the nodes have
+/// moved.
 class FlowInStep {
 public:
     /// Begins a step, in which no element has flowed yet.
@@ -28,7 +29,7 @@ public:
     /// @return whether any element differs, so that the system has to be solved again
     bool revise(VelocitySystem& system);
 
-    /// The elements whose flow differed from what the latest solve had assumed.
+    /// The elements whose flow differs from the flow that the latest solve had assumed.
     const std::vector<int>& changed() const { return changed_; }
 
 private:
@@ -44,13 +45,14 @@ private:
     const ElementWorkspace* work_ = nullptr;
     std::optional<FlowRule> rule_;
     double time_step_ = 0, lambda_ = 0, G_ = 0; // h [s], λ, G [Pa]
-    bool is_first_ = true;                      // whether the latest solve was without flow
+    bool is_first_ = true;                      // whether the latest solve assumed no flow
     std::vector<Vector3d> elastic_momenta_;     // right-hand side of the system without flow [N s]
     std::vector<Vector3d> guess_; // the velocities that the flow was linearised about [m/s]
-    // The linearised flow of the latest solve, and that of the next one; elements ascending.
+    // The linearised flow in the latest solve, and in the next one; sorted by element.
     std::vector<ElementFlow> flows_, next_;
     std::vector<int> changed_;
-    double excess_ = 0;         // slope of the minimised function, see `backtrack` [J]
+    // Slope of the minimised function at the latest velocities, along `way_` (see `backtrack`) [J].
+    double excess_ = 0;
     std::vector<Vector3d> way_; // from `guess_` to the latest velocities [m/s]
 };
 

@@ -17,8 +17,8 @@ namespace {
 // The largest number of solves of the linear system for the same plastic flow. Contacts that still
 // change after these rounds stay as they are; the next step begins with a new guess.
 constexpr int most_rounds = 10;
-// The largest number of times in a step that the plastic flow is linearised again. After each, the
-// system is solved as above.
+// The largest number of times in a step that the plastic flow is linearised. After each of them,
+// the system is solved in up to `most_rounds` further rounds.
 constexpr int most_flow_rounds = 20;
 
 Matrix3d axes_of(const HeldNode& held)

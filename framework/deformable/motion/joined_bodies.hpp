@@ -9,14 +9,15 @@ namespace rigor {
 
 class JoinedBodies {
 public:
-    /// A dynamic body in contact joins the system, with the velocity that gravity will give it in
-    /// this step. A body that rests on other bodies does not join and counts as static here,
-    /// because it passes the impulses on to its supports.
+    /// Finds the bodies that join the system: dynamic bodies that touch the solid or may touch it
+    /// in this step. Each starts with the velocity that gravity will give it in this step. A body
+    /// that sleeps or touches other rigid bodies does not join and counts as static here, because
+    /// it passes the impulses on to its supports.
     void join(const RigidColliders& rigid, const std::vector<NodeContact>& contacts,
               double time_step);
 
     bool is_empty() const { return before_.empty(); }
-    /// The number in the system of a rigid body, or -1 if the body has not joined.
+    /// The number that a rigid body has in the system, or -1 if the body has not joined.
     int number(int body) const { return numbers_[body]; }
 
     /// Resets the bodies to their velocities without contacts. @return the bodies to pass to
@@ -32,8 +33,9 @@ private:
     Vector3d velocity(const RigidColliders& rigid, int body, const Vector3d& r,
                       const std::vector<SystemBody>& bodies) const;
 
-    std::vector<int> numbers_;               // `number` of each rigid body
-    std::vector<SystemBody> before_, after_; // velocities without contacts, and after a solve
+    std::vector<int> numbers_; // for each rigid body, what `number` returns
+    std::vector<SystemBody> before_,
+        after_; // the bodies without contacts, and after the latest solve
 };
 
 } // namespace rigor

@@ -6,14 +6,15 @@
 
 namespace rigor {
 
-/// A part of the solid is opened for another solve as long as its contacts or its plastic flow
-/// change.
+/// The parts are the pieces of the solid between which the matrix has no block. A part is open if
+/// the next solve includes it. After the first solve, only parts whose contacts or plastic flow
+/// have changed are opened again.
 class OpenParts {
 public:
     /// Opens all parts of a system.
     void open_all(const BlockMatrix& matrix);
-    /// Closes all parts. They can then be opened again one by one; `was_open` tells which were
-    /// open.
+    /// Closes all parts. They can then be opened again one by one. `was_open` tells which parts
+    /// were open before this call.
     void close_all();
 
     bool is_open(int node) const { return is_open_[matrix_->part_of(node)] != 0; }

@@ -18,7 +18,7 @@ using Vector6d = Eigen::Matrix<double, 6, 1>;
 // The motion at the start of a step, about the center of mass X.
 struct Modes {
     Vector3d X;
-    Vector6d u, u_dot; // (V, ω) [m/s, rad/s] and its rate
+    Vector6d u, u_dot; // u = (V, ω) [m/s, rad/s], and its time derivative
 
     Vector3d velocity() const { return u.head<3>(); }
     Vector3d angular_velocity() const { return u.tail<3>(); }
@@ -89,7 +89,7 @@ void move_by_matrix(const NodeMotion& motion)
     Deformable& solid = motion.solid;
     const double h = motion.time_step;
     const Modes modes = modes_of(motion);
-    // For x - X = R p, (R + h ω* R) p = (δ + h ω*) (x - X). So R itself need not be known.
+    // If x - X = R p, then (R + h ω* R) p = (δ + h ω*) (x - X). So R itself need not be known.
     const Matrix3d turn = advance_matrix(Matrix3d::Identity(), modes.angular_velocity(), h);
     const Vector3d X = modes.X + h * modes.velocity();
     for (Vector3d& x : solid.positions)

@@ -6,13 +6,14 @@
 
 namespace rigor {
 
-/// A step in the six velocity modes: u = (V, ω) changes by (Sᵀ M S) u̇ + (Sᵀ M Ṡ) u = Sᵀ F, and
-/// each node moves by x += h S u + ½ h² (S u̇ + Ṡ u). The inner forces of the solid play no part.
-/// Gravity and loads act; handles and contacts do not.
+/// A step in the six velocity modes. S maps u = (V, ω) to the velocity of a node, and F is the
+/// force on each node. From (Sᵀ M S) u̇ + (Sᵀ M Ṡ) u = Sᵀ F follows u̇, and each node moves by
+/// x += h S u + ½ h² (S u̇ + Ṡ u). The inner forces of the solid have no effect. Gravity and loads
+/// act; handles and contacts do not.
 void move_in_modes(const NodeMotion& motion);
 
-/// A step with the same u̇, but the nodes move by the formula `advance_matrix`. Its matrix is not
-/// made a rotation again, so that the solid grows.
+/// A step with the same u̇, but the nodes move by the formula `advance_matrix`. The matrix that
+/// this formula returns is not corrected to a rotation, so that the solid grows.
 void move_by_matrix(const NodeMotion& motion);
 
 } // namespace rigor

@@ -2,7 +2,7 @@
 // Computes the longest stable substep of symplectic Euler from a bound on the highest frequency of
 // each element (Irons and Treharne 1971). It shares the mass of each node among its elements in
 // proportion to their stiffness, bounds the largest eigenvalue of each element, and converts the
-// highest one to a step.
+// largest of these bounds to a substep.
 #include "deformable/motion/stable_step.hpp"
 
 #include <cmath>
@@ -23,7 +23,7 @@ Eigen::Matrix<double, 6, 3> strain_of_motion(const Vector3d& g)
     return B;
 }
 
-// C^½, where C ε = λ Tr(ε) δ + 2 G ε.
+// C^½, the square root of the elastic stiffness C with C ε = λ Tr(ε) δ + 2 G ε.
 Matrix6d stiffness_root(const SolidMaterial& material)
 {
     const double G2 = 2 * material.shear_modulus(), bulk = 3 * material.lame_lambda() + G2;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Assembles the linear system of backward Euler, A v = M v₀ + h f(x₀), and restores the momentum of
-// free parts after the solve. All nodes of a part get the same additional velocity, which makes up
-// for the missing momentum.
+// Assembles the linear system of backward Euler, A v = M v₀ + h f(x₀). After the solve, it restores
+// the momentum of parts that neither handles nor contacts hold: all nodes of such a part get the
+// same additional velocity, which makes up for the missing momentum.
 #include "deformable/motion/velocity_system.hpp"
 
 namespace rigor {
@@ -28,7 +28,7 @@ void VelocitySystem::restore_momentum(const Deformable& solid, const std::vector
     for (int i = 0; i < static_cast<int>(tied_by.size()); ++i)
         if (tied_by[i] >= 0) is_part_held_[A.part_of(i)] = 1;
     missing_.assign(A.parts(), {});
-    for (int i = 0; i < A.nodes(); ++i) { // forces between nodes sum to zero
+    for (int i = 0; i < A.nodes(); ++i) { // the forces between nodes cancel in this sum
         const double m = (1 + time_step * solid.material.drag) * solid.masses[i];
         Missing& part = missing_[A.part_of(i)];
         part.momentum += momenta[i] - m * velocities[i];

@@ -27,10 +27,11 @@ struct VelocitySystem {
     ImplicitSystem system;
     std::vector<Vector3d> momenta;    // b for each node [N s]
     std::vector<Vector3d> velocities; // v for each node [m/s]
-    std::vector<TiedNode> ties;       // ties in the latest solve
+    std::vector<TiedNode> ties;       // the ties of nodes in the latest solve
 
 private:
-    /// The missing momentum of a part of the solid [N s], and its mass [kg].
+    /// The missing momentum of a part of the solid [N s], and the mass of this part [kg] times
+    /// 1 + α h, with the drag α and the time step h.
     struct Missing {
         Vector3d momentum = Vector3d::Zero();
         double mass = 0;

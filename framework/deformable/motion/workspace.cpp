@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Keeps the data that a step derives from a solid. If the mesh or the material has changed, all of
-// it is made again; otherwise only the plastic strains are copied.
+// Keeps the data that a step derives from a solid. If the mesh or the material has changed, all
+// this data is made again; otherwise only the plastic strains are copied.
 #include "deformable/motion/workspace.hpp"
 
 #include "geometry/tetrahedra/tetrahedra.hpp"
@@ -21,8 +21,8 @@ bool is_same(const SolidMaterial& a, const SolidMaterial& b)
     return all(a) == all(b);
 }
 
-// Nodes that may be in contact: those on the boundary, except the virtual corners of copies, which
-// have no material there.
+// Nodes that may be in contact: those on the boundary. A virtual corner of a copy does not count,
+// because the copy has no material there.
 std::vector<char> surface_nodes(const Deformable& solid,
                                 const std::vector<std::array<int, 4>>& neighbours)
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Data that a step derives from a solid. It is kept until the mesh or the material changes. It
-// includes all buffers, so that a step without such a change allocates no memory.
+// includes all buffers of a step, so that a step without such a change allocates no memory.
 #pragma once
 
 #include "deformable/contact/node_contacts.hpp"
@@ -25,7 +25,7 @@ struct Workspace : ElementWorkspace {
     // Buffers of a step.
     std::vector<Vector3d> forces;
     std::vector<HeldNode> held;
-    std::vector<char> is_held; // for each node
+    std::vector<char> is_held; // for each node, whether a handle holds it
     NodeContacts contacts;
 
     // Data for implicit steps only.
@@ -34,7 +34,7 @@ struct Workspace : ElementWorkspace {
     ContactSet contact_set;
     OpenParts parts;
     FlowInStep flow_in_step;
-    std::vector<SystemBody> no_bodies; // always empty: for a solve without bodies
+    std::vector<SystemBody> no_bodies; // always empty; passed to a solve without rigid bodies
 };
 
 /// The workspace of a solid. It is made again if the mesh or the material has changed.

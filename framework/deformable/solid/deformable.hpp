@@ -3,8 +3,10 @@
 // corotated linear elasticity (Müller and Gross 2004, "Interactive virtual materials"). Each
 // element has a plastic strain, and masses are lumped at the nodes.
 //
-// Stresses and strains of an element are in its rest space: F = R S is its deformation gradient,
-// ε = ½ (S + Sᵀ) - δ its total strain, and σ the stress of its elastic strain ε - ε_p.
+// Stresses and strains of an element are in the space of the mesh at rest. F = R S is the
+// deformation gradient of the element, with a rotation R and a symmetric S. ε = S - δ is its total
+// strain, where δ is the unit matrix, ε_p its plastic strain, and σ the stress of its elastic
+// strain ε - ε_p.
 #pragma once
 
 #include "deformable/solid/solid_material.hpp"
@@ -23,38 +25,38 @@ enum class NodeIntegrator {
     explicit_step,  ///< symplectic Euler, in substeps no longer than the mesh and material allow
     implicit_step,  ///< backward Euler, one sparse linear system for each step
     velocity_modes, ///< as one rigid body: the six velocity modes of the lecture
-    matrix,         ///< as one rigid body, by `advance_matrix` without repair
+    matrix,         ///< as one rigid body, turned by `advance_matrix`, which makes it grow
 };
 
-/// Which formula decides whether an element yields.
+/// Which formula of formulas/plasticity.hpp decides whether an element yields.
 enum class YieldTest {
     strain,       ///< `von_mises_from_strain`
-    yield_strain, ///< `von_mises_from_strain` with 2 G = 1, compared with `yield_strain`
+    yield_strain, ///< `von_mises_from_strain` with G = ½, compared with `yield_strain`
     deviator,     ///< `von_mises`
     frobenius,    ///< `von_mises_frobenius`
     principal,    ///< `von_mises_principal`
 };
 
-/// When the elements flow.
+/// When the elements flow plastically.
 enum class FlowTime {
-    in_step,    ///< within the step, whose forces come from the stress after the flow
+    in_step,    ///< within the step; its forces come from the stress after the flow
     after_step, ///< once after each step, as in the lecture; the step itself is elastic
 };
 
-/// The way in which a crack changes the mesh.
+/// The formulas of formulas/fracture.hpp that change the mesh where it cracks.
 enum class FractureMethod {
     faces,         ///< `split_along_faces`, along the face that `closest_face` returns
     elements,      ///< `split_element`
     virtual_nodes, ///< `virtual_nodes`
 };
 
-/// The place of the nodes of a handle at one time. Between two moments, displacement and rotation
+/// Where a handle has moved its nodes at one time. Between two moments, displacement and rotation
 /// are linear in time.
 struct HandleMoment {
     double time = 0;                          // [s]
     Vector3d displacement = Vector3d::Zero(); // from the nodes' initial places [m]
-    Vector3d rotation =
-        Vector3d::Zero(); // axis times angle, about the pivot, before the displacement [rad]
+    // Axis times angle, about `Handle::pivot` [rad]. The nodes rotate first and are then displaced.
+    Vector3d rotation = Vector3d::Zero();
 };
 
 /// Nodes whose motion is prescribed, in some or all of x, y and z.
@@ -63,21 +65,21 @@ struct Handle {
     std::vector<Vector3d> first_places; // initial positions [m]; if empty, set at the first step
     std::array<bool, 3> axes = {true, true, true}; // the coordinates that the handle prescribes
     Vector3d pivot = Vector3d::Zero();             // world space [m]
-    std::vector<HandleMoment> path; // times ascending; if empty, the nodes stay in place
-    double release = never;         // the time when the nodes become free [s]
+    std::vector<HandleMoment> path; // in order of time; if empty, the nodes stay in place
+    double release = never;         // time after which the handle no longer acts on the nodes [s]
 };
 
-/// A force spread evenly over nodes between two times.
+/// A force that acts between two times and is divided equally among nodes.
 struct NodeLoad {
     std::vector<int> nodes;
     Vector3d force = Vector3d::Zero(); // the sum over the nodes [N]
-    double start = 0, end = never;     // [s]
+    double start = 0, end = never;     // when the force begins and ends [s]
 };
 
 struct Workspace;
 
 /// The data that a time step derives from a solid and keeps for the next step. A copy of a solid
-/// starts without it and makes its own.
+/// starts without this data, and the next step makes it anew.
 struct KeptWorkspace {
     KeptWorkspace() = default;
     KeptWorkspace(const KeptWorkspace&) {}
@@ -89,8 +91,8 @@ struct KeptWorkspace {
     }
     ~KeptWorkspace() = default;
 
-    // The content is never shared. It is a shared pointer because that can free a type which is
-    // incomplete here.
+    // The content is never shared. A shared pointer is used because, unlike a unique pointer, it
+    // can free a type that is incomplete here.
     std::shared_ptr<Workspace> content;
 };
 
@@ -114,15 +116,18 @@ struct Deformable {
     // for the first time.
     std::vector<double> inverted_times;
 
-    // For each element and face, whether a crack runs there, open or still closed. It is empty if
-    // there are no cracks. With virtual nodes these are faces of `uncracked`, along which inverted
+    // For each element and face, whether a crack runs along the face, even if its two sides are not
+    // separated yet. The list is empty if there are no cracks. With virtual nodes, elements and
+    // faces are those of `uncracked`, and the list marks only the faces along which inverted
     // elements were separated.
     std::vector<std::array<bool, 4>> crack_faces;
-    double least_height = 0; // smallest height that a cut may leave; 0 before the first cut [m]
+    // The smallest height of an element that a cut may leave [m]. It is 0 before the first cut.
+    double least_height = 0;
 
-    // For virtual nodes: the mesh that is not cracked, its cracks, and the mesh of the copies of
-    // its elements, with the share of each copy that material fills. `embedded` is empty before the
-    // first crack; then material fills every element.
+    // For virtual nodes: `uncracked` is the mesh without cracks, `cracks` lists the cracks of its
+    // elements, and `embedded` is the mesh of the copies of its elements, with the share of each
+    // copy that material fills. Before the first crack `embedded` is empty, and material fills
+    // every element.
     TetrahedralMesh uncracked;
     std::vector<ElementCrack> cracks;
     EmbeddedMesh embedded;

@@ -9,8 +9,8 @@ namespace rigor {
 
 namespace {
 
-// The moment of a path at a time: linear between two moments, constant before the first and after
-// the last.
+// The displacement and rotation of a path at a time: linear between two moments of the path,
+// constant before its first and after its last moment.
 HandleMoment moment_at(const std::vector<HandleMoment>& path, double time)
 {
     const auto after = std::upper_bound(path.begin(), path.end(), time,

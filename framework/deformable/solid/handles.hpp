@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Prescribed motion of nodes, and the forces on them from outside.
+// Prescribed motion of nodes, and the external forces on nodes.
 #pragma once
 
 #include "deformable/solid/deformable.hpp"
@@ -10,18 +10,19 @@ namespace rigor {
 struct HeldNode {
     int node = 0;
     std::array<bool, 3> axes = {true, true, true};
-    Vector3d velocity = Vector3d::Zero(); // takes the held coordinates to their places [m/s]
+    Vector3d velocity = Vector3d::Zero(); // takes the prescribed coordinates to their places [m/s]
 };
 
 /// Records, for each handle that has no record yet, the initial places of its nodes.
 void remember_first_places(Deformable& solid);
 
-/// The nodes that handles hold in a substep that ends at `time`, with the velocities that take them
-/// to their places. Where several handles hold a coordinate, the last one counts.
+/// Sets `held` to the nodes that handles hold in the substep that ends at `time`, with the
+/// velocities that take these nodes to their prescribed places. If several handles prescribe the
+/// same coordinate of a node, the last handle counts.
 void hold_nodes(const Deformable& solid, double time, double time_step,
                 std::vector<HeldNode>& held);
 
-/// Sets the prescribed coordinates of the velocities of held nodes.
+/// Gives the held nodes their prescribed velocities, in the coordinates that are prescribed.
 void move_held(const std::vector<HeldNode>& held, std::vector<Vector3d>& velocities);
 
 /// Adds gravity and the loads that act at `time` to the forces on nodes [N].

@@ -10,7 +10,7 @@ namespace rigor {
 /// fills only a part of the element.
 double matter_volume(const Deformable& solid, int element);
 
-/// Mass of each node: a quarter of the mass of each of its elements [kg].
+/// Mass of each node [kg]: a quarter of the mass of each element at the node, added up.
 std::vector<double> lumped_masses(const Deformable& solid);
 
 } // namespace rigor

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A new deformable solid.
+// Makes a deformable solid from a mesh at rest.
 #pragma once
 
 #include "deformable/solid/deformable.hpp"

@@ -14,10 +14,10 @@ inline constexpr double never = std::numeric_limits<double>::infinity();
 struct SolidMaterial {
     double density = 1000;       // ρ [kg/m³]
     double youngs_modulus = 1e6; // E > 0 [Pa]
-    double poisson_ratio = 0.3;  // ν, -1 … 0.5, both excluded
-    double damping = 0;          // β in the force -β K v, against the strain rate [s]
-    double drag = 0;             // α in the force -α m v, against the motion [1/s]
-    double yield_stress = never; // σ_Y [Pa]
+    double poisson_ratio = 0.3;  // ν, between -1 and 0.5, both excluded
+    double damping = 0;          // β [s] in the force -β K v, where K is the stiffness
+    double drag = 0;             // α [1/s] in the force -α m v on each node
+    double yield_stress = never; // σ_Y [Pa]; if it is `never`, there is no plastic flow
     double strength = never;     // largest principal stress that opens no crack [Pa]
     Material surface;            // restitution and friction in contacts
 

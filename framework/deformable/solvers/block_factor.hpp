@@ -6,8 +6,9 @@
 // L is computed row by row (Davis 2006, "Direct methods for sparse linear systems", 4.7), with the
 // nodes in an order that keeps L sparse.
 //
-// Eigen has such a factorisation. We have our own because the parts of a solid are factorised one
-// at a time, only those whose contacts changed, and because a step must not allocate memory.
+// Eigen has such a factorisation. We have our own for two reasons. It can factorise single parts of
+// a solid again, those whose contacts or plastic flow changed; a part is a piece that A does not
+// connect with the rest. And a step must not allocate memory.
 #pragma once
 
 #include "formulas/types.hpp"
@@ -18,22 +19,22 @@ namespace rigor {
 
 class BlockFactor {
 public:
-    /// Finds the order of the nodes and the places of L's blocks. This is needed once for a
-    /// pattern.
-    /// @param row_starts, columns  the pattern of A's blocks on and above the diagonal, each row
-    ///                             ascending
-    /// @param most_work  the largest number of products of blocks that a factorisation may take
-    /// @return whether a factorisation takes at most `most_work`; if not, `factorise` must not be
-    ///         called
+    /// Finds the order of the nodes and the places of L's blocks. This is needed once for each
+    /// pattern of A.
+    /// @param row_starts, columns  the pattern of A's blocks on and above the diagonal, in each row
+    ///                             with ascending columns
+    /// @param most_work  the largest number of products of two blocks that a factorisation may take
+    /// @return whether a factorisation takes at most `most_work` products; if not, `factorise` must
+    ///         not be called
     bool analyse(const std::vector<int>& row_starts, const std::vector<int>& columns,
                  double most_work);
 
-    /// The steps of elimination of some nodes, ascending. The nodes must be all nodes of some
-    /// parts, which A does not connect with other parts. The functions below work on these steps
-    /// alone.
+    /// Lists in `steps` the steps in which these nodes are eliminated, ascending. The nodes must
+    /// form whole parts, which A does not connect with other nodes. The functions below compute
+    /// only with the steps passed to them.
     void steps_of(const std::vector<int>& nodes, std::vector<int>& steps) const;
 
-    /// Computes L and D. @param blocks  blocks of A, in the order of its pattern
+    /// Computes L and D. @param blocks  the blocks of A, in the order of A's pattern
     void factorise(const std::vector<int>& steps, const std::vector<Matrix3d>& blocks);
 
     /// x ← A⁻¹ x
@@ -56,7 +57,8 @@ private:
     std::vector<int> entry_starts_, diagonal_;
     std::vector<int> parent_; // for each step, its parent in the elimination tree
     std::vector<Entry> entries_;
-    // L below its diagonal, column by column, and the places of each row's blocks in it.
+    // The blocks of L below its diagonal are stored column by column. `row_blocks_` lists them row
+    // by row, with their columns and their places in `L_`.
     struct RowBlock {
         int column, at;
     };

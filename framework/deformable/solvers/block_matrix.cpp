@@ -54,7 +54,8 @@ void BlockMatrix::find_parts()
 {
     part_of_.assign(nodes_, -1);
     parts_ = 0;
-    // Collect neighbours on both sides, because a row stores only those with a higher number.
+    // Collect the neighbours with lower and with higher numbers, because a row stores only the
+    // latter.
     std::vector<std::vector<int>> neighbours(nodes_);
     for_each_block([&](int i, int j, const Matrix3d&) {
         neighbours[i].push_back(j);
@@ -90,14 +91,14 @@ void BlockMatrix::assemble(const Elements& elements, const std::vector<ElementSt
         blocks_[diagonal_[i]].diagonal().setConstant((1 + h * material.drag) * masses[i]);
     for (int e = 0; e < elements.size(); ++e) {
         const auto gradients = elements.gradients(e);
-        std::array<Vector3d, 4> a; // R ∇N
+        std::array<Vector3d, 4> a; // R ∇N of each corner
         for (int i = 0; i < 4; ++i)
             a[i] = strains[e].R * gradients[i];
         const double V = factor * elements.volume(e);
         const auto t = elements.nodes(e);
         for (int i = 0, k = 0; i < 4; ++i)
             for (int j = i; j < 4; ++j, ++k) {
-                // K_ij = V (λ aᵢ aⱼᵀ + G aⱼ aᵢᵀ + G aᵢ·aⱼ δ)
+                // K_ij = V (λ aᵢ aⱼᵀ + G aⱼ aᵢᵀ + G aᵢ·aⱼ δ), where V includes h (h + β)
                 const Matrix3d outer = a[i] * a[j].transpose();
                 Matrix3d K = V * lambda * outer + V * G * outer.transpose();
                 K.diagonal().array() += V * G * outer.trace();
@@ -115,7 +116,7 @@ void BlockMatrix::soften(const Elements& elements, const Matrix3d& R, const Elem
 {
     const auto gradients = elements.gradients(flow.element);
     const auto t = elements.nodes(flow.element);
-    std::array<Vector3d, 4> g, n, kept; // R ∇N, R n ∇N, R k ∇N
+    std::array<Vector3d, 4> g, n, kept; // of each corner: R ∇N, R n ∇N, R k ∇N
     for (int i = 0; i < 4; ++i) {
         g[i] = R * gradients[i];
         n[i] = R * (flow.along * gradients[i]);
@@ -158,7 +159,7 @@ void BlockMatrix::multiply(const std::vector<int>& nodes, const Vectors& x, Vect
             s0 += A[0] * v[0] + A[3] * v[1] + A[6] * v[2];
             s1 += A[1] * v[0] + A[4] * v[1] + A[7] * v[2];
             s2 += A[2] * v[0] + A[5] * v[1] + A[8] * v[2];
-            double* w = y[columns_[k]].data(); // gets the block below the diagonal, Aᵀ, times x
+            double* w = y[columns_[k]].data(); // add Aᵀ x: Aᵀ is the block below the diagonal
             w[0] += A[0] * x0 + A[1] * x1 + A[2] * x2;
             w[1] += A[3] * x0 + A[4] * x1 + A[5] * x2;
             w[2] += A[6] * x0 + A[7] * x1 + A[8] * x2;

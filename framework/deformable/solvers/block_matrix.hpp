@@ -8,21 +8,23 @@
 namespace rigor {
 
 /// A symmetric matrix with a block for each pair of nodes that share an element. Its parts are the
-/// pieces of the solid. No block connects two parts; only contacts with the same rigid body may
-/// couple them. So parts can be solved for together or one at a time.
+/// connected pieces of the solid. No block connects two parts; only contacts with the same rigid
+/// body may couple them. So parts can be solved for together or one at a time.
 class BlockMatrix {
 public:
-    /// Finds the places of the blocks. This is needed once for a mesh.
+    /// Finds the places of the blocks. This is needed once for each mesh.
     void analyse(const Elements& elements, int nodes);
 
-    /// Computes the blocks. This is needed once in each step.
+    /// Computes the blocks, without plastic flow. This is needed at the start of each step, and
+    /// again before each series of calls of `soften`.
     void assemble(const Elements& elements, const std::vector<ElementStrain>& strains,
                   const std::vector<double>& masses, const SolidMaterial& material,
                   double time_step);
 
-    /// Takes the flow of an element (a, k and n, see element_flow.hpp) out of its stiffness:
+    /// Reduces the stiffness of an element by its linearised plastic flow (a, k and n, see
+    /// element_flow.hpp):
     /// A_ij -= c V (a (½ gⱼ gᵢᵀ + ½ gᵢ·gⱼ δ - ⅓ gᵢ gⱼᵀ - (k gᵢ) (k gⱼ)ᵀ) + (n gᵢ) (n gⱼ)ᵀ), with
-    /// the volume V, g = R ∇N, and k and n in world space.
+    /// the volume V of the element, g = R ∇N, and k and n in world space.
     ///
     /// @param factor  c = 2 G h² [Pa s²]
     void soften(const Elements& elements, const Matrix3d& R, const ElementFlow& flow,
@@ -31,7 +33,7 @@ public:
     /// xᵀ A x
     double quadratic_form(const std::vector<Vector3d>& x) const;
 
-    /// y ← A x for these nodes, which must be all nodes of some parts.
+    /// y ← A x for these nodes, which must form whole parts of the matrix.
     void multiply(const std::vector<int>& nodes, const std::vector<Vector3d>& x,
                   std::vector<Vector3d>& y) const;
 
@@ -39,7 +41,7 @@ public:
     int parts() const { return parts_; }
     int part_of(int node) const { return part_of_[node]; }
 
-    // The blocks on and above the diagonal are stored, row by row.
+    // Only the blocks on and above the diagonal are stored, row by row.
     const std::vector<int>& row_starts() const { return row_starts_; }
     const std::vector<int>& columns() const { return columns_; }
     const std::vector<Matrix3d>& blocks() const { return blocks_; }
@@ -58,10 +60,12 @@ private:
     void find_parts();
 
     int nodes_ = 0, parts_ = 0;
-    std::vector<int> part_of_; // for each node
+    std::vector<int> part_of_; // for each node, the number of its part
     std::vector<int> row_starts_, columns_, diagonal_;
     std::vector<Matrix3d> blocks_;
-    std::vector<std::array<int, 10>> places_; // for each element, places of its blocks ij, i ≤ j
+    // For each element, the places in `blocks_` of its blocks ij, where i ≤ j are two of its
+    // corners.
+    std::vector<std::array<int, 10>> places_;
 };
 
 } // namespace rigor

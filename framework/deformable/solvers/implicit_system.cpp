@@ -16,9 +16,9 @@ void ImplicitSystem::analyse(const Elements& elements, int nodes)
     matrix_.analyse(elements, nodes);
     nodes_ = nodes;
     inverse_diagonal_.resize(nodes);
-    // The number of products of blocks that a factorisation may take, for each block of A. An
-    // iteration of conjugate gradients takes two products of a block and a vector for each block,
-    // so above this limit it is cheaper to iterate.
+    // The largest number of products of two blocks that a factorisation may take, divided by the
+    // number of blocks of A. An iteration of conjugate gradients takes two products of a block and
+    // a vector for each block of A, so above this limit it is cheaper to iterate.
     constexpr double most_work = 40;
     is_factor_cheap_ = factor_.analyse(matrix_.row_starts(), matrix_.columns(),
                                        most_work * static_cast<double>(matrix_.blocks().size()));
@@ -47,7 +47,8 @@ double ImplicitSystem::dot(const Vectors& a, const Vectors& b) const
     return sum;
 }
 
-// x ← T x, where T gives each tied coordinate the velocity of the body to which it is tied.
+// x ← T x, where T gives each tied coordinate the velocity of the body to which it is tied, or 0 if
+// it is tied to none.
 void ImplicitSystem::expand(Vectors& x) const
 {
     for (const TiedNode& t : *tied_) {
@@ -71,7 +72,7 @@ void ImplicitSystem::reduce(Vectors& x) const
     }
 }
 
-// The damping of a tie, d (δ - N) (v - V - ω × r), see ties.hpp.
+// What the damping of a tie adds to A x: d (δ - N) (v - V - ω × r), see ties.hpp.
 Vector3d ImplicitSystem::damping_impulse(const TiedNode& t, const Vectors& x) const
 {
     Vector3d v = x[t.node];
@@ -235,7 +236,7 @@ int ImplicitSystem::iterate(double enough)
         multiply(p_, q_);
         add_damping(p_, q_);
         reduce(q_);
-        const double pq = dot(p_, q_); // the tied coordinates of q are 0
+        const double pq = dot(p_, q_); // q_ is 0 in the tied coordinates
         if (!(pq > 0)) break;
         const double a = rz / pq;
         for_each([&](int i) {

@@ -3,8 +3,9 @@
 //
 //     A v = b,   A = (1 + α h) M + h (h + β) K,   b = M v₀ + h f(x₀)
 //
-// K = R K_rest Rᵀ for each element, with the rotations at the start of the step. Some coordinates
-// are not free: a handle prescribes them, or a contact ties them to a rigid body. The rigid body is
+// M contains the masses, α is the drag, β the damping and h the time step. K = R K_rest Rᵀ is the
+// stiffness of each element, with the rotations R at the start of the step. Some coordinates are
+// not unknowns: a handle prescribes them, or a contact ties them to a rigid body. The rigid body is
 // then part of the system, with six coordinates of its own.
 #pragma once
 
@@ -18,18 +19,19 @@ namespace rigor {
 class ImplicitSystem {
 public:
     /// Finds the places of the blocks, and whether a factorisation is cheap. This is needed once
-    /// for a mesh.
+    /// for each mesh.
     void analyse(const Elements& elements, int nodes);
     bool is_analysed() const { return matrix_.nodes() > 0; }
 
-    /// Computes the blocks. This is needed once in each step.
+    /// Computes the blocks, without plastic flow. This is needed at the start of each step, and
+    /// again before each series of calls of `soften`.
     void assemble(const Elements& elements, const std::vector<ElementStrain>& strains,
                   const std::vector<double>& masses, const SolidMaterial& material,
                   double time_step)
     {
         matrix_.assemble(elements, strains, masses, material, time_step);
     }
-    /// Takes the flow of an element out of its stiffness, see `BlockMatrix::soften`.
+    /// Reduces the stiffness of an element by its plastic flow, see `BlockMatrix::soften`.
     void soften(const Elements& elements, const Matrix3d& R, const ElementFlow& flow, double factor)
     {
         matrix_.soften(elements, R, flow, factor);
@@ -39,18 +41,18 @@ public:
     /// Solves for the velocities of some parts by conjugate gradients, which start from the
     /// velocities passed in. The relative error is 1e-7 in the norm of the preconditioner. If a
     /// factorisation of A with its ties is cheap, it is the preconditioner; then one iteration is
-    /// enough, apart from rounding and from rigid bodies. Otherwise the preconditioner consists of
-    /// the diagonal blocks of A.
-    /// @param nodes  all nodes of these parts, ascending; every part tied to one of `bodies` is
-    ///               among them
+    /// enough, unless rounding errors or rigid bodies require more. Otherwise the preconditioner
+    /// consists of the diagonal blocks of A.
+    /// @param nodes  all nodes of these parts, ascending; every part tied to one of `bodies` must
+    ///               be solved for
     /// @param tied   the ties of these nodes
     /// @return the number of iterations
     int solve(const std::vector<Vector3d>& b, const std::vector<int>& nodes,
               const std::vector<TiedNode>& tied, std::vector<SystemBody>& bodies,
               std::vector<Vector3d>& velocities);
 
-    /// A v - b for each of these nodes, after `solve`. The nodes must be all nodes of some parts.
-    /// For a tied node it is the impulse of its ties and their damping [N s].
+    /// A v - b for each of these nodes, after `solve`. The nodes must form whole parts. For a tied
+    /// node this is the impulse that its ties, with their damping, gave it [N s].
     const std::vector<Vector3d>& residual(const std::vector<Vector3d>& b,
                                           const std::vector<int>& nodes,
                                           const std::vector<Vector3d>& velocities);
@@ -69,20 +71,20 @@ private:
 
     BlockMatrix matrix_; // A
     int nodes_ = 0;
-    BlockFactor factor_; // factors of A with the ties
+    BlockFactor factor_; // the factorisation of A with the ties
     bool is_factor_cheap_ = false;
     std::vector<Matrix3d> tied_blocks_;
     std::vector<Matrix3d> free_; // for each node, the projector on the untied directions
     std::vector<char> is_tied_;
 
     // The data of the current solve.
-    const std::vector<int>* active_ = nullptr; // the nodes solved for
-    std::vector<int> steps_;                   // their steps in the factorisation
+    const std::vector<int>* active_ = nullptr; // the nodes that are solved for
+    std::vector<int> steps_;                   // the elimination steps of these nodes
     const std::vector<TiedNode>* tied_ = nullptr;
     std::vector<SystemBody>* bodies_ = nullptr;
     std::vector<Matrix3d> inverse_diagonal_;
     std::vector<Matrix6d> inverse_bodies_;
-    std::vector<Vector3d> x_, r_, z_, p_, q_; // a vector for each node, then V and ω of each body
+    std::vector<Vector3d> x_, r_, z_, p_, q_; // for each node a vector, then V, ω of each body
 };
 
 } // namespace rigor

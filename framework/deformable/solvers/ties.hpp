@@ -12,7 +12,8 @@ namespace rigor {
 /// friction dissipates energy for any d.
 struct TiedNode {
     int node = 0;
-    Matrix3d N = Matrix3d::Zero(); // projector on the tied directions: all, n, or some axes
+    // Projector on the tied directions: all directions, the contact normal, or some axes.
+    Matrix3d N = Matrix3d::Zero();
     Vector3d c = Vector3d::Zero(); // prescribed velocity relative to the body [m/s]
     int body = -1;                 // number of the body in the system, or -1 for none
     Vector3d r = Vector3d::Zero(); // from the center of the body to the node [m]
@@ -21,10 +22,10 @@ struct TiedNode {
 
 /// A rigid body that is part of the system.
 struct SystemBody {
-    double mass = 0;
-    Matrix3d inertia = Matrix3d::Zero(); // in world space
-    Vector3d V = Vector3d::Zero(),
-             w = Vector3d::Zero(); // before a solve without, after it with the effect of contacts
+    double mass = 0;                     // [kg]
+    Matrix3d inertia = Matrix3d::Zero(); // in world space [kg m²]
+    // Velocity and angular velocity [m/s, rad/s]. A solve adds the effect of its contacts to them.
+    Vector3d V = Vector3d::Zero(), w = Vector3d::Zero();
 };
 
 } // namespace rigor

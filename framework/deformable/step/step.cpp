@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Advances a world by one time step. For each solid it moves the nodes with their contacts, then
-// lets the elements flow at the places that the nodes have reached, then separates inverted
-// elements or else opens cracks. Last comes the step of the rigid bodies, with the velocities that
-// the solids gave them.
+// lets the elements flow plastically at the new places of the nodes, then separates elements that
+// stay inverted or, if there are none, opens cracks. Last comes the step of the rigid bodies, with
+// the velocities that the solids gave them.
 #include "deformable/step/step.hpp"
 
 #include "deformable/elasticity/flow.hpp"
@@ -42,7 +42,7 @@ void require_finite(const Deformable& solid, double time)
 void move(Deformable& solid, RigidColliders& rigid, World& world, double time_step)
 {
     Workspace& work = workspace_of(solid);
-    if (is_rigid(solid)) { // such a solid touches nothing and does not flow
+    if (is_rigid(solid)) { // such a solid has no contacts and no plastic flow
         const NodeMotion motion{solid,      work,      rigid, world.settings.gravity,
                                 world.time, time_step, 0,     world.counters};
         if (solid.integrator == NodeIntegrator::matrix)
@@ -63,7 +63,7 @@ void move(Deformable& solid, RigidColliders& rigid, World& world, double time_st
 
     const SolidMaterial& m = solid.material;
     if (m.yield_stress == never && m.strength == never) return;
-    if (!is_explicit || !flows_in_step(solid)) { // else elements flowed in each substep
+    if (!is_explicit || !flows_in_step(solid)) { // else the elements have flowed in each substep
         work.elements.strains(solid.positions, work.strains);
         if (m.yield_stress != never) flow(solid, work, world.settings, world.counters);
     }

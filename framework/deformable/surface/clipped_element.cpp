@@ -17,13 +17,14 @@ namespace {
 
 using Weights = Eigen::Vector4d;
 
-// Tolerances for barycentric weights, which are between 0 and 1 and so relative to the element.
-// Points that differ by less than `same_point` are the same, an edge shorter than `least_edge` has
-// no direction, and a piece with less than `least_area` of the area of its face is a rounding
-// error.
+// Tolerances for barycentric weights. These are between 0 and 1, so the tolerances are relative to
+// the size of the element. Points that differ by less than `same_point` are the same, an edge
+// shorter than `least_edge` has no direction, and a piece whose area is less than `least_area`
+// times that of its face is a rounding error.
 constexpr double same_point = 1e-12, least_edge = 1e-9, least_area = 1e-12;
 
-// The part of a polygon where `height` · weights ≥ 0. Points on the plane are appended to `rim`.
+// The part of a polygon where `height` · weights ≥ 0; `height` contains the heights of the four
+// corners over a plane. Points of the polygon's edges on this plane are appended to `rim`.
 std::vector<Weights> clipped(const std::vector<Weights>& polygon, const Weights& height,
                              std::vector<Weights>& rim)
 {
@@ -84,8 +85,8 @@ void cut(std::vector<ClippedFace>& faces, const std::array<Vector3d, 4>& corners
     if (closing.weights.size() >= 3) faces.push_back(std::move(closing));
 }
 
-// A linear function r of the weights x of a point: r · x is the signed area of the triangle a b x,
-// in units of the area of the face.
+// A linear function of the weights x of a point, as its coefficients r: r · x is the signed area of
+// the triangle a b x, divided by the area of the face.
 Weights triangle_height(const Weights& a, const Weights& b, int face)
 {
     const auto& [i, j, k] = tetrahedron_faces[face];
@@ -116,7 +117,7 @@ std::vector<std::vector<Weights>> uncovered(std::vector<Weights> polygon,
     std::vector<Weights> unused;
     for (std::size_t i = 0; i < cover.size(); ++i) {
         Weights inwards = triangle_height(cover[i], cover[(i + 1) % cover.size()], face);
-        if (!(inwards.norm() > least_edge)) continue; // a degenerate edge
+        if (!(inwards.norm() > least_edge)) continue; // this edge is too short to have a direction
         if (inwards.dot(middle) < 0) inwards = -inwards;
         open.push_back(clipped(polygon, -inwards, unused));
         polygon = clipped(polygon, inwards, unused);

@@ -77,7 +77,7 @@ private:
     const Deformable& solid_;
     EmbeddedSurface surface_;
     std::vector<int> corner_;       // for each vertex of the mesh, its point, or -1 for none yet
-    std::map<PointKey, int> point_; // the points that are not at a vertex
+    std::map<PointKey, int> point_; // numbers of the points that are not at a vertex
 };
 
 Polygon whole_face(int face)
@@ -88,7 +88,7 @@ Polygon whole_face(int face)
     return polygon;
 }
 
-// The boundary of the mesh itself.
+// The boundary of the mesh, for a solid without virtual nodes.
 EmbeddedSurface boundary_surface(const Deformable& solid)
 {
     Builder builder(solid);
@@ -118,8 +118,8 @@ public:
         }
     }
 
-    // Adds the faces of an element that are on the boundary of the solid, in its cracks, or where
-    // no neighbour is connected to it.
+    // Adds what is visible of the element: its cracks, its faces on the boundary of the solid, and
+    // the parts of its other faces that no connected neighbour covers.
     void show(int element, Builder& builder) const
     {
         const int parent = solid_.embedded.parents[element];
@@ -191,7 +191,8 @@ private:
     }
 
     const Deformable& solid_;
-    std::vector<std::array<int, 4>> neighbours_; // elements of the uncracked mesh across each face
+    // For each element of the uncracked mesh and each of its faces, the element beyond it, or -1.
+    std::vector<std::array<int, 4>> neighbours_;
     std::vector<char> is_cracked_;
     std::vector<std::vector<int>> copies_; // for each element of the uncracked mesh, its copies
     // For each copy of a cracked element, the faces that bound its material.
