@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Puts the pages one after the other: the handouts by their names, then symbols, coverage and the
-// scene language. Drawings and other pictures are copied into the page in base 64.
+// Puts the pages one after the other: the handouts in the order of their names, then notation.md,
+// coverage.md and scenes.md. Drawings and other pictures are copied into the page in base 64.
 #include "book/book.hpp"
 
 #include "book/markdown.hpp"
@@ -62,8 +62,8 @@ std::string base64(const std::string& bytes)
     return result;
 }
 
-// A picture as an <img> that contains the bytes of its file. So the style sheet of a drawing has no
-// effect on other drawings.
+// A picture as an <img> that contains the bytes of its file. Thus the style sheet of one SVG file
+// has no effect on other pictures.
 std::string picture(const fs::path& file, const std::string& text)
 {
     const std::string kind = file.extension() == ".svg" ? "svg+xml" : "png";
@@ -86,7 +86,7 @@ std::vector<fs::path> pages(const fs::path& assignments)
     return files;
 }
 
-// The headings of a text that begin with a mark such as "# ".
+// The headings of a Markdown text whose lines begin with a mark such as "# ", without this mark.
 std::vector<std::string> headings(const std::string& text, const std::string& mark)
 {
     std::vector<std::string> found;

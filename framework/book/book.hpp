@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// All handouts as one page that needs no other file and no network.
+// All handouts as one HTML page that needs no other file and no network.
 #pragma once
 
 #include <filesystem>
@@ -11,7 +11,7 @@ namespace rigor::book {
 /// @throws InputError if a text or a picture is missing, or a formula cannot be shown
 std::string book(const std::filesystem::path& assignments);
 
-/// The page for printing, with all its folds (<details>) open.
+/// The page for printing. All its folded parts (<details>) are unfolded.
 std::string unfolded(const std::string& page);
 
 } // namespace rigor::book

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Reads a text block by block: a block begins with a mark such as #, |, > or -, or is a paragraph.
-// Within a block, code and formulas come first, then links, then bold and italic words.
+// Within a block, a mark such as `, $, **, * or [ begins code, a formula, bold or italic words, or
+// a link.
 #include "book/markdown.hpp"
 
 #include "book/mathml.hpp"
@@ -26,8 +27,8 @@ Lines lines_of(const std::string& text)
     return lines;
 }
 
-// Finds the text between two marks, if the first one is at `at`, and moves `at` behind the second
-// one. @return whether there is such a text
+// If `mark` stands at `at`, finds the text between it and the next `mark`, and moves `at` behind
+// the second mark. @return whether there is such a text
 bool between(const std::string& text, std::size_t& at, const std::string& mark, std::string& found)
 {
     if (text.compare(at, mark.size(), mark) != 0) return false;
@@ -62,7 +63,7 @@ std::string words(const std::string& text)
         else if (between(text, at, "*", inner))
             result += "<em>" + words(inner) + "</em>";
         else if (link(text, at, inner, target))
-            result += words(inner); // links are dropped: their targets are not in the book
+            result += words(inner); // only the text: a link's target is not in the book
         else
             result += escaped_markup(std::string(1, text[at++]));
     }
@@ -80,8 +81,8 @@ bool is_item(const std::string& line)
     return line.starts_with("- ") || is_numbered(line);
 }
 
-// Whether a line ends the paragraph before it, since it begins a list. A line may also begin with a
-// number that ends a sentence, so a numbered list must begin with 1.
+// Whether a line begins a list and so ends the paragraph before it. A line of a paragraph may begin
+// with the last number of a sentence, such as "3. ", so a numbered list must begin with "1. ".
 bool begins_list(const std::string& line)
 {
     return line.starts_with("- ") || line.starts_with("1. ");
@@ -127,7 +128,7 @@ private:
         return paragraph();
     }
 
-    // A fold and its summary are written in HTML already.
+    // A folded part (<details>) and its <summary> are HTML already in the Markdown text.
     std::string fold()
     {
         constexpr std::string_view open = "<summary>", close = "</summary>";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Handouts as HTML.
+// Converts the Markdown of the handouts to HTML.
 #pragma once
 
 #include <functional>

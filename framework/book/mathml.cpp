@@ -32,7 +32,7 @@ const Words operators = {{"cdot", "·"},  {"times", "×"}, {"ast", "∗"},      
                          {"nabla", "∇"}, {"to", "→"},    {"leftarrow", "←"}, {"partial", "∂"},
                          {"dots", "…"}};
 struct Bar {
-    std::string_view text, form; // "prefix": an opening bar, "postfix": a closing one
+    std::string_view text, form; // form: "prefix" is an opening bar, "postfix" a closing bar
 };
 const std::map<std::string, Bar, std::less<>> bars = {{"lvert", {"|", "prefix"}},
                                                       {"rvert", {"|", "postfix"}},
@@ -54,7 +54,7 @@ class Formula {
 public:
     explicit Formula(const std::string& latex) : text_(latex) {}
 
-    /// Reads atoms up to `end`, which is skipped; if it is empty, up to the end of the formula.
+    /// Reads atoms up to `end`, and skips `end`. If `end` is empty, reads the whole formula.
     std::string row(std::string_view end = "")
     {
         std::string result;
@@ -97,7 +97,7 @@ private:
                row.ends_with("\"postfix\">|</mo>") || row.ends_with("\"postfix\">‖</mo>");
     }
 
-    // Whether the name of a function comes next.
+    // Whether the name of a function comes next, such as \cos.
     bool is_function_next() const
     {
         std::size_t end = at_ + 1;
@@ -107,7 +107,7 @@ private:
                functions.contains(text_.substr(at_ + 1, end - at_ - 1));
     }
 
-    // Whether what comes next is no operator and no bracket.
+    // Whether an operand comes next, which is neither an operator nor a bracket.
     bool is_operand_next() const
     {
         if (at_ >= text_.size()) return false;
@@ -152,7 +152,8 @@ private:
         return element("msubsup", base + below + above);
     }
 
-    // One atom, without the indices and exponents that follow it.
+    // The argument of a command, an index or an exponent: one digit, or one atom without the
+    // indices and exponents that follow it.
     std::string argument()
     {
         skip_space();
@@ -175,13 +176,14 @@ private:
         if (std::isalpha(static_cast<unsigned char>(c)) != 0)
             return element("mi", std::string(1, c));
         if (c == '-') return element("mo", "−");
-        std::string whole(1, c); // with the other bytes of a letter that is not ASCII
+        std::string whole(1, c); // becomes all bytes of a character that is not ASCII
         while (at_ < text_.size() && (static_cast<unsigned char>(text_[at_]) & 0xC0) == 0x80)
             whole += text_[at_++];
         return sign(c == '\'' ? "′" : escaped_markup(whole));
     }
 
-    // An operator. A bracket is as high as a letter, unless `\left` or `\right` stands before it.
+    // An operator or a bracket. A bracket is as high as a letter, unless `\left` or `\right` stands
+    // before it.
     static std::string sign(const std::string& text)
     {
         const bool is_bracket =
@@ -262,7 +264,7 @@ private:
         if (word == "mathrel") return assignment();
         if (word == "left" || word == "right") {
             skip_space();
-            std::string bracket = atom(); // as high as what stands beside it
+            std::string bracket = atom(); // to become as high as the formula beside it
             if (const std::size_t found = bracket.find(not_stretched); found != std::string::npos)
                 bracket.erase(found, not_stretched.size());
             return bracket;
@@ -272,10 +274,10 @@ private:
         fail("unknown command \\" + word);
     }
 
-    // A text whose blanks at its ends are kept.
+    // A text whose first and last blanks are replaced by spaces that browsers keep.
     static std::string with_ends(std::string text)
     {
-        const std::string blank = "\u00A0"; // a space that browsers keep
+        const std::string blank = "\u00A0"; // the no-break space
         if (text.ends_with(' ')) text.replace(text.size() - 1, 1, blank);
         if (text.starts_with(' ')) text.replace(0, 1, blank);
         return text;

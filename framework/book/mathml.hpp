@@ -6,7 +6,7 @@
 
 namespace rigor::book {
 
-/// A formula in the commands of LaTeX that the handouts use, as an element <math>.
+/// Converts a LaTeX formula to an element <math>. It knows the commands that the handouts use.
 /// @param is_block  whether the formula stands on a line of its own
 /// @throws InputError for a command that is not known
 std::string mathml(const std::string& latex, bool is_block);

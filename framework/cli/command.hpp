@@ -14,8 +14,8 @@ using Action = std::function<int()>;
 /// Exit statuses.
 enum Exit : int {
     exit_done = 0,  // the command did its work
-    exit_wrong = 1, // what was checked is wrong, such as a submission without all points
-    exit_input = 2, // wrong usage or wrong input
+    exit_wrong = 1, // points are missing, a test or a run failed, or two runs differ
+    exit_input = 2, // wrong options or a wrong input file
     exit_fault = 3, // an internal error of the framework
 };
 

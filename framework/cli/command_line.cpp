@@ -22,7 +22,7 @@ int complain(const std::string& what, int status)
     return status;
 }
 
-// Reports a first word that is neither an option nor the name of a command.
+// Reports that the first word of the command line is neither an option nor a command.
 int unknown_command(const std::string& word)
 {
     std::vector<std::string_view> names;
@@ -88,7 +88,7 @@ int run_command_line(int argc, char** argv)
     }
     try {
         app.parse(argc, argv);
-    } catch (const CLI::Success& asked) { // --help, --version
+    } catch (const CLI::Success& asked) { // the user asked for --help or --version
         return app.exit(asked);
     } catch (const CLI::ParseError& error) {
         return complain(one_line(error.what()), exit_input);

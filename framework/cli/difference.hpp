@@ -13,14 +13,16 @@ namespace rigor {
 /// A quantity of a body or a solid that differs between two runs.
 struct Difference {
     std::string body;
-    std::string quantity; // "X [m]"
+    std::string quantity; // with its unit, such as "X [m]"
     std::string expected, actual;
-    double size = 0;    // |difference|; for orientations the angle between them [rad]
-    double allowed = 0; // the threshold it exceeds
+    // |expected - actual|; for orientations the angle between them [rad]; for meshes that cracked
+    // differently the difference between their numbers of elements.
+    double size = 0;
+    double allowed = 0; // the largest size that counts as equal; `size` is larger
 };
 
-/// Relative tolerance: rounding errors that have grown over many steps stay below this times the
-/// largest value of a quantity; the error of a wrong formula does not.
+/// Tolerance, relative to the largest value of a quantity in the expected run. Rounding errors stay
+/// below it even after many steps; the error of a wrong formula does not.
 inline constexpr double same_within = 1e-9;
 
 /// Compares a run with an expected one, frame by frame.
@@ -32,9 +34,11 @@ public:
     /// The differences in mass, center of mass and inertia of the bodies.
     std::vector<Difference> bodies(const std::vector<RecordedBody>& actual) const;
 
-    /// The differences in a frame: at most one entry for each body and quantity, in the order X, q,
-    /// V, L. For a deformable solid, the entries are its mesh if it differs, or else the node whose
-    /// x or v is farthest off and the element whose stress or plastic strain is farthest off.
+    /// The differences in a frame. A body has at most one entry for each quantity, in the order
+    /// position X, orientation q, velocity V, angular momentum L. If the mesh of a deformable solid
+    /// differs, this is the solid's only entry. Otherwise its entries are the nodes with the
+    /// largest differences in x and in v, and the elements with the largest ones in stress and in
+    /// plastic strain.
     std::vector<Difference> frame(const Frame& actual) const;
 
     const Trajectory& expected() const { return expected_; }
@@ -44,7 +48,7 @@ private:
                        const SolidFrame& expected, const SolidFrame& actual) const;
 
     Trajectory expected_;
-    // The scales of the allowed differences: the largest values in the expected run.
+    // The largest values in the expected run, to which the tolerances are relative.
     double length_ = 0, speed_ = 0, spin_ = 0; // |X| [m], |V| [m/s], |L| [kg m²/s]
     double stress_ = 0;                        // [Pa]
     double plastic_strain_ = 0;                // no unit

@@ -81,7 +81,8 @@ Film::Film(const std::string& folder, const Scene& scene, const DrawOptions& opt
 
 Film::~Film()
 {
-    sequence_.reset(); // ends its threads first, since they call the progress bar
+    // The threads of the sequence call the progress bar, so they must end before it is destroyed.
+    sequence_.reset();
 }
 
 void Film::start(const Scene& scene, const std::vector<RecordedBody>& bodies)

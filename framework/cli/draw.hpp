@@ -23,21 +23,22 @@ struct DrawOptions {
 
 void declare_drawing(Options& options, DrawOptions& draw);
 
-/// Checks the options before anything is built or run. @throws InputError if the size or
-/// the kind of drawing is not supported
+/// Checks the options before anything is built or run. @throws InputError if the size, or the
+/// OpenGL library that --gl names, is not supported
 void check_drawing(const DrawOptions& options);
 
 /// Writes the frames of one scene to a folder and shows a progress bar.
 class Film {
 public:
-    /// @throws InputError for a size, a folder or a way to draw that cannot be used
+    /// @throws InputError if the size, the folder or the OpenGL library (--gl) cannot be used
     Film(const std::string& folder, const Scene& scene, const DrawOptions& options);
     ~Film();
 
     /// Sets the scene and its bodies. Call it before the first frame.
     void start(const Scene& scene, const std::vector<RecordedBody>& bodies);
     void add(const Frame& frame);
-    /// Adds a frame, with the frame of another run as a ghost.
+    /// Adds a frame, with the frame of another run drawn translucent (as a ghost) in the same
+    /// picture.
     void add(const Frame& frame, const Frame& other, const std::string& name,
              const std::string& other_name);
 
@@ -54,7 +55,8 @@ private:
     double seconds_at_start_ = 0;
 };
 
-/// Tells which steps of a scene are frames. Steps must be asked for in increasing order.
+/// Tells after which time steps of a scene a frame is drawn. `picks` must be called with steps in
+/// increasing order.
 class FramePicker {
 public:
     explicit FramePicker(const Scene& scene) : scene_(scene) {}
@@ -75,7 +77,8 @@ private:
 int render_scene(const Scene& scene, const Implementation& implementation,
                  const std::string& folder, const DrawOptions& options);
 
-/// Draws two runs of a scene, one picture per frame with both, up to the end of the shorter run.
+/// Draws two runs of a scene. Each picture shows both runs at the same time, up to the end of the
+/// shorter run.
 void draw_comparison(const Trajectory& expected, const Trajectory& actual, const std::string& name,
                      const std::string& folder, const DrawOptions& options);
 

@@ -32,7 +32,7 @@ std::vector<std::string> hints_of(const Assignment& assignment, const Task& task
             continue;
         else if (is_numbered(line))
             hints.push_back(line.substr(3));
-        else if (hints.size() > 1) // a hint of several lines
+        else if (hints.size() > 1) // a further line of the last hint
             hints.back() += " " + line.substr(line.find_first_not_of(' '));
     }
     return hints;

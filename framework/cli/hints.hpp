@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The hints of the tasks of an assignment. The first is in assignment.json; the others are in
-// hints.md beside it, below a heading with the tag of the task:
+// The hints for the tasks of an assignment. The first hint of a task is in assignment.json. Its
+// other hints are in hints.md in the same folder, below a heading with the tag of the task:
 //
 //     ## A2.14
 //     1. Draw the two bodies and the three centers.
@@ -14,7 +14,7 @@
 
 namespace rigor {
 
-/// The hints of a task, the mildest first.
+/// The hints for a task. Each one says more than the one before it.
 /// @throws InputError if hints.md cannot be read
 std::vector<std::string> hints_of(const Assignment& assignment, const Task& task);
 

@@ -15,7 +15,8 @@ class App;
 
 namespace rigor {
 
-/// Declares the options of a command. The variables are set before the command runs.
+/// Declares the options of a command. The variables `value` get their values from the command line
+/// before the command runs.
 class Options {
 public:
     /// Width of the column of names in a help text [characters].

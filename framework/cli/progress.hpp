@@ -8,7 +8,8 @@
 
 namespace rigor {
 
-/// A progress bar. It is hidden for the first half second, since a quick task needs none.
+/// A progress bar. It is hidden for the first half second, since a quick task needs no bar. Without
+/// a terminal, lines are printed only after 5 s.
 class Progress {
 public:
     explicit Progress(std::string title) : title_(std::move(title)) {}
@@ -16,7 +17,8 @@ public:
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
 
-    /// @param detail  the current step
+    /// @param fraction  the part of the task that is done, from 0 to 1
+    /// @param detail    names the current step
     void update(double fraction, const std::string& detail);
     /// Removes the bar.
     void clear();
@@ -26,7 +28,8 @@ private:
     std::string title_;
     Clock::time_point start_ = Clock::now(), shown_at_ = {};
     bool on_screen_ = false;
-    int tenths_ = 0; // tenths printed so far if stderr is not a terminal
+    // The last printed fraction in tenths of the task, if stderr is not a terminal.
+    int tenths_ = 0;
 };
 
 } // namespace rigor

@@ -36,7 +36,7 @@ RunOutcome run_in_worker(const Implementation& implementation, const Scene& scen
     RunOutcome outcome;
     const auto start = std::chrono::steady_clock::now();
     Limits limits;
-    limits.scene_by_silence = true; // limits the time without a record, not the whole run
+    limits.scene_by_silence = true; // the limit is for the time without a record
     limits.scene = std::chrono::duration<double>(10);
     try {
         Worker worker(implementation.worker, limits);

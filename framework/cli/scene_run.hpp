@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A scene that runs in the worker of an implementation and is reported record by record.
+// Runs a scene in the worker of an implementation, which is a separate process, and passes on each
+// record of the trajectory.
 #pragma once
 
 #include "grading/build/implementation.hpp"
@@ -14,7 +15,7 @@ namespace rigor {
 /// What to record, and the callbacks that take the records. Each callback may be empty.
 struct SceneRun {
     Record record = Record::frames;
-    int threads = 1; // threads of the reference; others use one
+    int threads = 1; // number of threads of the reference; student code uses one thread
     /// Takes the bytes of the trajectory after the reader has accepted them.
     std::function<void(std::span<const std::byte>)> on_bytes;
     std::function<void(const Scene&, const std::vector<RecordedBody>&)> on_start;
@@ -23,13 +24,14 @@ struct SceneRun {
 };
 
 struct RunOutcome {
-    std::string failure;          // why the run stopped early; empty if it is complete
-    bool not_implemented = false; // a stub was called
-    double seconds = 0;
+    std::string failure;          // why the run stopped early; empty if the run is complete
+    bool not_implemented = false; // whether a formula was called that is still a stub
+    double seconds = 0;           // how long the run took, by the wall clock
 };
 
-/// Runs a scene. A failure of the implementation ends the run and is reported in the outcome; the
-/// callbacks have already received the records before it. @throws what the callbacks throw
+/// Runs a scene. A failure of the implementation ends the run and is reported in the outcome. The
+/// callbacks have received all records that were made before the failure.
+/// @throws what the callbacks throw
 RunOutcome run_in_worker(const Implementation& implementation, const Scene& scene,
                          const SceneRun& run);
 

@@ -47,7 +47,7 @@ public:
     void take(std::string_view line)
     {
         lines_.emplace_back(line);
-        constexpr std::size_t most_lines = 60; // a few screens about a failed suite
+        constexpr std::size_t most_lines = 60; // enough to see why a build failed
         if (lines_.size() > most_lines) lines_.erase(lines_.begin());
     }
     void print() const
@@ -60,7 +60,7 @@ private:
     std::vector<std::string> lines_;
 };
 
-// Runs one command of a build, such as configuring it. @return whether it succeeded
+// Runs one command of a build, such as `cmake --preset`. @return whether the command succeeded
 bool make(const std::string& name, const Command& command)
 {
     Tail tail;
@@ -134,7 +134,7 @@ constexpr const char* longest_test = "1200";
 SuiteResult build_preset(const std::string& preset, const fs::path& build, SuiteSize size)
 {
     fs::create_directories(build);
-    const BuildLock lock(build); // released before the tests run, since they build submissions
+    const BuildLock lock(build); // released before the tests, which take it to build submissions
     if (!fs::exists(build / "build.ninja")) {
         Command configure;
         configure.arguments = {"cmake", "--preset", preset};
@@ -170,7 +170,7 @@ SuiteResult check_format()
     command.arguments = {"clang-format", "--dry-run", "--Werror"};
     for (const fs::path& source : sources())
         command.arguments.push_back(source.string());
-    constexpr std::size_t longest_line = 200, most_lines = 10; // shown to the reader
+    constexpr std::size_t longest_line = 200, most_lines = 10; // limits of the printed errors
     std::vector<std::string> wrong;
     const Ended ended = run(command, [&](std::string_view line) {
         if (line.find("error: ") != std::string::npos)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The name that is most like a misspelt word, by the edit distance of Damerau (1964). The distance
-// is computed by dynamic programming, one row for each letter of the word. The name with the
-// smallest distance wins, unless too many letters differ.
+// is computed by dynamic programming, with one row of the table for each letter of the word. The
+// name with the smallest distance wins, unless too many letters differ.
 #include "errors/nearest.hpp"
 
 #include "errors/quotes.hpp"

@@ -9,12 +9,13 @@ namespace rigor {
 
 /// The name that is spelt most like `word`, by the number of letters to insert, remove, replace or
 /// swap with a neighbour (Damerau 1964, "A technique for computer detection and correction of
-/// spelling errors"). Empty if more than 2 letters and more than a third of the word differ.
+/// spelling errors"). The result is empty if the nearest name differs in more than 2 letters and in
+/// more than a third of the word's letters, or if the word is longer than 64 bytes.
 std::string_view nearest(std::string_view word, std::span<const std::string_view> names);
 
-/// The end of a message about a word that names nothing: `; did you mean "inertia"?` with the
-/// nearest of the names. If no name is near, it is `; ` and `otherwise`, or empty if `otherwise` is
-/// empty.
+/// The end of an error message about a word that is not among the known `names`: `; did you mean
+/// "inertia"?` with the nearest of the names. If no name is near, it is `; ` and `otherwise`, or
+/// empty if `otherwise` is empty.
 std::string suggestion(std::string_view word, std::span<const std::string_view> names,
                        std::string_view otherwise = {});
 std::string suggestion(std::string_view word, std::span<const std::string> names,

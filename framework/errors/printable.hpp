@@ -5,8 +5,9 @@
 
 namespace rigor {
 
-/// Text from outside made safe for a terminal and for JSON: each byte but ASCII characters, line
-/// breaks and tabs becomes a question mark, so that no control character of any kind is left.
+/// Makes a text from another program safe for a terminal and for JSON. Each byte that is not a
+/// printable ASCII character, a line break or a tab becomes a question mark, so that no other
+/// control character is left.
 std::string printable(std::string text);
 
 } // namespace rigor

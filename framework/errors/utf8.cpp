@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Decodes UTF-8 (RFC 3629): the first byte says how many bytes a character has. Longer forms than
-// needed, surrogates, and numbers above 0x10FFFF are not UTF-8.
+// Decodes UTF-8 (RFC 3629): the first byte says how many bytes a character has. Overlong
+// encodings, surrogates, and numbers above 0x10FFFF are not UTF-8.
 #include "errors/utf8.hpp"
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Seeds of random cases that only the owner of a secret can know.
+// Seeds of random tests that only the owner of a secret can know.
 //
 //     key  = HMAC(secret, submission)
 //     seed = HMAC(key, name of the test)
@@ -15,7 +15,7 @@
 
 namespace rigor {
 
-/// The environment variable that hands a key to a test program.
+/// The environment variable that passes the key of a submission to the test program.
 inline constexpr const char* seed_key_variable = "RIGOR_SEED_KEY";
 
 /// SHA-256 in hexadecimal digits.
@@ -24,10 +24,11 @@ std::string sha256(std::string_view text);
 /// HMAC-SHA-256 in hexadecimal digits.
 std::string hmac_sha256(std::string_view key, std::string_view message);
 
-/// The key of one submission's seeds. @param submission  a digest of its files
+/// The key from which the seeds of one submission are computed.
+/// @param submission  a digest of the submission's files, and the first seed of the run (--seed)
 std::string seed_key(std::string_view secret, std::string_view submission);
 
-/// The first seed of the random cases of a test.
+/// The first seed of the random cases of a test. @param key  the result of `seed_key`
 std::uint32_t drawn_seed(std::string_view key, std::string_view test);
 
 } // namespace rigor

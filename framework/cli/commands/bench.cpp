@@ -42,7 +42,8 @@ bool draws(const std::string& name)
     return std::find(with_plots.begin(), with_plots.end(), name) != with_plots.end();
 }
 
-// The folder for the plots of a benchmark. Several benchmarks have a folder each inside --out.
+// The folder for the plots of a benchmark. If several benchmarks run, each of them gets its own
+// folder inside --out.
 std::string plots_of(const std::string& name, const BenchOptions& options)
 {
     if (options.out.empty()) return (places().build / "bench" / name).string();

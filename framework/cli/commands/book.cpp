@@ -48,7 +48,8 @@ private:
     fs::path file_;
 };
 
-// The URL of a file. Signs such as `#` and blanks are escaped, since they have a meaning in a URL.
+// The URL of a file. Characters such as `#` and spaces are escaped, since they have a meaning in a
+// URL.
 std::string address(const fs::path& file)
 {
     std::string text = "file://";
@@ -60,7 +61,8 @@ std::string address(const fs::path& file)
     return text;
 }
 
-// Prints a page to a PDF with Chromium. The browser's output is shown only if there is no PDF.
+// Prints a page to a PDF with Chromium. If no PDF is made, the error shows the last line that the
+// browser has printed.
 void print_pdf(const std::string& browser, const std::string& page, const fs::path& pdf)
 {
     const Draft paper(pdf.string() + ".html"), printed(pdf.string() + ".new");

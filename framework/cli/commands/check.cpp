@@ -69,8 +69,8 @@ void print_report(const std::vector<Result>& results, const Implementation& impl
     if (results.size() > 1) fmt::print("\n{}", summary(results, color));
 }
 
-// Refuses to grade an assignment whose file was not handed in: the points would be for the file in
-// student/.
+// Refuses to grade an assignment whose file is missing in the graded folder: instead, the points
+// would be for the file in student/.
 void require_own_file(const Selection& selection, const Implementation& implementation)
 {
     const std::vector<std::string>& borrowed = implementation.borrowed;

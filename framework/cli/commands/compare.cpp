@@ -57,7 +57,8 @@ void print(const std::vector<Difference>& differences)
         fmt::print("  and {} more\n", differences.size() - most_shown);
 }
 
-// Prints how the differences grow: the largest difference of each quantity at about ten times.
+// Prints how the differences grow: the largest difference of each quantity at about ten moments of
+// the run, from the step `first` to the end.
 void print_growth(const Comparison& comparison, const Trajectory& actual, std::size_t first)
 {
     std::vector<const char*> quantities;

@@ -42,12 +42,12 @@ constexpr const char* scenes[] = {
 
 struct Graded {
     std::string assignment;
-    std::vector<std::string> submissions; // implementations, or folders of tests/samples
+    std::vector<std::string> submissions; // "reference", "student", or a folder in tests/samples
 };
 
 // What the demo grades: the first assignment, which has no scenes, with the reference and with the
-// student's files; then three submissions of another assignment. One of them is complete, one is
-// half done with the usual mistakes, and one crashes in one task and never returns from another.
+// student's files; then three submissions of another assignment. One submission is complete, one
+// is half done with the usual mistakes, and one crashes in one task and hangs in another task.
 std::vector<Graded> to_grade()
 {
     return {{"a0-pipeline", {"reference", "student"}},
@@ -85,7 +85,7 @@ void render_scenes(const Implementation& reference, const fs::path& out, DrawOpt
     for (const char* name : scenes) {
         const Scene scene = load_scene(find_scene(name));
         fmt::print("{}: {}\n", name, scene.description);
-        std::fflush(stdout); // print it before the progress bar, which goes to stderr
+        std::fflush(stdout); // the line must come before the progress bar, which is on stderr
         if (render_scene(scene, reference, (out / scene.name).string(), draw) != exit_done)
             throw std::runtime_error(std::string("the reference does not run ") + name);
         std::fflush(stdout);

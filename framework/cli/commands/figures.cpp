@@ -13,7 +13,8 @@ namespace rigor {
 
 namespace {
 
-// The name of the handout that a word means, such as a4-collision for A4. Without a word, "".
+// The name of the handout that a word means, such as "a4-collision" for "A4"; empty if `word` is
+// empty.
 std::string handout_of(const std::string& word)
 {
     if (word.empty()) return {};
@@ -34,7 +35,7 @@ int draw_figures(const std::string& topic, const std::string& out)
     prepare_targets({"rigor_figures"});
     std::vector<std::string> arguments = {places().program("rigor_figures").string(), "--out", out};
     if (!handout.empty()) arguments.push_back(handout);
-    return run_program(arguments); // the program has printed what is wrong
+    return run_program(arguments); // if this is not 0, the program has printed why
 }
 
 } // namespace

@@ -59,7 +59,7 @@ std::size_t shown_before(const Task& task, std::size_t count)
 void remember(const Task& task, std::size_t shown)
 {
     try {
-        std::error_code error; // ignored: then writing the file fails too
+        std::error_code error; // ignored: without the folder, write_whole throws
         std::filesystem::create_directories(memory_of(task).parent_path(), error);
         write_whole(memory_of(task), fmt::format("{}\n", shown));
     } catch (const InputError& failed) {

@@ -67,7 +67,7 @@ int render_scene(const Scene& scene, const Implementation& implementation,
     };
     run.on_frame = [&](const Frame& frame) { film.add(frame); };
     const RunOutcome outcome = run_in_worker(implementation, scene, run);
-    film.finish(); // frames from before a failure are kept
+    film.finish(); // also after a failure, so that the frames before it are kept
     return report_outcome(outcome, implementation);
 }
 

@@ -28,8 +28,8 @@ struct SimulateOptions {
 
 // The largest values that a deformable solid reached during a run.
 struct SolidExtremes {
-    double stress = 0, plastic_strain = 0;   // [Pa]; a strain has no unit
-    double mass_drift = 0, volume_drift = 0; // relative to the first frame
+    double stress = 0, plastic_strain = 0;   // stress [Pa]; the strain has no unit
+    double mass_drift = 0, volume_drift = 0; // largest change, as a fraction of the first value
 
     void take(const SolidStatistics& now, const SolidStatistics& first)
     {
@@ -44,11 +44,11 @@ struct SolidExtremes {
 // The numbers that --stats prints, collected frame by frame.
 struct Summary {
     FrameStatistics first, last;
-    double largest_energy = 0, deepest = 0;
+    double largest_energy = 0, deepest = 0; // total energy [J], penetration [m]
     std::int64_t frames = 0;
     Counters counters;
     MotionHash hash;
-    std::vector<std::string> solids; // names
+    std::vector<std::string> solids; // the names of the deformable solids
     std::vector<SolidExtremes> extremes;
 
     void take(const FrameStatistics& now)

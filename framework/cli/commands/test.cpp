@@ -23,7 +23,8 @@ struct TestOptions {
     std::string out;
 };
 
-// Lists for each formula the known mistakes and the test that caught each of them.
+// Prints, for each formula, the wrong versions of it that the tests must reject, and which test
+// rejected each version.
 int list_mistakes()
 {
     prepare_targets({"mistakes"});
@@ -32,8 +33,8 @@ int list_mistakes()
     return status;
 }
 
-// Runs the stress suite: cases in which physics engines often fail, each with limits that this
-// engine must keep.
+// Runs the stress suite: scenes in which physics engines often fail. The values that are measured
+// in each scene have limits, which this engine must keep.
 int stress(const TestOptions& options)
 {
     if (!places().has_reference())
@@ -81,7 +82,7 @@ std::vector<SuiteResult> run_suites(const TestOptions& options)
 
     run("release");
     if (options.all && run("clang") == SuiteResult::skipped)
-        run("debug"); // without clang: the same sanitizers with the default compiler
+        run("debug"); // clang is not installed: the same sanitizers with the default compiler
     return results;
 }
 

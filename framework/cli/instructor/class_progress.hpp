@@ -11,12 +11,14 @@
 
 namespace rigor {
 
-/// The progress of a run over a class, with an estimate of the time that is left.
+/// The progress bar while a class is graded, with an estimate of the remaining time.
 class ClassProgress {
 public:
     explicit ClassProgress(std::string title) : title_(std::move(title)) {}
 
-    /// @param doing  such as "grading"  @param detail  such as "3 tasks", or empty
+    /// @param done    the number of submissions that are graded, out of `total`
+    /// @param doing   what is being done, such as "grading"
+    /// @param detail  such as "3 tasks", or empty
     void update(std::size_t done, std::size_t total, const std::string& doing,
                 const std::string& detail);
     void clear() { bar_.reset(); }
@@ -24,7 +26,7 @@ public:
 private:
     using Clock = std::chrono::steady_clock;
     std::string title_, doing_;
-    std::optional<Progress> bar_; // a new one for each value of `doing`
+    std::optional<Progress> bar_; // a new bar for each value of `doing`
     Clock::time_point start_;
     std::size_t done_at_start_ = 0;
 };

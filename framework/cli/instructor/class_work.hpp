@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the commands that grade a class share.
+// The preparation that is common to the commands that grade a class.
 #pragma once
 
 #include "grading/class/engine.hpp"
@@ -13,8 +13,9 @@ namespace rigor {
 Selection whole_assignment(const std::string& word);
 
 /// Builds the tests, the reference and what all submissions share, with a progress bar. The result
-/// has no submissions yet. Prints on stderr which walls there are, and what is left out.
-/// @param secret_file  the file of the course's secret; empty: none
+/// has no submissions yet. Prints on stderr how submissions are confined (by which "walls"), and
+/// which tests and controls are left out.
+/// @param secret_file  the file with the course's secret; empty: the course has no secret
 ClassWork prepared_class_work(const Selection& selection, std::uint32_t seed,
                               const std::string& secret_file);
 

@@ -37,7 +37,7 @@ struct GradeOptions {
     bool is_regrade = false, is_applied = false;
 };
 
-// The names of the files that are written beside the submissions' folders.
+// Names of the files about the whole class, which are written beside the submissions' folders.
 constexpr const char *gradebook_file = "gradebook.csv", *summary_file = "summary.txt",
                      *canvas_file = "canvas.csv", *moodle_file = "moodle.csv";
 
@@ -49,8 +49,8 @@ unsigned jobs_of(const GradeOptions& options)
     return options.jobs > 0 ? options.jobs : std::max(1u, std::thread::hardware_concurrency());
 }
 
-// Refuses a folder for the results inside a folder of submissions: the next run would take it for a
-// submission.
+// Refuses a results folder that lies inside a folder of submissions: the next run would take the
+// results for a submission.
 void require_outside(const fs::path& out, const std::vector<std::string>& submissions)
 {
     const std::string whole = fs::weakly_canonical(out).string() + "/";
@@ -111,7 +111,7 @@ std::unique_ptr<Engine> engine_for(const GradeOptions& options,
     return std::make_unique<SlurmEngine>(slurm);
 }
 
-// @throws InputError for what is wrong with the options, before anything is done
+// Checks the options before anything is done. @throws InputError if an option is wrong
 void check_usage(const GradeOptions& options)
 {
     if (options.submissions.empty())
@@ -167,7 +167,8 @@ private:
                                          gradebook_file, folder.path().string()));
     }
 
-    // Grades, and collects the changes of submissions that had a result in this folder before.
+    // Grades the class. For each graded submission that had a result in this folder before,
+    // `changes_` gets what has changed.
     ClassOutcome graded(const ClassFolder& folder, Engine& engine, OldResults old)
     {
         ClassListener listener;
@@ -189,8 +190,8 @@ private:
         return outcome;
     }
 
-    // As long as there is no gradebook.csv, results of other tests are replaced without asking.
-    // Once there is one, they are an error.
+    // While gradebook.csv does not exist, results that were made with other tests, points, seeds or
+    // walls are replaced without asking. Once it exists, such results are an error.
     int grade(const ClassFolder& folder)
     {
         const bool is_published = fs::exists(folder.path() / gradebook_file);
@@ -213,8 +214,8 @@ private:
         return status_of(outcome);
     }
 
-    // Grades into the separate folder `place` what would change, and leaves the results as they
-    // are.
+    // Grades again the submissions whose results could change, and writes to the separate folder
+    // `place`. The results in `folder` stay as they are.
     int show(const ClassFolder& folder, const fs::path& place)
     {
         const ClassFolder shown(place, selection_.assignment.name, names_of(work_.submissions));
@@ -239,7 +240,7 @@ private:
             const ClassOutcome outcome = graded(folder, engine, OldResults::are_replaced);
             if (outcome.control_fault.empty()) status = finished(folder, outcome);
         }
-        std::error_code kept; // ignored: the next --regrade uses the folder again
+        std::error_code kept; // ignored: if `place` remains, the next --regrade uses it again
         fs::remove_all(place, kept);
         return status;
     }

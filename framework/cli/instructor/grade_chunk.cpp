@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a task of `grade --engine slurm` runs on a node.
+// The command that Slurm runs on a node: it grades the submissions of one task of the job array
+// that `grade --engine slurm` has started.
 #include "cli/instructor/grade_chunk.hpp"
 
 #include "cli/instructor/class_work.hpp"

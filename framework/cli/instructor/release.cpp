@@ -29,8 +29,8 @@ struct ReleaseOptions {
     std::string assignment, out, gradescope, classroom;
 };
 
-// The folder in which a released tree is built to prove that it works. What has not changed since
-// the last release is not built again.
+// The folder in which a released tree is built to prove that it works. The folder is kept, so files
+// that have not changed since the last release are not built again.
 fs::path proving_ground(const char* name)
 {
     const fs::path folder = places().build / "release" / name;
@@ -54,7 +54,8 @@ Assignment assignment_of(const ReleaseOptions& options)
     return found[0].assignment;
 }
 
-// Writes the students' tree as a repository, proves that it works, and then gives it its name.
+// Writes the students' tree as a git repository in a draft folder and proves that it works. Only
+// then is the draft folder renamed to `out`.
 void release_tree(const ReleasedTree& tree, const std::string& out)
 {
     DraftFolder folder(out);

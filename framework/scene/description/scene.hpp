@@ -14,19 +14,21 @@
 
 namespace rigor {
 
-/// How the mass, the center of mass and the inertia of a body are found from its parts.
+/// How the mass, the center of mass and the inertia of a body are found from its parts. The names
+/// in backticks are formulas in formulas/inertia.hpp.
 enum class MassMethod {
-    exact,        ///< the closed forms and `combine`
-    particles,    ///< `particle_mass_properties` of points on a grid
+    exact,        ///< the closed forms of the parts, added by `combine`
+    particles,    ///< `particle_mass_properties`, with points on a grid
     grid,         ///< `grid_mass_properties`
-    samples,      ///< `sampled_mass_properties`
+    samples,      ///< `sampled_mass_properties`, with random points
     bounding_box, ///< `bounding_box_mass_properties`, with the exact mass
-    thin_rod,     ///< `thin_rod`, for a cylinder
+    thin_rod,     ///< `thin_rod`, only for a cylinder
 };
 
-/// The orientation of a body shortly after the start, as seen in a film.
+/// The orientation of a body shortly after the start, as seen in a film. It determines the initial
+/// angular velocity.
 struct LaterOrientation {
-    double after = 0; // [s]
+    double after = 0; // time since the start [s]
     Quaternion orientation;
 };
 
@@ -35,23 +37,24 @@ struct BodyDescription {
     std::vector<Part> parts; // in the body's own frame, as in the file
     Material material;
     Drag drag;
-    std::string group; // bodies of one group pass through each other; empty: in no group
-    // The only axis about which the body turns, in world space, or zero if it never turns. Without
-    // a value the body turns freely.
+    std::string group; // bodies of the same group pass through each other; empty: no group
+    // The only axis about which the body can turn, in world space. The zero vector: it never turns.
+    // Without a value, the body can turn about every axis.
     std::optional<Vector3d> only_axis;
     bool is_static = false;
-    std::optional<Drive> drive; // the given motion of a body that counts as static
-    std::optional<double> mass; // given instead of densities [kg]
-    // The inertia about the center of mass, given together with the mass [kg m²]. The center of
-    // mass is then the origin of the frame.
+    std::optional<Drive> drive; // the prescribed motion; such a body counts as static
+    // The mass [kg], if the file has the inertia too. Otherwise the parts have densities.
+    std::optional<double> mass;
+    // The inertia about the center of mass [kg m²], if the file has it together with a mass. The
+    // center of mass is then the origin of the frame.
     std::optional<Matrix3d> inertia;
     MassMethod mass_method = MassMethod::exact;
-    int mass_samples = 0;                 // 0: the default of the method
+    int mass_samples = 0;                 // number of samples; 0: the default
     Vector3d position = Vector3d::Zero(); // position of the frame's origin [m]
     Quaternion orientation;
     Vector3d velocity = Vector3d::Zero();         // velocity of the center of mass [m/s]
     Vector3d angular_velocity = Vector3d::Zero(); // world space [rad/s]
-    std::optional<LaterOrientation> later;        // given instead of an angular velocity
+    std::optional<LaterOrientation> later;        // in the file instead of `angular_velocity`
     std::optional<Vector3d> color;                // red, green, blue in 0 … 1
 };
 
@@ -69,28 +72,29 @@ struct SolidDescription {
     Vector3d velocity = Vector3d::Zero();         // velocity of the center of mass [m/s]
     Vector3d angular_velocity = Vector3d::Zero(); // world space [rad/s]
     std::optional<Vector3d> color;                // red, green, blue in 0 … 1
-    std::vector<Handle> handles;                  // already in world space
-    std::vector<NodeLoad> loads;                  // already in world space
+    std::vector<Handle> handles;                  // in world space, unlike the mesh
+    std::vector<NodeLoad> loads;                  // in world space, unlike the mesh
 };
 
 struct Camera {
     Vector3d position = Vector3d(4, 3, 6);
     Vector3d target = Vector3d::Zero();
-    double field_of_view = 40; // vertical [degrees]
+    double field_of_view = 40; // vertical angle [degrees]
 };
 
 /// The quantity that the colors of deformable solids show.
 enum class SolidColors { color, stress, plastic_strain };
 
-/// The additional things to draw.
+/// What is drawn in addition to the bodies and solids.
 struct Overlays {
     bool axes = false, angular_velocity = false, angular_momentum = false, contacts = false,
          labels = false, grid = true;
     SolidColors solids = SolidColors::color;
-    std::optional<std::array<double, 2>> solids_range; // ends of the color scale [Pa, or no unit]
+    // The values at the two ends of the color scale [Pa for stress, no unit for strain].
+    std::optional<std::array<double, 2>> solids_range;
 };
 
-/// The settings of a scene that says nothing else: gravity along -y.
+/// The settings of a scene whose file does not change them: gravity along -y.
 inline Settings settings_on_earth()
 {
     Settings settings;
@@ -101,14 +105,14 @@ inline Settings settings_on_earth()
 struct Scene {
     std::string name;        // name of the file, without its ending
     std::string description; // one sentence about what there is to see
-    std::string text;        // the text of the file
+    std::string text;        // text of the file, with the texts of its mesh files added
     std::vector<BodyDescription> bodies;
     std::vector<SolidDescription> solids;
     std::vector<Spring> springs;             // points in the bodies' frames, as in the file
     std::vector<AppliedForce> forces;        // points in the bodies' frames, as in the file
-    std::vector<int> world_forces;           // indices of forces whose points are in world space
-    std::vector<PairLaw> pairs;              // sorted by their bodies
-    Settings settings = settings_on_earth(); // copied whole into the world
+    std::vector<int> world_forces;           // indices of `forces` with points in world space
+    std::vector<PairLaw> pairs;              // for pairs of bodies, sorted by the indices
+    Settings settings = settings_on_earth(); // the settings of the world
     double time_step = 0.01;                 // [s]
     double end = 1;                          // [s]
     double frames_per_second = 30;
@@ -119,9 +123,10 @@ struct Scene {
 /// The number of time steps until the end of the scene.
 std::int64_t step_count(const Scene& scene);
 
-/// The number of frames of the scene, the first of which is at time 0; and the step nearest to the
-/// time of a frame.
+/// The number of frames of the scene. The first frame, number 0, is at time 0.
 std::int64_t frame_count(const Scene& scene);
+
+/// The number of the time step whose end is nearest to the time of a frame.
 std::int64_t frame_step(const Scene& scene, std::int64_t frame);
 
 } // namespace rigor

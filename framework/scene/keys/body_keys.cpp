@@ -216,8 +216,8 @@ Matrix3d read_inertia(const Value& value)
     if ((I - I.transpose()).norm() > rounding)
         throw Mistake{value.line, "expected a symmetric inertia, found rows that differ from the "
                                   "columns"};
-    // D = ∫ x xᵀ dm = ½ tr(I) δ - I must have no negative eigenvalue. Then no moment is negative,
-    // and none is larger than the sum of the other two.
+    // D = ∫ x xᵀ dm = ½ tr(I) δ - I must have no negative eigenvalue. Then no principal moment is
+    // negative, and none is larger than the sum of the other two.
     const Matrix3d D = 0.5 * I.trace() * Matrix3d::Identity() - I;
     Eigen::SelfAdjointEigenSolver<Matrix3d> eigen;
     eigen.compute(D, Eigen::EigenvaluesOnly);
@@ -230,7 +230,7 @@ Matrix3d read_inertia(const Value& value)
     return I;
 }
 
-// Reads a mass. Either it comes with an inertia, or it is distributed evenly over the volume.
+// Reads the mass of a body. Without an inertia, the mass is distributed evenly over the volume.
 void read_mass(BodyDraft& draft)
 {
     if (draft.inertia && !draft.mass)
@@ -252,7 +252,7 @@ void read_mass(BodyDraft& draft)
         part.density = total > 0 ? mass / total : part.density;
 }
 
-// The number of samples, if the method takes any.
+// Reads the number of samples, which only some methods use.
 void read_mass_samples(BodyDraft& draft)
 {
     if (!draft.samples) return;
@@ -266,7 +266,7 @@ void read_mass_samples(BodyDraft& draft)
         integer(*draft.samples, "a number of samples", 1, is_random ? 1'000'000 : 100));
 }
 
-// Refuses a body for which the method cannot find a mass.
+// Refuses a body whose mass the method of the key "mass_by" cannot compute.
 void check_mass_method(const BodyDraft& draft)
 {
     const BodyDescription& body = draft.body;
@@ -295,7 +295,7 @@ void check_film(const BodyDraft& draft)
         throw Mistake{draft.film->line, "expected no \"filmed\" of a static body, found one"};
 }
 
-// A driven body counts as static, apart from its motion.
+// Reads the prescribed motion of a driven body, which otherwise counts as static.
 void read_driven(BodyDraft& draft)
 {
     if (!draft.drive) return;

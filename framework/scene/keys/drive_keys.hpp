@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The keys of the given motion of a body.
+// The keys of a drive, which is the prescribed motion of a body.
 #pragma once
 
 #include "scene/description/scene.hpp"
@@ -8,7 +8,7 @@
 
 namespace rigor {
 
-/// Reads a drive, apart from the first position and orientation, which are those of the body.
+/// Reads a drive. Its first position and orientation are not set, since they are those of the body.
 /// @throws Mistake
 Drive read_drive(const Value& value);
 

@@ -18,7 +18,8 @@ struct ForcesRead {
 };
 ForcesRead read_forces(const Value& value, const std::vector<BodyDescription>& bodies);
 
-/// Reads the laws of pairs of bodies, sorted by their bodies.
+/// Reads the laws of pairs of bodies: restitution, friction, and whether the two collide. The
+/// result is sorted by the indices of the bodies.
 /// @throws Mistake
 std::vector<PairLaw> read_pairs(const Value& value, const std::vector<BodyDescription>& bodies);
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The handles that hold nodes of a solid, and the loads that pull them.
+// Reads the handles, which prescribe the motion of nodes of a solid, and the loads, which are
+// forces on nodes.
 #include "scene/keys/handle_keys.hpp"
 #include "errors/quotes.hpp"
 #include "geometry/bounds/bounds.hpp"
@@ -30,7 +31,7 @@ std::string text(const Vector3d& v)
     return fmt::format("({:.6g}, {:.6g}, {:.6g})", v.x(), v.y(), v.z());
 }
 
-// The nodes of a solid that lie in a region, a box.
+// The nodes of a solid that lie in a region, which is a box.
 std::vector<int> nodes_in(const Value& value, const SolidDescription& solid)
 {
     Region region;
@@ -78,7 +79,8 @@ constexpr Key<Rotation> rotation_keys[] = {
      [](Rotation& r, const Value& v) { r.degrees = &v; }},
 };
 
-// Axis times angle. Unlike a quaternion, it can describe more than one full turn.
+// A rotation vector: the axis times the angle [rad]. Unlike a quaternion, it can describe more than
+// one full turn.
 Vector3d rotation_vector(const Value& value)
 {
     Rotation rotation;
@@ -103,7 +105,7 @@ constexpr Key<MomentDraft> moment_keys[] = {
      [](MomentDraft& d, const Value& v) { d.moment.rotation = rotation_vector(v); }},
 };
 
-// Reads a path. It starts at time 0 without a displacement.
+// Reads the path of a handle. The path starts at time 0 without displacement and rotation.
 std::vector<HandleMoment> read_path(const Value& value)
 {
     std::vector<HandleMoment> path(1);

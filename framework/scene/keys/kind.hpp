@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Reads an object that is a shape or a mesh of one kind, and whose keys are its sizes.
+// Reads an object that describes a shape or a mesh of one kind. Its keys are sizes, such as
+// "radius".
 #pragma once
 
 #include "scene/language/keys.hpp"
@@ -10,7 +11,7 @@
 
 namespace rigor {
 
-/// Reads the keys of an object of one kind. Each key of `needed` is required.
+/// Reads the keys of an object of one kind. The keys in `needed` must be there.
 template <class T>
 T read_kind(const Value& value, Keys<T> keys, std::initializer_list<std::string_view> needed)
 {
@@ -21,7 +22,8 @@ T read_kind(const Value& value, Keys<T> keys, std::initializer_list<std::string_
     return kind;
 }
 
-/// Refuses a length that is not below its limit, which another length of the object sets.
+/// Refuses a length that is not less than `limit`, which is computed from another length of the
+/// same object.
 inline void less(const Value& object, std::string_view key, double limit)
 {
     const Value& value = *find(object, key);

@@ -16,7 +16,7 @@ int whole(const Value& value, std::string_view what, int low, int high)
     return static_cast<int>(integer(value, what, low, high));
 }
 
-// The values of the keys of a mesh. Each kind of mesh reads some of them.
+// The values of the keys of a mesh. Each kind of mesh uses only some of these values.
 struct MeshDraft {
     const Value* file = nullptr;
     Vector3d scale = Vector3d::Ones();
@@ -114,8 +114,8 @@ constexpr MeshKey voussoir_keys[] = {
     cells_key,
 };
 
-// Sets the shape to a generated mesh. In the library, a mesh is identified by the values of all its
-// keys.
+// Sets the shape to a generated mesh. The mesh library identifies a mesh by the values of all
+// its keys.
 void set_mesh(ShapeDraft& draft, const Value& value, const MeshDraft& m,
               const std::function<TriangleMesh()>& make)
 {

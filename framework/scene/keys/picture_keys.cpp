@@ -63,7 +63,8 @@ Camera read_camera(const Value& value)
 {
     Camera camera;
     read_object<Camera>(value, "a camera {\"position\": …, \"target\": …}", camera_keys, camera);
-    constexpr double least_distance = 1e-9; // nearer, rounding decides the direction [m]
+    // At a smaller distance [m], rounding errors would decide the direction of the view.
+    constexpr double least_distance = 1e-9;
     if (!((camera.position - camera.target).norm() > least_distance))
         expected("a camera whose position is not its target", value);
     return camera;

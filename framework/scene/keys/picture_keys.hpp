@@ -6,7 +6,7 @@
 
 namespace rigor {
 
-/// Reads the camera, and the additional things to draw.
+/// Reads the camera, and what is drawn in addition to the bodies and solids.
 /// @throws Mistake
 Camera read_camera(const Value& value);
 Overlays read_overlays(const Value& value);

@@ -121,7 +121,7 @@ void read_times(SceneDraft& draft)
     scene.frames_per_second = std::min(scene.frames_per_second, one_a_step);
     if (!draft.frames_per_second) return;
     scene.frames_per_second = positive(*draft.frames_per_second, "a number of frames per second");
-    constexpr double rounding = 1e-9; // in the quotient 1/h
+    constexpr double rounding = 1e-9; // relative error of 1 / time step
     if (scene.frames_per_second > one_a_step * (1 + rounding))
         expected(fmt::format("at most one frame a step ({:.6g} per second)", one_a_step),
                  *draft.frames_per_second);
@@ -154,7 +154,7 @@ void read_solids(const Value& value, MeshLibrary& meshes, std::vector<SolidDescr
     }
 }
 
-// Refuses a name that two bodies or solids have.
+// Refuses a name that two bodies, two solids, or a body and a solid have.
 void check_names(const SceneDraft& draft)
 {
     std::set<std::string_view> names;

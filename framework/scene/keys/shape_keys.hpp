@@ -7,7 +7,7 @@
 
 namespace rigor {
 
-/// Reads a shape, an object with one key.
+/// Reads a shape, which is an object with a single key: the kind of shape.
 /// @throws Mistake
 Shape read_shape(const Value& value, MeshLibrary& meshes);
 

@@ -109,7 +109,7 @@ constexpr Key<SolidDraft> solid_keys[] = {
     {"loads", "forces on nodes, a list", [](SolidDraft& d, const Value& v) { d.loads = &v; }},
 };
 
-// A solid that moves as one rigid body has no handles and no limits of stress.
+// Refuses handles, a yield stress and a strength of a solid that moves as one rigid body.
 void check_rigid(const SolidDraft& draft)
 {
     const NodeIntegrator integrator = draft.solid.integrator;

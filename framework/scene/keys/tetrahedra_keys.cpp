@@ -12,7 +12,7 @@ namespace {
 
 using SharedTetrahedra = std::shared_ptr<const TetrahedralMesh>;
 
-// The values of the keys of a block. Each kind of mesh reads some of them.
+// The values of the keys of a mesh made of equal boxes, `cells`. Only a notched plate has a notch.
 struct BlockDraft {
     Vector3d size = Vector3d::Zero();
     std::array<int, 3> cells = {1, 1, 1};
@@ -29,7 +29,7 @@ std::array<int, n> whole_numbers(const Value& value, std::string_view what, int 
     return numbers;
 }
 
-constexpr int most_cells = 1000; // along an axis; the limit guards time and memory
+constexpr int most_cells = 1000; // along each axis; the limit guards time and memory
 
 constexpr Key<BlockDraft> size_key = {
     "size", "full extent along x, y, z, each > 0 [m]",

@@ -73,8 +73,8 @@ std::string between(const std::string& text, std::string_view before, std::strin
     return text.substr(start, to == std::string::npos ? to : to - start);
 }
 
-// The parser's error message in the form of this project. The parser says "… - unexpected X;
-// expected Y" or "… - invalid Z; last read: 'W'".
+// The parser's error message, rewritten as "expected …, found …". The parser says "… - unexpected
+// X; expected Y" or "… - invalid Z; last read: 'W'".
 std::string syntax_message(const std::string& complaint)
 {
     std::string wanted = "valid JSON", found = between(complaint, "unexpected ", "; expected ");
@@ -184,8 +184,8 @@ private:
     }
 
     const Progress& progress_;
-    // The open arrays and objects, from the root to the innermost. The pointers stay valid, because
-    // nothing is added to the items of an outer value while an inner one is open.
+    // The arrays and objects whose end has not been read yet, from the root to the innermost. The
+    // pointers stay valid, because only the innermost one gets new items.
     std::vector<Value*> open_;
     std::string key_;
     std::size_t count_ = 0;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A JSON text as a tree. Every value stores its line, so that an error can name it.
+// A JSON text as a tree. Every value stores its line number, so that an error message can name the
+// line.
 #pragma once
 
 #include <string>
@@ -8,7 +9,7 @@
 
 namespace rigor {
 
-/// An error in a text, and its line. The loader adds the name of the file.
+/// An error in a text, and its line. `parse_scene` and `load_scene` add the name of the file.
 struct Mistake {
     int line = 1;
     std::string message;
@@ -25,12 +26,12 @@ struct Value {
     std::string key;          // key of this value, if it is part of an object
 };
 
-/// The tree of a text. Limits guard against hostile texts: 1 000 000 values, 32 levels, 1000 keys
+/// Parses a JSON text. Limits guard against hostile texts: 1 000 000 values, 32 levels, 1000 keys
 /// in one object. Every number is finite, and no object has the same key twice.
 /// @throws Mistake
 Value parse_json(std::string_view text);
 
-/// A value as an error message shows it: `-3`, `"bal"`, `an array of 2`.
+/// A value as an error message shows it: `-3`, `"bal"`, `an array of 9`.
 std::string describe(const Value& value);
 
 /// Throws the error for an unexpected value.

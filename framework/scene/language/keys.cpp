@@ -18,7 +18,7 @@ std::string list_of(std::span<const std::string_view> names)
 
 void unknown_key(const Value& value, std::span<const std::string_view> names)
 {
-    constexpr std::size_t most_listed = 12; // more would hide the message
+    constexpr std::size_t most_listed = 12; // a longer list would make the message unreadable
     std::string all = "expected no key here";
     if (names.size() > most_listed)
         all = "assignments/scenes.md lists the keys that are known here";

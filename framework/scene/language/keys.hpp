@@ -12,7 +12,7 @@
 
 namespace rigor {
 
-/// One key of an object of type T.
+/// A row of a table: a key of a JSON object whose values are read into a T.
 template <class T> struct Key {
     std::string_view name;
     std::string_view meaning; // as documented in assignments/scenes.md

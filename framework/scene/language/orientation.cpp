@@ -46,7 +46,7 @@ Quaternion quaternion(const Value& value)
     Eigen::Vector4d q;
     for (int i = 0; i < 4; ++i)
         q[i] = number(value.items[i]);
-    constexpr double rounding = 1e-6; // so that seven digits of each number are enough
+    constexpr double rounding = 1e-6; // enough for numbers with seven digits in the file
     if (std::abs(q.norm() - 1) > rounding)
         throw Mistake{value.line,
                       fmt::format("expected {}, found one of length {:.6g}", what, q.norm())};

@@ -7,7 +7,7 @@
 namespace rigor {
 
 /// Reads an orientation: {"axis": …, "degrees": …}, {"quaternion": [s, x, y, z]} or
-/// {"euler_degrees": [φ, θ, ψ]}.
+/// {"euler_degrees": [roll, pitch, yaw]}.
 /// @throws Mistake
 Quaternion orientation(const Value& value);
 

@@ -13,7 +13,8 @@ namespace rigor {
 
 namespace {
 
-// Larger numbers are refused, in the unit of their key: the limit guards products against overflow.
+// Numbers with a larger absolute value are refused, in whatever unit the key has: the limit guards
+// products against overflow.
 constexpr double largest = 1e12; // the error messages repeat this number
 
 } // namespace

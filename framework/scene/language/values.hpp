@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The readers of plain values. Each throws a Mistake that says what was expected; `what` names the
-// quantity. The size of a number is at most 1e12, and a positive number is at least 1e-12, so that
-// a product of a few of them neither overflows nor underflows.
+// quantity. The absolute value of a number is at most 1e12, and a number that must be positive is
+// at least 1e-12, so that a product of a few numbers neither overflows nor underflows.
 #pragma once
 
 #include "formulas/types.hpp"
@@ -15,8 +15,8 @@
 
 namespace rigor {
 
-/// Smaller numbers are refused where a number must be positive: the limit guards quotients against
-/// overflow. Each number has the unit of its key.
+/// Where a number must be positive, smaller numbers are refused, in whatever unit the key has: the
+/// limit guards quotients against overflow.
 constexpr double smallest_number = 1e-12;
 
 double number(const Value& value, std::string_view what = "a number");
@@ -34,7 +34,7 @@ Vector3d scale3(const Value& value, std::string_view what);
 Vector3d color(const Value& value);
 const std::vector<Value>& array(const Value& value, std::string_view what);
 
-/// Reads one of several words. Returns its index.
+/// Reads a text that must be one of `words`. Returns the index of this word.
 std::size_t one_of(const Value& value, std::span<const std::string_view> words);
 
 /// Reads a word that stands for a value of an enumeration. `words` has the order of the

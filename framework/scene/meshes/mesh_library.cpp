@@ -46,7 +46,7 @@ SharedMesh MeshLibrary::from_file(const Value& file, const Vector3d& scale, doub
             v = v.cwiseProduct(scale);
         if (depth > 0) {
             read.mesh = solid_below(read.mesh, depth, read.lines);
-            read.lines.resize(read.mesh.triangles.size(), 0); // 0: not from a line of the file
+            read.lines.resize(read.mesh.triangles.size(), 0); // line 0: not in the file
         }
         check_mesh(read.mesh, read.lines);
         mesh = std::make_shared<SolidMesh>(std::move(read.mesh), name, cells);

@@ -16,7 +16,8 @@ using SharedMesh = std::shared_ptr<const SolidMesh>;
 
 class MeshLibrary {
 public:
-    /// Reads the key "meshes" of a scene: the texts of meshes by file name.
+    /// Reads the value of the key "meshes" of a scene, which maps the names of mesh files to their
+    /// texts.
     /// @throws Mistake
     void read_texts(const Value& value);
 
@@ -25,6 +26,7 @@ public:
     /// surface, see geometry/meshes/terrain.hpp.
     /// @param file   the value in the scene that holds the file name
     /// @param depth  [m]; 0: the surface in the file is closed
+    /// @param cells  number of cells along the longest side of the level set; 0: chosen by the mesh
     /// @throws Mistake
     SharedMesh from_file(const Value& file, const Vector3d& scale, double depth, int cells);
 
@@ -32,8 +34,9 @@ public:
     /// @throws Mistake
     std::shared_ptr<const TetrahedralMesh> tetrahedra(const Value& file, const Vector3d& scale);
 
-    /// The mesh of this key. It is made by `make` at the first call with the key.
-    /// @param key    names the kind of mesh and every parameter
+    /// A generated mesh. The first call with this `key` and `cells` makes the mesh by `make`; later
+    /// calls return the same mesh.
+    /// @param key    the kind of mesh and the values of all its parameters
     /// @param value  the value in the scene that describes the mesh
     /// @throws Mistake
     SharedMesh generated(const std::string& key, const Value& value, int cells,

@@ -22,18 +22,18 @@ namespace rigor {
 
 namespace {
 
-// Larger mesh files, and scenes that are larger with their meshes, are refused: the limits guard
-// memory.
+// Larger mesh files are refused, and so are scenes whose text is larger after the meshes are added:
+// the limits guard memory.
 constexpr std::uintmax_t most_mesh_bytes = 64'000'000, most_scene_bytes = 16'000'000;
 
 // A mesh file that the scene names.
 struct NamedFile {
     const Value* name;
     bool is_solid; // whether it is a mesh of tetrahedra
-    bool is_open;  // whether it has a depth: it is checked as the solid below the surface
+    bool is_open;  // whether the scene gives a depth; the solid below the surface is checked later
 };
 
-// Collects the names of mesh files below a value, {"mesh": {"file": …}}.
+// Collects the names of mesh files, {"mesh": {"file": …}}, in a value and in all values inside it.
 void find_files(const Value& value, bool in_solids, std::vector<NamedFile>& files)
 {
     for (const Value& item : value.items) {
@@ -44,7 +44,7 @@ void find_files(const Value& value, bool in_solids, std::vector<NamedFile>& file
     }
 }
 
-// The shortest text of the same mesh, after the mesh was checked.
+// A short text of the same mesh, without what is not needed, after the mesh was checked.
 std::string checked_text(std::string_view text, const NamedFile& file)
 {
     if (file.is_solid) {

@@ -12,7 +12,7 @@ namespace rigor {
 ///
 /// @param scene_file  file of the scene; the paths of the mesh files are relative to its folder
 /// @throws Mistake at the line that names a missing file
-/// @throws InputError at a line of a mesh file
+/// @throws InputError for an error in a mesh file, with its line
 std::string with_mesh_texts(const std::string& text, const std::filesystem::path& scene_file);
 
 } // namespace rigor

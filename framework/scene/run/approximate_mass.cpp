@@ -18,8 +18,8 @@ namespace rigor {
 namespace {
 
 // More cells or samples approximate the mass better, but take more time.
-constexpr int default_cells = 20;      // along the longest edge
-constexpr int default_samples = 10000; // random points
+constexpr int default_cells = 20;      // number of grid cells along the longest edge
+constexpr int default_samples = 10000; // number of random points
 
 Bounds whole_bounds(const std::vector<Part>& parts)
 {
@@ -39,7 +39,7 @@ double density_at(const std::vector<Part>& parts, const Vector3d& x)
     return density;
 }
 
-// The density at the centers of cubic cells that fill the bounds.
+// The density at the centers of cubic cells that fill the bounding box.
 struct CellSamples {
     double cell_size = 0; // [m]
     std::vector<DensitySample> samples;
@@ -75,7 +75,7 @@ MassProperties by_random_points(const std::vector<Part>& parts, int count)
 {
     const Bounds bounds = whole_bounds(parts);
     const Vector3d extent = bounds.high - bounds.low;
-    std::mt19937_64 random(1); // the standard fixes its numbers: each run has the same samples
+    std::mt19937_64 random(1); // same samples in each run: the C++ standard defines its numbers
     const auto share = [&] { return static_cast<double>(random() >> 11) * 0x1p-53; }; // 0 … 1
     std::vector<DensitySample> samples;
     for (int i = 0; i < count; ++i) {

@@ -6,8 +6,8 @@
 
 namespace rigor {
 
-/// Mass properties of the body's parts by its `mass_method`, which is not `exact`, in the frame of
-/// the scene file. Where parts overlap, the matter counts twice, as it does in the closed forms.
+/// Mass properties of the body's parts by its `mass_method`, in the frame of the scene file. Where
+/// parts overlap, the matter counts twice, as it does in the closed forms.
 MassProperties approximate_mass(const BodyDescription& body);
 
 } // namespace rigor

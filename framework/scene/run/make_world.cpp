@@ -17,7 +17,7 @@ namespace rigor {
 
 namespace {
 
-// Copies of the meshes of the scene, one for each mesh. Each world computes its own data of a mesh,
+// Copies of the meshes of the scene, one of each mesh. Each world computes its own data of a mesh,
 // such as the level set, so that all worlds of a scene do the same work and have the same counters.
 class OwnMeshes {
 public:
@@ -36,7 +36,7 @@ private:
     std::map<const SolidMesh*, std::shared_ptr<const SolidMesh>> own_;
 };
 
-// A solid at its place, which starts to move like a rigid body.
+// Makes a deformable solid at its position. It starts with the velocities of a rigid body.
 Deformable make_solid(const SolidDescription& described)
 {
     Deformable solid = make_deformable(described.name, *described.mesh, described.material,
@@ -55,7 +55,8 @@ Deformable make_solid(const SolidDescription& described)
     return solid;
 }
 
-// The angular velocity ω of a body: given, or computed from two orientations a moment apart.
+// The initial angular velocity ω of a body. The scene contains it, or the orientations at the start
+// and shortly later, from which it is computed.
 Vector3d angular_velocity_of(const BodyDescription& body)
 {
     if (!body.later) return body.angular_velocity;
@@ -106,7 +107,7 @@ RecordedWorld make_recorded_world(const Scene& scene, const RunSettings& setting
     world.forces = scene.forces;
     world.pair_laws = scene.pairs;
     OwnMeshes meshes;
-    std::map<std::string, int> groups; // numbers by name, from 1
+    std::map<std::string, int> groups; // the number of each group, from 1, by its name
     for (const BodyDescription& described : scene.bodies) {
         RigidBody& body = world.bodies.emplace_back();
         body.name = described.name;

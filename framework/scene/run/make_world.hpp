@@ -10,12 +10,12 @@ namespace rigor {
 
 /// The settings of a run that are not part of the scene file.
 struct RunSettings {
-    bool formulas_are_reference = false; // see Settings
+    bool formulas_are_reference = false; // whether the linked formulas are those of reference/
     int threads = 1;
 };
 
-/// The rigid bodies of a scene. Where the scene gives densities, the formulas of topic `inertia`
-/// are called.
+/// The rigid bodies of a scene. For bodies with densities, the formulas in formulas/inertia.hpp are
+/// called.
 World make_world(const Scene& scene, const RunSettings& settings = {});
 
 /// The rigid bodies and the deformable solids of a scene.
@@ -23,7 +23,7 @@ DeformableWorld make_deformable_world(const Scene& scene, const RunSettings& set
 
 /// A world, and the data of its bodies that a trajectory records.
 struct RecordedWorld {
-    DeformableWorld world; // it contains the rigid world, and possibly no solids
+    DeformableWorld world; // the rigid bodies, and the solids if there are any
     std::vector<RecordedBody> bodies;
 };
 

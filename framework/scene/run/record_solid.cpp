@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Makes a frame of a deformable solid: its mesh if that has changed, its totals, the state of its
-// nodes, and stress and plastic strain of its elements. Last, all numbers are checked for NaN.
+// nodes, and stress and plastic strain of its elements. Last, all numbers are checked to be finite.
 #include "scene/run/record_solid.hpp"
 
 #include "deformable/elasticity/element.hpp"

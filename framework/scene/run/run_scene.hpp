@@ -9,20 +9,22 @@
 
 namespace rigor {
 
-/// The moments that a run records.
+/// The steps after which a run records its state: those of the frames, or every step.
 enum class Record { frames, every_step };
 
 /// Runs a scene and passes the bytes of its trajectory to `write`, one record at a time. Frame k is
-/// the state after the step nearest to its time; frame 0 is the initial state.
+/// the state after the step whose end is nearest to the time k / frames_per_second; frame 0 is the
+/// initial state.
 void run_scene(const Scene& scene, Record record, const ByteSink& write,
                const RunSettings& settings = {});
 
 /// A time [s] and the states of all bodies at that time.
 using Moment = std::pair<double, std::vector<RigidState>>;
 
-/// For each moment of `starts`, the states after `steps` time steps. Deformable solids start each
-/// time in their initial state.
-/// @param starts  each at a multiple of the time step, and with a state for every body
+/// For each moment of `starts`, the states after `steps` time steps. Deformable solids are in
+/// their initial state at each of these moments.
+/// @param starts  each time is a multiple of the time step, and each moment has a state for every
+///     body
 std::vector<std::vector<RigidState>> advance(const Scene& scene, const std::vector<Moment>& starts,
                                              int steps, const RunSettings& settings = {});
 

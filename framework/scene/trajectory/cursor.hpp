@@ -45,7 +45,8 @@ inline std::size_t count_of(const std::string& where, std::string_view what, std
     return count;
 }
 
-/// Reads values one after the other from bytes. The caller knows that there are enough.
+/// Reads values one after the other from bytes. The caller must have checked that there are enough
+/// bytes.
 class ByteCursor {
 public:
     explicit ByteCursor(std::span<const std::byte> bytes) : bytes_(bytes) {}

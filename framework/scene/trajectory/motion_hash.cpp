@@ -16,7 +16,7 @@ void MotionHash::take(std::span<const std::byte> bytes)
 
 void MotionHash::take(const std::vector<RecordedBody>& bodies)
 {
-    take(encode_start({}, bodies)); // an empty scene has no name and no text
+    take(encode_start({}, bodies)); // an empty scene: its name and text are not hashed
 }
 
 void MotionHash::take(const Frame& frame)

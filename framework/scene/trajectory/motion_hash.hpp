@@ -9,8 +9,8 @@
 // cos, atan2, ...) remain: they are not correctly rounded, they differ between versions of the
 // library and between processors with and without fused multiply-add, and gcc inserts the correctly
 // rounded value where it knows the argument at compile time. So with other compilers and libraries
-// the last bit may differ. A stored hash would be valid for one of them only, therefore no hash is
-// stored.
+// the last bit may differ. A stored hash would be valid for only one compiler and library,
+// therefore no hash is stored.
 #pragma once
 
 #include "scene/trajectory/trajectory.hpp"

@@ -163,8 +163,9 @@ void TrajectoryReader::read_frame(ByteCursor& bytes)
     const std::string where = fmt::format("step {}", frame_.step);
     frame_.time = bytes.take<double>();
     const double time = static_cast<double>(frame_.step) * scene_.time_step;
-    // The recorded time may differ from the product of step number and time step by rounding. These
-    // shares are far above a rounding error and far below what would make another step.
+    // The recorded time may differ from the product of step number and time step by rounding. The
+    // allowed fractions of the time step and of the time are far above a rounding error, and far
+    // below the difference to another step.
     constexpr double part_of_a_step = 1e-6, part_of_the_time = 1e-9;
     if (!(std::abs(frame_.time - time) <=
           part_of_a_step * scene_.time_step + part_of_the_time * time))

@@ -11,7 +11,7 @@ namespace rigor {
 
 /// Reads the bytes of a trajectory as they arrive, in chunks of any size, and calls a handler for
 /// each complete record. The bytes are not trusted: every count is checked before it is used, and
-/// every number must be finite. After it has thrown, the reader accepts no more bytes.
+/// every number must be finite. After an error, the reader accepts no more bytes.
 class TrajectoryReader {
 public:
     struct Handlers {
@@ -20,10 +20,11 @@ public:
         std::function<void(const Counters&)> on_end;
     };
     explicit TrajectoryReader(Handlers handlers);
-    /// Stores everything in `whole`.
+    /// Stores all records in `whole`.
     explicit TrajectoryReader(Trajectory& whole);
 
-    /// @throws InputError if the bytes are not a trajectory; it names the record and the quantity
+    /// @throws InputError if the bytes are not a trajectory; the message names the record and the
+    ///     quantity
     void feed(std::span<const std::byte> bytes);
 
     bool started() const { return started_; }
@@ -49,7 +50,7 @@ private:
     void read_mesh(ByteCursor& bytes);
     void expect_solid_state();
     void read_solid_state(ByteCursor& bytes);
-    std::string solid_place() const; // names the solid being read, for an error
+    std::string solid_place() const; // names the solid being read, for error messages
     void finish_frame();
     void read_counter_count(ByteCursor& bytes);
     void read_counters(ByteCursor& bytes);

@@ -12,7 +12,7 @@ void check_state(const RigidState& state, std::int64_t step, const std::string& 
     const bool is_finite = state.position.allFinite() && std::isfinite(state.orientation.s) &&
                            state.orientation.v.allFinite() && state.velocity.allFinite() &&
                            state.angular_momentum.allFinite();
-    if (is_finite) return; // the usual case needs no text for an error
+    if (is_finite) return; // the usual case: save the time for the text of an error
     const std::string where = fmt::format("step {}, body {}", step, in_quotes(body));
     check_finite(state.position, where, "position");
     check_finite(state.orientation.s, where, "orientation");

@@ -13,7 +13,8 @@ namespace {
 // Larger counts are refused as damaged, before memory is reserved for them.
 constexpr std::size_t most_nodes = 4'000'000, most_elements = 4'000'000, most_points = 8'000'000,
                       most_triangles = 8'000'000;
-// Sizes of the records [bytes].
+// Sizes [bytes] of an element, of a point and a triangle of the surface, of the totals, of the
+// state of a node, and of the stress and plastic strain of an element.
 constexpr std::size_t element_bytes = 16, point_bytes = 20, triangle_bytes = 17,
                       totals_bytes = 13 * sizeof(double), node_bytes = 6 * sizeof(double),
                       measure_bytes = 2 * sizeof(float);

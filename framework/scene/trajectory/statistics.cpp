@@ -12,12 +12,13 @@ namespace rigor {
 
 namespace {
 
-// The inverse of an inertia tensor, but 0 where a moment is 0: a rotation of a thin rod about its
-// own axis has no effect.
+// The inverse of an inertia tensor. The inverse of a principal moment that is 0 is set to 0: a thin
+// rod has no angular velocity about its own axis.
 Matrix3d pseudo_inverse(const Matrix3d& I)
 {
     const Eigen::SelfAdjointEigenSolver<Matrix3d> eigen(0.5 * (I + I.transpose()));
-    constexpr double zero_moment = 1e-12; // relative to the largest, as in formula `invert_moments`
+    // A moment up to this fraction of the largest one counts as 0, as in formula `invert_moments`.
+    constexpr double zero_moment = 1e-12;
     const double rounding = zero_moment * eigen.eigenvalues().cwiseAbs().maxCoeff();
     Vector3d inverse = Vector3d::Zero();
     for (int i = 0; i < 3; ++i)

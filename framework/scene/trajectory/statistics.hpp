@@ -12,11 +12,11 @@ namespace rigor {
 struct SolidStatistics {
     DeformableTotals totals;
     std::size_t pieces = 0, elements = 0;
-    double largest_stress = 0;         // von Mises, over the elements [Pa]
-    double largest_plastic_strain = 0; // equivalent, over the elements
+    double largest_stress = 0;         // von Mises stress of an element [Pa]
+    double largest_plastic_strain = 0; // equivalent strain of an element, no unit
 };
 
-/// Sums over the moving bodies and the solids.
+/// Sums over the rigid bodies that are not static, and over the deformable solids.
 struct FrameStatistics {
     double time = 0;                              // [s]
     double kinetic_energy = 0;                    // [J]
@@ -24,7 +24,7 @@ struct FrameStatistics {
     Vector3d momentum = Vector3d::Zero();         // [kg m/s]
     Vector3d angular_momentum = Vector3d::Zero(); // about the world's origin [kg m²/s]
     double deepest_penetration = 0;               // among the recorded contacts [m]
-    std::vector<SolidStatistics> solids;          // one for each solid
+    std::vector<SolidStatistics> solids;          // one for each deformable solid
     double total_energy() const { return kinetic_energy + potential_energy; }
 };
 
@@ -36,8 +36,8 @@ public:
 
     FrameStatistics of(const Frame& frame) const;
 
-    /// ω = I(t)⁻¹ L of a body [rad/s]. It is zero about axes without inertia, and for static
-    /// bodies.
+    /// ω = I(t)⁻¹ L of a body [rad/s]. It is zero about axes whose moment of inertia is 0, and
+    /// for static bodies.
     Vector3d angular_velocity(std::size_t body, const RigidState& state) const;
 
 private:

@@ -2,7 +2,8 @@
 // The recorded motion of a scene. A worker writes it; it can be sent as a stream or stored, and it
 // can be read while it is still being written.
 //
-// The format is little-endian binary. After each number of things follow the things:
+// The format is little-endian binary. u32 is an unsigned integer of 32 bits, i32 a signed one,
+// f64 a float of 64 bits. After a count, or a group of counts, follow the items that were counted:
 //     "RIGORTRJ"  u32 version: 1 without deformable solids, 2 with
 //     u32 bytes, name of the scene       u32 bytes, scene file as text
 //     u32 bodies, each: u8 is_static, f64 mass, 3 f64 center of mass, 9 f64 inertia (I_body by
@@ -11,15 +12,15 @@
 // Then follow records until the end:
 //     'F'  i64 step, f64 time, bodies × 13 f64 (X, q = s x y z, V, L),
 //          u32 contacts, each: i32 body1, i32 body2, f64 depth, 9 f64 (point, normal, impulse)
-//          version 2, each solid: u8 whether its mesh differs from that of the frame before; if so,
-//              u32 nodes, u32 elements, u32 points, u32 triangles, u32 pieces,
+//          version 2, each solid: u8 whether its mesh differs from the frame before; if it does,
+//              u32 nodes, u32 elements, u32 surface points, u32 surface triangles, u32 pieces,
 //              elements × 4 i32 (nodes), points × (i32 element, 4 f32 weights),
 //              triangles × (3 i32 points, i32 element, u8 is_crack);
 //              then 13 f64 (mass, volume, kinetic energy, elastic energy, momentum, angular
 //              momentum, center of mass), nodes × 6 f64 (x, v),
 //              elements × 2 f32 (von Mises stress [Pa], equivalent plastic strain √(2/3) ‖ε_p‖)
-//     'E'  u32 counters, each: u64, in the order of Counters. After it the run is complete.
-// A file that ends before 'E' contains the run up to that moment.
+//     'E'  u32 counters, each: u64, in the order of Counters. This record ends a complete run.
+// A file without a record 'E' contains the run up to the last record.
 #pragma once
 
 #include "deformable/elasticity/totals.hpp"
@@ -41,14 +42,14 @@ namespace rigor {
 struct SolidTopology {
     std::size_t nodes = 0;
     std::vector<std::array<int, 4>> elements; // the nodes of each element
-    EmbeddedSurface surface;                  // its weights have the precision of a float
-    std::size_t pieces = 0;
+    EmbeddedSurface surface;                  // the file stores its weights as floats
+    std::size_t pieces = 0;                   // number of separate parts, which share no vertex
 };
 
 /// A deformable solid at one moment.
 struct SolidFrame {
     std::shared_ptr<const SolidTopology> topology; // not null
-    bool is_new_topology = true;                   // whether it differs from the frame before
+    bool is_new_topology = true; // whether `topology` differs from that of the frame before
     DeformableTotals totals;
     std::vector<Vector3d> positions;    // one for each node, world space [m]
     std::vector<Vector3d> velocities;   // one for each node [m/s]
@@ -61,11 +62,11 @@ struct Frame {
     std::int64_t step = 0;
     double time = 0; // [s]
     std::vector<RigidState> bodies;
-    std::vector<ContactRecord> contacts; // contacts of the step that ended here
+    std::vector<ContactRecord> contacts; // contacts of the step that ends at `time`
     std::vector<SolidFrame> solids = {};
 };
 
-/// Mass and inertia of a body, as the worker computed them.
+/// Mass and inertia of a body, as computed by the process that runs the scene (the worker).
 struct RecordedBody {
     bool is_static = false;
     double mass = 0;                            // [kg]
@@ -78,10 +79,10 @@ struct Trajectory {
     std::vector<RecordedBody> bodies;
     std::vector<Frame> frames;
     Counters counters;
-    bool complete = false; // whether the end record was read
+    bool complete = false; // whether the record 'E' was read
 };
 
-/// The counters with their names, in the order of the end record.
+/// The counters with their names, in the order of the record 'E'.
 struct CounterField {
     std::string_view name;
     std::uint64_t Counters::*member;
