@@ -110,7 +110,7 @@ bool ContactSet::revise_tied(int k, const Vector3d& velocity, const Matrix3d& di
         if (inside_friction_cone(j, n, c.friction)) return false;
         modes_[k] = ContactMode::sliding;
         const Vector3d v = step_->solid.velocities[c.node] + step_->time_step * step_->gravity;
-        d = std::min(most / slip_speed(c, v), largest);
+        d = std::min(largest, most / slip_speed(c, v)); // `largest` also for 0/0
         return true;
     }
     const double speed = slip_speed(c, velocity);

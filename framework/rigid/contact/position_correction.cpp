@@ -27,7 +27,7 @@ constexpr double corrected_fraction = 0.2;
 constexpr double correction_rate = 1;
 // The slop: overlap that is left uncorrected, as a fraction of the radius of the smaller body. In a
 // stack it is only as large as numerical errors; a pile would not come to rest without `pile_slop`.
-constexpr double rounding_slop = 1e-6, pile_slop = resting_overlap;
+constexpr double stack_slop = 1e-6, pile_slop = resting_overlap;
 constexpr double weightless_slop = 1e-3; // in worlds without gravity, where corrections add energy
 // All sweeps over an island together visit about `most_visits` rows, but there are always at least
 // `fewest_sweeps` and at most `most_sweeps` sweeps. More sweeps take more time; fewer leave more
@@ -156,7 +156,7 @@ void correct(const ContactProblem& problem, const Island& island,
              std::vector<Displacement>& displacements)
 {
     std::vector<Rows> rows(island.blocks.size());
-    const double slop = is_pile(island) ? pile_slop : rounding_slop;
+    const double slop = is_pile(island) ? pile_slop : stack_slop;
     problem.pool->for_each_task(static_cast<int>(rows.size()), [&](int k) {
         rows[k] = rows_of(problem, island, island.blocks[k], slop);
     });

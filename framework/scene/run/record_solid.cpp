@@ -54,7 +54,8 @@ void check_finite(const SolidFrame& frame, const std::string& name, double time)
     if (!all(frame.stresses, number)) throw NonFiniteState(name, "stress", time);
     if (!all(frame.plastic_strains, number)) throw NonFiniteState(name, "plastic strain", time);
     if (!std::isfinite(totals.kinetic_energy + totals.elastic_energy + totals.mass + totals.volume +
-                       totals.momentum.sum() + totals.angular_momentum.sum()))
+                       totals.center_of_mass.sum() + totals.momentum.sum() +
+                       totals.angular_momentum.sum()))
         throw NonFiniteState(name, "energy", time);
 }
 
