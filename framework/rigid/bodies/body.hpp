@@ -54,8 +54,8 @@ struct RigidBody {
     Drag drag;
     int group = 0; // bodies of the same group pass through each other; 0: no group
     bool is_static = false;
-    std::shared_ptr<const Drive> drive; // the given motion of a static body; null if it never moves
-    double mass = 0;                    // [kg]; 0 if static
+    std::shared_ptr<const Drive> drive;  // prescribed motion of a static body; null: none
+    double mass = 0;                     // [kg]; 0 if static
     Matrix3d inertia = Matrix3d::Zero(); // I_body, about the center of mass [kg m²]
     BodyInertia inverse;                 // 1/M and I_body⁻¹, computed once; zero if static
     // The principal axes Q as columns and the inverse moments along them, I_body⁻¹ = Q diag(J) Qᵀ.

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Counters of a run. The table lists all work that is left out because a scene does not need it;
 // messages and benchmarks call this "skips". A switch is the key of a scene file that turns a skip
-// off. `rigor bench skips` measures how much time each skip saves.
+// off. `rigor bench skips` measures how much time each skip saves. "Decided by" names the source
+// file below framework/rigid (for deformable/: below framework), then the function or the reason.
 //
 // counter               switch in a scene     decided by
 // isotropic_shortcuts                         motion/free_flight, `fly`: ω is constant
@@ -30,7 +31,7 @@ namespace rigor {
 /// because the scene did not need it.
 struct Counters {
     std::uint64_t steps = 0;
-    std::uint64_t substeps = 0; // in free flight; those of step/adaptive_substeps are not counted
+    std::uint64_t substeps = 0; // of free flight; those of step/adaptive_substeps are not counted
     std::uint64_t pairs_possible = 0, pairs_tested = 0, pair_searches_saved = 0, contacts = 0;
     std::uint64_t collision_impulses = 0, contact_impulses = 0;
     std::uint64_t isotropic_shortcuts = 0, free_flights = 0, static_skipped = 0;

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
-// The given motion of a body that nothing can push: a turntable, a piston, the belt of a conveyor.
+// The prescribed motion of a body that nothing can push: a turntable, a piston, the belt of a
+// conveyor.
 #pragma once
 
 #include "formulas/types.hpp"
 
 namespace rigor {
 
-/// A motion given as a function of time. With the moving time s = t - start, limited to 0 … end -
-/// start:
+/// A motion prescribed as a function of time. With the moving time s = t - start, limited to 0 …
+/// end - start:
 ///
 ///     X(t) = X₀ + s V + (sin(2π f s + φ) - sin φ) A,   q(t) = exp(s ω) q₀
 ///

@@ -13,7 +13,7 @@
 
 namespace rigor {
 
-/// The unit vector opposite to gravity, or y without gravity.
+/// The unit vector opposite to gravity, or the y axis if there is no gravity.
 inline Vector3d up_direction(const Vector3d& gravity)
 {
     const double g = gravity.norm();

@@ -16,9 +16,9 @@ namespace rigor {
 
 namespace {
 
-// Mass properties of half a ball; the inertia is about its own center of mass. Its flat side is
-// perpendicular to y, at y = direction · flat_side. Its round side points to +y if `direction` is
-// 1, and to -y if it is -1.
+// Mass properties of half a ball; the inertia is about the center of mass of this half. Its flat
+// side is perpendicular to y, at y = direction · flat_side. Its round side points to +y if
+// `direction` is 1, and to -y if it is -1.
 MassProperties half_ball(double density, double radius, double direction, double flat_side)
 {
     const double m = density * 2.0 / 3 * std::numbers::pi * radius * radius * radius;

@@ -33,8 +33,8 @@ Vector3d set_mass_from_parts(RigidBody& body);
 /// @throws NonFiniteState if a formula returned a value that is not finite
 void set_mass(RigidBody& body, double mass, const Matrix3d& inertia);
 
-/// Lets a body turn about one axis a alone, by I_body⁻¹ = a aᵀ/(aᵀ I a), or never, if the axis is
-/// zero. To be called after the mass is set.
+/// Lets a body turn about one axis a alone, by I_body⁻¹ = a aᵀ/(aᵀ I a). If the axis is zero, the
+/// body never turns. Call this function after the mass is set.
 ///
 /// @param axis  in object space, of any length
 void let_turn_about(RigidBody& body, const Vector3d& axis);

@@ -8,8 +8,8 @@
 
 namespace rigor {
 
-/// A body's state contains a value that is infinite or not a number. Names the body, the quantity
-/// and the time.
+/// A body's state contains a value that is infinite or not a number. The message names the body,
+/// the quantity and the time.
 struct NonFiniteState : std::runtime_error {
     NonFiniteState(std::string body_name, std::string quantity_name, double at_time);
 

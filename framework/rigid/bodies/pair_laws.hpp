@@ -23,7 +23,7 @@ struct PairLaw {
 /// functions below expect this order.
 void sort_by_pair(std::vector<PairLaw>& laws);
 
-/// The law of two bodies, or null if they have no law of their own.
+/// The law of two bodies, or null if no law is listed for this pair.
 const PairLaw* law_of(std::span<const PairLaw> laws, int body1, int body2);
 
 /// ε and μ of a contact between two bodies: those of their law, or else the smaller restitution and

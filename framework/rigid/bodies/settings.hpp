@@ -17,15 +17,15 @@ enum class Integrator {
     gram_schmidt, ///< symplectic Euler with `advance_matrix` and `gram_schmidt`; shows its bias
     euler_angles, ///< symplectic Euler with `euler_rates`; shows how it fails at gimbal lock
     /// The default: a body that only gravity acts on flies exactly, by Jacobi's solution for the
-    /// free rotor. A body that springs, forces or contacts act on takes `runge_kutta`. It has to
-    /// stay the last value, because checks take the number of integrators from it.
+    /// free rotor. A body that springs, forces or contacts act on takes `runge_kutta`. `exact` has
+    /// to stay the last value, because checks take the number of integrators from it.
     exact,
 };
 
 /// How the contact stage of a step resolves contacts.
 enum class ContactMethod {
-    /// All contacts of an island at once, the default: sweeps with the law of `collision_impulse`,
-    /// and Newton's method where they do not converge.
+    /// The default: all contacts of an island (a group of touching bodies) at once, by sweeps with
+    /// the law of `collision_impulse`, and by Newton's method where the sweeps do not converge.
     built_in,
     one_at_a_time,     ///< `resolve_contacts`
     shock_propagation, ///< `resolve_contacts`, then `shock_propagation`
@@ -41,8 +41,8 @@ struct Optimisations {
     bool warm_start = true;   ///< starts from the impulses of the previous step
     bool early_exit = true;   ///< ends the sweeps as soon as the impulses no longer change
     bool stress_bound = true; ///< skips eigenvalues of a stress that is too low for a crack
-    /// Runs faster forms of the reference's formulas, which give the same results. Formulas of
-    /// other implementations are always called as they are written.
+    /// Runs faster forms of the formulas of the reference implementation, which give the same
+    /// results. Formulas of other implementations are always called as they are written.
     bool optimised_formulas = true;
 };
 
@@ -51,7 +51,7 @@ struct Settings {
     Integrator integrator = Integrator::exact;
     ContactMethod contact_method = ContactMethod::built_in;
     Optimisations optimisations;
-    bool formulas_are_reference = false; // whether the linked formulas are the reference's
+    bool formulas_are_reference = false; // whether the reference implementation is linked
 
     /// The integrator of a body that springs, forces or contacts act on.
     Integrator integrator_when_held() const

@@ -10,8 +10,8 @@
 
 namespace rigor {
 
-/// The force that held a contact in the previous step, from which the sweeps of the next step
-/// start. `warm_contacts` (contact/warm_start) makes it when a step ends, `start_warm` reads it
+/// A contact of the previous step with its mean force, from which the sweeps of the next step
+/// start. `warm_contacts` (contact/warm_start) makes it when a step ends, and `start_warm` reads it
 /// when the contact problem of the next step is made.
 struct WarmContact {
     int body1 = 0, body2 = 0;
@@ -32,7 +32,7 @@ struct ContactRecord {
 /// step/sleep the sleeping contacts, and detection/broad_phase the pairs.
 struct StepMemory {
     std::vector<WarmContact> warm_contacts;       // sorted by `body1`, then `body2`
-    std::vector<ContactRecord> sleeping_contacts; // contacts that hold the sleeping bodies
+    std::vector<ContactRecord> sleeping_contacts; // contacts that support sleeping bodies
     PairCache pairs; // saves work only: the results are bitwise the same without it
 };
 

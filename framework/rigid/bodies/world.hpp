@@ -41,9 +41,9 @@ struct AppliedForce {
 };
 
 /// Everything that a time step reads and changes: state, settings, and the memory of the last step.
-/// step/adaptive_substeps.cpp and step/impact.cpp make parts of a world. They copy the settings as
-/// a whole, but if `World` gets a new member that the bodies of a part need, both files have to
-/// copy it.
+/// step/adaptive_substeps.cpp and step/impact.cpp make smaller worlds of some bodies of a world.
+/// They copy the settings as a whole, but if `World` gets a new member that a smaller world needs,
+/// both files have to copy this member.
 struct World {
     double time = 0; // [s]
     std::vector<RigidBody> bodies;

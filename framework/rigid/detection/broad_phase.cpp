@@ -15,7 +15,7 @@ namespace rigor {
 
 namespace {
 
-// Whether any part of a body without finite bounds overlaps `bounds`.
+// Whether any part of a body without finite bounds (one that has a plane) overlaps `bounds`.
 bool reaches(const RigidBody& unbounded, const Pose& pose, const Bounds& bounds)
 {
     const Vector3d center = (bounds.low + bounds.high) / 2;
@@ -63,10 +63,10 @@ std::vector<BodyPair> in_order(std::vector<BodyPair> pairs, std::size_t bodies)
 // threads; `in_order` sorts them later.
 std::vector<BodyPair> overlapping(const OverlapTree& tree, std::size_t members, ThreadPool& pool)
 {
-    constexpr std::size_t grain_size = 128; // least number of bodies in a range
+    constexpr std::size_t grain_size = 128; // least number of bodies in one parallel task
     const int ranges = pool.range_count(members, grain_size);
     if (ranges == 0) return {};
-    constexpr std::size_t parts_per_range = 4; // several, since they differ in size
+    constexpr std::size_t parts_per_range = 4; // several small ones: their sizes differ
     const std::vector<OverlapTree::NodePair> parts =
         tree.parts(ranges < 2 ? 1 : parts_per_range * static_cast<std::size_t>(ranges));
     std::vector<std::vector<BodyPair>> found(ranges);
@@ -84,7 +84,7 @@ std::vector<BodyPair> overlapping(const OverlapTree& tree, std::size_t members, 
 std::vector<BodyPair> search_tree(const std::vector<Bounds>& bounds, const std::vector<int>& moving,
                                   const std::vector<int>& still, ThreadPool& pool)
 {
-    constexpr std::size_t grain_size = 256; // least number of bodies in a range
+    constexpr std::size_t grain_size = 256; // least number of bodies in one parallel task
     const auto parts = static_cast<std::size_t>(pool.range_count(moving.size(), grain_size));
     const OverlapTree tree(bounds, moving, parts, [&pool](int tasks, const auto& build) {
         pool.for_each_task(tasks, build);
@@ -127,8 +127,8 @@ std::uint64_t pairs_possible(const World& world)
     return among(world.bodies.size()) - among(static_cast<std::uint64_t>(fixed));
 }
 
-// Whether the pairs of the cache are valid: each body has the same kind as when they were found,
-// and its bounds lie within its fat bounds.
+// Whether the pairs of the cache are valid: each body has the same kind as when the pairs were
+// found, and its bounds lie within its fat bounds.
 bool is_valid(const PairCache& cache, const World& world, const std::vector<Bounds>& bounds)
 {
     if (cache.fat_bounds.size() != bounds.size()) return false;

@@ -17,8 +17,9 @@ namespace rigor {
 std::vector<BodyPair> near_pairs(const World& world, const std::vector<Pose>& poses,
                                  const std::vector<Bounds>& bounds, ThreadPool& pool);
 
-/// The pairs of `near_pairs`, found among those in the world's pair cache as long as each body
-/// stays within its fat bounds. Changes the cache and the counters.
+/// The same pairs as `near_pairs`. As long as each body stays within its fat bounds (enlarged
+/// bounds, pair_cache.hpp), only the pairs of the cache are tested. Changes the world's pair cache
+/// and its counters.
 ///
 /// @param margins  for each moving body, by how much its fat bounds exceed its bounds [m]
 std::vector<BodyPair> cached_near_pairs(World& world, const std::vector<Pose>& poses,

@@ -7,14 +7,16 @@ namespace rigor {
 
 /// Penetration slop: the overlap that the position correction leaves uncorrected in piles, relative
 /// to the radius of the smaller body. Where detection looks ahead to the end of the step, bodies
-/// that overlap by less than this count as separated. With a much smaller slop a pile would never
-/// come to rest, see `position_corrections`.
+/// that overlap by less than this, relative to the smaller shape, count as separated. With a much
+/// smaller slop a pile would never come to rest, see `position_corrections`
+/// (position_correction.hpp).
 inline constexpr double resting_overlap = 1e-4;
 
 /// A contact: a pair of close points of two shapes, or of two bodies of a world. Its point lies in
 /// the middle of the gap, except in two cases, in which it lies on the surface of shape 1: shape 2
 /// is a plane (plane_contact.hpp), or shape 1 is a sphere, a capsule or a torus that is tested by
-/// its core (core_contact.hpp, and a sphere on a box in narrow_phase.cpp).
+/// its core, the point or curve in its middle (core_contact.hpp, and a sphere on a box in
+/// narrow_phase.cpp).
 struct Contact {
     Vector3d point = Vector3d::Zero();   // [m]
     Vector3d normal = Vector3d::UnitY(); // unit, from shape 2 to shape 1

@@ -2,8 +2,8 @@
 // Contact candidates of a step: all pairs of points that may touch before it ends. The bounds of
 // each body are swept over its free flight, and the broad phase finds the pairs whose bounds
 // overlap. The margin of a body is how far it may move; impulses that pass from body to body make
-// it larger. The narrow phase then looks for contacts that are closer than the relative path and
-// the margins of both bodies. All motion is measured relative to other bodies and never to the
+// it larger. The narrow phase then looks for contacts whose gap is below the sum of the relative
+// path and both margins. All motion is measured relative to other bodies and never to the
 // origin, so a scene that moves at a constant velocity has the same contacts as at rest. The search
 // also lists sleeping bodies that another body may touch, since they have to wake before the step
 // goes on.
@@ -38,8 +38,9 @@ Bounds body_bounds(const RigidBody& body, const Pose& pose)
     return bounds;
 }
 
-// How a body moves in the step [m]: the displacement of its center along its path, the displacement
-// that its last velocity would give, and how far rotation moves its other points in addition.
+// How a body moves in free flight during the step [m]: the displacement of its center, the
+// displacement that its velocity at the end of the flight would give over the whole step, and how
+// far rotation moves its other points in addition.
 struct Travel {
     Vector3d moved = Vector3d::Zero(), at_last_velocity = Vector3d::Zero();
     double turned = 0;
@@ -68,8 +69,8 @@ struct ImpulseBody {
     bool is_still = false;
 };
 
-// A body's data for the propagation of impulses. If there are pair laws, any of them may give its
-// contacts a restitution up to 1.
+// A body's data for the propagation of impulses. If the world has pair laws, one of them may give
+// contacts of this body a restitution up to 1, so 1 is used.
 ImpulseBody impulse_body(const World& world, const RigidBody& body)
 {
     const double restitution = world.pair_laws.empty() ? body.material.restitution : 1;
@@ -86,16 +87,17 @@ double speed_transfer(const ImpulseBody& i, const ImpulseBody& j)
 }
 
 // Whether a body turns by so large a part of a facet in the step that it rolls like a round body.
-// In the orientation at the start, the vertex on which it stands at the end lies ahead and would
-// brake it. A body that turns less meets the ground with one vertex after the other, which only the
-// orientation at the start shows.
+// If its contacts were found in the orientation at the start of the step, the vertex on which it
+// stands at the end would lie ahead of it and brake it. A body that turns less meets the ground
+// with one vertex after the other, which only the orientation at the start shows.
 bool turns_over_facets(const RigidBody& body, const RigidState& flown)
 {
-    // Of the angle of a facet. With a larger value, wheels of many steps a facet lose too much
-    // speed; with a smaller one, they lose less than their corners take even in short steps. Chosen
-    // by trial; tests/classics has wheels that roll.
+    // As a fraction of the angle between two facets. With a larger value, wheels that need many
+    // steps for one facet lose too much speed. With a smaller one, they lose less speed than the
+    // impacts of their corners cost even in short steps. Chosen by trial; tests/classics has wheels
+    // that roll.
     constexpr double least_turn = 1. / 16;
-    double angle = 0; // the largest between two facets
+    double angle = 0; // largest angle between two facets [rad]
     for (const Part& part : body.parts)
         if (const Mesh* mesh = std::get_if<Mesh>(&part.shape))
             angle = std::max(angle, mesh->solid->facet_angle());
@@ -106,11 +108,12 @@ bool turns_over_facets(const RigidBody& body, const RigidState& flown)
 // Data for the search for contacts.
 struct ContactSearch {
     const World& world;
-    std::vector<Travel> motions;  // one for each body
-    std::vector<Bounds> bounds;   // one for each body, swept over the step, see `frame_of_bounds`
-    std::vector<double> travels;  // largest path of each body relative to `frames_of` [m]
+    std::vector<Travel> motions; // one for each body
+    std::vector<Bounds> bounds;  // one for each body, swept over the step, see `frame_of_bounds`
+    // Largest path of each body relative to one of the motions that `frames_of` returns [m].
+    std::vector<double> travels;
     ContactCandidates candidates; // filled in this order: poses and radii, margins, contacts
-    std::vector<Pose> turned;     // the poses for the contacts, if `candidates.turned` is not empty
+    std::vector<Pose> turned;     // poses in which contacts are sought; empty: `candidates.poses`
     double time_step = 0;         // [s]
 };
 
@@ -127,7 +130,7 @@ bool come_near(const ContactSearch& search, const BodyPair& pair, double reach)
 // farther than its margin, the contacts beyond the margin are found in the next step.
 double margin(const ContactSearch& search, int i, double farthest)
 {
-    constexpr double most = 0.5; // in radii of the body
+    constexpr double most = 0.5; // largest margin, in radii of the body
     return std::min(farthest, most * search.candidates.radii[i]);
 }
 
@@ -152,7 +155,7 @@ struct ImpulsePropagation {
             auto [slower, faster] = pair;
             if (!has_changed[slower] && !has_changed[faster]) continue;
             if (farthest[slower] > farthest[faster]) std::swap(slower, faster);
-            if (farthest[faster] <= farthest[slower]) continue; // equal: nothing is passed on
+            if (farthest[faster] <= farthest[slower]) continue; // equal: no motion is passed on
             if (bodies[slower].is_still || bodies[faster].is_still) continue;
             const double passed = speed_transfer(bodies[slower], bodies[faster]) * farthest[faster];
             if (passed <= farthest[slower]) continue;
@@ -185,7 +188,7 @@ std::vector<double> margins_of(const ContactSearch& search, const std::vector<Bo
     // The largest number of bodies in a row through which an impulse passes in a step. More rounds
     // would widen the margins in longer rows, and take more time. Chosen by trial.
     constexpr int most_rounds = 8;
-    constexpr std::size_t grain_size = 1024; // least number of pairs in a range
+    constexpr std::size_t grain_size = 1024; // least number of pairs in one parallel task
     ImpulsePropagation propagation{bodies, search.travels, std::vector<char>(bodies.size(), true)};
     bool any = true;
     for (int round = 0; round < most_rounds && any; ++round) {
@@ -207,9 +210,9 @@ std::vector<double> margins_of(const ContactSearch& search, const std::vector<Bo
     return margins;
 }
 
-// The swept bounds, enlarged by the motion that impulses may add. Each body is taken to be hit by a
-// body with the largest travel and the largest mass of all. So its bounds contain what any
-// propagation could give.
+// The swept bounds, enlarged by the motion that impulses may add. It is assumed that each body is
+// hit by a body with the largest travel and the largest mass in the world. So its bounds contain
+// every margin that the propagation of impulses could give it.
 std::vector<Bounds> bounds_with_impulses(const ContactSearch& search, ThreadPool& pool)
 {
     const double fastest = *std::max_element(search.travels.begin(), search.travels.end());
@@ -217,7 +220,7 @@ std::vector<Bounds> bounds_with_impulses(const ContactSearch& search, ThreadPool
     for (const RigidBody& body : search.world.bodies)
         heaviest.mass = std::max(heaviest.mass, impulse_body(search.world, body).mass);
     std::vector<Bounds> wide = search.bounds;
-    constexpr std::size_t grain_size = 128; // least number of bodies in a range
+    constexpr std::size_t grain_size = 128; // least number of bodies in one parallel task
     pool.for_each_range(wide.size(), grain_size, [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {
             const ImpulseBody body = impulse_body(search.world, search.world.bodies[i]);
@@ -228,13 +231,14 @@ std::vector<Bounds> bounds_with_impulses(const ContactSearch& search, ThreadPool
     return wide;
 }
 
-// The margins of the fat bounds in the pair cache, so large that a body that slows down or is held
-// stays within its fat bounds for long, and so small that few more pairs are kept. They change no
-// result; both numbers were chosen by trial, and `bench skips` shows what the cache saves.
+// The margins of the fat bounds in the pair cache. They are so large that a body that slows down or
+// rests on others stays within its fat bounds for many steps, and so small that few additional
+// pairs are kept. They change no result. Both numbers were chosen by trial; `bench skips` shows how
+// much time the cache saves.
 std::vector<double> fat_margins(const ContactSearch& search)
 {
-    constexpr double radius_share = 0.1; // in radii of the body
-    constexpr double steps_ahead = 3;    // in travels of the body in this step
+    constexpr double radius_share = 0.1; // share of the body's radius
+    constexpr double steps_ahead = 3;    // multiple of the body's travel in this step
     std::vector<double> margins(search.travels.size());
     for (std::size_t i = 0; i < margins.size(); ++i)
         margins[i] = radius_share * search.candidates.radii[i] + steps_ahead * search.travels[i];
@@ -251,7 +255,7 @@ struct NarrowPhaseResult {
 
 bool never_collide(const World& world, int i, int j)
 {
-    if (world.bodies[i].is_static && world.bodies[j].is_static) return true; // nothing pushes them
+    if (world.bodies[i].is_static && world.bodies[j].is_static) return true; // static: never pushed
     const int group = world.bodies[i].group;
     if (group != 0 && group == world.bodies[j].group) return true;
     const PairLaw* law = law_of(world.pair_laws, i, j);
@@ -276,7 +280,7 @@ NarrowPhaseResult run_narrow_phase(const ContactSearch& search, std::span<const 
         found.any_may_meet |= may_meet;
         for (int sleeping : {i, j}) {
             if (!search.world.bodies[sleeping].rest.is_asleep()) continue;
-            if (may_meet && path > 0) found.disturbed.push_back(sleeping); // one of the two moves
+            if (may_meet && path > 0) found.disturbed.push_back(sleeping); // one of them moves
             found.contacts.resize(first);
         }
     }
@@ -284,7 +288,7 @@ NarrowPhaseResult run_narrow_phase(const ContactSearch& search, std::span<const 
 }
 
 // The motions relative to which the travel of bodies is measured: those of still and of driven
-// bodies, equal motions only once. In a world without such bodies it is the motion of the center of
+// bodies, without duplicates. In a world without such bodies it is the motion of the center of
 // mass.
 std::vector<Travel> frames_of(const World& world, std::span<const RigidState> flown,
                               double time_step)
@@ -322,7 +326,8 @@ Vector3d frame_of_bounds(const World& world, const std::vector<Travel>& frames)
     return any_still || frames.empty() ? Vector3d(0, 0, 0) : frames.front().moved;
 }
 
-// Turns the bodies that turn over their facets to their orientations at the end of free flight.
+// Turns the bodies that roll over their facets (`turns_over_facets`) to their orientations at the
+// end of free flight.
 void turn_ahead(ContactSearch& search, std::span<const RigidState> flown)
 {
     for (std::size_t i = 0; i < flown.size(); ++i) {
@@ -340,7 +345,7 @@ void turn_ahead(ContactSearch& search, std::span<const RigidState> flown)
 ContactSearch start_search(const World& world, std::span<const RigidState> flown, double time_step,
                            ThreadPool& pool)
 {
-    constexpr std::size_t grain_size = 32; // least number of bodies in a range
+    constexpr std::size_t grain_size = 32; // least number of bodies in one parallel task
     const std::size_t n = flown.size();
     ContactSearch search{
         world,    std::vector<Travel>(n), std::vector<Bounds>(n), std::vector<double>(n), {}, {},
@@ -382,7 +387,7 @@ ContactCandidates contact_candidates(World& world, std::span<const RigidState> f
     candidates.margins = margins_of(search, pairs, pool);
     turn_ahead(search, flown);
 
-    constexpr std::size_t grain_size = 128; // least number of pairs in a range
+    constexpr std::size_t grain_size = 128; // least number of pairs in one parallel task
     std::vector<NarrowPhaseResult> all =
         pool.collect_ranges(pairs.size(), grain_size, [&](std::size_t first, std::size_t last) {
             return run_narrow_phase(search, std::span(pairs).subspan(first, last - first));
@@ -403,7 +408,7 @@ ContactCandidates contact_candidates(World& world, std::span<const RigidState> f
         any_may_meet |= found.any_may_meet;
         world.counters += found.counters;
     }
-    if (!any_may_meet) candidates.contacts.clear(); // no formula of topic `collision` is needed
+    if (!any_may_meet) candidates.contacts.clear(); // then no collision formula is called
     return std::move(candidates);
 }
 

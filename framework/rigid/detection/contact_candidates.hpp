@@ -12,8 +12,9 @@ namespace rigor {
 struct ContactCandidates {
     std::vector<Contact> contacts; // empty if no bodies are near enough to meet in this step
     std::vector<Pose> poses;       // one for each body, at the start of the step
-    // Whether the contacts of each body belong to its orientation at the end of free flight, with
-    // its position at the start; empty if no body turns over its facets, see `turns_over_facets`.
+    // For each body, whether its contacts were found in its orientation at the end of free flight,
+    // with its position at the start of the step. Empty if no body rolls over its facets
+    // (`turns_over_facets` in contact_candidates.cpp).
     std::vector<char> turned;
     // One margin for each body; empty if no bodies are near each other. A contact cannot matter if
     // its gap after free flight is at least the sum of the margins of its two bodies [m].

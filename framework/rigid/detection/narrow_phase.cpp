@@ -37,7 +37,8 @@ void find_sphere_contacts(const PlacedSphere& a, const PlacedSphere& b, double r
     const double distance = d.norm();
     const double gap = distance - a.radius - b.radius;
     if (gap >= reach) return;
-    const Vector3d n = distance > 0 ? Vector3d(d / distance) : Vector3d::UnitY(); // same center: up
+    // If both centers are equal, the y axis is taken.
+    const Vector3d n = distance > 0 ? Vector3d(d / distance) : Vector3d::UnitY();
     contacts.push_back({b.center + (b.radius + gap / 2) * n, n, gap});
 }
 
@@ -46,7 +47,7 @@ void find_sphere_contacts(const PlacedSphere& a, const PlacedSphere& b, double r
 struct SphereBoxGap {
     Vector3d n = Vector3d::Zero();
     double gap = 0;
-    bool is_inside = false; // the center is inside; n is that of the nearest face
+    bool is_inside = false; // the sphere's center is in the box; n: the normal of the nearest face
 };
 
 // @param c  the sphere's center in the frame of the box
@@ -77,8 +78,9 @@ struct SeparatingNormal {
 
 // Finds the normal along which the sphere at c and the box overlap least after the move d of the
 // sphere, among the normals along which they are apart now. Candidates are the normals of the faces
-// and, if the shapes do not overlap after the move, the normal there. So a sphere that rolls over
-// the joint between two boxes, or falls onto it, does not run into the edge of the second box.
+// and, if the shapes do not overlap after the move, their contact normal after the move. So a
+// sphere that rolls over the joint between two boxes, or falls onto it, does not run into the
+// edge of the second box.
 void improve_by_looking_ahead(const Vector3d& half, const Vector3d& c, const Vector3d& d,
                               double radius, SeparatingNormal& best)
 {
@@ -107,8 +109,8 @@ void find_sphere_contacts(const PlacedSphere& sphere, const Box& box, const Pose
     contacts.push_back({sphere.center - sphere.radius * n, n, best.now});
 }
 
-// Whether the shapes are in the order of the variant `Shape`, where shapes with a core come first
-// and planes last. If not, `find_in_any_order` exchanges the two shapes.
+// Whether the shapes are in the order of the variant `Shape`, where sphere, capsule and torus
+// come first and planes last. If not, `find_in_any_order` exchanges the two shapes.
 bool is_in_order(const Shape& a, const Shape& b)
 {
     return a.index() <= b.index();
@@ -186,7 +188,7 @@ struct MovingPair {
           relative_move(time_step * (velocity_of(body1) - velocity_of(body2)))
     {
     }
-    // The displacement of a contact point, which belongs to the body that moves.
+    // The displacement of a contact point: that of the moving body, or the mean if both move.
     Vector3d point_move() const
     {
         return is_still2 ? move1 : is_still1 ? move2 : Vector3d((move1 + move2) / 2);
@@ -194,18 +196,18 @@ struct MovingPair {
 };
 
 // Appends the contacts with the part of a concave shape that another shape reaches in this step, as
-// in a bowl, where the wall ahead is steeper than the wall below. Each is found after the move of
-// both shapes, and its gap is measured along the same normal before the move. It is kept if the
-// shapes would overlap there, do not overlap now, and touch nowhere else along this normal. Without
-// it, a shape would move into the wall, and the position correction would lift it, which adds
-// energy.
+// in a bowl, where the wall ahead is steeper than the wall below. Such a contact is found with both
+// shapes at their places after the move, and its gap is measured along the same normal before the
+// move. It is kept if the shapes would overlap there, do not overlap now, and have no other contact
+// with this normal. Without it, a shape would move into the wall, and the position correction would
+// lift the shape, which adds energy.
 //
 // @param first  the contacts of these two shapes start at this index
 void find_contacts_ahead(const Shape& shape1, const Pose& pose1, const Shape& shape2,
                          const Pose& pose2, const MovingPair& pair, double reach,
                          Counters& counters, std::size_t first, Contacts& contacts)
 {
-    constexpr double same_normal = 1e-4; // length of the difference of two unit normals
+    constexpr double same_normal = 1e-4; // largest length of the difference of equal normals
     const Bounds bounds1 = bounds_of(shape1, {}), bounds2 = bounds_of(shape2, {});
     const double size =
         std::min((bounds1.high - bounds1.low).norm(), (bounds2.high - bounds2.low).norm());

@@ -19,7 +19,8 @@ namespace rigor {
 /// that is not convex). Two planes never touch.
 ///
 /// Two capsules are sampled like any capsule (core_contact.hpp), although their distance has a
-/// closed form. In `find_ordered`, such a form would have to come before the samples.
+/// closed form. To use it, `find_ordered` would have to test for two capsules before it calls
+/// `find_core_contacts`.
 void find_shape_contacts(const Shape& shape1, const Pose& pose1, const Shape& shape2,
                          const Pose& pose2, double reach, std::vector<Contact>& contacts);
 
@@ -27,10 +28,11 @@ void find_shape_contacts(const Shape& shape1, const Pose& pose1, const Shape& sh
 /// bodies and parts are numbered.
 ///
 /// @param poses      the poses of all bodies
-/// @param counters   the numbers of level sets built and sampled are added to it
-/// @param time_step  bodies look ahead by this time along their velocities: spheres and boxes for a
-///                   normal along which they are apart now and will not meet (box_box.hpp), concave
-///                   meshes for the walls that they reach; with 0 only the poses are used [s]
+/// @param counters   the counts of built level sets and of their samples are added to it
+/// @param time_step  the search looks ahead by this time along the bodies' velocities [s]. For
+///                   spheres and boxes it prefers a normal along which they are apart now and will
+///                   not meet (box_box.hpp). For concave meshes it adds the walls that will be
+///                   reached. With 0 only the poses are used.
 /// @throws NonFiniteState if the distance or normal of a level set is not finite
 void find_contacts(const World& world, const std::vector<Pose>& poses, int body1, int body2,
                    double reach, std::vector<Contact>& contacts, Counters& counters,

@@ -75,7 +75,8 @@ ForceRate fastest_force_rate(const World& world)
         const BodyInertia& inverse = world.bodies[body].inverse;
         return inverse.inverse_mass + r.squaredNorm() * inverse.inverse_inertia.norm();
     };
-    std::vector<double> stiffness(world.bodies.size(), 0), damping = stiffness; // Σ k K, Σ c K
+    // Σ k K and Σ c K over the springs of each body, where K is the sum of both ends of a spring.
+    std::vector<double> stiffness(world.bodies.size(), 0), damping = stiffness;
     for (const Spring& spring : world.springs) {
         const double K =
             compliance(spring.body1, spring.point1) + compliance(spring.body2, spring.point2);
@@ -144,7 +145,7 @@ void AppliedWrenches::add_spring(const Spring& spring)
     const SpringEnd end2 = spring_end(spring.body2, spring.point2, damps, motions_);
     const Vector3d d = end2.x - end1.x;
     const double length = d.norm();
-    if (length == 0) return; // no direction to pull in
+    if (length == 0) return; // the pull has no direction
     if (spring.only_pulls && length <= spring.rest_length) return;
 
     // f₁ = (k (|d| - l₀) + c (v₂ - v₁)·u) u,  u = d/|d|,  f₂ = -f₁

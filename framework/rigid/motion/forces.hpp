@@ -20,7 +20,7 @@ struct Motion {
 /// False for static bodies.
 std::vector<bool> pulled_bodies(const World& world, double time_step);
 
-/// The list `pulled` of `pulled_bodies`, with true also for each awake body that a medium brakes.
+/// The list of `pulled_bodies`, where each awake body with drag that is not static is also true.
 std::vector<bool> with_dragged_bodies(std::vector<bool> pulled, const World& world);
 
 /// A rate, and the index of the body that has it; -1 if no body has a rate above 0.

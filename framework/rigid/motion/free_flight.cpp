@@ -39,7 +39,7 @@ RigidState euler_step(Integrator integrator, Turn turned, const RigidBody& body,
     next.velocity += h * body.inverse.inverse_mass * wrench.force;
     next.position += h * next.velocity;
     next.angular_momentum += h * wrench.torque;
-    const Vector3d w = angular_velocity(integrator, body, next); // new L, old q
+    const Vector3d w = angular_velocity(integrator, body, next); // from the new L and the old q
     next.orientation = turned(state.orientation, w, h);
     return next;
 }
@@ -112,8 +112,8 @@ int substeps_for_forces(const World& world, double h)
     return needed > 1 ? static_cast<int>(needed) : 1; // a NaN is reported at the end of the step
 }
 
-// Makes the quaternion unit again, since the rounding of many rotations adds up. The integrators
-// `matrix` and `linear` do that themselves.
+// Gives the quaternion length 1 again, since the rounding of many rotations adds up. The
+// integrators `matrix` and `linear` do that themselves.
 RigidState with_unit_orientation(Integrator integrator, RigidState state)
 {
     if (integrator != Integrator::matrix && integrator != Integrator::linear)

@@ -17,10 +17,11 @@
 //
 // On a pendulum this method is as accurate as Runge–Kutta 4 with steps a sixth as long, and its
 // energy does not drift with the number of swings. On a spring it is stable up to √(k/M) h = 5,
-// Runge–Kutta 4 only up to 2.8. It needs forces that do not depend on velocities.
+// Runge–Kutta 4 only up to 2.8. SRKN6b needs forces that do not depend on velocities.
 //
-// If a spring or damper is too stiff for the step, the step of all pulled bodies is divided into
-// substeps h, so short that √(k/M) h of each spring and c h/M of each damper are at most 0.5. The
+// If a spring, damper, force or drag is too fast for the step, the step of all pulled bodies is
+// divided into substeps h, so short that h times each rate is at most 0.5. The rates are √(k/M) of
+// a spring, c/M of a damper, 2π f of a force and those of the drag (`fastest_force_rate`). The
 // other integrators do not divide the step for springs, so that students can watch where they
 // become unstable.
 //
@@ -61,7 +62,7 @@ RigidState fly(const Settings& settings, const RigidBody& body, RigidState state
 template <class Work>
 void fly_in_parallel(ThreadPool& pool, std::size_t count, Counters& counters, const Work& work)
 {
-    constexpr std::size_t grain_size = 64; // least number of bodies in a range
+    constexpr std::size_t grain_size = 64; // least number of bodies in one parallel task
     const int ranges = pool.range_count(count, grain_size);
     if (ranges < 2) return work(std::size_t{0}, count, counters);
     std::vector<Counters> counted(ranges);
@@ -74,10 +75,10 @@ void fly_in_parallel(ThreadPool& pool, std::size_t count, Counters& counters, co
 }
 
 /// The states of all bodies after a time step without contacts. Bodies on which springs or applied
-/// forces pull fly together, all others one by one. Static bodies keep their state, unless they are
-/// driven. Only the counters of the world are changed.
+/// forces pull or drag acts fly together, all others one by one. Static bodies keep their state,
+/// unless they are driven. Only the counters of the world are changed.
 ///
-/// @param pulled  see `pulled_bodies`
+/// @param pulled  whether each body flies together with others; from `with_dragged_bodies`
 std::vector<RigidState> fly_all(World& world, const std::vector<bool>& pulled, double time_step,
                                 ThreadPool& pool);
 

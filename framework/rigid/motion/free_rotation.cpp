@@ -19,8 +19,8 @@ namespace rigor {
 
 namespace {
 
-// The smallest 1 - m. Smaller values make no difference: with this one, M passes the unstable axis
-// only after 115 units of u.
+// The smallest 1 - m that is used. Smaller values make no difference: with this one, M passes the
+// unstable axis only after 115 units of u.
 constexpr double least_m1 = 1e-100;
 
 // The closed curve of the unit vector M/|M| in the body.
@@ -61,8 +61,8 @@ Path path_of(const Vector3d& J, const Vector3d& M)
     return path;
 }
 
-// From the zero of cn that is nearest to u up to u: the signed distance w, and the integral G = ∫
-// cn²/(cn² + N sn²) du.
+// Two quantities over the interval from the zero of cn nearest to u up to u: its signed length w,
+// and the integral G = ∫ cn²/(cn² + N sn²) du.
 struct Swept {
     double w = 0, G = 0;
 };

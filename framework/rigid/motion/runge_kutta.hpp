@@ -131,7 +131,7 @@ struct LieScheme {
                     mean(&Rate::A), mean(&Rate::torque)};
         }
         Rate slope = k[stage - 1];
-        // The stage advances by h/2 along this slope, so the ⅛ of the commutator becomes a ¼ here.
+        // The stage advances by h/2 along this slope, so the ⅛ of free_flight.hpp is a ¼ here.
         if (stage == 2) slope.omega -= h / 4 * k[0].omega.cross(k[1].omega);
         return slope;
     }

@@ -12,7 +12,7 @@ namespace rigor {
 void keep_freed_memory()
 {
 #ifdef __GLIBC__
-    constexpr int kept = 1 << 30; // free memory that is not given back to the system [bytes]
+    constexpr int kept = 1 << 30; // freed memory that the process keeps [bytes]
     // Blocks above this size are given back as soon as they are freed [bytes]. mallopt accepts no
     // larger value.
     constexpr int largest_block = 32 << 20;

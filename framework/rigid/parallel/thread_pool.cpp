@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The pool hands out task numbers through one atomic word, without a lock. The caller takes tasks
-// from the first on and the workers from the last on, so that tasks which come again and again,
-// such as the sweeps of a step, find most of their data in the same processor's cache. Threads that
-// find no work look again for a few microseconds before they sleep.
+// from the first one upwards, the workers from the last one downwards. So a task that is repeated,
+// as in the sweeps of a step, finds most of its data in the cache of the same processor. A thread
+// without work checks for new work for a few microseconds before it sleeps.
 #include "rigid/parallel/thread_pool.hpp"
 
 #include <algorithm>
@@ -24,7 +24,7 @@ namespace {
 // run between the checks, and only then sleeps.
 template <class T, class IsWanted> T wait_for(std::atomic<T>& value, const IsWanted& is_wanted)
 {
-    constexpr int spins = 1000, yields = 4000; // checks without and with a yield after each
+    constexpr int spins = 1000, yields = 4000; // checks without and then with a yield
     for (int i = 0; i < spins + yields; ++i) {
         const T now = value.load();
         if (is_wanted(now)) return now;
@@ -39,8 +39,8 @@ template <class T, class IsWanted> T wait_for(std::atomic<T>& value, const IsWan
 
 } // namespace
 
-// `work` is a number that changes with each call of `run`. The other two count how many tasks of
-// this call were taken from the first on, and from the last on.
+// `work` is a number that changes with each call of `run`. `from_first` counts how many tasks of
+// this call were taken from the first one upwards, `from_last` from the last one downwards.
 struct alignas(std::uint64_t) TakenTasks {
     std::uint32_t work = 0;
     std::uint16_t from_first = 0, from_last = 0;
@@ -64,7 +64,7 @@ private:
     std::atomic<Call> call_ = nullptr;
     std::atomic<int> tasks_ = 0;
     std::atomic<TakenTasks> taken_ = TakenTasks{};
-    std::atomic<std::uint32_t> round_ = 0; // changes in each `run`, which idle workers wait for
+    std::atomic<std::uint32_t> round_ = 0; // each `run` changes it, and this wakes idle workers
     std::atomic<bool> is_over_ = false;    // true: the workers have to end
     std::atomic<int> done_ = 0;            // number of finished tasks in this call of `run`
     std::mutex mutex_;                     // guards the two members below
@@ -97,7 +97,7 @@ void ThreadPool::run_by_workers(int tasks, const void* what, Call call)
 int ThreadPool::range_count(std::size_t count, std::size_t grain_size) const
 {
     if (count == 0 || threads_ < 2) return count == 0 ? 0 : 1;
-    constexpr int ranges_per_thread = 4; // so that others can take over from a delayed thread
+    constexpr int ranges_per_thread = 4; // so that other threads can relieve a delayed one
     const auto most =
         static_cast<std::size_t>(ranges_per_thread) * static_cast<std::size_t>(threads_);
     return static_cast<int>(std::clamp<std::size_t>(count / grain_size, 1, most));
@@ -121,8 +121,8 @@ ThreadPool::Workers::~Workers()
 
 void ThreadPool::Workers::run(int workers, int tasks, const void* what, Call call)
 {
-    // While the members below change, no task can be taken. A worker that comes late from the
-    // previous call finds no task left, since `most_tasks` count as taken, or its
+    // While the members below change, no task can be taken. A worker may still come late from the
+    // previous call. It finds no task left, since `most_tasks` tasks count as taken, or its
     // compare-and-exchange fails because `work` has changed.
     const std::uint32_t work = taken_.load().work;
     taken_.store({work + 1, most_tasks, 0});

@@ -8,10 +8,10 @@
 
 namespace rigor {
 
-/// The calling thread and worker threads that help it. The workers start when the first work comes,
-/// wait for more, and end with the pool. The result of a task does not depend on the thread that
-/// does it, as long as no task writes what another task reads. A copy of a pool has workers of its
-/// own, since a pool works for one caller at a time.
+/// The calling thread and worker threads that help it. The workers start with the first work that
+/// is shared, wait for more work, and end with the pool. The result of a task does not depend on
+/// the thread that does it, as long as no task writes what another task reads. A copy of a pool has
+/// workers of its own, since a pool works for one caller at a time.
 class ThreadPool {
 public:
     /// @param threads  number of threads, including the calling thread; below 2 the calling thread
@@ -108,7 +108,7 @@ private:
     void run_by_workers(int tasks, const void* what, Call call);
 
     int threads_;
-    std::unique_ptr<Workers> workers_; // made when the first work comes
+    std::unique_ptr<Workers> workers_; // null until the first work is shared
 };
 
 } // namespace rigor

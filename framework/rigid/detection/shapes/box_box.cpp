@@ -17,13 +17,13 @@ namespace rigor {
 namespace {
 
 // Squared sine of the angle below which two edges count as parallel, 0.06°. Their cross product is
-// then mostly rounding, and a face separates the boxes as well.
+// then mostly rounding, and a face separates the boxes as well as the edges do.
 constexpr double parallel_squared = 1e-6;
 // Distance from a border that counts as rounding, relative to half the width of the face.
 constexpr double border_rounding = 1e-9;
-// An axis is clearly better than another axis if its separation is larger by this, in units of the
-// smallest half edge of both boxes. Otherwise a face is preferred to edges and the larger face to
-// the smaller one, so that a box at rest keeps its kind of contact from step to step.
+// An axis is clearly better than another axis if its separation is larger by this multiple of
+// the smallest half edge of both boxes. Otherwise a face is preferred to edges and the larger face
+// to the smaller one, so that a box at rest keeps its kind of contact from step to step.
 constexpr double clear_difference = 0.01;
 
 // A box in world space; its axes are the columns of R.
@@ -237,7 +237,8 @@ void find_face_contacts(const PlacedBox& reference, const PlacedBox& other, cons
     }
 }
 
-// The middle of an edge of `box`: of those along its axis `axis`, the one farthest in `direction`.
+// The middle of an edge of `box`. Four edges are parallel to its axis `axis`; the edge that lies
+// farthest in `direction` is taken.
 Vector3d edge_middle(const PlacedBox& box, int axis, const Vector3d& direction)
 {
     Vector3d middle = box.center;
@@ -326,8 +327,8 @@ void find_box_contacts(const Box& box1, const Pose& pose1, const Box& box2, cons
     const PlacedBox &reference = is_first ? a : b, &other = is_first ? b : a;
     const std::size_t before = contacts.size();
     find_face_contacts(reference, other, face, normal, comes, reach, contacts);
-    // Boxes that move towards each other diagonally may not be opposite each other yet; then the
-    // face is extended by the move.
+    // Boxes that move towards each other diagonally may not face each other yet, so that the
+    // clipping leaves nothing of the face. Then the face is extended by the move.
     if (contacts.size() > before || then >= -slop || !overlap_after(a, b, move)) return;
     comes = is_first ? Vector3d(-move) : move;
     find_face_contacts(reference, other, face, normal, comes, reach, contacts);

@@ -20,8 +20,8 @@ namespace rigor {
 /// The boxes may be apart now but overlap along that axis at the end of the step. If another face
 /// separates them now and they would overlap less along its normal, that face is used instead. So a
 /// box that slides over the joint between two others stays on top of them and does not run into the
-/// side of the second one. If the boxes are not opposite each other now but will overlap, as those
-/// that meet edge to edge, the face is extended by the way along which the other box comes.
+/// side of the second one. If the boxes do not face each other now but will overlap, as boxes that
+/// meet edge to edge, the face is extended by the displacement of the other box.
 ///
 /// @param move  displacement of box 1 relative to box 2 in this step, without forces or contacts
 ///              [m]

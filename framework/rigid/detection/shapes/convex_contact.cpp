@@ -27,7 +27,7 @@ constexpr double line_rounding = 1e-9;
 // not rock.
 constexpr double crossing_sine = 0.1;
 // A corner is as deep as the closest points if their gaps differ by less than this, relative to the
-// size of shape 1: the error of the search for the closest points.
+// size of shape 1. This is the error of the search for the closest points.
 constexpr double gap_tolerance = 1e-6;
 
 // A feature projected along the contact normal: places in the tangent plane, and heights along the
@@ -142,7 +142,7 @@ Outline common(const Outline& a, const Outline& b)
 {
     const Vector2d d = a.places[1] - a.places[0], e = b.places[1] - b.places[0];
     Outline o;
-    if (std::abs(cross(d, e)) > crossing_sine * d.norm() * e.norm()) return o; // they cross
+    if (std::abs(cross(d, e)) > crossing_sine * d.norm() * e.norm()) return o; // not parallel
     const auto along = [&](const Vector2d& p) {
         return (p - a.places[0]).dot(d) / d.squaredNorm();
     };
@@ -178,8 +178,8 @@ bool contains(const Outline& polygon, const Vector2d& place)
     return true;
 }
 
-// The vertices of a mesh that stands for a round body. Such a body rolls within the step from the
-// facet that it turns to the other shape to the next ones. Other shapes have none.
+// The vertices of a mesh that stands for a round body. Within a step, such a body can roll
+// from the facet that faces the other shape to the next facets. The list is empty for other shapes.
 std::span<const Vector3d> vertices_of_round(const Shape& shape)
 {
     const Mesh* mesh = std::get_if<Mesh>(&shape);

@@ -19,11 +19,11 @@ namespace rigor {
 
 namespace {
 
-// Samples along a segment and around a circle: the ends of 16 intervals, and one every 7.5°. A
-// minimum is found if no other minimum is within an interval of it. More samples take more time;
-// the numbers were chosen by trial.
+// Number of samples along a segment (the ends of 16 equal intervals) and around a circle (7.5°
+// apart). A minimum is found if no other minimum is nearer than the distance of two samples. More
+// samples take more time; the numbers were chosen by trial.
 constexpr int segment_samples = 17, circle_samples = 48;
-constexpr int golden_steps = 42; // shorten an interval to 0.618⁴² = 2e-9 of it
+constexpr int golden_steps = 42; // they shorten an interval to 0.618⁴² = 2e-9 of its length
 // A minimum between samples is a contact of its own if its gap is smaller than that of the sample
 // by more than this, in lengths of the core. A smaller difference is the error of the search.
 constexpr double least_improvement = 1e-9;
@@ -31,7 +31,7 @@ constexpr double least_improvement = 1e-9;
 // A core curve with a radius around it, in the frame of the other shape.
 struct Core {
     double radius = 0;
-    double length = 0; // range of the parameter s; 0 for a point
+    double length = 0; // range of the parameter s: [m] on a segment, [rad] on a circle
     int samples = 1;
     bool is_closed = false;
     Pose pose;
@@ -131,13 +131,13 @@ public:
 private:
     double gap(double s) const { return field_.ball_distance(core_.at(s), core_.radius); }
 
-    // Adds points of a ring: eight fixed ones if the other shape is equally near everywhere, else
-    // the nearest one and the three at quarters of a turn from it. Fixed points of a ring that
+    // Adds points of a ring: eight fixed points if the other shape is equally near everywhere, else
+    // the nearest point and the three at quarters of a turn from it. Fixed points of a ring that
     // rolls would hit the other shape one after the other like the spokes of a wheel without a rim.
     // @return the parameter of the nearest point
     double add_around_lowest(const std::vector<double>& gaps, double step)
     {
-        constexpr double flat = 1e-6; // difference of the gaps, in lengths of the core
+        constexpr double flat = 1e-6; // largest difference of equal gaps, in lengths of the core
         const auto [low, high] = std::minmax_element(gaps.begin(), gaps.end());
         const bool is_flat = *high - *low < flat * core_.meters();
         const int i = is_flat ? 0 : static_cast<int>(low - gaps.begin()), points = is_flat ? 8 : 4;
@@ -206,7 +206,7 @@ void find_ball_mesh_contacts(const Core& core, const SolidMesh& mesh, const Dist
     std::vector<Vector3d> known;
     for (const TriangleTree::Found& found : mesh.triangles().local_minima(c, core.radius + reach)) {
         const Vector3d d = (found.point - c).normalized();
-        constexpr double alike = 0.9; // cosine of 26°; a nearer direction is the same contact
+        constexpr double alike = 0.9; // cosine of 26°: a smaller angle means the same contact
         const bool is_new = std::all_of(known.begin(), known.end(),
                                         [&](const Vector3d& k) { return k.dot(d) < alike; });
         if (!is_new || known.size() >= most_contacts) continue;
@@ -238,7 +238,7 @@ void find_core_contacts(const Shape& shape1, const Pose& pose1, const Shape& sha
     if (!mesh) return;
     std::vector<Contact> points;
     find_point_contacts(shape1, pose1, *mesh->solid, pose2, reach, counters, points);
-    constexpr double all = 1; // these contacts are a whole gap away from the mesh
+    constexpr double all = 1; // the points of `contacts` are a whole gap away from the mesh
     remove_points_ahead(points, shape1, pose1, std::span(contacts).subspan(first), all);
     contacts.insert(contacts.end(), points.begin(), points.end());
     reduce_contacts(contacts, first, reach);

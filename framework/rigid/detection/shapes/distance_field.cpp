@@ -17,7 +17,7 @@ namespace {
 // Below this cosine of the angle between the gradient and the way to the surface, the gradient
 // points backward: the angle is more than 120°. Then the exact direction replaces the gradient.
 constexpr double points_back = -0.5;
-// Largest error of a right value of the formula, about a cell before the surface [cells]. Linear
+// Largest error of a correct `sample_level_set`, about a cell before the surface [cells]. Linear
 // interpolation of a distance is off by less, even at an edge or a vertex.
 constexpr double grid_error = 0.5;
 constexpr double no_bound = -1e300; // a lower bound of every distance [m]
@@ -75,9 +75,9 @@ SurfaceDistance DistanceField::ball_towards(const Vector3d& center, double radiu
     const double way = way_to_grid(away);
     const Vector3d p = center + way * d, gradient = normal(p);
     const double phi = distance(p);
-    // Values of the formulas that are right up to the error of the grid are replaced by the exact
-    // direction and distance: a ball that rolls over triangles with the normal of one surface and
-    // the distance from another would gain energy. Otherwise the formulas' values are kept.
+    // Values of the formulas that are correct up to the error of the grid are replaced by the exact
+    // direction and distance. A ball that rolls over triangles with the normal of one surface and
+    // the distance from another would gain energy. Wrong values of the formulas are kept.
     const bool is_right_direction = gradient.dot(d) < points_back;
     const bool is_right_distance = std::abs(phi - (away - way)) < grid_error * grid_->cell_size;
     return {(is_right_direction && is_right_distance ? away : phi + way) - radius,

@@ -23,12 +23,12 @@ namespace rigor {
 namespace {
 
 // If a node of the tree is farther from the shape than this many radii of the node, only one of its
-// points is tested. A smaller value tests fewer points, but a point that is not tested may then be
-// nearer by more.
+// points is tested. A smaller value tests fewer points, but then a point that is not tested may be
+// nearer than the tested one by more.
 constexpr double far = 6;
-// In spacings of the surface points. A node with a radius below `small_node` has one contact, at
-// its nearest point. Two points are equally near if their distances differ by less than
-// `equally_near`.
+// Both are multiples of the spacing of the surface points. A node with a radius below `small_node`
+// has one contact, at its nearest point. Two points are equally near if their distances differ by
+// less than `equally_near`.
 constexpr double small_node = 1.5, equally_near = 1e-3;
 // Two gradients belong to one flat face if their difference is shorter than this.
 constexpr double same_face = 1e-3;
@@ -54,9 +54,9 @@ public:
     }
 
 private:
-    // All points of a node have about the distance of its middle. If this distance is large for the
-    // size of the node, only one of the points is tested. In a node with the size of one or two
-    // spacings, only the nearest point makes a contact.
+    // All points of a node have about the same distance as its middle. If this distance is large
+    // for the size of the node, only one of the points is tested. In a node with the size of one or
+    // two spacings, only the nearest point makes a contact.
     void descend(int index, std::vector<Contact>& contacts)
     {
         const BoundingTree::Node& node = surface_.point_tree().nodes()[index];
@@ -107,9 +107,9 @@ private:
         gradients_.push_back(gradient);
     }
 
-    // Removes contacts of a round mesh that have a gap and a normal that differs from the gradient
-    // by more than a facet, if a nearer point faces the same flat face. Such points lie ahead of a
-    // rolling wheel, which turns them away before they touch.
+    // Removes contacts of a round mesh that have a gap and whose normal differs from the gradient
+    // by more than the angle of a facet, if a nearer point faces the same flat face. Such points
+    // lie on the front of a rolling wheel, and the wheel turns them away before they touch.
     void remove_points_ahead_of_round(std::vector<Contact>& contacts, std::size_t first) const
     {
         const std::vector<Contact> all(contacts.begin() + static_cast<std::ptrdiff_t>(first),
@@ -176,13 +176,14 @@ DeepestPoint add_points(const Shape& shape1, const Pose& from_1, const SolidMesh
     return deepest;
 }
 
-// Whether a point of a flat face has a gap and is not the point of the face nearest to the shape,
-// and another contact with the same face is nearer.
+// Whether a contact of a mesh point lies ahead of a rolling shape 1: it has a gap, its point is not
+// the point of its flat face that is nearest to shape 1, and another contact with the same face has
+// a smaller gap.
 bool is_ahead_on_face(const Contact& point, const Shape& shape1, const Pose& pose1,
                       std::span<const Contact> others, double share)
 {
     constexpr double same = 1e-6;  // 1 - cosine of the angle between two directions
-    constexpr double level = 1e-6; // distance of two planes, in distances between their points
+    constexpr double level = 1e-6; // largest height above the face, relative to the distance
     if (point.gap <= 0) return false;
     const Vector3d x = point.point - point.gap / 2 * point.normal; // on the face
     const Vector3d away =

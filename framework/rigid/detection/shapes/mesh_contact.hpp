@@ -18,9 +18,10 @@ namespace rigor {
 /// (Guendelman, Bridson and Fedkiw 2003, "Nonconvex rigid bodies with stacking"): a mesh has its
 /// level set, any other shape its exact distance. The normal is the gradient of the distance if it
 /// lies in the cone of the point's own normals, otherwise the direction in this cone that is
-/// closest to it. So a point inside a face pushes along the normal of the face, also at an edge of
-/// the other shape. Points ahead of a rolling mesh wheel are left out. Edges are tested against
-/// edges exactly, so that crossing bars touch although no point of one bar lies inside the other.
+/// closest to the gradient. So a point inside a face pushes along the normal of the face, also at
+/// an edge of the other shape. Points ahead of a rolling mesh wheel are left out. Edges are tested
+/// against edges exactly, so that crossing bars touch although no point of one bar lies inside the
+/// other.
 ///
 /// @param shape1  a mesh, a box, a cylinder, a cone or an ellipsoid
 /// @param shape2  a mesh
@@ -36,8 +37,8 @@ void find_point_contacts(const Shape& shape1, const Pose& pose1, const SolidMesh
 
 /// Removes contacts of points of flat faces that have a gap and are not nearest to shape 1, if
 /// another contact with the same face is nearer. Such points lie ahead of a rolling wheel, which
-/// passes them without touching. If it turned a little more in the step, contacts at these points
-/// would stop it.
+/// passes them without touching. If the wheel turned a little more in the step, contacts at these
+/// points would stop it.
 ///
 /// @param points  contacts of a mesh's surface points with shape 1, which is no mesh
 /// @param others  contacts of points of shape 1 with the mesh

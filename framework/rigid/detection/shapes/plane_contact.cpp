@@ -64,19 +64,19 @@ private:
 
     void add(const Vector3d& p) const { add_ball(p, 0); }
 
-    // Adds a point of object space with a ball around it.
+    // Adds the contact of a ball around the point p of object space.
     void add_ball(const Vector3d& p, double radius) const
     {
         const double distance = gap(p) - radius;
         if (distance < reach_) contacts_.push_back({pose_ * p - radius * n_, n_, distance});
     }
 
-    // Adds points of a circle about y: eight fixed ones if it lies flat, else the lowest one and
-    // the three at quarters of a turn from it. Fixed points of a circle that rolls would hit the
-    // plane one after the other like the spokes of a wheel without a rim.
+    // Adds points of a circle about y: eight fixed points if it lies flat, else the lowest point
+    // and the three at quarters of a turn from it. Fixed points of a circle that rolls would hit
+    // the plane one after the other like the spokes of a wheel without a rim.
     void add_circle(double radius, double height, double tube) const
     {
-        constexpr double flat = 1e-6; // sine of a slope that counts as rounding
+        constexpr double flat = 1e-6; // largest sine of a slope that counts as flat
         const double slope = std::hypot(down_.x(), down_.z());
         const bool is_flat = !(slope > flat);
         const double first = is_flat ? 0 : std::atan2(down_.z(), down_.x());

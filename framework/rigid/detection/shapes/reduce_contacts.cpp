@@ -14,14 +14,15 @@ namespace rigor {
 
 namespace {
 
-// Contacts whose gaps differ by less than this are equally deep, in extents of the contact region:
-// the size of rounding and solver errors.
+// Contacts are equally deep if their gaps differ by less than this multiple of the extent of the
+// contact region. Rounding and solver errors have this size.
 constexpr double as_deep = 1e-5;
 // Two distances are equal if they differ by less than this fraction. Then the first contact is
 // taken, so that rounding does not decide.
 constexpr double equal_distance = 1e-9;
-// Weight of the squared difference of two normals against the squared distance of two points in
-// extents: opposite normals count as much as points at opposite ends.
+// Weight of the squared difference of two normals. The squared distance of two points, relative
+// to the extent of the region, has weight 1. So opposite normals count as much as points at
+// opposite ends of the region.
 constexpr double normal_weight = 0.25;
 constexpr double least_extent = 1e-300; // avoids 0/0 if all points are equal [m]
 constexpr double not_chosen = 1e300;    // the distance to the chosen contacts if there are none
@@ -87,7 +88,7 @@ private:
         for (int i = 0; i < size(); ++i) {
             if (contacts_[i].gap > deepest_ + as_deep * extent_) continue;
             const double d = (contacts_[i].point - middle_).norm();
-            if (d <= farthest * (1 + equal_distance)) continue; // keeps the first of equal ones
+            if (d <= farthest * (1 + equal_distance)) continue; // of equal ones, the first stays
             farthest = d;
             best = i;
         }

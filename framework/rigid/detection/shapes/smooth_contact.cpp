@@ -90,7 +90,8 @@ struct NormalAt {
     template <class Other> Vector3d operator()(const Other&) const { return d; }
 };
 
-// Points spread over the surface: the middles of the features in 26 directions.
+// Points spread over the surface: the middles of the faces, edges or points that face 26
+// directions.
 std::vector<Vector3d> seeds(const Shape& shape)
 {
     std::vector<Vector3d> points;
@@ -136,7 +137,7 @@ private:
         return pose_.R.transpose() * field_.normal(pose_ * p);
     }
 
-    // Whether n is not alike any direction in `known`; if so, it is added there.
+    // Whether n differs from all directions in `known`. If so, n is added to `known`.
     static bool is_new(const Vector3d& n, std::vector<Vector3d>& known)
     {
         if (std::any_of(known.begin(), known.end(),
