@@ -62,7 +62,7 @@ Drawing impulse_ellipse()
 
 void draw_cone(Drawing& drawing, const Vector3d& v, double mu, const std::string& text)
 {
-    const Matrix3d K = Vector3d(3.5, 1, 3.5).asDiagonal(); // as for a ball
+    const Matrix3d K = Vector3d(3.5, 1, 3.5).asDiagonal(); // of a solid ball of 1 kg
     const Vector3d sticks = static_friction_impulse(K, v, up, 0.5);
     const Vector3d j = collision_impulse(K, v, up, 0.5, mu);
     const double top = 3.4;
@@ -109,7 +109,7 @@ Drawing jam()
     drawing.arrow({0, 0}, {3.6, 0}, "ink thin");
     drawing.label({3.6, 0}, "μ", Side::right);
     drawing.arrow({0, -0.6}, {0, 1.6}, "ink thin");
-    constexpr double unit = 0.42; // length of 1 on the vertical axis
+    constexpr double unit = 0.42; // length in the drawing of the value 1 on the vertical axis
     for (int tick = 0; tick <= 3; ++tick) {
         drawing.line({-0.04, tick * unit}, {0, tick * unit}, "ink thin");
         drawing.label({-0.04, tick * unit}, std::to_string(tick), Side::left, "grey");

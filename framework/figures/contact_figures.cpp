@@ -119,7 +119,8 @@ Drawing levels()
     return drawing;
 }
 
-// A stack of blocks of 1 kg without rotation. Gravity has given each block the speed of one step.
+// A stack of blocks of 1 kg without rotation. Each block has the speed that gravity gives it in one
+// time step.
 struct Stack {
     std::vector<Body> bodies;
     std::vector<BodyContact> contacts;

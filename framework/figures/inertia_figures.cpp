@@ -106,7 +106,8 @@ Drawing shifted()
 constexpr double J1 = 5, J2 = 10, J3 = 13;
 
 // A polhode: the path of L on the sphere, around the axis with the largest or the smallest moment.
-// share: from 0 at this axis to 1 on the separatrix, which sets the energy.
+// `share` sets the energy, from 0 at this axis to 1 on the separatrix, the curve between the paths
+// around the two axes.
 std::vector<Vector3d> polhode(double share, bool about_largest)
 {
     // Σ L_i² = 1 and Σ L_i²/J_i = 2E, with 2E between 1/J3 and 1/J2, or between 1/J2 and 1/J1

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The figures of assignment A8, about tests: which law catches which wrong kinetic energy, and how
-// the errors of two methods for an oscillator fall with the time step. Each mark is found by trying
-// the law on the formula.
+// the errors of two methods for an oscillator fall with the time step. Each mark in the table of
+// laws is found by trying the law on the formula.
 #include "figures/validation_figures.hpp"
 
 #include <algorithm>

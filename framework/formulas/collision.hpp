@@ -43,16 +43,16 @@ Matrix3d impulse_matrix(double inverse_mass, const Matrix3d& I_inverse, const Ve
 /// whether the bodies approach.
 /// Lecture: "Computing frictionless impulse".
 ///
-/// The formula also holds for bodies that separate, where it pulls; A4.9 leaves those alone.
-/// Both bodies static (nᵀ K n = 0): zero.
+/// The formula also holds for bodies that separate: then the impulse pulls them together. (A4.9
+/// gives no impulse to such bodies.) Both bodies static (nᵀ K n = 0): zero.
 Vector3d frictionless_impulse(const Matrix3d& K, const Vector3d& v, const Vector3d& n,
                               double restitution);
 
 /// A4.6 Sticking impulse, which stops all tangential motion, j = K⁻¹ (-v - ε vₙ n).
 /// Lecture: "Computing static friction".
 ///
-/// Like A4.5 it also holds for bodies that separate. K is symmetric positive definite unless both
-/// bodies are static (K = 0): zero.
+/// Like A4.5 it also holds for bodies that separate. Both bodies static (K = 0): zero. In all other
+/// cases K is symmetric positive definite.
 Vector3d static_friction_impulse(const Matrix3d& K, const Vector3d& v, const Vector3d& n,
                                  double restitution);
 
@@ -66,8 +66,8 @@ bool inside_friction_cone(const Vector3d& j, const Vector3d& n, double friction)
 ///     T = (v - vₙ n)/|v - vₙ n|    jₙ = -(1 + ε) vₙ / (nᵀ K (n - μ T))    j = jₙ n - μ jₙ T
 ///
 /// Special cases:
-///   * No tangential velocity, |v - vₙ n| ≤ 1e-12 |v|: the frictionless impulse, since the
-///     direction of a rounding error means nothing.
+///   * No tangential velocity, |v - vₙ n| ≤ 1e-12 |v|: the frictionless impulse, since such a
+///     small v - vₙ n is a rounding error, whose direction means nothing.
 ///   * Both bodies static: zero.
 ///   * nᵀ K (n - μ T) ≤ 0, the contact jams: the sticking impulse of A4.6, with its tangential part
 ///     j_T shortened to |j_T| = μ jₙ if it is longer (zero if the sticking impulse pulls, jₙ ≤ 0).
@@ -88,8 +88,8 @@ Body apply_impulse(const Body& body, const Vector3d& x, const Vector3d& j);
 /// A4.11 Index of the deepest contact among those whose bodies still approach, v·n < 0.
 /// Lecture: "Rigid collision algorithms".
 ///
-/// The depth may also be 0, or negative where the bodies do not touch yet. No such contact: empty.
-/// Equal depths: the first of them.
+/// The depth may also be 0, or negative where the bodies do not touch yet. No contact whose bodies
+/// approach: empty. Equal depths: the first of these contacts.
 std::optional<int> deepest_approaching_point(const std::vector<ContactPoint>& contacts);
 
 } // namespace rigor

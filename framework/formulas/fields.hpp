@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The fields of the plain types, by name and in order. All code that sends, compares or prints a
-// value, or checks it for NaN, uses these lists. A new field needs one more name here, or beside
-// its type in validation.hpp and under_test.hpp.
+// value, or checks it for NaN, uses these lists. The name of a new field must be added to the list
+// for its struct. The lists are here, or beside the struct in validation.hpp and under_test.hpp.
 #pragma once
 
 #include "formulas/types.hpp"
@@ -14,7 +14,7 @@ namespace rigor {
 /// field. Below there is one row for each struct.
 template <class T> struct Fields;
 
-/// A struct whose fields are listed here.
+/// A struct for which there is a list of fields.
 template <class T>
 concept Plain = requires
 {

@@ -43,8 +43,8 @@ PrincipalStress principal_stress(const Matrix3d& stress);
 std::optional<Vector3d> crack_plane(const Matrix3d& stress, double threshold);
 
 /// A7.4 The face of a tetrahedron whose normal is nearest to the normal of a crack: the f with the
-/// largest |n_f · n|. The signs of both normals do not matter. Of equal faces, the lowest f; the
-/// values are compared without a tolerance.
+/// largest |n_f · n|. The signs of both normals do not matter. If several faces have the largest
+/// value, the lowest f; the values are compared without a tolerance.
 ///
 /// @param tetrahedron  its vertices [m]; for a face without area, |n_f · n| counts as 0
 /// @param normal       n, unit
@@ -56,13 +56,14 @@ int closest_face(const std::array<Vector3d, 4>& tetrahedron, const Vector3d& nor
 /// Consider the tetrahedra around one vertex. Two of them stay connected if they share a face that
 /// has this vertex and is not among `faces`, or if a chain of such faces connects them. Each
 /// connected group gets its own vertex. So no tetrahedron changes its shape, a vertex is duplicated
-/// only where the mesh splits, and the rim of a crack that ends inside the solid stays closed. A
-/// single face inside the solid stays closed entirely, and is connected again in the next call, so
-/// all faces of a crack must be given at once. Each vertex of the result is an old one or a copy of
-/// it; both numbers of its origin are that of the old vertex, and the fraction is 0.
+/// only where the mesh splits, and the rim of a crack that ends inside the solid stays closed. If
+/// only a single face inside the solid is given, it stays closed entirely, and the next call does
+/// not remember it. So all faces of a crack must be given at once. Each vertex of the result is an
+/// old vertex or a copy of one. In its origin, `first` and `second` are both the index of this old
+/// vertex, and `fraction` is 0.
 ///
-/// @param faces  from either side, in any order, possibly repeated; a face of the surface is
-///               allowed and changes nothing
+/// @param faces  each given from either side, in any order, possibly repeated; a face on the
+///               surface of the solid is allowed and changes nothing
 /// @return  tetrahedra in the order of `mesh`, with their corners in the same order; vertices in
 ///          any order
 SplitMesh split_along_faces(const TetrahedralMesh& mesh, const std::vector<MeshFace>& faces);
@@ -108,7 +109,7 @@ SplitMesh split_element(const TetrahedralMesh& mesh, int vertex, const Vector3d&
 /// planes stay where they are: unlike in A7.6, no corner that is near a plane counts as lying on
 /// it. So the shares of a tetrahedron sum to 1.
 ///
-/// @param cracks  any number for each tetrahedron, in the order in which they opened
+/// @param cracks  any number of cracks for each tetrahedron, in the order in which they opened
 /// @return  copies in the order of their parents, those of one parent ordered by their first real
 ///          corner, each with its corners in the parent's order; vertices in any order
 EmbeddedMesh virtual_nodes(const TetrahedralMesh& mesh, const std::vector<ElementCrack>& cracks);

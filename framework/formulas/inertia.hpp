@@ -116,8 +116,8 @@ MassProperties mesh_mass_properties(const TriangleMesh& mesh, double density);
 /// If both do, all results are zero.
 MassProperties combine(const MassProperties& a, const MassProperties& b);
 
-/// A2.17 Approximation by a simpler figure: mass properties of a solid box that bounds the
-/// vertices, its edges along the axes of the frame. Its mass is the given one, spread evenly.
+/// A2.17 Approximation by a simpler shape: mass properties of a solid box that bounds the vertices,
+/// its edges along the axes of the frame. The given mass is spread evenly over the box.
 /// Lecture: "Approximating inertia tensors".
 ///
 /// No vertex, or no mass: all results are zero. The box may be flat.

@@ -45,7 +45,7 @@ Matrix36d velocity_modes(const Vector3d& X, const Vector3d& x);
 /// Lecture: "Constrained dynamics", "Working it out".
 ///
 /// X is the point to rotate about. It may be any point that moves with the body; V is then its
-/// velocity. The off-diagonal blocks vanish exactly when it is the center of mass. No particle:
+/// velocity. The off-diagonal blocks vanish exactly when X is the center of mass. No particle:
 /// zero.
 ///
 /// @param particles  in world space
@@ -54,7 +54,7 @@ Matrix6d generalized_mass(const std::vector<Particle>& particles, const Vector3d
 /// A1.8 Net force F = Σ fᵢ and net torque τ = Σ (xᵢ - X) × fᵢ about X, which may be any point.
 /// Lecture: "What about the external forces?".
 ///
-/// This is Sᵀ F_ext; the transpose turns X* - x* into (x - X)*. No force: zero.
+/// F and τ together are Sᵀ F_ext; the transpose turns X* - x* into (x - X)*. No force: zero.
 Wrench net_wrench(const std::vector<PointForce>& forces, const Vector3d& X);
 
 /// A1.9 Equations of motion.
@@ -72,7 +72,7 @@ MatrixStateRate equations_of_motion(const MatrixState& state, double inverse_mas
 /// A1.12 Rates of the velocity modes: the 3×6 matrix Ṡ = ( 0  V* - v* ) [1/s] of a particle at x
 /// that moves with v. Lecture: "Change of S".
 ///
-/// It stands in (Sᵀ M S) u̇ + (Sᵀ M Ṡ) u = Sᵀ F, with u = (V, ω).
+/// Ṡ appears in the equation of motion (Sᵀ M S) u̇ + (Sᵀ M Ṡ) u = Sᵀ F, with u = (V, ω).
 Matrix36d velocity_mode_rates(const Vector3d& V, const Vector3d& v);
 
 /// A1.13 The force and the torque Σ mᵢ Sᵢᵀ Ṡᵢ u, with u = (V, ω), of particles that move as one

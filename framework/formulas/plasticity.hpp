@@ -38,12 +38,12 @@ double von_mises(const Matrix3d& stress);
 /// @param shear_modulus  G [Pa]
 Matrix3d isotropic_stress(const Matrix3d& strain, double lame_lambda, double shear_modulus);
 
-/// A6.6 The von Mises stress of such a solid, directly from its elastic strain [Pa]:
+/// A6.6 The von Mises stress of a solid as in A6.5, directly from its elastic strain [Pa]:
 /// 2 G √(3/2) ‖dev ε‖. So the stress tensor is not needed to find out whether the solid yields.
 double von_mises_from_strain(const Matrix3d& strain, double shear_modulus);
 
 /// A6.7 The yield limit in terms of strain, σ_Y / (2 G): the solid yields where √(3/2) ‖dev ε‖
-/// exceeds it. G = 0: infinity, since the solid never yields.
+/// exceeds this limit. G = 0: infinity, since the solid never yields.
 double yield_strain(double yield_stress, double shear_modulus);
 
 /// A6.8 Associative perfect plasticity: the plastic strain after a time step.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The dimension of every argument, result and field of the contract, and how it changes when the
-// scene is turned. The headers of the topics say the same in words. The universal laws of the
-// graded tests follow from this table.
+// The dimension of every argument and result of the formulas and of every field of their structs,
+// and how its value changes when the scene is turned. The headers of the topics say the same in
+// words. From this table follow the laws that the graded tests check for every formula.
 #pragma once
 
 #include "formulas/dimension.hpp"
@@ -14,25 +14,27 @@
 
 namespace rigor {
 
-/// The set that a quantity belongs to, and what becomes of it when all of world space and all of
+/// The set that a quantity belongs to, and what a value becomes when all of world space and all of
 /// object space are turned by a rotation Q and moved by d.
 enum class Kind {
-    number,     // stays; positive
-    any_number, // stays; of either sign
-    index,      // stays; an integer or a bool
-    vector,     // Q v
-    unit,       // Q n, |n| = 1
-    direction,  // Q n or -Q n, both are correct
-    point,      // Q x + d
-    matrix,     // Q A Qᵀ
-    symmetric,  // Q A Qᵀ
-    definite,   // Q A Qᵀ, symmetric and positive semi-definite
-    rotation,   // Q R Qᵀ, a rotation
-    columns,    // Q A, columns that are vectors
-    blocks, // Q B Qᵀ for each 3×3 block B; block (i, j) has i + j lengths more than block (0, 0)
-    quaternion,  // (s, Q v)
-    orientation, // (s, Q v), unit
-    chosen,      // not unique, only its set is known
+    number,     // does not change; positive
+    any_number, // does not change; of either sign
+    index,      // does not change; an integer or a bool
+    vector,     // v becomes Q v
+    unit,       // n becomes Q n; |n| = 1
+    direction,  // n becomes Q n or -Q n, both are correct
+    point,      // x becomes Q x + d
+    matrix,     // A becomes Q A Qᵀ
+    symmetric,  // A becomes Q A Qᵀ; symmetric
+    definite,   // A becomes Q A Qᵀ; symmetric and positive semi-definite
+    rotation,   // R becomes Q R Qᵀ; a rotation
+    columns,    // A becomes Q A; each column is a vector
+    // Each 3×3 block B becomes Q B Qᵀ. The dimension of block (i, j) is that of block (0, 0) times
+    // lengthⁱ⁺ʲ.
+    blocks,
+    quaternion,  // (s, v) becomes (s, Q v)
+    orientation, // (s, v) becomes (s, Q v); unit
+    chosen,      // several values are correct, so no law follows from a rotation
     along_axes,  // tied to the axes by definition, so no law follows from a rotation
     fields       // a struct: each field has its own quantity
 };
@@ -96,7 +98,7 @@ template <class T> struct FieldQuantities;
         static constexpr Quantity of[] = {RIGOR_EACH(RIGOR_OF, __VA_ARGS__)};                      \
     };
 
-// The dimension of the quaternion itself is added to that of its fields, here none.
+// The fields have no dimension here: the dimension of the quaternion itself is added to theirs.
 template <> struct FieldQuantities<Quaternion> {
     static constexpr Quantity of[] = {{{}, Kind::any_number}, {{}, Kind::vector}};
 };
@@ -132,8 +134,8 @@ template <class Result, class... Argument> struct FieldQuantities<UnderTest<Resu
     static constexpr Quantity of[] = {quantities::along_axes};
 };
 
-// FORMULA(function, result, arguments …), in the order of the table of formulas. Where a formula
-// works in any unit, as `normalize` does, one is given here.
+// FORMULA(function, result, arguments …), in the order of the table in formulas/table.hpp. If a
+// formula works in any unit, as `normalize` does, one of the possible units is used here.
 // clang-format off
 #define RIGOR_FORMULA_QUANTITIES(FORMULA)                                                          \
     FORMULA(kinetic_energy, energy, mass, velocity, inertia, angular_velocity)              \

@@ -122,7 +122,7 @@ enum class FormulaIndex : unsigned { RIGOR_FORMULAS(RIGOR_ROW) };
 
 inline constexpr unsigned formula_count = std::size(formulas);
 
-/// Formulas by their index in the table.
+/// A set of formulas: bit i stands for the formula with index i in the table.
 using FormulaSet = std::bitset<formula_count>;
 
 /// The message about a stub: `A4.10 apply_impulse is not implemented yet (student/collision.cpp)`.

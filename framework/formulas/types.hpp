@@ -14,7 +14,7 @@
 //   * A static body is one whose velocity nothing changes. It has inverse mass 0 and inverse
 //     inertia 0, and no formula divides by its mass.
 //   * Every formula is total: if the arguments and their squares are finite, so is the result. The
-//     exceptions are A3.13 (at rest) and A6.7 (G = 0), which say that they are infinite.
+//     exceptions are A3.13 (for ω = 0) and A6.7 (for G = 0), whose results are then infinite.
 #pragma once
 
 #include <Eigen/Dense>
@@ -49,8 +49,8 @@ struct PointForce {
     Vector3d point = Vector3d::Zero(); // [m]
 };
 
-/// Net force, and net torque about the center of mass, or, in A1.8 and A1.13, about the point X
-/// that the function is given.
+/// Net force and net torque. The torque is about the center of mass, but in A1.8 and A1.13 it is
+/// about the argument X.
 struct Wrench {
     Vector3d force = Vector3d::Zero();  // [N]
     Vector3d torque = Vector3d::Zero(); // [N m]
@@ -138,9 +138,9 @@ struct BodyContact {
     Vector3d normal = Vector3d::UnitY(); // n, unit, from body 2 to body 1
     double depth = 0;                    // penetration, positive inside [m]
     double friction = 0;                 // μ
-    double separation_speed = 0;         // s, the smallest v·n allowed afterwards; it is -gap/h
-                                         // if the bodies may still close a gap in the time
-                                         // step h [m/s]
+    double separation_speed = 0;         // s [m/s], the smallest v·n allowed afterwards; if the
+                                         // bodies may still close a gap in the time step h, s is
+                                         // -gap/h
     Vector3d impulse = Vector3d::Zero(); // on body 1, an initial guess of the result [N s]
 };
 
@@ -173,7 +173,7 @@ struct MeshFace {
     int face = 0; // 0 … 3, the face opposite the vertex of this number
 };
 
-/// The largest eigenvalue of a stress and the direction that it pulls in.
+/// The largest eigenvalue of a stress, and the direction of its eigenvector.
 struct PrincipalStress {
     double stress = 0;                      // σ₁ [Pa]
     Vector3d direction = Vector3d::UnitX(); // unit, of either sign

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// A formula that a test of topic `validation` is given, and what the test says of it.
+// The formula that a test of topic `validation` examines, and the judgement of the test about it.
 //
 // The formula itself stays with the grader, in another process, so that a test can learn nothing
-// about it but its results. A test is a function of the results that are known so far. If it needs
-// a result that is not known yet, an exception ends it with this question. The grader answers the
-// question, and the test begins again with one more known result. So a test must make the same
-// calls whenever it gets the same results.
+// about it but its results. A test is a function of the results that are known so far. If a test
+// needs a result that is not known yet, an exception ends the test and passes the question to the
+// grader. The grader answers the question, and the test begins again with one more known result.
+// So a test must make the same calls whenever it gets the same results.
 #pragma once
 
 #include "formulas/fields.hpp"
@@ -23,16 +23,18 @@ struct KnownCall {
     std::vector<double> arguments, result;
 };
 
-/// The question of a test that needs a result which is not known yet. The test must not catch it.
+/// The exception by which a test asks for a result that is not known yet. The test must not catch
+/// it.
 struct UnknownCall {
     int calls_before = 0;
     std::vector<double> arguments;
 };
 
-/// What a test says of the formula that it was given. See `accepted` and `rejected`.
+/// The judgement of a test about its formula. See `accepted` and `rejected`.
 struct Judgement {
     int rejected_in = 0; // the line of the test that rejected the formula, 0 if it was accepted
-    // The question that is still open, where the test has not come to its end.
+    // If the test was ended by an UnknownCall: the number of calls before the unknown one, and the
+    // arguments of the unknown one.
     int calls_before = 0;
     std::vector<double> question;
 };
@@ -43,8 +45,8 @@ inline Judgement accepted()
     return {};
 }
 
-/// The formula breaks a law: `return rejected(); // the momentum changes`. If the formula was
-/// right, the report names the line.
+/// The formula breaks a law: `return rejected(); // the momentum changes`. If the formula was in
+/// fact right, the report names the line of this `rejected()`.
 inline Judgement rejected(int line = __builtin_LINE())
 {
     return {line, 0, {}};
@@ -52,7 +54,7 @@ inline Judgement rejected(int line = __builtin_LINE())
 
 namespace numbers {
 
-/// Appends the numbers of a value.
+/// Appends the numbers that `value` consists of to the list `to`.
 template <class T> void append(std::vector<double>& to, const T& value)
 {
     if constexpr (std::is_same_v<T, double>)
@@ -63,8 +65,8 @@ template <class T> void append(std::vector<double>& to, const T& value)
         to.insert(to.end(), value.data(), value.data() + value.size());
 }
 
-/// Reads a value from the numbers, beginning at index `at`, and moves `at` behind it. A list takes
-/// all remaining numbers.
+/// Reads `value` from the numbers, beginning at index `at`, and moves `at` behind the last number
+/// that was read. If `value` is a list, it takes all remaining numbers.
 template <class T> void take(T& value, const std::vector<double>& from, std::size_t& at)
 {
     if constexpr (std::is_same_v<T, double>) {

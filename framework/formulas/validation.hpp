@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Topic `validation`, assignment A8: tests that tell right formulas from wrong ones.
 // Each task describes a formula and asks for a test of it. The test gets an implementation of the
-// formula, calls it as often as it likes (up to 1000 times), and says whether it keeps the laws.
+// formula, calls it up to 1000 times, and says whether the implementation keeps the laws.
 // Conventions: types.hpp; what a test may do: under_test.hpp.
 //
-// A right implementation keeps the description to within rounding: what it computes may differ from
-// what another right one computes by 1e-12 times the largest term. It may be written in any way.
-// Arguments of a size between 1e-9 and 1e9 are fine.
+// A right implementation keeps the description to within rounding: its results may differ from
+// those of another right implementation by 1e-12 times the largest term. It may be written in any
+// way. Arguments with magnitudes between 1e-9 and 1e9 are fine.
 #pragma once
 
 #include "formulas/dimension.hpp"
@@ -35,10 +35,10 @@ using LineCollision = UnderTest<LineVelocities, double, double, double, double, 
 ///     f = k (|x₂ - x₁| - L) (x₂ - x₁) / |x₂ - x₁|        x₁ = x₂: 0, the force has no direction
 ///
 /// with the ends x₁, x₂ [m], the stiffness k ≥ 0 [N/m] and the rest length L ≥ 0 [m]. A spring that
-/// is too short pushes.
+/// is shorter than L pushes.
 using SpringForce = UnderTest<Vector3d, Vector3d, Vector3d, double, double>;
 
-/// The formula n → a unit vector t perpendicular to the unit vector n. Which one is left open.
+/// The formula n → a unit vector t perpendicular to the unit vector n. Any such t is right.
 using Tangent = UnderTest<Vector3d, Vector3d>;
 
 /// Position and velocity of an oscillator.
@@ -50,12 +50,12 @@ struct OscillatorState {
 /// The formula (state, ω, h) → the state of the oscillator ẍ = -ω² x after a time step h, by a
 /// method of second order or higher.
 ///
-/// ω > 0 [rad/s], h > 0 [s], and ω h ≤ ½. The method is left open. One step is off by at most
-/// (ω h)³ A, where A = √(x² + v²/ω²) is the amplitude, in the position, and by ω times that in the
-/// velocity.
+/// ω > 0 [rad/s], h > 0 [s], and ω h ≤ ½. The method is left open. With the amplitude
+/// A = √(x² + v²/ω²), the error of one step is at most (ω h)³ A in the position, and at most
+/// ω (ω h)³ A in the velocity.
 using OscillatorStep = UnderTest<OscillatorState, OscillatorState, double, double>;
 
-/// A formula of which nothing is known but the dimensions of its numbers: numbers → numbers.
+/// A formula numbers → numbers, of which only the dimensions of these numbers are known.
 using UnknownFormula = UnderTest<std::vector<double>, std::vector<double>>;
 
 /// A8.1 A test of a collision on a line.
@@ -75,7 +75,7 @@ Judgement test_oscillator_step(const OscillatorStep& step);
 /// where this holds for each of the three units, smaller and larger by factors up to 2⁴⁰.
 ///
 /// A right formula may take a root of a factor, which need not be exact: √(2⁴) = 2², but √2 is
-/// rounded. So the test allows for rounding.
+/// rounded. So the test must allow for rounding.
 ///
 /// @param formula    takes as many numbers as `arguments` has dimensions
 /// @param example    arguments that the formula is made for, also after a unit is changed by a

@@ -15,7 +15,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr int steps = 256; // with fewer, one would see bands
+constexpr int steps = 256; // with fewer steps, one would see bands of color
 
 // Linear sRGB of an Oklab color: lightness and two axes of color. Distances in this space are
 // differences as the eye sees them. Ottosson (2020), "A perceptual color space for image
@@ -43,7 +43,7 @@ Vector3d on_path(double t)
 // Colors at equal distances along the path.
 std::array<Vector4f, steps + 1> even_colors()
 {
-    constexpr int fine = 4096; // pieces for the length of the path; many for each step of the scale
+    constexpr int fine = 4096; // pieces in which the path is measured, 16 for each of the `steps`
     std::array<double, fine + 1> length{};
     for (int i = 1; i <= fine; ++i)
         length[i] = length[i - 1] + (on_path(static_cast<double>(i) / fine) -
@@ -68,7 +68,8 @@ Vector4f scale(double value)
 }
 
 /// Okabe and Ito (2008), "Color Universal Design": colors that people with any common kind of color
-/// vision can tell apart. They are a little softer here, since large surfaces glare.
+/// vision can tell apart. The colors here are a little softer than in that paper, since large
+/// surfaces in bright colors glare.
 Vector4f palette(std::size_t n)
 {
     static constexpr std::array<std::array<double, 3>, 7> colors = {{{0.16, 0.47, 0.71},
@@ -88,7 +89,7 @@ const Vector4f resting = linear_color(0.66, 0.68, 0.71);
 const Vector4f dark = linear_color(0.16, 0.20, 0.26);
 const Vector4f ghostly = linear_color(0.42, 0.30, 0.62, 0.34);
 
-// The colors of overlays. Their opacity is for the part of an overlay that a body hides.
+// The colors of overlays. The opacity is used only where a body hides the overlay.
 const Vector4f difference = linear_color(0.86, 0.10, 0.42, 0.75);
 const Vector4f axis_x = linear_color(0.83, 0.20, 0.18, 0.22);
 const Vector4f axis_y = linear_color(0.15, 0.60, 0.25, 0.22);

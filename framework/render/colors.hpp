@@ -16,7 +16,7 @@ Vector4f palette(std::size_t n);
 Vector4f scale(double value);
 
 extern const Vector4f crack;      // surfaces that a crack opened
-extern const Vector4f pale_crack; // the same, in pictures with a color scale
+extern const Vector4f pale_crack; // such surfaces in pictures with a color scale
 extern const Vector4f resting;    // static bodies
 extern const Vector4f dark;       // letters
 extern const Vector4f ghostly, difference;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The surface of a deforming solid as triangles to draw. The points of the surface are embedded in
-// the tetrahedra and move with their nodes. An edge is sharp if its two triangles bend by more than
-// 30 degrees or if only one of them was opened by a crack. The normal of a corner is the mean of
-// its triangles up to sharp edges, weighted by their angles.
+// the tetrahedra and move with their nodes. An edge is sharp if the normals of its two triangles
+// differ by more than 30 degrees, or if only one of them was opened by a crack. The normal at a
+// corner is the mean of the normals of the triangles there that have no sharp edge with its
+// triangle, weighted by their angles at the corner.
 #include "render/deformed_surfaces.hpp"
 
 #include "deformable/surface/surface.hpp"
@@ -36,11 +37,12 @@ private:
     }
 
     const std::vector<EmbeddedTriangle>& triangles_;
-    std::vector<Vector3d> places_;             // one for each point [m]
-    std::vector<Vector3d> normals_;            // one for each triangle, unit
+    std::vector<Vector3d> places_;             // for each point, its position [m]
+    std::vector<Vector3d> normals_;            // for each triangle, its unit normal
     std::vector<std::vector<Vector3d>> lines_; // for each point, unit vectors along its sharp edges
     std::vector<std::array<bool, 3>> sharp_; // for each triangle: whether its three sides are sharp
-    // Corners, as 3 triangle + corner, sorted by their points, and the first one of each point.
+    // All corners of triangles, as 3 * triangle + corner, sorted by their points; and for each
+    // point, the index in `corners_` at which its corners begin.
     std::vector<int> corners_, first_corner_;
 };
 
@@ -112,9 +114,10 @@ void DeformedSurface::add_line(const Edge& edge, const Edge& other_side)
         lines_[point].push_back(along);
 }
 
-// The direction of a sharp edge of other triangles that lies in the plane of this triangle and
-// touches it only in this corner; nullptr: there is none. Such an edge is drawn on this triangle
-// too, since its line would have gaps otherwise.
+// Looks for a sharp edge of other triangles that lies about in the plane of this triangle and
+// touches this triangle only in this corner. Such an edge is drawn on this triangle too, since the
+// line along the edge would have gaps otherwise.
+// @return the direction of the edge; nullptr: there is none
 const Vector3d* DeformedSurface::line_through(int triangle, int corner) const
 {
     if (sharp_[triangle][corner] || sharp_[triangle][(corner + 2) % 3]) return nullptr;
@@ -139,7 +142,8 @@ double DeformedSurface::angle(int triangle, int corner) const
     return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
-// The mean normal of all triangles around the corner that have no sharp bend against this one.
+// The mean of the normals of all triangles around the corner that have no sharp edge with this
+// triangle, weighted by their angles at the corner.
 Vector3d DeformedSurface::normal(int triangle, int corner) const
 {
     const int point = triangles_[triangle].points[corner];

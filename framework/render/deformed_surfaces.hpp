@@ -13,7 +13,8 @@ namespace rigor {
 /// The triangles of a solid's surface in this frame: smooth where it bends by less than 30 degrees,
 /// with edges where it bends by more and around surfaces that a crack opened.
 ///
-/// @param color  gives the color of a corner, for its triangle and its point of the surface
+/// @param color  a function that returns the color of a corner, from the corner's triangle and the
+///               index of its point
 void add_deformed_surface(std::vector<DeformedVertex>& vertices, const SolidFrame& solid,
                           const std::function<Vector4f(const EmbeddedTriangle&, int point)>& color);
 

@@ -13,18 +13,19 @@ namespace rigor {
 struct DrawnBody {
     std::string name;
     bool is_static = false;
-    std::vector<Part> parts;                     // relative to the center of mass
-    std::vector<int> models;                     // for each part, its model; -1: box, ball or plane
+    std::vector<Part> parts; // relative to the center of mass
+    // For each part, its index in `Picture::models`; -1 if the part is a box, a ball or a plane.
+    std::vector<int> models;
     Matrix3d inverse_inertia = Matrix3d::Zero(); // I_body⁻¹ [1/(kg m²)]
     double mass = 0, mean_inertia = 0;           // [kg], [kg m²]
-    double radius = 0;                           // around the center of mass [m]
+    double radius = 0; // of a ball around the center of mass that has all parts but planes [m]
     Vector4f color;
 };
 
 /// Two states look different if they lie apart by more than this fraction of a body's radius.
 constexpr double visible_distance = 0.004;
 
-/// Whether a body at this position is drawn. Bodies that have flown off are not.
+/// Whether a body at this position is drawn. Bodies that have flown too far away are not drawn.
 inline bool in_sight(const Vector3d& position)
 {
     constexpr double far = 1e6; // [m]

@@ -23,7 +23,7 @@
 namespace rigor {
 namespace {
 
-constexpr std::size_t most_frames = 100000; // file names have five digits
+constexpr std::size_t most_frames = 100000; // since file names have five digits
 constexpr std::size_t on_their_way = 3;     // largest number of pictures between two stages
 
 std::filesystem::path frame_file(const std::filesystem::path& directory, std::size_t number)
@@ -85,7 +85,7 @@ private:
     void draw_pictures(Renderer& renderer);
     void encode();
     void film();
-    void fail(); // ends every stage with the current exception
+    void fail(); // keeps the current exception for `finish` and ends every stage
     void join();
     void rethrow();
     void note_written(std::size_t number);
@@ -103,7 +103,7 @@ private:
     std::set<std::size_t> written_;
 
     std::thread drawer_, filmer_;
-    // Two are enough: to draw a picture takes several times as long as to encode it.
+    // Two threads are enough: to draw a picture takes several times as long as to encode it.
     std::array<std::thread, 2> encoders_;
 };
 
@@ -226,8 +226,8 @@ void FrameSequence::Pipeline::push(Picture picture)
     ++pushed_;
 }
 
-/// Ends every stage, in order. If one encoder failed, the other may have written a later frame:
-/// frames after the gap are removed, so that a directory never lacks a number.
+/// Ends every stage, in order. If one encoder failed, the other one may have written a later frame.
+/// So all frames after the first missing one are removed, and the numbers have no gap.
 void FrameSequence::Pipeline::join()
 {
     pictures_.close();
@@ -237,7 +237,7 @@ void FrameSequence::Pipeline::join()
     for (auto number = written_.begin(); number != written_.end() && *number == whole; ++number)
         ++whole;
     for (auto number = written_.lower_bound(whole); number != written_.end(); ++number) {
-        std::error_code ignored; // the disk may have failed already
+        std::error_code ignored; // ignored, since the disk may have failed already
         std::filesystem::remove(frame_file(options_.directory, *number), ignored);
     }
     written_.erase(written_.lower_bound(whole), written_.end());

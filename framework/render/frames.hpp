@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Writes pictures to files. While one picture is drawn, those before it are compressed and written.
+// Writes pictures to files. While one picture is drawn, earlier ones are compressed and written.
 #pragma once
 
 #include "render/picture.hpp"
@@ -17,9 +17,9 @@ struct FrameOptions {
     std::filesystem::path directory; // made if it does not exist
     int width = 1280, height = 720;  // [pixels]
     Gl gl = default_gl();
-    bool video = false; // whether ffmpeg makes out.mp4 as well
+    bool video = false; // whether ffmpeg makes the video out.mp4 as well
     double frames_per_second = 30;
-    std::size_t expected = 0; // number of frames, for the progress; 0 if unknown
+    std::size_t expected = 0; // number of frames that will come, for `progress`; 0 if unknown
     /// Called after each file, from one thread at a time; must not throw.
     std::function<void(std::size_t done, std::size_t expected)> progress;
 };
@@ -29,7 +29,7 @@ struct FrameReport {
     std::size_t removed = 0; // number of files of an earlier run that were removed
     std::optional<std::filesystem::path> video;
     std::string renderer; // the name of the renderer
-    std::string notice;   // one line to show, or empty
+    std::string notice;   // one line to show to the user, or empty
 };
 
 /// The files `frame_00000.png`, `frame_00001.png`, … of one run. Each is written completely or not
@@ -44,8 +44,8 @@ public:
     /// Finishes the pictures that were pushed, so that a run that ends early leaves its frames.
     ~FrameSequence();
 
-    /// Adds the next picture. Waits while too many are in the pipeline, so that memory stays
-    /// bounded.
+    /// Adds the next picture. Waits while too many pictures are in the pipeline, so that they take
+    /// only a limited amount of memory.
     /// @throws the error of an earlier picture, such as InputError for a full disk
     void push(Picture picture);
 

@@ -8,7 +8,8 @@
 
 namespace rigor {
 
-/// Red, green, blue, opacity, one byte each in sRGB; rows from the top.
+/// Each pixel has one byte each for red, green, blue (in sRGB) and opacity. The first row is the
+/// top row.
 struct Image {
     int width = 0, height = 0;
     std::vector<std::uint8_t> rgba;

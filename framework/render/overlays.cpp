@@ -80,8 +80,8 @@ void add_contacts(Picture& picture, const Frame& frame, const std::vector<DrawnB
         const double mass = bodies[first ? contact.body1 : contact.body2].mass;
         const double j = contact.impulse.norm();
         if (!(mass > 0) || !(j > 0)) continue;
-        // The length shows the change of speed, saturated, so that both resting contacts and hits
-        // can be seen.
+        // The length of the arrow shows the change of velocity |j|/m. It saturates, so that both
+        // resting contacts and hits can be seen.
         const double length = 50 * thickness * saturated(j / mass, 0.8);
         const Vector3d way = (first ? 1 : -1) * length / j * contact.impulse;
         add_arrow(picture, point, (contact.point + way).cast<float>(), 0.8F * thickness,
@@ -151,7 +151,8 @@ void add_names(Picture& picture, const Frame& frame, const std::vector<DrawnBody
         if (bodies[i].radius == 0 || !in_sight(state.position)) continue;
         Vector3d above = state.position;
         above.y() = top(bodies[i].parts, pose_of(state)) + 2.5 * thickness;
-        if (bodies[i].is_static) above = state.position; // at the middle of a wall or a table
+        // A static body, such as a wall or a table, has its name at its middle.
+        if (bodies[i].is_static) above = state.position;
         if (in_sight(above))
             picture.texts.push_back({bodies[i].name, colors::dark, false, above.cast<float>()});
     }

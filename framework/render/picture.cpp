@@ -13,7 +13,8 @@ float linear(double encoded)
     return static_cast<float>(c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4));
 }
 
-/// The columns are two vectors of length `radius` across `direction`, and `direction` itself.
+/// A matrix whose columns are two vectors of length `radius` perpendicular to `direction`, and
+/// `direction` itself.
 Matrix3f along(const Vector3f& direction, float radius)
 {
     const Vector3f z = direction.normalized();
@@ -37,7 +38,8 @@ void add_rod(Picture& picture, const Vector3f& from, const Vector3f& to, float r
              const Vector4f& color)
 {
     const Vector3f direction = to - from;
-    if (!(direction.norm() > 1e-6F * radius)) return; // it has no length, or is NaN
+    // A rod without a length, or with a NaN in its ends, is not drawn.
+    if (!(direction.norm() > 1e-6F * radius)) return;
     picture.rods.push_back({along(direction, radius), from, color});
 }
 

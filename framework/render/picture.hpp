@@ -15,15 +15,15 @@ using Eigen::Matrix3f;
 using Eigen::Vector3f;
 using Eigen::Vector4f;
 
-/// A placed unit solid: its point p goes to axes p + position. The columns of `axes` are orthogonal
-/// and carry the size: half edges of a box, radius or semi-axes of a ball.
+/// A unit solid at its place in the scene: its point p goes to axes p + position. The columns of
+/// `axes` are orthogonal; their lengths are half the edges of a box, or the semi-axes of a ball.
 struct Instance {
     Matrix3f axes = Matrix3f::Identity();
     Vector3f position = Vector3f::Zero(); // [m]
     Vector4f color = Vector4f::Ones();    // linear red, green, blue, opacity
 };
 
-/// Cosine of 30 degrees, the largest bend between two triangles without a sharp edge.
+/// Cosine of 30 degrees. The edge between two triangles is sharp if their normals differ by more.
 inline constexpr double smooth = 0.866;
 
 /// A corner of a triangle.
@@ -33,13 +33,14 @@ struct SurfaceVertex {
     Vector3f edges = Vector3f::Constant(1e6F);
 };
 
-/// Triangles with three vertices each, relative to the middle of their bounds.
+/// Triangles with three vertices each, relative to the middle of their bounding box.
 struct Surface {
     std::vector<SurfaceVertex> triangles;
-    /// Contrast between the two tones of the octants, which show the rotation of a round body.
+    /// A surface has two tones, which alternate from octant to octant and show the rotation of a
+    /// round body. This is the contrast between them; 0: both tones are the same.
     float contrast = 0;
-    Vector3f center = Vector3f::Zero(); // the middle in the frame of the shape [m]
-    float radius = 0;                   // around the middle [m]
+    Vector3f center = Vector3f::Zero(); // middle of the bounding box in the shape's frame [m]
+    float radius = 0;                   // largest distance of a vertex from `center` [m]
 };
 
 /// One surface and all its instances. The axes of the instances are rotations.
@@ -55,11 +56,11 @@ struct DeformedVertex {
     Vector4f color = Vector4f::Ones();         // linear red, green, blue, opacity
 };
 
-/// The meaning of the colors: a bar with numbers in a strip at the right border. The scene is drawn
-/// smaller, to the left of the strip.
+/// A bar of colors with the numbers that they stand for, in a strip at the right border. The scene
+/// is drawn smaller, to the left of the strip.
 struct ColorScale {
-    std::string title;            // with the unit
-    std::vector<Vector4f> colors; // from the low end to the high one, linear light
+    std::string title;            // the quantity and its unit
+    std::vector<Vector4f> colors; // from the low end of the bar to its high end, linear light
     struct Tick {
         float place = 0; // 0 at the low end, 1 at the high end
         std::string text;
@@ -71,7 +72,7 @@ struct ColorScale {
 struct Ground {
     Matrix3f axes = Matrix3f::Identity(); // a rotation
     Vector3f position = Vector3f::Zero(); // [m]
-    bool solid = true;                    // false: only the lines, for a scene without a plane
+    bool solid = true;                    // false: only grid lines, for a scene without a plane
     bool grid = true;
 };
 
@@ -89,14 +90,14 @@ struct Picture {
     float grid_spacing = 1;                                      // [m]
     bool shadows = true;
 
-    std::vector<Instance> boxes, balls;             // the bodies; they cast shadows
-    std::vector<Model> models;                      // the other bodies; they cast shadows
+    std::vector<Instance> boxes, balls;             // parts of bodies; they cast shadows
+    std::vector<Model> models;                      // parts of other shapes; they cast shadows
     std::vector<Instance> ghost_boxes, ghost_balls; // translucent
     std::vector<Model> ghost_models;
-    std::vector<DeformedVertex> deformed;       // deformable solids, 3 for a triangle; cast shadows
+    std::vector<DeformedVertex> deformed;       // corners of triangles of solids; cast shadows
     std::vector<DeformedVertex> ghost_deformed; // translucent
-    // Overlays: cylinders and cones with base z = 0 and tip z = 1, and small balls. Their opacity
-    // is for the parts that a body hides; the other parts are opaque.
+    // Overlays: cylinders and cones from the base at z = 0 to the tip at z = 1, and small balls.
+    // Where a body hides an overlay, the overlay has its opacity; elsewhere it is opaque.
     std::vector<Instance> rods, cones, dots;
     std::vector<Ground> grounds;
     std::vector<Text> texts;

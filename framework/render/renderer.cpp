@@ -13,8 +13,8 @@
 namespace rigor {
 namespace {
 
-constexpr int largest_side = 8192;              // the limit of llvmpipe is 16384
-constexpr long most_pixels = 7680L * 4320L;     // 4 samples of 8 bytes each are then 1 GB
+constexpr int largest_side = 8192;              // [pixels]; the limit of llvmpipe is 16384
+constexpr long most_pixels = 7680L * 4320L;     // 1 GB with 4 samples of 8 bytes in each pixel
 using CreateRenderer = Renderer* (*)(int, int); // the function that a module exports
 
 const char* word(Gl gl)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Drawing off screen. OpenGL is in modules that are loaded when the first picture is drawn, so that
-// a command that draws nothing does not wait for it (27 ms of a process's start).
+// Drawing off screen. OpenGL is in modules that are loaded when the first picture is drawn. So a
+// command that draws nothing does not spend 27 ms of its start on loading OpenGL.
 #pragma once
 
 #include "render/image.hpp"
@@ -27,8 +27,8 @@ public:
     virtual std::string name() const = 0;
 };
 
-/// How a context is made. OSMesa always draws with the processor; EGL without a surface uses a
-/// graphics card if there is one.
+/// The library that makes the OpenGL context. OSMesa always draws with the processor; EGL without a
+/// surface uses a graphics card if there is one.
 enum class Gl { osmesa, egl };
 
 /// The choice that was configured as RIGOR_GL.
@@ -43,8 +43,8 @@ struct OpenRenderer {
     std::string notice; // one line to show if `gl` could not be used, otherwise empty
 };
 
-/// A renderer for this size [pixels], made by `gl` or, if that cannot be loaded, in the other way.
-/// @throws InputError for a size that is not supported, std::runtime_error if neither way works
+/// A renderer for this size [pixels], made with `gl` or, if that fails, with the other library.
+/// @throws InputError for a size that is not supported, std::runtime_error if neither library works
 OpenRenderer open_renderer(int width, int height, Gl gl = default_gl());
 
 /// @throws InputError unless a picture of this size can be drawn

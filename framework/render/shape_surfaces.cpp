@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The surface of a shape as triangles to draw. Round shapes are meshed as surfaces of revolution
-// with 64 sides. An edge that bends by more than 30 degrees is sharp and gets a line; the normal of
-// a corner is the mean of its triangles without sharp bends, weighted by their angles.
+// with 64 sides. An edge whose two triangles have normals that differ by more than 30 degrees is
+// sharp and gets a line. The normal at a corner is the mean of the normals of the triangles there
+// that differ by less from its triangle, weighted by their angles at the corner.
 #include "render/shape_surfaces.hpp"
 
 #include "geometry/meshes/generators.hpp"
@@ -49,8 +50,8 @@ struct MeshOf {
     template <class Other> TriangleMesh operator()(const Other&) const { return {}; }
 };
 
-// The normal of a face at one of its vertices: the mean of all faces there that have no sharp bend
-// against it, weighted by their angles.
+// The normal of a triangle at one of its vertices: the mean of the normals of all triangles there
+// that differ by less than 30 degrees from its own normal, weighted by their angles at the vertex.
 class CornerNormals {
 public:
     CornerNormals(const TriangleMesh& mesh, const std::vector<Vector3d>& normals)
@@ -85,7 +86,7 @@ private:
     std::vector<std::vector<int>> around_; // for each vertex, its triangles
 };
 
-// For each triangle, whether the edges 0 1, 1 2 and 2 0 are sharp.
+// For each triangle, whether its edges from corner 0 to 1, from 1 to 2 and from 2 to 0 are sharp.
 std::vector<std::array<bool, 3>> sharp_edges(const TriangleMesh& mesh,
                                              const std::vector<Vector3d>& normals)
 {
@@ -101,14 +102,17 @@ std::vector<std::array<bool, 3>> sharp_edges(const TriangleMesh& mesh,
     return sharp;
 }
 
-// The contrast of the octants: strong if nothing else shows a spin, none if edges do.
+// The contrast between the two tones of the octants (see `Surface`). It is strong for round shapes,
+// where nothing else shows that they rotate, weak for a mesh with round parts, and 0 for a mesh
+// whose rotation the edges show.
 float contrast(const Shape& shape, const TriangleMesh& mesh, const std::vector<Vector3d>& normals)
 {
     if (!std::holds_alternative<Mesh>(shape)) return 0.7F;
     const auto edges = mesh_edges(mesh, normals);
     const bool is_round = std::any_of(edges.begin(), edges.end(), [&](const MeshEdge& edge) {
         const double c = normals[edge.left].dot(normals[edge.right]);
-        return c > smooth && c < 0.9998; // bends by more than one degree but has no sharp edge
+        // The two normals differ by more than one degree, but the edge is not sharp.
+        return c > smooth && c < 0.9998;
     });
     return is_round ? 0.3F : 0.0F;
 }

@@ -29,7 +29,7 @@ bool in_sight(const SolidFrame& solid)
                        [](const Vector3d& x) { return rigor::in_sight(x); });
 }
 
-/// The smallest number from `value` on that is 1, 2 or 5 times a power of ten.
+/// The smallest number not below `value` that is 1, 2 or 5 times a power of ten.
 double rounded_up(double value)
 {
     const double power = std::pow(10, std::floor(std::log10(value)));
@@ -38,7 +38,7 @@ double rounded_up(double value)
     return 10 * power;
 }
 
-/// The unit in which numbers of this size are short.
+/// A unit in which pressures up to `largest` [Pa] are short to write: its size in Pa and its name.
 std::pair<double, const char*> pressure_unit(double largest)
 {
     if (largest >= 2e9) return {1e9, "GPa"};
@@ -76,9 +76,9 @@ SolidVisualizer::color_range(const std::vector<std::vector<float>>& values) cons
     for (const std::vector<float>& of_solid : values)
         for (const float value : of_solid)
             largest = std::max<double>(largest, value);
-    // A lower limit of the range, so that rounding errors around zero are not drawn in bright
-    // colors.
-    constexpr double least_stress = 1, least_strain = 1e-3; // [Pa], no unit
+    // The high end of the range is at least this, so that rounding errors around zero are not drawn
+    // in bright colors.
+    constexpr double least_stress = 1, least_strain = 1e-3; // [Pa]; strain has no unit
     const double least = is_stress ? least_stress : least_strain;
     return {0, rounded_up(std::max(largest, least))};
 }
@@ -86,7 +86,8 @@ SolidVisualizer::color_range(const std::vector<std::vector<float>>& values) cons
 void SolidVisualizer::draw(Picture& picture, const Frame& frame) const
 {
     const bool is_scale = overlays_.solids != SolidColors::color;
-    std::vector<std::vector<float>> values(frame.solids.size()); // for each solid, at its surface
+    // For each solid, the values at the points of its surface.
+    std::vector<std::vector<float>> values(frame.solids.size());
     for (std::size_t i = 0; i < values.size() && is_scale; ++i)
         values[i] =
             at_points(*frame.solids[i].topology, quantity(frame.solids[i], overlays_.solids));
@@ -108,14 +109,14 @@ void SolidVisualizer::draw(Picture& picture, const Frame& frame) const
 void SolidVisualizer::add_color_scale(Picture& picture, const std::array<double, 2>& range) const
 {
     ColorScale& scale = picture.color_scale.emplace();
-    constexpr int steps = 128; // colors of the bar; with fewer, one would see bands
+    constexpr int steps = 128; // number of colors in the bar; with fewer, one would see bands
     for (int i = 0; i < steps; ++i)
         scale.colors.push_back(colors::scale((i + 0.5) / steps));
     const auto [low, high] = range;
     const bool is_stress = overlays_.solids == SolidColors::stress;
     const auto [unit, name] = is_stress ? pressure_unit(high) : std::pair{1.0, ""};
     scale.title = is_stress ? fmt::format("von Mises stress [{}]", name) : "plastic strain";
-    // The ticks are at round numbers. There are four or more of them.
+    // The ticks are at round numbers, at least four of them.
     const double step = rounded_up((high - low) / unit / 8);
     const auto last = std::llround(std::floor(high / unit / step + 1e-9));
     for (auto n = std::llround(std::ceil(low / unit / step - 1e-9)); n <= last; ++n) {

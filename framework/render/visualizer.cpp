@@ -26,14 +26,14 @@ std::size_t moving_count(const std::vector<DrawnBody>& bodies)
         bodies.begin(), bodies.end(), [](const DrawnBody& body) { return !body.is_static; }));
 }
 
-/// Whether two boxes have faces in one plane that look the same way.
+/// Whether two boxes have faces in one plane, with equal outward normals.
 /// @param axis  the axis of the second box that is normal to its face
 bool share_plane(const Part& part1, const Vector3d& size1, const Part& part2, const Vector3d& size2,
                  int axis)
 {
     const Matrix3d R1 = rotation_matrix(part1.orientation), R2 = rotation_matrix(part2.orientation);
-    constexpr double parallel_rounding = 1e-9; // in 1 - |cosine|, for two normals
-    constexpr double same_plane = 1e-6;        // distance of two planes / size of the box
+    constexpr double parallel_rounding = 1e-9; // largest 1 - |cosine| of two parallel normals
+    constexpr double same_plane = 1e-6; // largest distance of the planes / size of the second box
     const Vector3d n = R2.col(axis);
     const double apart = n.dot(part2.position - part1.position);
     for (int i = 0; i < 3; ++i) {
@@ -49,7 +49,7 @@ bool share_plane(const Part& part1, const Vector3d& size1, const Part& part2, co
 /// Otherwise the visible face, and its edges, would change from pixel to pixel.
 void part_planes(std::vector<Part>& parts)
 {
-    // A fraction of the size of the box. Chosen by trial: too little to be seen.
+    // A fraction of the size of the box. It was chosen by trial: it is too small to be seen.
     constexpr double thinner = 4e-4;
     for (std::size_t j = 0; j < parts.size(); ++j)
         for (std::size_t i = 0; i < j; ++i) {
@@ -122,7 +122,8 @@ void Visualizer::add_body(const BodyDescription& described, const RecordedBody& 
 
 namespace {
 
-// The key of a surface: the sizes of a round shape, or the mesh. A box, ball or plane has none.
+// The key of a surface: the kind and the sizes of a round shape, or the mesh. A box, ball or plane
+// has no key.
 struct SurfaceKeyOf {
     using Key = std::optional<SurfaceKey>;
     Key operator()(const Capsule& c) const { return SurfaceKey(nullptr, {1, c.radius, c.height}); }

@@ -46,7 +46,9 @@ private:
     std::vector<DrawnBody> bodies_;
     SolidVisualizer solids_;
     std::map<SurfaceKey, int> model_numbers_; // indices in the picture's models
-    Picture start_;           // its camera; a grid as ground if the scene has no plane
+    // What every picture starts with: the camera, empty models, and a grid as ground if the scene
+    // has no plane.
+    Picture start_;
     float thickness_ = 0.01F; // radius of a rod [m]
 };
 

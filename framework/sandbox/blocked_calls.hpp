@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Words for system calls that a program behind walls must not make.
+// Words for system calls that a program in the sandbox must not make.
 #pragma once
 
 #include <string>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Starts a program in four steps: the launcher is spawned with the options for its walls; it
-// reports that the walls are up and hands over the listener of blocked calls; the grader allows the
-// one call that starts the program; and the launcher's end of the socket closes, which shows that
-// the program has started. The program is ended by a signal to the monitor, which ends all other
-// processes first.
+// Starts a program in four steps. The launcher is spawned with the options for the walls. It
+// reports that the walls are up, and hands over the listener of blocked calls. The grader allows
+// the one call that starts the program. Then the launcher's end of the socket closes, which shows
+// that the program has started. To end the program, a signal is sent to the monitor, which ends
+// all other processes before it ends itself.
 #include "sandbox/confined.hpp"
 
 #include "sandbox/argument_pointers.hpp"
@@ -92,8 +92,8 @@ std::vector<std::string> command_line(const Confinement& confinement, std::size_
     return options;
 }
 
-/// The actions between fork and exec: the child gets these descriptors and no other, default
-/// signals and a new session.
+/// The actions between fork and exec. The child gets these descriptors and no others. Its signals
+/// have their default actions, and it is in a new session.
 class SpawnPlan {
 public:
     explicit SpawnPlan(std::span<const int> descriptors)
@@ -136,7 +136,7 @@ private:
     posix_spawnattr_t attributes_{};
 };
 
-/// The two ends of the socket for reports. The kernel says on it which process sends.
+/// The two ends of the socket for reports. The kernel adds to each report which process sent it.
 struct Sockets {
     Sockets()
     {
@@ -183,7 +183,8 @@ Received receive(int socket)
     return received;
 }
 
-/// Takes the next blocked call from a listener. @return nothing if its process has ended
+/// Takes the next blocked call from a listener.
+/// @return nothing if the process that made the call has ended
 std::optional<seccomp_notif> next_call(int listener)
 {
     seccomp_notif call = {};
@@ -312,7 +313,7 @@ rusage Confined::end()
     rusage used = {};
     if (monitor_ <= 0) return used;
     begin_end();
-    constexpr int patience = 3000; // [ms]; a process may be busy in the kernel, giving back memory
+    constexpr int patience = 3000; // [ms]; a killed process may be busy freeing its memory
     if (!ends_within(monitor_, patience)) kill(monitor_, SIGKILL);
     while (wait4(monitor_, nullptr, 0, &used) < 0 && errno == EINTR) {
     }

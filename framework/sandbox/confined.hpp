@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// A program behind walls, from start to end.
+// A program in a sandbox, from start to end. The parts of the sandbox are called walls, such as a
+// filter of system calls.
 //
-// The grader starts the launcher `confine`. The launcher stays outside the walls as the monitor;
-// its child puts up the walls around itself and becomes the program. The monitor ends in the way in
+// The grader starts the launcher `confine`. The launcher stays outside the walls as the monitor.
+// Its child puts up the walls around itself and becomes the program. The monitor ends in the way in
 // which the program ends, and nothing that the program started outlives the monitor. A system call
-// that is not allowed waits for the grader, who learns from the kernel which call it is; the
+// that is not allowed waits for the grader, who learns from the kernel which call it is. The
 // program never gets an answer.
 #pragma once
 
@@ -28,46 +29,48 @@ enum class Profile {
     compiler // a program that reads /usr and the readable paths, and starts others from there
 };
 
-/// Limits for each process. Without a value there is no limit besides the user's own.
+/// Limits for each process. If a limit has no value here, only the system's limit for the user
+/// holds.
 struct ResourceLimits {
     std::optional<std::uint64_t> address_space;  // [bytes]
     std::optional<std::uint64_t> processor_time; // [s]
     std::optional<std::uint64_t> file_size;      // [bytes]
     std::optional<std::uint64_t> open_files;
     std::optional<std::uint64_t> stack; // [bytes]
-    /// Processes and threads of the user. This limit is left out unless `can_limit_processes`.
+    /// Number of processes and threads of the user. This limit is used only if
+    /// `can_limit_processes`.
     std::optional<std::uint64_t> processes;
 };
 
 struct Confinement {
     Profile profile;
-    Tier tier; // usual_tier() for what students wrote
+    Tier tier; // usual_tier() for programs that students wrote
     /// For a compiler: the paths from which it may read and start programs, and the paths that it
-    /// may change. In tiers A and B it reaches no others, besides those of the system. If it runs
-    /// as another user, the writable paths become that user's, and the readable ones must be
-    /// readable for everybody.
+    /// may change. In tiers A and B it reaches no other paths, besides those of the system. If it
+    /// runs as another user, that user becomes the owner of the writable paths, and the readable
+    /// paths must be readable for everybody.
     std::vector<std::filesystem::path> readable = {}, writable = {};
     std::filesystem::path folder = "/";        // its working directory
-    std::vector<std::string> environment = {}; // "NAME=value"; it inherits nothing else
+    std::vector<std::string> environment = {}; // "NAME=value" for each variable
     ResourceLimits limits = {};
 };
 
-/// Whether a limit on the number of processes holds behind these walls. The kernel counts all
-/// processes of the user outside too, unless the program has a user or a user namespace of its own,
-/// and it never limits root.
+/// Whether the number of processes can be limited behind these walls. The kernel counts all
+/// processes of a user, also those outside of the sandbox. So the program needs a user or a user
+/// namespace of its own. The kernel never limits root.
 bool can_limit_processes(const Walls& walls);
 
-/// Closes the memory, the descriptors and the environment of this process to other processes of
-/// the same user (`/proc/PID/mem`, `fd`, `environ`).
+/// Keeps other processes of the same user from looking at the memory, the descriptors and the
+/// environment of this process (`/proc/PID/mem`, `fd`, `environ`).
 void make_undumpable();
 
 class Confined {
 public:
-    /// Starts a program. `arguments` begins with its path, and `descriptors` become its descriptors
-    /// 0, 1, …; it has no others.
+    /// Starts a program. `arguments` begins with the path of the program. `descriptors` become the
+    /// program's descriptors 0, 1, …; it has no other descriptors.
     /// @param awaits  whether to wait until the program runs; otherwise the caller calls
     ///                `await_start` later
-    /// @throws std::system_error if it cannot be started behind these walls
+    /// @throws std::system_error if the program cannot be started behind these walls
     Confined(const Confinement& confinement, const std::vector<std::string>& arguments,
              std::span<const int> descriptors, bool awaits = true);
     /// Ends the program and all that it started.
@@ -77,14 +80,14 @@ public:
 
     /// Waits until the program runs. A worker with a listener of blocked calls does not start
     /// before this call: the launcher puts up the walls and waits.
-    /// @throws std::system_error if it cannot be started behind these walls
+    /// @throws std::system_error if the program cannot be started behind these walls
     void await_start();
 
     /// The process number of the monitor. The monitor ends as the program ends, and stops as the
     /// program stops.
     pid_t monitor() const { return monitor_; }
 
-    /// The process number of the program. It is only good for a look at `/proc`.
+    /// The process number of the program. Use it only to look at `/proc`.
     pid_t program() const { return program_; }
 
     /// The first system call that was not allowed. The process that made it, the program or one
@@ -96,7 +99,7 @@ public:
 
     /// Begins to end the program and all that it started, without waiting for their end.
     void begin_end();
-    /// Ends the program and all that it started. @return what they used
+    /// Ends the program and all that it started. @return the resources that they used
     rusage end();
 
 private:

@@ -6,13 +6,14 @@
 
 namespace rigor {
 
-/// An open descriptor. Its number is higher than those that a child process gets, so that none is
-/// overwritten when the child's descriptors are put in place. Programs do not inherit it.
+/// An open descriptor. Its number is higher than the numbers of the descriptors that a child
+/// process gets. So it is not overwritten when the child's descriptors are put in place by dup2.
+/// Programs that are started do not inherit it.
 class Descriptor {
 public:
     Descriptor() = default;
     /// Takes over the descriptor `low`, which may be the result of a call that failed.
-    /// @throws std::system_error with errno, if it is negative
+    /// @throws std::system_error with errno, if `low` is negative
     Descriptor(int low, const char* what);
     ~Descriptor();
     Descriptor(Descriptor&& other) noexcept;
@@ -27,7 +28,7 @@ struct Ends {
     Descriptor read, write;
 };
 
-/// A pipe whose read end does not wait.
+/// A pipe whose read end is non-blocking.
 Ends output_pipe();
 
 /// /dev/null for reading.

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// What the launcher says to the grader on the socket between them. Before the program starts, it
-// sends a report of an error, or one without error, to which the listener of blocked calls is
-// attached. The socket is closed when the program starts, so no report can come from the program.
+// What the launcher says to the grader on the socket between them. Before the program starts, the
+// launcher reports an error, or it reports that the walls are up. The listener of blocked calls is
+// attached to this second kind of report. The socket is closed when the program starts, so no
+// report can come from the program.
 #pragma once
 
 namespace rigor {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Waits on three things at once: the output, the end of the monitor, and a blocked call. Whatever
-// ends the run first, the rest of the output is read after all processes have ended.
+// Waits for three events at once: output, the end of the monitor, and a blocked call. In every
+// case, the rest of the output is read after all processes have ended.
 #include "sandbox/run_confined.hpp"
 
 #include <algorithm>
@@ -73,7 +73,7 @@ private:
         while (!result_.flooded && output_is_open_) {
             const ssize_t n = read(output_.read, buffer.data(), buffer.size());
             if (n < 0 && errno == EINTR) continue;
-            if (n < 0) return; // nothing more for now
+            if (n < 0) return; // no more output for now
             output_is_open_ = n > 0;
             printed_ += static_cast<std::size_t>(n);
             const std::size_t room = limits_.output_kept - result_.output.size();

@@ -9,20 +9,22 @@
 namespace rigor {
 
 struct RunLimits {
-    std::chrono::duration<double> time{60};           // from start to end
-    std::size_t output = std::size_t{1} << 20;        // what it may print [bytes]
-    std::size_t output_kept = std::size_t{256} << 10; // kept beginning of the output [bytes]
+    std::chrono::duration<double> time{60};    // from the start of the program to its end
+    std::size_t output = std::size_t{1} << 20; // how much the program may print [bytes]
+    // How much of the output is kept, from its beginning [bytes].
+    std::size_t output_kept = std::size_t{256} << 10;
 };
 
 /// How a run ended.
 struct ConfinedRun {
-    int status = 0; // its exit status
-    int signal = 0; // the signal that killed it, or 0
+    int status = 0; // the program's exit status
+    int signal = 0; // the signal that killed the program, or 0
     std::optional<int> blocked_call;
-    bool timed_out = false, flooded = false; // whether it was ended for its time or its output
-    std::string output;                      // the beginning of its stdout and stderr, in order
-    double seconds = 0;                      // from start to end
-    double processor_seconds = 0;            // used by it and by all that it started
+    // Whether the program took more time, or printed more, than its limits allow.
+    bool timed_out = false, flooded = false;
+    std::string output;           // the beginning of stdout and stderr together, in order
+    double seconds = 0;           // time from the start of the program to its end [s]
+    double processor_seconds = 0; // processor time of the program and of all that it started [s]
 
     bool ok() const
     {
@@ -32,7 +34,7 @@ struct ConfinedRun {
 
 /// Runs a program. When it ends, all that it started is ended too.
 /// @param input  a descriptor that becomes its stdin; -1 for an empty one
-/// @throws std::system_error if it cannot be started behind these walls
+/// @throws std::system_error if the program cannot be started behind these walls
 ConfinedRun run_confined(const Confinement& confinement, const std::vector<std::string>& arguments,
                          const RunLimits& limits = {}, int input = -1);
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The launcher itself tries each wall (`main/probe.cpp`) and prints which ones work. A tier is a
-// set of walls that together can be relied on. Without a filter of system calls there is only tier
-// C. There is also only tier C with a filter that can neither ask the grader nor rely on Landlock,
-// because such a filter would let a program start others.
+// The launcher itself tries each wall (sandbox/main/probe.cpp) and prints which ones work. A tier
+// is a set of walls that together can be relied on. Without a filter of system calls there is only
+// tier C. The same is true if there is a filter but neither a listener in the grader nor Landlock,
+// because then a program could start other programs.
 #include "sandbox/tier.hpp"
 
 #include "errors/input_error.hpp"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How strong the walls around a student's program are on this machine, for this user.
+// How strong the sandbox around a student's program is on this machine, for this user. The parts of
+// the sandbox are called walls.
 //
 // | tier | walls                                                                      |
 // |------|----------------------------------------------------------------------------|
@@ -7,9 +8,9 @@
 // | B    | filter of system calls, Landlock, for root also another user               |
 // | C    | limits on resources only                                                   |
 //
-// All tiers have limits on resources, and in all of them nothing that the program starts outlives
-// it. The tier is part of each result. A tier below the strongest possible one is used only if
-// RIGOR_TIER names it.
+// All tiers have limits on resources, and in all tiers nothing that the program starts outlives it.
+// The results of the grading name the tier. A tier below the strongest possible one is used only if
+// the environment variable RIGOR_TIER names it.
 #pragma once
 
 #include <string>
@@ -38,8 +39,8 @@ Tier strongest(const Walls& walls);
 /// @throws InputError if RIGOR_TIER is none of them or is not possible here
 Tier usual_tier();
 
-/// Whether the walls are too weak for what students must not see: only limits are possible here,
-/// and RIGOR_TIER does not say that this will do.
+/// Whether the walls are too weak to hide what students must not see. This is so if only tier C is
+/// possible here and RIGOR_TIER does not ask for tier C.
 bool has_too_weak_walls();
 
 /// The walls of a tier on this machine. Walls that only a stronger tier has are left out.

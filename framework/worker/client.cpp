@@ -15,7 +15,7 @@ namespace rigor {
 
 namespace {
 
-/// The size of the states that one request advances [bytes].
+/// A request to advance states takes states until their size reaches this [bytes].
 constexpr std::size_t piece = std::size_t{1} << 18;
 
 std::string text_of(const Bytes& bytes)
@@ -63,7 +63,7 @@ Worker::Worker(std::filesystem::path executable, Limits limits, Worker* oracle)
 void Worker::start()
 {
     if (session_) return;
-    if (failed_starts_ >= 2) throw *start_failure_; // it would not start this time either
+    if (failed_starts_ >= 2) throw *start_failure_; // the program would fail to start again
     session_ = spare_ ? std::move(spare_) : std::make_unique<Session>(executable_, limits_);
     try {
         session_->await_greeting();
@@ -107,7 +107,7 @@ void Worker::fail(const Broken& broken, const ByteSink* sink)
     try {
         if (!rest.empty()) (*sink)(rest);
     } catch (const std::exception&) {
-        // If the last bytes are not a trajectory, this is ignored: the failure already says enough.
+        // If `sink` refuses the last bytes, its exception is ignored: `broken` already says enough.
     }
     WorkerFailure failure(broken.cause, subject_, broken.text);
     failure.output = take_output();
@@ -167,11 +167,11 @@ Worker::Seconds Worker::duration(Question question)
         const Reply& reply = exchange(question, allowance);
         return reply.status == ReplyStatus::done ? allowance.waited : Seconds(0);
     } catch (const WorkerFailure&) {
-        return Seconds(0); // the limit is then the floor
+        return Seconds(0); // then the time limit stays at its floor
     }
 }
 
-/// How fast this worker streams the answers of a scene; all 0 if it fails.
+/// How fast this worker streams the answers of a scene; all values are 0 if the scene fails.
 Pace Worker::pace(const Question& question)
 {
     subject_ = "the oracle";
@@ -192,7 +192,7 @@ Pace Worker::pace(const Question& question)
         renew();
     } catch (const WorkerFailure&) {
     }
-    return {}; // the limits are then the floors
+    return {}; // then the time limits stay at their floors
 }
 
 const Bytes& Worker::call(FormulaIndex formula, std::span<const std::byte> arguments,

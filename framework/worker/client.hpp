@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The client of a worker. It asks one implementation, which runs in a process of its own, and
-// survives whatever that process does.
+// The client of a worker process. The client asks one implementation of the formulas, which runs
+// in the worker process, and survives whatever that process does.
 #pragma once
 
 #include "formulas/table.hpp"
@@ -16,8 +16,9 @@ const std::string& subject_of(FormulaIndex formula);
 
 /// How fast an implementation streams the answers of a scene.
 struct Pace {
-    std::chrono::duration<double> whole{}, longest_wait{}; // time for all; longest between parts
-    std::size_t size = 0;                                  // all answers together [bytes]
+    // The time for all answers, and the longest wait between two parts of the stream.
+    std::chrono::duration<double> whole{}, longest_wait{};
+    std::size_t size = 0; // the size of all answers together [bytes]
 };
 
 /// One implementation of the formulas, which several processes may run one after the other. A
@@ -34,20 +35,20 @@ public:
     explicit Worker(std::filesystem::path executable, Limits limits = {}, Worker* oracle = nullptr);
 
     /// The encoded result of a formula on encoded arguments, valid until the next request.
-    /// A formula that the time budget has given up is not called.
+    /// A formula that the `TimeBudget` has given up is not called: the request fails at once.
     /// @param largest  largest size of an encoded result [bytes]
     /// @throws NotImplemented, FormulaMissing, WorkerFailure
     const Bytes& call(FormulaIndex formula, std::span<const std::byte> arguments,
                       std::size_t largest);
 
-    /// Runs a scene and passes its trajectory to `sink` as it arrives, up to the failure if there
-    /// is one. The bytes have not been checked.
+    /// Runs a scene and passes its trajectory to `sink` as it arrives. If the run fails, `sink`
+    /// gets the bytes before the failure. The bytes have not been checked.
     /// @param threads  number of threads for the reference; other implementations use one
     /// @throws NotImplemented, WorkerFailure, NotFinite, what `sink` throws
     void run_scene(const std::string& scene_text, const std::string& scene_name, Record record,
                    const ByteSink& sink, int threads = 1);
 
-    /// The states after `steps` time steps from each of `starts`. They are finite.
+    /// The states after `steps` time steps from each of `starts`. All their numbers are finite.
     /// @throws NotImplemented, WorkerFailure, NotFinite
     std::vector<std::vector<RigidState>> advance(const std::string& scene_text,
                                                  const std::string& scene_name,
@@ -60,7 +61,8 @@ public:
     /// printable.
     std::string take_output();
 
-    /// Starts the process if there is none and waits until it is ready. Requests do so themselves.
+    /// Starts the process if there is none and waits until it is ready. Each request does this by
+    /// itself.
     /// @throws WorkerFailure
     void start();
 
@@ -87,10 +89,10 @@ private:
     Worker* oracle_;
     std::unique_ptr<Session> session_;
     /// The previous process, which may still be ending, and a spare process for the next fresh
-    /// start: its walls are up, but its program has not started. It is made only after a first
-    /// `renew`, since others will follow.
+    /// start. The sandbox around the spare process is ready, but its program has not started. A
+    /// spare process is made only after the first `renew`, since more calls of `renew` will follow.
     std::unique_ptr<Session> ending_, spare_;
-    std::string subject_; // what the current request asks for
+    std::string subject_; // what the current request is about, for messages of failures
     std::string output_;
     int failed_starts_ = 0;
     std::optional<WorkerFailure> start_failure_;

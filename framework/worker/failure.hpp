@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The ways in which an implementation can fail without an answer. Together with `NotImplemented`,
-// these are all exceptions that a student's code can cause in a call through a worker. Any other
+// The ways in which an implementation can fail to give a valid answer. These and `NotImplemented`
+// are all exceptions that a student's code can cause in a call through a worker. Any other
 // exception is a fault of the framework.
 #pragma once
 
@@ -15,10 +15,10 @@ namespace rigor {
 struct WorkerFailure : std::runtime_error {
     enum Cause {
         crashed,   // a signal ended or stopped the process
-        exited,    // the process ended itself
-        timed_out, // no answer within the limit
-        flooded,   // more output than the limit
-        malformed, // bytes that are not an answer
+        exited,    // the process ended itself, with an exit status
+        timed_out, // no answer within the time limit
+        flooded,   // the process printed or streamed more bytes than its limit
+        malformed, // the process sent bytes that are not a valid answer
         threw,     // the formula threw an exception
     };
 

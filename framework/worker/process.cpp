@@ -39,13 +39,13 @@ Descriptor shared_memory()
 ResourceLimits resources(const Limits& limits)
 {
     ResourceLimits resources;
-    // A sanitizer reserves terabytes of addresses that it never touches.
+    // A sanitizer reserves terabytes of addresses and never uses most of them.
     if (!is_sanitized || limits.trust == Trust::students) resources.address_space = limits.memory;
-    // Enough for a recursion over 100 000 stacked bodies, which is deep but not wrong.
+    // 32 MB are enough for a recursion over 100 000 stacked bodies, which is deep but not wrong.
     resources.stack = std::size_t{32} << 20;
     if (limits.trust == Trust::students) {
         resources.file_size = 0;
-        resources.open_files = 16; // the launcher needs some
+        resources.open_files = 16; // not 0, since the launcher needs some descriptors
         resources.processes = 0;
     }
     return resources;
@@ -56,7 +56,7 @@ ResourceLimits resources(const Limits& limits)
 void let_others_start(const std::filesystem::path& executable)
 {
     using std::filesystem::perms;
-    std::error_code error; // ignored: a start that fails reports it
+    std::error_code error; // ignored: if the worker then cannot start, that is reported
     std::filesystem::permissions(executable, perms::group_exec | perms::others_exec,
                                  std::filesystem::perm_options::add, error);
 }
@@ -66,7 +66,7 @@ Confinement confinement(const std::filesystem::path& executable, const Limits& l
     if (limits.trust == Trust::students && geteuid() == 0) let_others_start(executable);
     Confinement walls{Profile::worker, limits.trust == Trust::ours ? Tier::c : usual_tier()};
     walls.limits = resources(limits);
-    // A sanitizer's report ends the process by SIGABRT. Other signals are not changed.
+    // A sanitizer's report ends the process by SIGABRT. Other signals end it as usual.
     if (is_sanitized)
         walls.environment = {"ASAN_OPTIONS=abort_on_error=1:handle_segv=0:handle_sigbus=0:"
                              "handle_abort=0:handle_sigfpe=0:handle_sigill=0:detect_leaks=0:"
@@ -124,7 +124,7 @@ std::optional<Broken> Process::ending()
     if (const std::optional<int> call = program_.blocked_call())
         return Broken{WorkerFailure::crashed, "tried to " + words_for_blocked_call(*call)};
     siginfo_t info{};
-    // WNOWAIT leaves the monitor to `Confined`, which collects it in the end.
+    // With WNOWAIT the monitor remains a zombie until `Confined::end` waits for it.
     if (waitid(P_PID, program_.monitor(), &info, WEXITED | WSTOPPED | WNOHANG | WNOWAIT) != 0)
         return Broken{WorkerFailure::crashed, "disappeared"};
     if (info.si_pid == 0) return {};

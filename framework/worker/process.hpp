@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One worker process from start to end: its memory, its output, its death.
+// One worker process from start to end: the memory that it shares with its client, its output, and
+// how it ended.
 #pragma once
 
 #include "sandbox/confined.hpp"
@@ -18,42 +19,47 @@ inline constexpr bool is_sanitized = true;
 #else
 inline constexpr bool is_sanitized = false;
 #endif
-/// A factor for time limits. It is larger than the slowdown of a scene by a sanitizer.
+/// Time limits are multiplied by this factor. It is larger than the slowdown of a scene by a
+/// sanitizer.
 inline constexpr double sanitizer_factor = is_sanitized ? 20 : 1;
 
-/// Whose formulas a worker runs. It decides which walls there are around it.
+/// Whose formulas a worker runs. This decides which walls the sandbox puts around the worker.
 enum class Trust {
     ours,     // the reference, or code that its own author runs: limits on resources only
-    students, // formulas that are graded: the walls of the usual tier; needs a static worker
+    students, // formulas that are graded: the walls of `usual_tier`; the worker must be static
 };
 
-/// The limits of an implementation. The oracle is a second worker, which runs the reference. A time
-/// limit is the greater of its floor and `multiple` times the time that the oracle took for the
-/// same request; without an oracle it is the floor. Time counts from the request, while the client
-/// waits and the worker is on a processor or sleeps. While the worker waits for a processor on a
-/// busy machine, a tenth of the time counts.
+/// The limits of an implementation. The oracle is a second worker, which runs the reference. Each
+/// time limit has a floor, its lowest value. The limit is the floor or `multiple` times the time
+/// that the oracle took for the same request, whichever is longer; without an oracle it is the
+/// floor. Time counts from the request on, while the client waits and the worker is on a processor
+/// or sleeps. If the machine is busy and the worker waits for a processor, only a tenth of that
+/// time counts.
 struct Limits {
     Trust trust = Trust::ours;
-    std::chrono::duration<double> start{10}; // from exec until the worker is ready
-    // Floor for a call of a formula, or for advancing 256 kB of states. Even under a sanitizer no
-    // formula takes nearly as long.
+    std::chrono::duration<double> start{10}; // limit from exec until the worker is ready
+    // The floor for a call of a formula, or for advancing 256 kB of states. No formula takes nearly
+    // as long, even in a build with a sanitizer.
     std::chrono::duration<double> call{2};
     std::chrono::duration<double> scene{20 * sanitizer_factor}; // floor for a whole scene
-    /// Whether a scene's limit is for the time between two records instead of the whole scene. This
-    /// is for scenes that someone watches.
+    /// Whether a scene's limit is for each wait between two parts of its stream, instead of for the
+    /// whole scene. This is for a scene that a person watches while it runs.
     bool scene_by_silence = false;
-    std::chrono::duration<double> oracle{60 * sanitizer_factor}; // limit for the oracle itself
+    // The limit for a request to the oracle.
+    std::chrono::duration<double> oracle{60 * sanitizer_factor};
     double multiple = 50;
     /// How long all calls of formulas together, and all scenes together, may take before the floors
-    /// `call` and `scene` are reduced to a tenth, see `TimeBudget`. The reference needs less than
-    /// one second for the calls of any assignment, and less than five for its scenes.
+    /// `call` and `scene` are reduced to a tenth of their values, see `TimeBudget`. The reference
+    /// needs less than one second for the calls of any assignment, and less than five seconds for
+    /// the scenes of any assignment.
     std::chrono::duration<double> all_calls{8 * sanitizer_factor},
         all_scenes{20 * sanitizer_factor};
-    /// Limit on the address space [bytes]. Our own workers have none under a sanitizer.
+    /// Limit on the address space [bytes]. In a build with a sanitizer, workers with `Trust::ours`
+    /// do not have this limit.
     std::size_t memory = std::size_t{2} << 30;
-    std::size_t output = std::size_t{1} << 20;     // what a request may print [bytes]
-    std::size_t trajectory = std::size_t{1} << 30; // what a scene may stream [bytes]
-    std::size_t output_kept = 4096;                // how much of its beginning is kept [bytes]
+    std::size_t output = std::size_t{1} << 20;     // how much a request may print [bytes]
+    std::size_t trajectory = std::size_t{1} << 30; // how much a scene may stream [bytes]
+    std::size_t output_kept = 4096; // how much of the output is kept, from its beginning [bytes]
 };
 
 /// Why a process cannot be used any more.
@@ -62,21 +68,22 @@ struct Broken {
     std::string text; // "crashed: segmentation fault"
 };
 
-/// A child process with a `Channel`, behind the walls that its `Trust` asks for. It inherits no
-/// descriptor except a null input, its end of the output pipe and the shared memory, and hardly any
-/// environment. It dies with the thread that started it, and ending it ends all that it started.
+/// A child process with a `Channel`, in a sandbox with the walls that its `Trust` asks for. The
+/// only descriptors that it inherits are /dev/null as its input, its end of the output pipe and
+/// the shared memory. It inherits hardly any environment. It dies with the thread that started it.
+/// When it is ended, all processes that it started are ended too.
 class Process {
 public:
     /// Begins to start the executable, without waiting until it runs. `await_start` must be called
     /// before the process is used.
-    /// @throws std::system_error if its launcher cannot be started
+    /// @throws std::system_error if the launcher of the sandbox cannot be started
     Process(const std::filesystem::path& executable, const Limits& limits);
     ~Process();
     Process(const Process&) = delete;
     Process& operator=(const Process&) = delete;
 
     /// Waits until the executable runs. It may not be ready for requests yet.
-    /// @throws std::system_error if it cannot be started behind these walls
+    /// @throws std::system_error if the executable cannot be started behind these walls
     void await_start() { program_.await_start(); }
 
     /// Begins to end the process, without waiting for its end. The destructor waits.
@@ -84,19 +91,19 @@ public:
 
     Channel& channel() { return *channel_; }
 
-    /// How it ended or stopped; empty while it runs.
+    /// How the process ended or stopped; empty while it runs.
     std::optional<Broken> ending();
 
-    /// What the process has done so far, as the kernel tells it. `progress` returns nothing if the
-    /// kernel does not tell.
+    /// What the process has done so far, as /proc tells it. `progress` returns nothing if /proc
+    /// does not tell.
     struct Progress {
-        std::chrono::nanoseconds on_processor{0}; // time that it has computed
-        bool sleeps = false; // whether it waits for something other than a processor
+        std::chrono::nanoseconds on_processor{0}; // time that its main thread was on a processor
+        bool sleeps = false; // whether it neither runs, nor waits for a processor or a disk
     };
     std::optional<Progress> progress() const;
 
-    /// Reads a part of what the process has printed, and appends it to `kept` as far as that has
-    /// less than `keep` bytes.
+    /// Reads a part of what the process has printed, and appends it to `kept`, but only until
+    /// `kept` has `keep` bytes.
     /// @return the number of bytes read; 0: nothing to read now, or the pipe is closed
     std::size_t drain(std::string& kept, std::size_t keep);
 

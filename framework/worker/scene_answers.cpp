@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Takes a stream of answers apart. Each answer has a header with its formula and its size. If this
-// is not the formula that the engine calls now, or if the worker's run has ended, the call has no
-// answer. The failure then names the formula, as for a call outside of scenes.
+// Takes a stream of answers apart. Each answer has a header with its formula and its size. If the
+// engine calls another formula than the one in the next header, or if the worker's run has ended,
+// the call has no answer. The failure then names the formula, as for a call outside of scenes.
 #include "worker/scene_answers.hpp"
 
 #include "worker/protocol/streamed_answer.hpp"
@@ -23,7 +23,8 @@ SceneAnswers::SceneAnswers(Worker& worker, const std::string& scene_name, Reques
     options.every_step = every_step;
     question_ = {kind, options.packed(), payload_};
     question_.given = given;
-    question_.longest_stream = std::numeric_limits<std::size_t>::max(); // nothing of it is kept
+    // The stream may have any length, since it is not stored.
+    question_.longest_stream = std::numeric_limits<std::size_t>::max();
     worker_.subject_ = "scene " + scene_name;
     worker_.start();
     try {
@@ -35,7 +36,7 @@ SceneAnswers::SceneAnswers(Worker& worker, const std::string& scene_name, Reques
 
 SceneAnswers::~SceneAnswers()
 {
-    if (!worker_.session_) return; // the worker has failed
+    if (!worker_.session_) return; // the worker has failed, so its process is gone
     const bool has_engine_failed = std::uncaught_exceptions() > exceptions_;
     try {
         Allowance allowance{Seconds(1)};
@@ -152,7 +153,7 @@ std::string SceneAnswers::too_long() const
 const Pace& SceneAnswers::reference_pace()
 {
     if (reference_pace_) return *reference_pace_;
-    Question whole = question_; // the reference answers all of it by itself
+    Question whole = question_; // for the oracle, which answers all formulas by itself
     whole.given.reset();
     reference_pace_ = worker_.oracle_ ? worker_.oracle_->pace(whole) : Pace();
     return *reference_pace_;

@@ -4,10 +4,11 @@
 // the client and streams only the answer of each formula, in the order of the calls. The client's
 // engine takes these answers instead of asking for each, which would take far longer. Both engines
 // are the same code and get the same answers, so they call the same formulas. If a worker streams
-// something else, these are only wrong answers of its formulas.
+// other answers than those of its formulas, they only count as wrong answers of its formulas.
 //
-// Where the reference answers a formula instead, the client gives the worker this answer: the
-// worker waits at such a call until the client has come to the same call and has sent the answer.
+// Where the reference answers a formula instead of the implementation, the client gives the worker
+// this answer: the worker waits at such a call until the client has come to the same call and has
+// sent the answer.
 #pragma once
 
 #include "worker/client.hpp"
@@ -23,7 +24,8 @@ public:
     /// @param scene_name  for messages
     /// @param kind        run_scene or advance
     /// @param payload     what `Request` says for this kind
-    /// @param every_step  whether to record every step; the record of a solid calls formulas
+    /// @param every_step  whether every time step is recorded; to record a deformable solid, the
+    ///                    engine calls formulas too
     /// @param given       the formulas whose answers the worker gets by `give`
     SceneAnswers(Worker& worker, const std::string& scene_name, Request kind, Bytes payload,
                  bool every_step, const FormulaSet& given = {});
@@ -61,10 +63,11 @@ private:
     std::string scene_name_;
     Bytes payload_;
     Question question_;
-    Bytes part_;                                  // received bytes of the stream
-    std::size_t at_ = 0;                          // how much of `part_` was taken [bytes]
-    std::size_t taken_before_ = 0;                // bytes that were taken before `part_`, or given
-    int exceptions_ = std::uncaught_exceptions(); // their number when the scene began
+    Bytes part_;         // received bytes of the stream
+    std::size_t at_ = 0; // how much of `part_` was taken [bytes]
+    // The bytes taken before `part_`, plus the bytes given to the worker.
+    std::size_t taken_before_ = 0;
+    int exceptions_ = std::uncaught_exceptions(); // number of exceptions when the scene began
     Seconds waited_{};                            // time of all waits so far
     std::array<Seconds, formula_count> waited_for_{};
     std::optional<Pace> reference_pace_;

@@ -2,7 +2,7 @@
 // Asks a worker process a question and waits for its reply. While the session waits, it passes on
 // the parts of the stream, collects what the process prints, and checks that the process lives and
 // keeps its time limit. While the worker computes, its time on a processor counts for this limit. A
-// reply is copied before it is checked, so that the worker cannot change it in between.
+// reply is copied, so that the worker cannot change it after the checks.
 #include "worker/session.hpp"
 
 #include "worker/protocol/streamed_answer.hpp"
@@ -97,7 +97,8 @@ const Reply& Session::ask(const Question& question, Allowance& allowance)
 /// the time that it was on a processor since `before`. A busy machine may leave a process waiting
 /// for seconds. At least a tenth of the time counts, since a worker could keep the machine busy
 /// itself to gain time.
-/// @param has_replied  whether the worker has sent something: a worker that sleeps then is done
+/// @param has_replied  whether the worker has sent something; if it sleeps then, it is done, and
+///                     its sleep does not count in full
 Allowance::Seconds Session::counted(Allowance::Seconds passed,
                                     std::optional<Process::Progress>& before,
                                     bool has_replied) const
@@ -127,9 +128,9 @@ Bytes Session::next_part(Allowance& allowance)
         const std::uint32_t now =
             await_change(reply, awaited, sequence_ - 1, slice, gives_ ? &streamed : nullptr);
         const Allowance::Seconds passed = Clock::now() - start;
-        // If this process itself had to wait for a processor, it sees a reply late that was there
-        // in time. So the last wait counts as one slice at most. What comes within the first slice,
-        // which is short, is counted without a look at the worker's progress.
+        // If this process itself had to wait for a processor, it sees too late that a reply came in
+        // time. So the last wait counts as at most one slice, the longest time of a single wait. If
+        // something comes within the first slice, which is short, the progress is not looked at.
         const bool has_replied = now == sequence_;
         const bool has_come = has_replied || (gives_ && streamed.word.load() != taken_);
         const Allowance::Seconds time =
@@ -140,7 +141,8 @@ Bytes Session::next_part(Allowance& allowance)
         if (Bytes part = has_come ? take_stream() : Bytes(); !part.empty()) return part;
         collect_output();
         if (const auto ending = process_.ending()) {
-            if (reply.load(std::memory_order_acquire) == sequence_) continue; // it was in time
+            // If there is a reply, it came before the process ended, so it counts.
+            if (reply.load(std::memory_order_acquire) == sequence_) continue;
             if (Bytes part = take_stream(); !part.empty()) return part;
             throw *ending;
         }
@@ -229,7 +231,7 @@ Bytes Session::read_stream(std::uint32_t n)
     stream.copy_out(taken_, bytes);
     taken_ += n;
     streamed_ += n;
-    stream.read.store(taken_); // before `wake` reads `read_awaited`
+    stream.read.store(taken_); // must come before `wake` reads `read_awaited`, see `post`
     // A worker waits only if it found the ring full. The client reads a full ring in at most two
     // parts. One of these is at least half of the ring, and only such a part wakes the worker.
     if (n >= Ring::size / 2) wake(stream.read, stream.read_awaited);
@@ -241,8 +243,8 @@ Bytes Session::take_stream()
     const std::uint32_t n =
         process_.channel().stream.written.load(std::memory_order_acquire) - taken_;
     if (n == 0) return {};
-    // A worker may overwrite any word of the channel. The message is then the same as for a wrong
-    // sequence number.
+    // A worker may overwrite any word of the channel, so `n` may be too large. The message is the
+    // same as for a wrong sequence number.
     if (n > Ring::size) throw Broken{WorkerFailure::malformed, out_of_turn};
     if (streamed_ + n > longest_stream_)
         throw Broken{WorkerFailure::flooded,
@@ -264,8 +266,8 @@ void Session::collect_output()
 
 std::string Session::take_output()
 {
-    // Reads no more than a pipe holds, since a process that prints without end would keep this loop
-    // running forever.
+    // Stops after about as many bytes as a pipe holds, since a process that prints without end
+    // would keep this loop running forever.
     for (std::size_t n = 0; n <= pipe_size;) {
         const std::size_t more = process_.drain(output_, limits_.output_kept);
         if (more == 0) break;

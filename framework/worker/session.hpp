@@ -16,8 +16,9 @@ struct Allowance {
 
     Seconds limit;       // the floor, until `used_up` raises it
     double multiple = 0; // the limit grows to `multiple` times the reference's time
-    std::function<Seconds()> reference = {}; // measures that time; empty: no reference, or done
-    bool by_silence = false;                 // whether each part of the stream restarts the time
+    /// Measures the reference's time. Empty if there is no reference, or after the measurement.
+    std::function<Seconds()> reference = {};
+    bool by_silence = false; // whether the time starts again at 0 with each part of the stream
     Seconds waited = {}, reference_took = {};
 
     bool used_up();
@@ -29,8 +30,8 @@ struct Question {
     std::uint32_t argument = 0;
     std::span<const std::byte> payload;
     std::size_t largest = 0;        // largest size of the reply [bytes]
-    std::size_t longest_stream = 0; // [bytes]
-    const ByteSink* sink = nullptr; // takes what is streamed; nullptr: the question streams nothing
+    std::size_t longest_stream = 0; // largest size of all that is streamed [bytes]
+    const ByteSink* sink = nullptr; // in `Session::ask`, takes what is streamed; may be nullptr
     FormulaSet given = {};          // formulas whose answers the scene gets by `Session::give`
 };
 
@@ -66,7 +67,8 @@ public:
     /// worker is far behind in reading such answers. @throws Broken
     void give(FormulaIndex formula, std::span<const std::byte> answer, Allowance& allowance);
 
-    /// The rest of the stream that came before the conversation broke.
+    /// What the worker had streamed before the conversation broke, without the parts that were read
+    /// already.
     Bytes rest_of_stream();
 
     /// The beginning of what was printed since the last call of this function.
@@ -84,14 +86,14 @@ private:
 
     Limits limits_;
     Process process_;
-    std::uint32_t sequence_ = 1; // number of the last question; 1: whether the worker is ready
+    std::uint32_t sequence_ = 1; // number of the last question; number 1 stands for the greeting
     std::uint32_t taken_ = 0;    // how much of the stream was read, modulo 2^32 [bytes]
     std::uint32_t given_ = 0;    // how much was given to the scene, modulo 2^32 [bytes]
-    bool gives_ = false;         // whether the last question has answers to give
-    std::size_t streamed_ = 0;   // how much of the stream was read, in full [bytes]
+    bool gives_ = false;         // whether the client gives answers to the current scene
+    std::size_t streamed_ = 0;   // how much of the stream was read, not modulo 2^32 [bytes]
     std::size_t largest_ = 0, longest_stream_ = 0; // limits of the last question [bytes]
     std::size_t printed_ = 0; // how much was printed since the last question [bytes]
-    Reply reply_{};           // kept, so that its memory is used again
+    Reply reply_{};           // a member, so that the next reply uses its memory again
     std::string output_;
 };
 

@@ -7,9 +7,9 @@ namespace rigor {
 
 namespace {
 
-// The share of the free time of all calls that one formula may use before it is compared with the
-// reference, so that some is left for the other formulas. Without a reference, one formula may use
-// all of the free time.
+// The free time of all calls is `Limits::all_calls`. One formula may use this share of it before
+// the formula is compared with the reference, so that some time is left for the other formulas.
+// Without a reference, one formula may use all of the free time.
 constexpr double share_with_reference = 0.25;
 
 } // namespace

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
-// What one submission may cost: the time of all its requests together, and the formulas that are
-// not asked any more. So an endless loop costs only seconds, however many tests and other formulas
-// reach it. Time counts as in `Limits`: while the worker is on a processor, or asleep while the
-// client waits.
+// Limits the time of all requests of one submission together. A formula that costs too much is
+// given up: it is not called any more. So an endless loop costs only seconds, however many tests
+// and other formulas call it. Time counts as in `Limits` in process.hpp: while the worker is on a
+// processor, or asleep while the client waits.
 //
-// The first seconds are free (`Limits::all_calls` and `all_scenes`). When they are used up, a call
-// or a scene gets a tenth of its usual floor, or `Limits::multiple` times what the reference takes
-// for the same, whichever is longer. So a solution that is slow and right is graded to its end, and
-// one that does not return is soon given up.
+// The first seconds of all calls and of all scenes are the free time (`Limits::all_calls` and
+// `all_scenes`). When it is used up, the floor (the lowest time limit) of a call or a scene is only
+// a tenth of its usual value. The limit is this floor or `Limits::multiple` times the time of the
+// reference, whichever is longer. So a solution that is slow and right is graded to its end, and a
+// solution that does not return is soon given up.
 #pragma once
 
 #include "formulas/table.hpp"
@@ -34,15 +35,16 @@ public:
     /// Goes on from what an earlier run has spent.
     void go_on_from(const Spent& spent);
 
-    /// Forgets what was spent. From now on, `free` is the free time of all calls together, and also
-    /// that of all scenes together.
+    /// Forgets what was spent. From now on, `free` is the free time (before the limits become
+    /// shorter) of all calls together, and also that of all scenes together.
     void begin_again(Seconds free);
 
     /// Counts a call that was answered.
     void returned(FormulaIndex formula, Seconds took);
     /// Counts a call, or a wait within a scene, that ended without an answer.
     void failed(FormulaIndex formula, Seconds took, bool timed_out);
-    /// Whether the time of this formula's answers is compared with the reference's from now on.
+    /// Whether this formula has taken so long that the time of each further call is compared with
+    /// the time of the reference.
     bool is_compared(FormulaIndex formula) const;
     void compare(FormulaIndex formula, Seconds took, Seconds reference_took);
 
@@ -59,14 +61,14 @@ public:
     /// gets two short chances in scenes, because its arguments may differ there.
     bool ends_scenes(FormulaIndex formula) const;
 
-    /// The floors of `Limits`, which are shorter when the free time is used up.
+    /// The floors (lowest time limits) of `Limits`, which are shorter after the free time is used.
     Seconds floor_of_call() const { return floor_factor() * limits_.call; }
     Seconds floor_of_wait(FormulaIndex formula) const;
     Seconds floor_of_scene() const;
 
     Spent spent() const;
-    /// A sentence about the formulas that are not asked any more and the free times that are used
-    /// up; empty if there are none.
+    /// A text about the formulas that were given up and the free times that are used up; empty if
+    /// there are none.
     std::string report() const;
 
 private:

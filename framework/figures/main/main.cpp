@@ -50,8 +50,9 @@ std::vector<fs::path> missing_folders(const fs::path& file)
     return missing;
 }
 
-// Writes each figure to a draft. When all drafts are on the disk, they get the names of the files.
-// @return whether that went well; otherwise nothing is left behind, and a line says why
+// Writes each figure to a draft, a temporary file. When all drafts are on the disk, they are
+// renamed.
+// @return whether all figures were written; if not, no file is left behind, and a line says why
 bool write(const std::vector<Drawn>& figures)
 {
     std::vector<fs::path> made;

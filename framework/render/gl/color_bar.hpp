@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The bar that shows the values of the colors.
+// The bar that shows which value each color stands for.
 #pragma once
 
 #include "render/gl/gl.hpp"
@@ -14,7 +14,8 @@ namespace rigor {
 struct BarPlace {
     float left = 0, right = 0, top = 0, bottom = 0;
 
-    /// The height of a tick on the screen. @param place  0 at the low end, 1 at the high end
+    /// The y coordinate on the screen [pixels] of a place on the bar.
+    /// @param place  0 at the low end, 1 at the high end
     float at(float place) const { return bottom + place * (top - bottom); }
 };
 

@@ -86,7 +86,7 @@ private:
     int width_, height_;
     std::unique_ptr<Context> context_;
     std::unique_ptr<Parts> parts_;
-    std::string shadows_; // definitions for the shaders of this picture
+    std::string shadows_; // shader definitions: SHADOWS if this picture has shadows
 };
 
 const Program& Drawing::use(Look look, const std::string& definitions)
@@ -259,7 +259,7 @@ Image Drawing::draw(const Picture& picture)
     draw_shadows(picture);
 
     glEnable(GL_CULL_FACE);
-    glFrontFace(GL_CW); // since y points down in the picture
+    glFrontFace(GL_CW); // since the projection's y points down the screen
     parts_->target.start();
     draw_bodies(picture);
     draw_overlays(picture, "");

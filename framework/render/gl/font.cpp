@@ -42,14 +42,14 @@ Glyph Font::paint(char32_t letter, int size)
     stbtt_GetGlyphBitmapBox(&font, index, scale, scale, &x0, &y0, &x1, &y1);
     Glyph glyph{0, 0, x1 - x0, y1 - y0, x0, y0, scale * static_cast<float>(advance)};
 
-    constexpr int gap = 3; // the rim of a letter reads one pixel beyond it
+    constexpr int gap = 3; // [pixels]; the shader of a letter reads one pixel beyond the letter
     if (row_x_ + glyph.width + gap > side) {
         row_y_ += row_height_ + gap;
         row_x_ = 1;
         row_height_ = 0;
     }
     if (row_y_ + glyph.height + gap > side || glyph.width + gap > side)
-        return {0, 0, 0, 0, 0, 0, glyph.advance}; // no room: a gap in the text
+        return {0, 0, 0, 0, 0, 0, glyph.advance}; // no room in the atlas: the text has a gap
     glyph.x = row_x_ + 1;
     glyph.y = row_y_ + 1;
     row_x_ += glyph.width + gap;

@@ -13,8 +13,9 @@ namespace rigor {
 
 struct Glyph {
     int x = 0, y = 0, width = 0, height = 0; // in the atlas [pixels]
-    int left = 0, top = 0;                   // from the pen on the base line, y down [pixels]
-    float advance = 0;                       // how far the pen moves [pixels]
+    // The upper left corner, relative to the pen on the base line, y down [pixels].
+    int left = 0, top = 0;
+    float advance = 0; // how far the pen moves [pixels]
 };
 
 class Font {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Cuts the visible square of a ground into the part inside the sun's shadow map and the rest. The
-// edges of the map are projected to the ground along the light. They cut it into a grid of 3 × 3
-// cells in the map's coordinates, whose middle cell is the part with shadows.
+// edges of the map are projected to the ground along the light. They cut the square into a grid of
+// 3 × 3 cells in the map's coordinates. The middle cell is the part with shadows.
 #include "render/gl/ground_mesh.hpp"
 
 #include <array>

@@ -9,7 +9,7 @@
 
 namespace rigor {
 
-using Spot = Eigen::Vector2f; // a point of a ground, along its x and z, from its middle [m]
+using Spot = Eigen::Vector2f; // a point of a ground: its x and z, relative to the middle [m]
 
 struct GroundPieces {
     std::vector<Spot> shaded, plain; // triangles, counter-clockwise seen from above

@@ -14,7 +14,7 @@
 namespace rigor {
 namespace {
 
-constexpr std::size_t longest = 160; // most letters of a line, since a name may have any length
+constexpr std::size_t longest = 160; // [letters] the rest of a longer line is not drawn
 
 /// The sRGB encoding of linear light, approximated by a power, which is enough for letters.
 float encoded(float linear)

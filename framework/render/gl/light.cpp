@@ -34,7 +34,8 @@ Vector3f forward_of(const Picture& picture)
 }
 
 /// The perspective projection. Its y points down the screen, so that rows are read from the top, as
-/// image files need them. @param strip  share of the width at the right border that stays free
+/// image files need them.
+/// @param strip  share of the width, at the right border, in which the scene is not drawn
 Matrix4f to_clip(const Picture& picture, float aspect, float strip)
 {
     const float angle = std::clamp(picture.field_of_view, 1.0F, 170.0F);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The framebuffers: the picture with four samples for each pixel, resolved to one and read back,
-// and the depth map of the sun.
+// The framebuffers. One has the picture with four samples for each pixel, which are then resolved
+// to one sample and read back. The other one has the shadow map.
 #pragma once
 
 #include "render/gl/gl.hpp"
@@ -10,7 +10,7 @@ namespace rigor {
 
 class Target {
 public:
-    /// @throws std::runtime_error if there is no memory for it
+    /// @throws std::runtime_error if there is no memory for the framebuffers
     Target(int width, int height);
 
     void start() const;   // from now on, drawing has four samples for each pixel

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// A worker is a statically linked program that computes and prints. So it gets the few calls that
-// such a program and its C library make, and nothing that opens, starts or finds anything. A
-// compiler opens files and starts an assembler and a linker, which no short list describes; it is
-// forbidden what no compiler needs, and Landlock and namespaces limit the files.
+// A worker is a statically linked program that computes and prints. So it may make only the few
+// calls that such a program and its C library make, and no call that opens files, starts programs
+// or finds out about other processes. A compiler opens files and starts an assembler and a linker,
+// so no short list has all its calls. It may make all calls except those that no compiler needs,
+// and Landlock and namespaces limit which files it can use.
 #include "sandbox/main/calls.hpp"
 
 #include <fcntl.h>
@@ -30,7 +31,7 @@ constexpr Rule worker_table[] = {
     {SYS_fstat, allowed},
     {SYS_close, allowed},
 
-    // Memory: the heap and the channel. It is never executable.
+    // Memory: the heap, and the memory shared with the grader. It is never executable.
     {SYS_brk, allowed},
     {SYS_mmap, allowed, never_executable},
     {SYS_mprotect, allowed, never_executable},
@@ -44,9 +45,10 @@ constexpr Rule worker_table[] = {
     {SYS_rseq, allowed},
     {SYS_getrandom, allowed},
     {SYS_uname, allowed},
-    {SYS_prlimit64, allowed, {Condition::is_null, 2}, declined}, // it reads limits, but sets none
+    // Argument 2, the new limits, must be null: a worker may read limits, but not set them.
+    {SYS_prlimit64, allowed, {Condition::is_null, 2}, declined},
 #ifdef SYS_arch_prctl
-    {SYS_arch_prctl, allowed}, // the register of thread-local variables
+    {SYS_arch_prctl, allowed}, // sets the register for thread-local variables
 #endif
 #ifdef SYS_getrlimit
     {SYS_getrlimit, allowed},
@@ -69,7 +71,7 @@ constexpr Rule worker_table[] = {
     {SYS_time, allowed},
 #endif
 
-    // Its own signals and its end.
+    // The worker's handling of signals, and its end.
     {SYS_rt_sigaction, allowed},
     {SYS_rt_sigprocmask, allowed},
     {SYS_rt_sigreturn, allowed},
@@ -77,7 +79,7 @@ constexpr Rule worker_table[] = {
     {SYS_exit, allowed},
     {SYS_exit_group, allowed},
 
-    // The numbers of its own process and user.
+    // The numbers of the worker's process and user.
     {SYS_getpid, allowed},
     {SYS_gettid, allowed},
     {SYS_getuid, allowed},
@@ -85,8 +87,8 @@ constexpr Rule worker_table[] = {
     {SYS_getgid, allowed},
     {SYS_getegid, allowed},
 
-    // What the C library tries by itself and can do without: the kind of its output, the path of
-    // the program, names of memory areas.
+    // Calls that the C library tries by itself and can do without: it asks for the kind of the
+    // output and the path of the program, and gives names to memory areas.
     {SYS_ioctl, declined},
     {SYS_fcntl, declined},
     {SYS_newfstatat, declined},
@@ -98,7 +100,7 @@ constexpr Rule worker_table[] = {
 #endif
 };
 
-// What no compiler needs.
+// The calls that no compiler needs.
 constexpr int never_by_a_compiler[] = {
     // The network.
     SYS_socket, SYS_connect, SYS_bind, SYS_listen, SYS_accept, SYS_accept4, SYS_sendto,
@@ -118,7 +120,7 @@ constexpr int never_by_a_compiler[] = {
     // Memory and queues that outlive a process.
     SYS_shmget, SYS_msgget, SYS_semget, SYS_mq_open,
 
-    // The machine.
+    // Settings of the whole machine.
     SYS_init_module, SYS_finit_module, SYS_delete_module, SYS_kexec_load, SYS_reboot, SYS_swapon,
     SYS_swapoff, SYS_quotactl, SYS_acct, SYS_settimeofday, SYS_clock_settime, SYS_adjtimex,
     SYS_sethostname, SYS_setdomainname, SYS_syslog, SYS_vhangup, SYS_personality};
@@ -144,8 +146,9 @@ std::vector<Rule> compiler_rules()
     std::vector<Rule> rules;
     for (const int call : never_by_a_compiler)
         rules.push_back({call, refused});
-    // Processes, but no user namespaces. The flags of clone3 are in memory, where no filter can see
-    // them. So clone3 fails as on a kernel that lacks it, and the C library calls clone instead.
+    // A compiler may start processes, but must not make user namespaces. The flags of clone3 are in
+    // memory, where no filter can see them. So clone3 fails as on a kernel that lacks it, and the C
+    // library calls clone instead.
     rules.push_back({SYS_clone, allowed, {Condition::lacks_bits, 0, CLONE_NEWUSER}});
     rules.push_back({SYS_clone3, missing});
     return rules;

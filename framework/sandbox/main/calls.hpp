@@ -18,23 +18,23 @@ struct Condition {
 /// What happens to a call.
 enum class Verdict {
     allowed,
-    refused,  // it does not happen, and the grader learns of it
-    declined, // it fails quietly with EPERM, since programs try it and can do without
-    missing,  // it fails quietly with ENOSYS, so that the C library takes an older call
+    refused,  // the call does not happen, and the grader learns of it
+    declined, // the call fails with EPERM and nobody is told, since programs can do without it
+    missing,  // the call fails with ENOSYS, so that the C library makes an older call instead
 };
 
 struct Rule {
     int call; // SYS_…
     Verdict verdict;
     Condition condition = {};
-    Verdict otherwise = Verdict::refused; // if the condition does not hold
+    Verdict otherwise = Verdict::refused; // the verdict if the condition does not hold
 };
 
 /// The numbers that the rules of a worker refer to.
 struct OwnNumbers {
     std::uint32_t process; // the number of this process in its own namespace
     std::uint32_t report;  // the socket to the grader, closed when the program starts
-    std::uint32_t program; // the descriptor of the program, closed when it starts
+    std::uint32_t program; // the descriptor of the program's file, closed when it starts
 };
 
 /// The calls of a worker; all others are refused.

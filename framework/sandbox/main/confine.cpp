@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The launcher `confine`: starts one program behind walls. It makes the namespaces, stays outside
 // the walls as the monitor, and forks a child that puts up the walls around itself and becomes the
-// program. It is static and does little else, so that a fresh worker costs milliseconds.
+// program. The launcher is linked statically and does little else, so that to start a worker takes
+// only milliseconds.
 #include "sandbox/main/failure.hpp"
 #include "sandbox/main/monitor.hpp"
 #include "sandbox/main/namespaces.hpp"
@@ -18,8 +19,8 @@ namespace rigor::confine {
 
 namespace {
 
-/// Starts the first process of a process namespace. It does nothing; when it ends, the kernel ends
-/// all others there.
+/// Starts the first process of a process namespace. This process only waits. When it ends, the
+/// kernel ends all other processes of the namespace.
 pid_t start_init()
 {
     const pid_t init = must(fork(), "start the first process");

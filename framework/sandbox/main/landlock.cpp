@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The rights and structures are written out here as in linux/landlock.h, since the headers of a
-// distribution are often older than its kernel.
+// The rights and structures of Landlock are written out here as in linux/landlock.h, since the
+// headers of a Linux distribution are often older than its kernel.
 #include "sandbox/main/landlock.hpp"
 
 #include "sandbox/main/failure.hpp"
@@ -39,15 +39,15 @@ struct [[gnu::packed]] PathBeneath {
 
 constexpr unsigned query_version = 1, path_beneath = 1;
 
-// Everything that this version can restrict.
+// All rights that this version of Landlock can restrict.
 Ruleset everything(int version)
 {
     Ruleset all = {bit(13) - 1, 0, 0};
     if (version >= 2) all.files |= make_links_across;
     if (version >= 3) all.files |= truncate;
     if (version >= 5) all.files |= ioctl_on_device;
-    if (version >= 4) all.network = bit(0) | bit(1); // bind and connect by TCP
-    if (version >= 6) all.outside = bit(0) | bit(1); // abstract sockets, signals
+    if (version >= 4) all.network = bit(0) | bit(1); // to bind and to connect by TCP
+    if (version >= 6) all.outside = bit(0) | bit(1); // abstract sockets and signals
     return all;
 }
 

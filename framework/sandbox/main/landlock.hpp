@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Landlock: a process gives up all access to files except below some paths, forever. It needs no
-// privilege.
+// Landlock, a part of Linux: a process gives up all access to files except below some paths,
+// forever. The process needs no privilege for this.
 #pragma once
 
 #include <vector>
@@ -22,9 +22,9 @@ struct Grant {
     Access access;
 };
 
-/// Gives up access to all files but these, to the network, and to all processes that do not share
-/// this restriction (those that this process starts do), as far as the kernel's version of Landlock
-/// covers each. Descriptors that are open already stay as they are.
+/// Gives up access to all files but these, to the network, and to all other processes except those
+/// that this process starts later. An older version of Landlock restricts only a part of this.
+/// Descriptors that are open already stay as they are.
 void restrict_files(const std::vector<Grant>& grants);
 
 } // namespace rigor::confine

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The kernel gives orphans to the nearest ancestor that has asked for them, so every descendant
-// becomes a child of the monitor when its parents have died, in whatever session it is. The monitor
+// becomes a child of the monitor when its parents have died, whatever its session is. The monitor
 // kills its children until it has none. If there is a process namespace, it is enough to kill the
 // first process in it.
 #include "sandbox/main/monitor.hpp"

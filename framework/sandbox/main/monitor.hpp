@@ -7,8 +7,9 @@
 
 namespace rigor::confine {
 
-/// The limit for core files by which none are written. With a limit of 0 bytes, the kernel would
-/// still hand a core over to a program that collects them; with a limit of 1 it does not.
+/// The limit on the size of core files with which no core file is made. With a limit of 0 bytes,
+/// the kernel would still hand a core over to a program that collects core files. With a limit of
+/// 1 byte it does not.
 inline constexpr unsigned no_core = 1; // [bytes]
 
 /// Makes this process the monitor of all processes that it starts from now on, also of those whose

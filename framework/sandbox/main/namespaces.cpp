@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The new root is a small file system in memory, over a folder that exists everywhere. Copies of
-// the mounts below each path are taken first, because the new root may hide them, and attached
-// below the new root afterwards. Without capabilities and without descriptors of folders outside,
-// nobody leaves such a root again.
+// The new root folder is a small file system in memory. It is mounted over /tmp, a folder that
+// exists everywhere. Copies of the mounts below each path are taken first, because the new root may
+// hide them, and are attached below the new root afterwards. A process without capabilities and
+// without descriptors of folders outside cannot leave such a root.
 #include "sandbox/main/namespaces.hpp"
 
 #include "sandbox/main/failure.hpp"
@@ -42,7 +42,7 @@ void make_folders_above(const std::string& path)
 {
     for (std::size_t slash = path.find('/'); slash != std::string::npos;
          slash = path.find('/', slash + 1))
-        mkdir(path.substr(0, slash).c_str(), 0755); // most of them exist
+        mkdir(path.substr(0, slash).c_str(), 0755); // may fail, since most of these folders exist
 }
 
 void set_attributes(int mount, unsigned flags, bool writable)

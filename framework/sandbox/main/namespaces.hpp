@@ -20,8 +20,8 @@ struct OpenPath {
 /// there is a user namespace around them, which needs no privilege.
 void enter_namespaces(bool user_namespace);
 
-/// Makes a root folder that has only these paths, read-only except those that may be written, and
-/// moves there. It needs `enter_namespaces`.
+/// Makes a root folder that has only these paths, and moves there. The paths are read-only, except
+/// those that may be written. `enter_namespaces` must have been called before.
 void enter_empty_root(const std::vector<OpenPath>& paths);
 
 } // namespace rigor::confine

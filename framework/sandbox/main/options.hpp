@@ -19,21 +19,21 @@ struct ResourceLimit {
 };
 
 struct Options {
-    bool probe = false;          // only find out which walls are possible
-    int report = -1;             // the socket; the descriptors below it are the program's
-    bool is_compiler = false;    // the profile: compiler or worker
-    bool namespaces = false;     // own mounts, processes, network, IPC, host name
+    bool probe = false; // only find out which walls are possible
+    int report = -1;    // descriptor of the socket to the grader; the program gets all lower ones
+    bool is_compiler = false;    // whether the profile is `compiler`; otherwise it is `worker`
+    bool namespaces = false;     // whether to make new mounts, processes, network, IPC, host name
     bool user_namespace = false; // whether the namespaces need a user namespace around them
-    unsigned user = 0;           // the program's user and group; 0: the user as it is
+    unsigned user = 0;           // the program's user and group; 0: they are not changed
     bool seccomp = false;
     /// Whether a blocked call waits for the grader, who learns which call it is. Otherwise a
     /// blocked call kills the process.
     bool notify = false;
     bool landlock = false;
-    std::vector<const char*> readable, writable; // paths, besides those of the profile
-    const char* folder = "/";                    // working directory
+    std::vector<const char*> readable, writable; // paths in addition to those of the profile
+    const char* folder = "/";                    // the program's working directory
     std::vector<ResourceLimit> limits;
-    char** program = nullptr; // its path and arguments
+    char** program = nullptr; // the program's path and arguments
 };
 
 /// @return the options; a malformed command line ends this process

@@ -43,7 +43,8 @@ public:
     {
         load(offsetof(seccomp_data, nr));
         const std::size_t start = code_.size();
-        jump(BPF_JEQ, static_cast<std::uint32_t>(rule.call), 0, 0); // the length is set below
+        // The second 0, the length of the jump if the numbers differ, is replaced below.
+        jump(BPF_JEQ, static_cast<std::uint32_t>(rule.call), 0, 0);
         check(rule);
         code_[start].jf = static_cast<std::uint8_t>(code_.size() - start - 1);
     }

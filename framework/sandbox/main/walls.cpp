@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Whatever needs privileges comes first: a root folder of its own, another user. Then privileges
-// are dropped forever, limits are set, Landlock denies access to files, and last the filter blocks
-// the calls that all of this needed. So the filter is in force before the program's first
-// instruction.
+// The steps that need privileges come first: to make a new root folder and to change the user. Then
+// privileges are dropped forever, limits are set, and Landlock denies access to files. The filter
+// comes last, since it blocks the calls that all of this needed. It is in force before the
+// program's first instruction.
 #include "sandbox/main/walls.hpp"
 
 #include "sandbox/main/calls.hpp"
@@ -35,7 +35,7 @@ constexpr SystemPath compiler_paths[] = {
     {"/bin", Access::execute},
     {"/lib", Access::execute},
     {"/lib64", Access::execute},
-    {"/etc/alternatives", Access::execute}, // c++ and g++ may be links to there
+    {"/etc/alternatives", Access::execute}, // c++ and g++ may be links into this folder
     {"/etc/ld.so.cache", Access::execute},
     {"/dev/null", Access::use_device},
 };
@@ -116,7 +116,7 @@ void change_user(unsigned user)
 
 void drop_capabilities()
 {
-    // Without this, a program that is started as root would get all capabilities again.
+    // Without this loop, a program that is started as root would get all capabilities again.
     for (int capability = 0; prctl(PR_CAPBSET_READ, capability) >= 0; ++capability)
         prctl(PR_CAPBSET_DROP, capability); // fails if this process has no capabilities
     __user_cap_header_struct header = {_LINUX_CAPABILITY_VERSION_3, 0};
@@ -126,7 +126,7 @@ void drop_capabilities()
 
 void become_program(const Options& options)
 {
-    setsid(); // its group can be killed without the monitor
+    setsid(); // a new process group, which can be killed without the monitor
     const int program = open_program(options.program[0]);
     const std::vector<OpenPath> paths = open_paths(options);
     if (options.namespaces) enter_empty_root(paths);
@@ -135,7 +135,8 @@ void become_program(const Options& options)
     if (has_walls) drop_capabilities();
     must(chdir(options.folder), "enter the working directory");
     must(prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0), "refuse new privileges");
-    must(prctl(PR_SET_PDEATHSIG, SIGKILL), "end with the monitor"); // a change of user clears it
+    // This comes after change_user, because a change of user clears this setting.
+    must(prctl(PR_SET_PDEATHSIG, SIGKILL), "end with the monitor");
     set_limits(options);
     if (options.landlock) restrict_to(paths, program);
     const int listener = options.seccomp ? put_filter_in_force(options, program) : -1;

@@ -10,7 +10,7 @@ namespace rigor::confine {
 /// up ends this process.
 [[noreturn]] void become_program(const Options& options);
 
-/// Takes another user and group, without any privilege.
+/// Changes to another user and group, which have no privileges, and leaves all other groups.
 void change_user(unsigned user);
 
 /// Gives up all capabilities, forever.

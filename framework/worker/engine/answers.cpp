@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Defines each formula for the engine alone: the names are local to the engine's part of a worker.
+// Defines each formula for the engine alone. The build makes these names local to the part of a
+// worker that has the engine.
 #include "worker/engine/answers.hpp"
 
 #include "worker/protocol/define_formulas.hpp"
@@ -13,7 +14,7 @@ namespace {
 const Stream* listener = nullptr;
 const TakeAnswer* giver = nullptr;
 FormulaSet are_given;
-wire::Bytes encoded; // its memory is kept, since a scene makes millions of calls
+wire::Bytes encoded; // global, so that millions of calls in a scene use the same memory
 
 template <class Result> void stream_answer(FormulaIndex formula, const Result& result)
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The engine's part of a worker. This part and the part with the main function are linked
-// beforehand, with local names. So an implementation can neither replace a function of the engine
-// nor call one.
+// The engine's part of a worker. This part, and likewise the part with the main function, is first
+// linked alone, and its names are made local. So an implementation, which is linked to them later,
+// can neither replace a function of the engine nor call one.
 #pragma once
 
 #include "worker/engine/answers.hpp"
@@ -12,7 +12,8 @@
 
 namespace rigor {
 
-/// A state of a scene that is not finite. The text names the body, the quantity and the time.
+/// Thrown when a state in a scene has a number that is not finite. The text names the body, the
+/// quantity and the time.
 struct NonFiniteAnswer {
     std::string text;
 };

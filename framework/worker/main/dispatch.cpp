@@ -12,7 +12,8 @@ namespace rigor {
 
 namespace {
 
-// The judgement of a test about its formula, or the question at which the test stopped.
+// Runs a test that a student wrote. Returns its judgement about the formula under test. If the test
+// stopped at a call whose result is not known yet, returns this call.
 template <class Test> Judgement judgement(const Test& test)
 {
     try {

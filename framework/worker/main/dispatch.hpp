@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The worker's table of formulas: calls one of them by its index.
+// Calls a formula by its index in the table of formulas (formulas/table.hpp).
 #pragma once
 
 #include "worker/protocol/wire.hpp"

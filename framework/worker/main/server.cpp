@@ -98,10 +98,10 @@ void Server::reply_text(ReplyStatus status, std::string text)
 }
 
 // Writes to the ring, which the client reads while the scene goes on. Waking the client takes
-// longer than most writes, so it is woken rarely; it also looks by itself from time to time.
+// longer than most writes, so the client is woken rarely. It also looks by itself regularly.
 void Server::stream(std::span<const std::byte> bytes)
 {
-    // The client is not woken for fewer new bytes, because each wake-up costs a system call.
+    // The client is woken only for this many new bytes, because each wake-up costs a system call.
     constexpr std::uint32_t worth_waking = std::uint32_t{1} << 16; // [bytes]
     Ring& ring = channel_.stream;
     while (!bytes.empty()) {
@@ -149,7 +149,7 @@ void Server::take_bytes(std::span<std::byte> bytes)
     while (!bytes.empty()) {
         const std::uint32_t given = ring.written.load(std::memory_order_acquire);
         if (given == used_) {
-            wake(channel_.reply, channel_.reply_awaited); // to read what has been streamed so far
+            wake(channel_.reply, channel_.reply_awaited); // so that the client reads the stream
             await_change(ring.written, ring.written_awaited, given, std::chrono::hours(1));
             continue;
         }

@@ -10,7 +10,7 @@
 
 namespace rigor {
 
-/// A formula that the implementation does not define.
+/// Thrown by a call of a formula that the implementation does not define.
 struct MissingFormula {
     unsigned index;
 };
@@ -38,14 +38,16 @@ private:
     Channel& channel_;
     bool is_reference_;
     wire::Bytes answer_; // to the current request; its memory is kept for the next one
-    std::uint32_t streamed_ = 0, announced_ = 0; // bytes streamed: in all; at the last wake-up
-    std::uint32_t used_ = 0;                     // bytes read of the answers that the client gives
-    std::uint32_t sequence_ = 1;                 // number of the current request; 1: the greeting
+    // The number of bytes that the scene has streamed, and this number when the client was last
+    // woken.
+    std::uint32_t streamed_ = 0, announced_ = 0;
+    std::uint32_t used_ = 0;     // number of bytes read from the client's answers to the scene
+    std::uint32_t sequence_ = 1; // number of the current request; the greeting has number 1
 };
 
 /// The main function of a worker: takes the shared memory from its client and serves forever.
-/// @param is_reference  see SceneRequest
-/// @return the exit status; it returns only if no client started it
+/// @param is_reference  whether the formulas are the reference's, see SceneRequest
+/// @return the exit status; the function returns only if no client started the worker
 int run_worker(bool is_reference);
 
 } // namespace rigor

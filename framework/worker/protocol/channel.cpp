@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Waiting on a word of shared memory. The reader first spins for some microseconds and then sleeps
-// in a futex until the other process wakes it. The time to spin adapts to whether spinning has
-// helped.
+// Waiting on a word of shared memory. A process that waits first spins for some microseconds and
+// then sleeps in a futex until the other process wakes it. The time to spin adapts to whether
+// spinning has helped.
 #include "worker/protocol/channel.hpp"
 
 #include "formulas/table.hpp"
@@ -21,11 +21,11 @@ using Clock = std::chrono::steady_clock;
 using Microseconds = std::chrono::duration<double, std::micro>;
 
 // If both processes have a processor, an answer comes in under a microsecond, while waking a
-// process that sleeps on another processor takes fifty. If there is one processor, or all are busy,
-// spinning only keeps the other process from answering. So the time to spin is halved each time
-// that spinning fails, down to none, and spinning is tried again from time to time. The longest
-// time to spin is longer than a test needs to compare an answer and to ask again: with 20 µs, most
-// calls of a test had to wake a process.
+// process that sleeps on another processor takes fifty. If there is only one processor, or all are
+// busy, spinning only keeps the other process from answering. So the time to spin is halved each
+// time that spinning fails, down to zero, and spinning is tried again from time to time. The
+// longest time to spin is longer than a test needs to compare an answer and to ask again: when it
+// was 20 µs, most calls of a test had to wake a process.
 constexpr Microseconds longest_spin(100), spin_of_a_try(20);
 constexpr int waits_between_tries = 32;
 
@@ -92,7 +92,7 @@ std::uint32_t await_change(std::atomic<std::uint32_t>& word, std::atomic<std::ui
 {
     const auto other_has_changed = [&] { return other && other->word.load() != other->old; };
     if (const Microseconds spin = spinning.next(); spin > Microseconds(0)) {
-        // The clock is read only after the first microseconds: most answers come before.
+        // The clock is read only after the first 32 looks: most answers come earlier.
         for (std::optional<Clock::time_point> start;;) {
             for (int i = 0; i < 32; ++i) {
                 if (const std::uint32_t now = word.load(std::memory_order_acquire); now != old) {
@@ -114,8 +114,8 @@ std::uint32_t await_change(std::atomic<std::uint32_t>& word, std::atomic<std::ui
     const auto whole = std::chrono::duration_cast<std::chrono::seconds>(longest);
     const timespec timeout = {whole.count(), (longest - whole).count()};
     awaited.store(1);
-    // The futex returns at once if the word has changed meanwhile. It may also wake early; then the
-    // caller waits again.
+    // The futex call returns at once if the word has changed meanwhile. It may also return although
+    // the word has not changed; then the caller waits again.
     if (word.load() == old && !other_has_changed())
         syscall(SYS_futex, &word, FUTEX_WAIT, old, &timeout, nullptr, 0);
     awaited.store(0, std::memory_order_relaxed);

@@ -3,15 +3,15 @@
 //
 // The client writes a request and sets `request` to the next sequence number; the worker writes the
 // reply over the request and sets `reply` to the same number. The worker may write to this memory
-// at any time: so the client keeps its own values in variables of its own, and copies a reply
-// before it looks at it. What a scene streams goes through a ring buffer of its own, so that all of
+// at any time. So the client keeps its numbers in variables outside this memory, and copies a reply
+// before it looks at it. What a scene streams goes through a separate ring buffer, so that all of
 // it can be read even if the worker dies in the next instruction. A second ring buffer has the
 // answers that the client gives to a scene in place of the worker's own formulas.
 //
 // Before a process sleeps until a word changes, it says so in a second word beside the first. The
 // other process wakes it only if this second word is set, since waking is a system call and takes
-// as long as the rest of a call. A worker that does not set it is not woken, and exceeds its time
-// limit.
+// as long as the rest of a request. A worker that does not set the second word is not woken, and
+// exceeds its time limit.
 #pragma once
 
 #include "formulas/table.hpp"
@@ -27,18 +27,18 @@ namespace rigor {
 
 /// The kinds of requests.
 enum class Request : std::uint32_t {
-    call,      // calls formula `argument` on the encoded arguments in the payload
+    call,      // calls the formula with index `argument`; the payload has the encoded arguments
     run_scene, // runs a scene: the payload has its text and name, `argument` the SceneOptions
-    advance,   // advances states: the payload also has the number of steps and the first states
+    advance,   // like `run_scene`, but the payload also has the number of steps and first states
 };
 
-/// How a scene is run, and what comes back.
+/// How a scene is run, and what the worker streams to the client.
 struct SceneOptions {
     /// Whether the answers of the formulas are streamed, one after the other, instead of the
     /// trajectory or the states.
     bool streams_answers = false;
-    bool every_step = false; // whether a trajectory has every step, not only the frames
-    int threads = 1;         // threads for the reference; others use one
+    bool every_step = false; // whether a trajectory has every time step, not only the frames
+    int threads = 1;         // threads for the reference; other implementations use one thread
 
     std::uint32_t packed() const
     {
@@ -64,7 +64,7 @@ enum class ReplyStatus : std::uint32_t {
 struct Channel {
     // Sizes [bytes].
     static constexpr std::size_t capacity = std::size_t{64} << 20; // only used pages take memory
-    static constexpr std::size_t longest_text = 4096;              // longest text of a failure
+    static constexpr std::size_t longest_text = 4096; // longest message about a failure
 
     alignas(64) std::atomic<std::uint32_t> request;
     std::atomic<Request> kind;
@@ -104,7 +104,7 @@ struct Until {
 /// Spins for a moment, then sleeps until the word is not `old` any more, until this process is
 /// woken, or until `longest` has passed.
 /// @param awaited  is 1 while this process may be asleep, otherwise 0
-/// @param other    ends the wait too, if it changes before this process sleeps
+/// @param other    a second word; if it changes before this process sleeps, the wait ends too
 /// @return the present value of the word
 std::uint32_t await_change(std::atomic<std::uint32_t>& word, std::atomic<std::uint32_t>& awaited,
                            std::uint32_t old, std::chrono::nanoseconds longest,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Defines every function of the contract from its declaration.
+// Defines every formula of the table (formulas/table.hpp) from its declaration.
 // `RIGOR_FORMULAS(RIGOR_DEFINE_FORMULA)` turns the row
 // `FORMULA(A2.14, inertia, combine, a, b)` into
 //
@@ -17,7 +17,7 @@
 
 namespace rigor {
 
-/// The types of a function, from its declaration.
+/// The types of a function's result and parameters, taken from its declaration.
 template <class Function> struct Signature;
 template <class R, class... Argument> struct Signature<R (*)(Argument...)> {
     using Result = R;

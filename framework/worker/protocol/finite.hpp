@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Finds the first number of a value that is not finite.
+// Finds the first number in a value that is NaN or infinite.
 #pragma once
 
 #include "worker/protocol/wire.hpp"
@@ -35,8 +35,8 @@ template <class T> bool is_finite(const T& value)
     }
 }
 
-/// The first number in `value` that is not finite, with its path from the value, such as
-/// `angular_momentum.y is NaN`. Empty if all are finite.
+/// The first number in `value` that is not finite, named by the fields that lead to it, such as
+/// `angular_momentum.y is NaN`. Empty if all numbers are finite.
 template <class T> std::string find_non_finite(const T& value, const std::string& path = "")
 {
     std::string found;

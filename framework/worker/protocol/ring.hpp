@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A ring buffer of bytes in shared memory: one process writes, the other one reads. This header
 // only says where the bytes lie. The two processes wait for each other in different ways, so the
-// waiting is in their own code.
+// code that waits is in worker/session.cpp and in worker/main/server.cpp.
 #pragma once
 
 #include <algorithm>
@@ -23,8 +23,8 @@ struct Ring {
     std::atomic<std::uint32_t> read_awaited; // not 0: the writer may sleep until `read` changes
     alignas(64) std::byte bytes[size];       // byte n is bytes[n % size]
 
-    /// Copies `from`, which has at most `size` bytes, into the ring. Its first byte becomes byte
-    /// `at`.
+    /// Copies `from`, which has at most `size` bytes, into the ring. The first byte of `from`
+    /// becomes byte `at` of the ring.
     void copy_in(std::span<const std::byte> from, std::uint32_t at)
     {
         const std::uint32_t start = at % size;

@@ -5,8 +5,8 @@
 
 namespace rigor {
 
-/// The header before each encoded answer of a formula: before those that a worker streams, and
-/// before those that the client gives to a scene.
+/// The header before each encoded answer of a formula, both in the stream of a worker and among the
+/// answers that the client gives to a scene.
 struct StreamedAnswer {
     std::uint32_t formula; // its index in the table
     std::uint32_t size;    // length of the encoded answer [bytes]

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Values as bytes: numbers, fixed-size Eigen types, containers, and plain structs field by field.
+// Encodes values as bytes: numbers, fixed-size Eigen types, containers, and structs field by field.
 // Both processes run on one machine, so numbers have the same bytes as in memory. A reader trusts
 // no byte: it checks every length against the bytes that are there, and accepts each value in one
 // encoding only.
@@ -58,7 +58,7 @@ template <class T> bool lies_as_encoded()
         const auto address = [](const auto& part) {
             return reinterpret_cast<const std::byte*>(&part);
         };
-        std::ptrdiff_t end = 0; // where the fields so far end
+        std::ptrdiff_t end = 0; // where the previous field ends in the struct [bytes]
         bool lies_so = true;
         Fields<T>::each(prototype, [&](std::string_view, const auto& field) {
             using Field = std::remove_cvref_t<decltype(field)>;
@@ -71,8 +71,8 @@ template <class T> bool lies_as_encoded()
     }
 }
 
-/// The result of `lies_as_encoded`, computed once for each type. Where it is true, a value is
-/// copied as a whole, which takes a fraction of the time.
+/// The result of `lies_as_encoded`, computed once for each type. If it is true, a value is copied
+/// as a whole, which takes a fraction of the time that a copy field by field takes.
 template <class T> inline const bool is_whole = lies_as_encoded<T>();
 
 inline void put(Bytes& bytes, const void* data, std::size_t size)
@@ -117,7 +117,7 @@ template <class T> void encode(Bytes& bytes, const T& value)
 template <class... T> void encode_all(Bytes& bytes, const T&... values)
 {
     if ((is_whole<T> && ...)) {
-        bytes.resize((sizeof(T) + ...)); // usually it has this size already
+        bytes.resize((sizeof(T) + ...)); // usually `bytes` has this size already
         std::byte* end = bytes.data();
         ((end = std::copy_n(reinterpret_cast<const std::byte*>(&values), sizeof(T), end)), ...);
         return;
@@ -127,7 +127,7 @@ template <class... T> void encode_all(Bytes& bytes, const T&... values)
 }
 
 /// The least and the largest size of an encoding of T [bytes]. The least one bounds how many
-/// elements a list can have, and the largest one bounds a reply.
+/// elements a list can have, and the largest one bounds the size of a reply.
 struct Size {
     static constexpr std::size_t unbounded = std::numeric_limits<std::size_t>::max();
     std::size_t least = 0, most = 0;

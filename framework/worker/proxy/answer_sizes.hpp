@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Checks the lengths of lists and the indices in the answers of formulas. Tests and the engine
-// index arrays of their own with them, in a process that a student must not reach. So an answer
-// that does not fit its arguments never leaves the proxy.
+// Checks the lengths of lists and the indices in the answers of formulas. Tests and the engine use
+// these numbers as indices into their own arrays, in a process that a student's code must not
+// affect. So the proxy throws if an answer does not fit its arguments.
 #pragma once
 
 #include "deformable/fracture/checked_answers.hpp"

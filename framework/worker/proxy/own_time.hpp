@@ -25,11 +25,12 @@ struct LastWords {
     std::string before, after;
 };
 
-/// Begins to count for a test case. @param stall  longest time between two calls [s]
+/// Begins to count the time of a test case on a processor.
+/// @param stall  longest time between two calls of formulas [s]
 void watch_own_time(LastWords words, double stall);
 
-/// Limits the time on a processor as long as this object lives. If one limit lives within another,
-/// both hold.
+/// Limits the time on a processor as long as this object lives. If a second such object is made
+/// while the first one lives, both limits hold.
 class OwnTimeLimit {
 public:
     /// @param subject  for the message: "scene bounce"
@@ -43,7 +44,7 @@ public:
 
 private:
     std::string subject_;
-    double seconds_, end_; // the limit, and the time at which it is reached, on a processor [s]
+    double seconds_, end_; // the limit, and the processor time at which it is reached [s]
     const OwnTimeLimit* outer_;
 };
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Every function of the contract, generated from the table. Each one encodes its arguments, asks
-// the worker, decodes the result, and checks it for NaN and infinity and for the lengths of its
-// lists. While a scene runs, the next answer of the stream is the result. Numbers in it are not
-// checked then, because the engine checks the states that it computes from them.
+// Defines every formula of the table in formulas/table.hpp. Each function encodes its arguments,
+// asks the worker, decodes the result, and checks it for NaN and infinity and for the lengths of
+// its lists. While a scene runs, the next answer of the stream is the result. Its numbers are then
+// checked only if the reference replaces some formulas: the engine checks the states that it
+// computes from them.
 #include "worker/proxy/proxy.hpp"
 
 #include "worker/protocol/define_formulas.hpp"
@@ -81,7 +82,7 @@ const wire::Bytes& note_call(FormulaIndex formula, const Argument&... arguments)
     return last->arguments;
 }
 
-/// If a scene runs in the worker under test, gives it an answer of the reference.
+/// Gives the worker under test an answer of the reference, if that worker runs a scene.
 template <FormulaIndex formula, class Result> void give(const Result& result)
 {
     if (!run) return;
@@ -132,7 +133,7 @@ void use_worker(const std::filesystem::path& executable,
 {
     asked = nullptr;
     under_test.reset();
-    Limits patient = limits; // the reference is trusted, and its time is not known
+    Limits patient = limits; // the limits of the reference, which is trusted and has long limits
     patient.trust = Trust::ours;
     patient.call = patient.scene = limits.oracle;
     reference = oracle_executable ? std::make_unique<Worker>(*oracle_executable, patient) : nullptr;

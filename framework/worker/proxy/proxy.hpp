@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The formulas as functions that ask a worker. A program that links the library `proxy` and sets a
-// worker can call `combine(a, b)` from the same headers, and an implementation in another process
-// answers.
+// The formulas as functions that ask a worker. A program links the library `proxy` and calls
+// `use_worker`. Then it calls the formulas as the usual headers declare them, for example
+// `combine(a, b)`, and an implementation in another process answers.
 #pragma once
 
 #include "worker/scene_answers.hpp"
@@ -14,7 +14,7 @@ namespace rigor {
 
 /// Makes the formulas ask this worker from now on. The oracle, the worker of the reference, tells
 /// how long a slow call may take and answers `by_reference`.
-/// @param oracle  the program of the oracle; nothing: there is no reference
+/// @param oracle  the program of the oracle; no value: there is no reference
 void use_worker(const std::filesystem::path& executable,
                 const std::optional<std::filesystem::path>& oracle = {}, const Limits& limits = {});
 
@@ -36,7 +36,8 @@ void replace_by_reference(const FormulaSet& these);
 /// The formulas that the reference answers at present.
 const FormulaSet& replaced_by_reference();
 
-/// Makes the next call start a fresh process.
+/// Ends the process of the worker under test, so that the next call starts a fresh one, and clears
+/// `last_call` and `recent_calls`.
 void renew_worker();
 
 /// A call of a formula with its encoded arguments.
@@ -48,8 +49,8 @@ struct FormulaCall {
 /// The last call of a formula of the worker under test since `renew_worker`, if there was one.
 const std::optional<FormulaCall>& last_call();
 
-/// The last calls of the worker under test since `renew_worker`, up to 64 of them in any order,
-/// without those with long arguments.
+/// The last calls of the worker under test since `renew_worker`: up to 64 calls, in any order.
+/// Calls whose arguments take more than 16 kB are left out.
 std::span<const FormulaCall> recent_calls();
 
 /// The reference failed, which is never the fault of the implementation under test.

@@ -30,9 +30,9 @@ private:
     SceneAnswers answers_;
 };
 
-// The longest time of our engine for a scene. With answers that make sense, the engine takes a few
-// seconds; senseless answers may give it meshes that grow without end.
-constexpr double longest_run = 30 * sanitizer_factor; // on a processor [s]
+// The longest time that the engine of this process may take for a scene. With answers that make
+// sense it takes a few seconds; senseless answers may give it meshes that grow without end.
+constexpr double longest_run = 30 * sanitizer_factor; // time on a processor [s]
 
 // Runs the engine for a scene. @throws NotFinite, WorkerFailure
 template <class Run> auto judged(const Scene& scene, const Run& run)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The shaders of texts and patches, which are drawn on the finished picture.
+// The shaders of texts and patches (rectangles of one color), which are drawn on the finished
+// picture.
 #include "render/gl/shaders/letter_sources.hpp"
 
 namespace rigor {

@@ -5,7 +5,7 @@
 
 namespace rigor {
 
-/// The shaders of text and patches.
+/// The shaders of `Look::text` or `Look::patch` (rectangles of one color).
 ShaderSource letter_source(Look look);
 
 } // namespace rigor

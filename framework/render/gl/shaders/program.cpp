@@ -16,7 +16,7 @@ layout(std140) uniform View {
 };
 )";
 
-// The names of the looks, in their order.
+// The names of the looks, in the order of the enum `Look`.
 constexpr const char* look_names[] = {"box",        "ball",   "model", "overlay", "ground",
                                       "background", "shadow", "text",  "patch"};
 static_assert(std::size(look_names) == static_cast<std::size_t>(Look::count));

@@ -19,8 +19,9 @@ struct View {
 
 /// The compiled shaders of a look. `definitions` are preprocessor names that their source tests:
 /// SHADOWS (there is a shadow map), GHOST (translucent, with visible edges), CONTRAST (how far the
-/// two tones of a model's octants differ), THROUGH (an overlay where a body hides it: in one flat
-/// color). @throws std::runtime_error with the compiler's messages
+/// two tones of a model's octants differ), TINT (`smooth`: interpolate the colors of corners),
+/// THROUGH (an overlay where a body hides it: in one flat color).
+/// @throws std::runtime_error with the compiler's messages
 class Program {
 public:
     Program(Look look, const std::string& definitions);
