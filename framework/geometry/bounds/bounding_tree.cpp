@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Builds a tree of bounding boxes from the top down. Each node's items are divided at the median of
-// their centers, on the axis on which these are spread most (Ericson 2005, "Real-time collision
-// detection", 6.2). First the upper nodes are made, then the branches below them, by several
-// threads, and last the boxes of the upper nodes.
+// their centers, on the axis on which the centers are spread most (Ericson 2005, "Real-time
+// collision detection", 6.2). First the upper nodes are made, then the branches below them, by
+// several threads, and last the boxes of the upper nodes.
 #include "geometry/bounds/bounding_tree.hpp"
 
 #include <algorithm>
@@ -27,8 +27,8 @@ BoundingTree::BoundingTree(const std::vector<Bounds>& boxes)
 }
 
 // The number of leaves of a tree of `items` items. After d halvings there are 2^d parts, some of
-// them with one item more than the others. Where the smaller parts have leaf_size items, the larger
-// ones are halved once more.
+// them with one item more than the others. If the smaller parts have exactly leaf_size items, the
+// larger ones have one too many for a leaf, and are halved once more.
 int BoundingTree::leaves_of(int items)
 {
     int parts = 1;
@@ -43,7 +43,7 @@ std::array<BoundingTree::Branch, 2> BoundingTree::halve(const std::vector<Bounds
                                                         std::vector<Center>& centers)
 {
     const auto [node, leaf, first, last] = branch;
-    Bounds spread; // the bounds of all centers, times 2
+    Bounds spread; // the bounds of twice the centers
     for (int k = first; k < last; ++k) {
         const Bounds& box = boxes[order_[k]];
         const Vector3d center = box.low + box.high;

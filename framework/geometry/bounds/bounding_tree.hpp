@@ -12,8 +12,8 @@
 namespace rigor {
 
 /// A binary tree of axis-aligned boxes. A set of items is halved again and again, at the median of
-/// their centers on the axis on which these are spread most, until each part has at most four
-/// items. Building takes n log n steps, and the tree depends on the boxes alone.
+/// their centers on the axis on which the centers are spread most, until each part has at most four
+/// items. Building takes n log n steps. The same boxes and members always give the same tree.
 class BoundingTree {
 public:
     /// The largest number of items in a leaf: `OverlapTree` compares four boxes at once.
@@ -24,7 +24,7 @@ public:
         Bounds bounds;
         int first = 0, last = 0; // its items are order[first] … order[last - 1]
         int right = 0;           // index of the right child; 0 in a leaf
-        int leaf = 0;            // in a leaf, its number, counted from the left
+        int leaf = 0;            // in a leaf: its number, counted from the left
         bool is_leaf() const { return right == 0; }
     };
 
@@ -34,10 +34,10 @@ public:
     /// @param boxes  boxes with finite corners
     explicit BoundingTree(const std::vector<Bounds>& boxes);
 
-    /// A tree over some of the items, in parts that can be built at the same time.
+    /// A tree over some of the items, in parts that several threads can build at the same time.
     ///
     /// @param boxes    boxes of all items, finite
-    /// @param members  items that belong to the tree
+    /// @param members  indices of the boxes that belong to the tree
     /// @param parts    about how many parts to build at the same time
     /// @param share    share(n, work) calls work(k) for each k in [0, n), in any order or in
     ///                 parallel
@@ -51,7 +51,7 @@ public:
         nodes_.resize(2 * leaves_of(n) - 1);
         std::vector<Center> centers(order_.size());
         std::vector<Branch> branches = {{0, 0, 0, n}};
-        std::vector<int> above; // the nodes above these branches
+        std::vector<int> above; // the nodes above all `branches`
         while (branches.size() < parts && !branches[0].is_leaf()) {
             std::vector<Branch> halves;
             for (const Branch& branch : branches) {
@@ -74,7 +74,7 @@ public:
     bool empty() const { return nodes_.empty(); }
     const std::vector<Node>& nodes() const { return nodes_; }
 
-    /// The items, leaf after leaf.
+    /// The indices of the items, leaf after leaf.
     const std::vector<int>& order() const { return order_; }
 
     /// Calls visit(item) for the items of each leaf if enter(box) is true for the box of the leaf
@@ -91,15 +91,15 @@ public:
     }
 
 private:
-    // A set of items that a node and all nodes below it are made of, and the places of these nodes.
-    // A branch of n leaves has 2 n - 1 nodes, leaves included.
+    // A node with all nodes below it: where these nodes and leaves are stored, and their items. A
+    // branch of n leaves has 2 n - 1 nodes, leaves included.
     struct Branch {
-        int node = 0, leaf = 0;  // the first node, the first leaf
+        int node = 0, leaf = 0;  // indices of its first node and its first leaf
         int first = 0, last = 0; // its items are order_[first] … order_[last - 1]
         bool is_leaf() const { return last - first <= leaf_size; }
     };
 
-    // An item, and twice its center along the axis that is halved.
+    // An item, and twice the coordinate of its center on the axis on which a branch is halved.
     struct Center {
         double twice = 0;
         int item = 0;

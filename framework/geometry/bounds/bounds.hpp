@@ -8,7 +8,7 @@
 
 namespace rigor {
 
-/// An axis-aligned box. A new one is empty, and overlaps nothing.
+/// An axis-aligned box. A default-constructed box is empty, and overlaps nothing.
 struct Bounds {
     Vector3d low = Vector3d::Constant(std::numeric_limits<double>::infinity());   // [m]
     Vector3d high = Vector3d::Constant(-std::numeric_limits<double>::infinity()); // [m]
@@ -33,7 +33,7 @@ struct Bounds {
     /// Whether the boxes have a point in common; boxes that only touch have one.
     bool overlaps(const Bounds& other) const
     {
-        // No branch for each axis: a processor cannot predict which axis separates two boxes.
+        // `&` avoids a branch for each axis: a processor cannot predict which axis separates boxes.
         const auto overlap = [&](int axis) -> int {
             return int{low[axis] <= other.high[axis]} & int{other.low[axis] <= high[axis]};
         };

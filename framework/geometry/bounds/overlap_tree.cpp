@@ -2,8 +2,8 @@
 // Finds all pairs of boxes that overlap. A tree is compared with itself, node by node from the root
 // (Ericson 2005, "Real-time collision detection", 6.3). A pair of nodes whose boxes overlap is
 // divided until both are leaves, and then four boxes are compared at once: first in single
-// precision, where monotone rounding misses no pair, and then the remaining pairs in double
-// precision.
+// precision, where no pair is missed because rounding is monotone, and then the remaining pairs in
+// double precision.
 #include "geometry/bounds/overlap_tree.hpp"
 
 #include <algorithm>
@@ -31,8 +31,8 @@ OverlapTree::OverlapTree(const std::vector<Bounds>& boxes, std::vector<int> memb
 {
 }
 
-// Fills the leaves among one share of the nodes. The nodes are divided into `stretches` equal
-// shares, and `stretch` is the number of this one.
+// Fills the leaves in one stretch of the list of nodes. The list is divided into `stretches` equal
+// stretches, and `stretch` is the number of the one to fill, counted from 0.
 void OverlapTree::fill_leaves(const std::vector<Bounds>& boxes, int stretches, int stretch)
 {
     const std::size_t n = tree_.nodes().size();

@@ -9,17 +9,18 @@
 
 namespace rigor {
 
-/// A bounding tree whose leaves keep their boxes in single precision too, side by side, so that
-/// four of them are compared at once. Each pair that overlaps there is then compared in double
-/// precision. No pair is missed: rounding keeps numbers in their order, so that boxes that overlap
-/// still overlap when rounded.
+/// A bounding tree whose leaves also store their boxes in single precision, each coordinate of four
+/// boxes in one vector, so that a box is compared with four others at once. Each pair that overlaps
+/// in single precision is then compared in double precision. No pair is missed: rounding keeps
+/// numbers in their order, so boxes that overlap still overlap when rounded.
 class OverlapTree {
 public:
     /// @param boxes    boxes with finite corners
     /// @param members  indices of the boxes that belong to the tree
     OverlapTree(const std::vector<Bounds>& boxes, std::vector<int> members);
 
-    /// The same tree, in parts that can be built at the same time (`BoundingTree`).
+    /// Builds the same tree in parts, which several threads can build at the same time. `parts` and
+    /// `share` are as in the constructor of `BoundingTree` (bounding_tree.hpp).
     template <class Share>
     OverlapTree(const std::vector<Bounds>& boxes, std::vector<int> members, std::size_t parts,
                 const Share& share)
@@ -35,7 +36,8 @@ public:
     template <class Visit> void for_each_overlap(const Bounds& bounds, const Visit& visit) const
     {
         if (tree_.empty()) return;
-        std::array<int, 64> open; // nodes still to visit: one for each level, and one more
+        // Nodes still to visit: at most one for each level of the tree, and one more.
+        std::array<int, 64> open;
         int size = 0;
         open[size++] = 0;
         while (size > 0) {
@@ -50,8 +52,8 @@ public:
         }
     }
 
-    /// Two nodes whose members may overlap each other, or twice the same node for the pairs within
-    /// it.
+    /// Two nodes: a member of the first may overlap a member of the second. Twice the same node
+    /// stands for all pairs of members of this node.
     using NodePair = std::pair<int, int>;
 
     /// Calls visit(i, j) once for each pair of members whose boxes overlap.
@@ -60,8 +62,8 @@ public:
         if (!tree_.empty()) for_each_pair({0, 0}, visit);
     }
 
-    /// Calls visit(i, j) once for each such pair of a member of the first node and one of the
-    /// second.
+    /// Calls visit(i, j) once for each pair of members whose boxes overlap, i of the first node and
+    /// j of the second.
     template <class Visit> void for_each_pair(const NodePair& nodes, const Visit& visit) const
     {
         std::vector<NodePair> open{nodes};
@@ -87,18 +89,18 @@ public:
 private:
     using Node = BoundingTree::Node;
 
-    // Four numbers in a vector register, and the result of comparing them.
+    // Four numbers in a vector register, and the four results of a comparison: 0 is false.
     using Numbers [[gnu::vector_size(16)]] = float;
     using Mask [[gnu::vector_size(16)]] = std::int32_t;
     static bool any(const Mask& mask) { return (mask[0] | mask[1] | mask[2] | mask[3]) != 0; }
 
-    // The four boxes of a leaf. If it has fewer, boxes that overlap nothing fill the rest.
+    // The four boxes of a leaf. If a leaf has fewer, boxes that overlap nothing fill the rest.
     struct Leaf {
         std::array<Numbers, 3> low, high;
 
         void fill(std::span<const Bounds> boxes);
 
-        // Which of these boxes may overlap box k of another leaf.
+        // For each of these four boxes, whether it may overlap box k of another leaf.
         Mask candidates(const Leaf& other, int k) const
         {
             const auto overlap = [&](int axis) {
@@ -111,8 +113,9 @@ private:
 
     void fill_leaves(const std::vector<Bounds>& boxes, int stretches, int stretch);
 
-    // Divides a pair of nodes that are not both leaves, at the node with more members, and appends
-    // the resulting pairs that overlap.
+    // Divides a pair of nodes that are not both leaves: replaces the node with more members by its
+    // two children. Appends the resulting pairs of nodes whose bounds overlap. A node paired with
+    // itself is divided into three pairs.
     void divide(const NodePair& nodes, std::vector<NodePair>& parts) const
     {
         const auto add = [&](int a, int b) {
@@ -158,7 +161,7 @@ private:
     }
 
     BoundingTree tree_;
-    std::vector<Bounds> boxes_; // in the tree's order
+    std::vector<Bounds> boxes_; // boxes of the members, in the order of tree_.order()
     std::vector<Leaf> leaves_;
 };
 

@@ -16,15 +16,16 @@ public:
     /// @param corners  four points whose tetrahedron contains the origin [m]
     explicit ExpandingPolytope(const std::array<Vector3d, 4>& corners);
 
-    /// Whether the polytope has faces. If the tetrahedron was flat, it has none and cannot grow.
+    /// Whether the polytope has faces. If the tetrahedron was flat, there are none.
     bool is_solid() const { return !faces_.empty(); }
 
-    /// Outward normal of the face nearest to the origin, and its distance [m].
+    /// The face nearest to the origin: its outward unit normal, and its plane's distance from the
+    /// origin [m].
     const Vector3d& nearest_normal() const { return faces_[nearest_].normal; }
     double nearest_distance() const { return faces_[nearest_].distance; }
 
     /// Adds a point beyond the nearest face.
-    /// @return whether it was added; if rounding does not allow this, the polytope does not change
+    /// @return whether the point was added; if rounding prevents it, the polytope does not change
     bool add(const Vector3d& p);
 
 private:

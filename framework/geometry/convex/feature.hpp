@@ -10,12 +10,13 @@ namespace rigor {
 /// A feature of a convex surface: a polygon, a segment or a point. A circle is given as eight
 /// points.
 struct Feature {
-    /// The largest number of points. More would represent large faces better, but take more time.
+    /// The largest number of points. More points would represent large faces better, but take more
+    /// time.
     static constexpr int most = 16;
     /// Cosine and sine of 26°. A whole face counts as turned to a direction if its normal is within
     /// this angle of the direction, an edge if it is perpendicular to the direction within this
-    /// angle. A larger angle gives a tilted body the contacts of a level one, a smaller one leaves
-    /// a body that begins to rock with fewer contacts. Chosen by trial.
+    /// angle. A larger angle gives a tilted body the contacts of a level one; with a smaller one, a
+    /// body that begins to rock has fewer contacts. The angle was chosen by trial.
     static constexpr double facing_cosine = 0.9, facing_sine = 0.436;
     std::array<Vector3d, most> points;
     int count = 0;

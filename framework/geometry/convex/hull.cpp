@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Treats a convex mesh as a polyhedron. The support point is found by hill climbing from vertex to
 // vertex (Gilbert, Johnson and Keerthi 1988 define it; Ericson 2005, "Real-time collision
-// detection", 9.5.4 describes the climb). Triangles are first merged into flat faces. Then the
-// corners of the faces are found: vertices inside a face or along an edge belong to the
-// triangulation and not to the solid. Then neighbours are linked and the six extreme vertices are
-// found.
+// detection", 9.5.4 describes the climb). The constructor first merges triangles into flat faces.
+// Then it finds the corners of the faces: vertices inside a face or along an edge belong to the
+// triangulation and not to the solid. Then it links neighbours and finds the six extreme vertices.
 #include "geometry/convex/hull.hpp"
 
 #include "geometry/meshes/triangle.hpp"
@@ -22,11 +21,11 @@ namespace {
 constexpr double flat = 1e-9;
 
 // Triangles are in one flat face if their unit normals differ by less than this. It is more than
-// the value above, because the shape of a triangle makes its normal less exact than positions are.
+// `flat`, because the shape of a triangle makes its normal less exact than positions are.
 constexpr double same_normal = 1e-7;
 
-// The largest number of face normals that a separation tries as directions. It limits the time of
-// one attempt.
+// The largest number of face normals that `separation` (distance/separation.hpp) tries as
+// directions. It limits the time of one call.
 constexpr std::size_t most_normals = 32;
 
 // The longest edge of the box that bounds the mesh [m].
@@ -60,7 +59,7 @@ Hull::Hull(const TriangleMesh& mesh) : vertices_(mesh.vertices)
         for (const int side : {0, 1}) {
             int best = -1;
             for (int v = 0; v < static_cast<int>(vertices_.size()); ++v) {
-                if (neighbours_[v].empty()) continue; // not a corner
+                if (neighbours_[v].empty()) continue; // v is not a corner of a face
                 const double gain = best < 0 ? 0 : vertices_[v][axis] - vertices_[best][axis];
                 if (best < 0 || (side ? gain : -gain) > 0) best = v;
             }
@@ -164,8 +163,9 @@ void Hull::link_neighbours()
     }
 }
 
-// Climbs from the extreme vertex along the axis direction that is nearest to d. On a convex
-// polyhedron a vertex without a higher neighbour is the highest.
+// Climbs to the vertex that is highest along d. The start is an extreme vertex: the one for that
+// direction of -x, +x, -y, … which is nearest to d. On a convex polyhedron a vertex without a
+// higher neighbour is the highest.
 int Hull::farthest(const Vector3d& d) const
 {
     int axis = 0;

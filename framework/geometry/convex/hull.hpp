@@ -25,7 +25,7 @@ public:
     Vector3d support(const Vector3d& direction) const;
 
     /// The face, edge or vertex that faces a direction (`feature_towards` in distance/support.hpp).
-    /// Of a face with more than 16 vertices, 16 are taken.
+    /// For a face with more than 16 vertices, the result has 16 of them.
     Feature feature_towards(const Vector3d& direction) const;
 
     /// Unit outward normals of the largest faces, at most 32.
@@ -35,8 +35,8 @@ private:
     struct Face {
         Vector3d normal;
         double area = 0;
-        // Counter-clockwise around the normal. Vertices that no face has as a corner, because they
-        // lie inside a face or along an edge, are left out.
+        // Indices of vertices, counter-clockwise around the normal. Vertices that no face has as a
+        // corner, because they lie inside a face or along an edge, are left out.
         std::vector<int> corners;
     };
     int farthest(const Vector3d& direction) const;
@@ -48,12 +48,13 @@ private:
     std::vector<Vector3d> vertices_;
     std::vector<Face> faces_;
     std::vector<Vector3d> face_normals_;
-    std::vector<std::vector<int>> neighbours_; // for each vertex, those with an edge to it
-    std::array<int, 6> extremes_ = {}; // farthest along -x, +x, -y, …, where searches start
+    std::vector<std::vector<int>> neighbours_; // for each vertex: the other ends of its edges
+    // The vertices farthest along -x, +x, -y, …, at which searches start.
+    std::array<int, 6> extremes_ = {};
 };
 
-/// Whether a closed mesh is convex (no vertex is above the plane of any face by more than 1e-9 of
-/// the mesh's size) and has at most `Hull::most_vertices` vertices.
+/// Whether a closed mesh is convex (no vertex is above the plane of any face by more than 1e-9
+/// times the longest side of the mesh's bounds) and has at most `Hull::most_vertices` vertices.
 bool is_hull(const TriangleMesh& mesh);
 
 } // namespace rigor

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Finds the point of a simplex nearest to the origin, by the Voronoi regions of its vertices, edges
-// and faces (Ericson 2005, "Real-time collision detection", 5.1). Segments are solved directly,
-// triangles and tetrahedra by their sides unless the nearest point is inside.
+// and faces (Ericson 2005, "Real-time collision detection", 5.1). A segment is solved directly. In
+// a triangle the edges are searched, and in a tetrahedron the faces, unless the nearest point is
+// inside.
 #include "geometry/convex/simplex.hpp"
 
 namespace rigor {
@@ -53,8 +54,8 @@ Simplex nearest_on_triangle(const Vertex& a, const Vertex& b, const Vertex& c)
                   nearer(nearest_on_segment(b, c), nearest_on_segment(c, a)));
 }
 
-// Whether the origin and d are on different sides of the plane through a, b, c. It is true for a
-// flat tetrahedron, which has no inside.
+// Whether the origin and d are on different sides of the plane through a, b, c. The result is also
+// true for a flat tetrahedron, which has no inside.
 bool is_beyond(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& d)
 {
     const Vector3d n = (b.w - a.w).cross(c.w - a.w);
@@ -62,9 +63,9 @@ bool is_beyond(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& 
     return origin * other <= 0;
 }
 
-// The part nearest to the origin of those faces of a tetrahedron that `counts` accepts; without
-// vertices if it accepts none. The arguments of `counts` are the three vertices of a face and the
-// fourth vertex.
+// Finds the face, edge or vertex nearest to the origin, among the faces of a tetrahedron that
+// `counts` accepts. The result has no vertices if no face is accepted. The arguments of `counts`
+// are the three vertices of a face and the fourth vertex of the tetrahedron.
 template <class Counts> Simplex nearest_face(const std::array<Vertex, 4>& v, const Counts& counts)
 {
     Simplex best;
@@ -77,7 +78,7 @@ template <class Counts> Simplex nearest_face(const std::array<Vertex, 4>& v, con
     return best;
 }
 
-// If the result has all four vertices, the origin is inside.
+// If the result has all four vertices, the origin is inside the tetrahedron.
 Simplex nearest_on_tetrahedron(const std::array<Vertex, 4>& v)
 {
     Simplex best = nearest_face(v, is_beyond);

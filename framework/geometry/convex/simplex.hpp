@@ -6,19 +6,21 @@
 
 namespace rigor {
 
-/// A point of the Minkowski difference of two shapes, w = a - b [m].
+/// A point of the Minkowski difference of two shapes: w = a - b, with a on shape 1 and b on shape 2
+/// [m]. If shape 1 is shifted, the shift is added to w only.
 struct Vertex {
     Vector3d w = Vector3d::Zero(), a = Vector3d::Zero(), b = Vector3d::Zero();
 };
 
-/// The smallest part of a simplex that contains the point of the simplex nearest to the origin, v =
-/// Σ weights w. If it has four vertices, the origin is inside, and no weights are set.
+/// The smallest part of a simplex that contains the point of the simplex nearest to the origin.
+/// That point is Σ weight · w. If the part has four vertices, the origin is inside the simplex, and
+/// no weights are set.
 struct Simplex {
     std::array<Vertex, 4> vertices;
     std::array<double, 4> weights = {};
     int count = 0;
 
-    /// Σ weights p, where p is the w, a or b of each vertex.
+    /// Σ weight · p, where p is the w, a or b of each vertex, as `point` says.
     Vector3d blend(Vector3d Vertex::*point) const
     {
         Vector3d sum = Vector3d::Zero();
@@ -37,8 +39,8 @@ Simplex simplex_of(const Vertex& vertex);
 Simplex nearest_of(const Simplex& simplex);
 
 /// The face of a tetrahedron that is nearest to the origin, on whichever side of the face the
-/// origin is. It is for an origin that is known to be outside, although a flat tetrahedron may seem
-/// to contain it because of rounding.
+/// origin is; or only an edge or vertex of this face. Call it if the origin is known to be outside,
+/// although rounding makes a flat tetrahedron seem to contain the origin.
 Simplex nearest_face_of(const Simplex& tetrahedron);
 
 } // namespace rigor

@@ -28,31 +28,33 @@ constexpr int most_steps = 100;
 // double.
 constexpr double gjk_tolerance = 1e-12;
 
-// The following lengths are relative to the size, the smaller bounding radius of the two shapes.
+// The following lengths are in units of `size`, the smaller bounding radius of the two shapes.
 //
-// The smallest distance that GJK accepts; at smaller ones the direction is mostly rounding.
+// A distance found by GJK is used only if it is above this; the direction of a shorter vector is
+// mostly rounding.
 constexpr double least_distance = 1e-6;
-// The smallest distance that GJK accepts if the shapes are known to be a margin apart.
+// The same limit for shapes that `push_out` has moved apart by a margin.
 constexpr double least_gjk_length = 1e-9;
-// The shapes touch if the origin is nearer to the simplex than this.
+// The shapes count as touching if the origin is nearer to the simplex of GJK than this.
 constexpr double inside_tolerance = 1e-12;
-// If the origin is not inside the simplex, the shapes are pushed together by `first_push`, and then
-// each time by ten times as much.
+// If the origin is not inside the simplex, the shapes are pushed together by `first_push`. The push
+// becomes ten times as long until the origin is inside, or the push is longer than `most_push`.
 constexpr double first_push = 1e-6;
-constexpr double most_push = 1e-3;          // a longer push would change the position too much
-constexpr double polytope_tolerance = 1e-7; // the polytope is done if a step grows it by less
-constexpr double first_margin = 0.02;       // at this margin the direction is free of rounding
-constexpr double least_margin = 1e-5;       // `push_out` ends with the shapes this far apart
-constexpr double margin_decay = 0.2;        // each step shortens the margin to this share
-constexpr int most_pushes = 20;             // steps of `push_out`; the margin is least after five
-constexpr double least_gain = 1e-13;        // a smaller reduction of the depth is rounding
-constexpr double least_difference = 1e-9;   // the polytope has to reduce the depth by more
-constexpr double shallow = 0.02;            // below this depth no other direction is much better
+constexpr double most_push = 1e-3;          // a longer push would change the result too much
+constexpr double polytope_tolerance = 1e-7; // the polytope ends when a step grows it by less
+// `push_out` begins with this margin, at which rounding hardly affects directions.
+constexpr double first_margin = 0.02;
+constexpr double least_margin = 1e-5;     // the smallest margin of `push_out`
+constexpr double margin_decay = 0.2;      // a step of `push_out` multiplies the margin by this
+constexpr int most_pushes = 20;           // steps of `push_out`; five reach `least_margin`
+constexpr double least_gain = 1e-13;      // a smaller reduction of the depth is rounding
+constexpr double least_difference = 1e-9; // the polytope must reduce the depth by more than this
+constexpr double shallow = 0.02;          // below this depth no other direction is much better
 
-// Unit vectors count as the same direction if their difference is below this.
+// Unit vectors count as the same direction if the length of their difference is below this.
 constexpr double same_direction = 1e-6;
 
-// The reach that asks for the exact distance [m].
+// As `reach`, this asks for the exact distance, however far apart the shapes are [m].
 constexpr double unlimited = 1e300;
 
 // The Minkowski difference of shape 1, moved by `shift`, and shape 2.
@@ -94,8 +96,8 @@ public:
             wider.vertices[wider.count++] = next;
             Simplex reduced = nearest_of(wider);
             if (reduced.count == 4) {
-                // A plane between the shapes tells that they are apart, although a flat tetrahedron
-                // may seem to hold the origin by rounding.
+                // If `bound` > 0, a plane lies between the shapes and they are apart, although
+                // rounding may make a flat tetrahedron seem to contain the origin.
                 if (!(bound > 0)) {
                     simplex = reduced;
                     return {};
@@ -103,7 +105,8 @@ public:
                 reduced = nearest_face_of(wider);
             }
             const Vector3d nearest = reduced.nearest();
-            if (!(nearest.squaredNorm() < v.squaredNorm())) break; // rounding: no progress
+            // Rounding prevents further progress.
+            if (!(nearest.squaredNorm() < v.squaredNorm())) break;
             simplex = reduced;
             v = nearest;
         }
@@ -158,9 +161,9 @@ struct PushOut : Separation {
     bool is_settled = false;
 };
 
-// Pushes the shapes apart along n, a margin farther than needed, and then along the normal found
-// there, as long as the depth becomes smaller. The margin shrinks from step to step, because a step
-// with a smaller margin improves the depth more.
+// Pushes the shapes apart along n, a margin farther than needed. Repeats this along the normal of
+// the separated shapes, as long as the depth becomes smaller. The margin shrinks from step to step,
+// because a step with a smaller margin improves the depth more.
 PushOut push_out(const MinkowskiDifference& difference, Vector3d n, double size)
 {
     double margin = first_margin * size;
@@ -188,9 +191,9 @@ PushOut push_out(const MinkowskiDifference& difference, Vector3d n, double size)
     return result;
 }
 
-// EPA: the direction of least depth from shape 2 to shape 1, minus the outward normal of the
-// polytope's face nearest to the origin. The result is empty if the origin is not inside, even
-// after the shapes are pushed together a little.
+// EPA: the direction of least depth, from shape 2 to shape 1. It is the negative of the outward
+// normal of the polytope's face nearest to the origin. The result is empty if the first tetrahedron
+// is flat, or if the origin is not inside, even after the shapes are pushed together a little.
 std::optional<Vector3d> expanding_polytope_normal(const MinkowskiDifference& difference,
                                                   double size)
 {

@@ -10,7 +10,7 @@ namespace rigor {
 struct Separation {
     double distance = 0;                 // if negative, minus the penetration depth [m]
     Vector3d normal = Vector3d::UnitY(); // unit, from shape 2 to shape 1
-    // on the surfaces of shape 1 and 2 [m]
+    // nearest points, or points of contact, on the surfaces of shapes 1 and 2 [m]
     Vector3d point1 = Vector3d::Zero(), point2 = Vector3d::Zero();
 };
 
@@ -19,10 +19,10 @@ struct Separation {
 ///
 /// If the shapes are apart, the point of the Minkowski difference nearest to the origin is found
 /// (Gilbert, Johnson and Keerthi 1988, "A fast procedure for computing the distance between complex
-/// objects"). If they overlap, shape 1 is pushed out along the best of some directions until the
-/// shapes are just apart. The normal found there is the next direction, as long as the depth along
-/// it is smaller. If this does not converge, or the overlap is deep, an expanding polytope finds a
-/// better first direction (expanding_polytope.hpp).
+/// objects"). If they overlap, shape 1 is pushed out along the best of several candidate directions
+/// until the shapes are just apart. The normal between the shapes is then the next direction, as
+/// long as the depth along it is smaller. If this does not converge, or the overlap is deep, an
+/// expanding polytope finds a better first direction (expanding_polytope.hpp).
 ///
 /// @param pose   pose of shape 1
 /// @param reach  if the shapes are farther apart than this, the result may be any lower bound of

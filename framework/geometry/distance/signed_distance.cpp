@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Computes the exact distance of a point to a shape and the gradient. Shapes of revolution are
 // solved in the half-plane of distance from the axis and height, ellipsoids by Newton's method
-// (Eberly 2013, "Distance from a point to an ellipse, an ellipsoid, or a hyperellipsoid"). Where a
-// function has several cases, those inside come before those at sides, edges and tips.
+// (Eberly 2013, "Distance from a point to an ellipse, an ellipsoid, or a hyperellipsoid"). For a
+// cylinder and a cone, points inside are treated before points near sides, edges and tips.
 #include "geometry/distance/signed_distance.hpp"
 
 #include <algorithm>
@@ -30,8 +30,8 @@ struct Cylindrical {
     Vector3d outward = Vector3d::UnitX();
 };
 
-// The signed distance to a circle around (a, b) in the half-plane of distance and height: the
-// distance to its center minus the radius.
+// The signed distance to a circle around the point with the distance a from the axis and the height
+// b, in the half-plane of p: the distance to the center minus the radius.
 SurfaceDistance from_core(const Cylindrical& p, double a, double b, double radius)
 {
     const double d = std::hypot(p.distance - a, p.height - b);
@@ -74,7 +74,7 @@ SurfaceDistance signed_distance(const Cylinder& cylinder, const Vector3d& p)
     const Cylindrical at(p);
     const double up = at.height < 0 ? -1 : 1;
     const double a = at.distance - cylinder.radius, b = std::abs(at.height) - cylinder.height / 2;
-    if (a <= 0 && b <= 0) // inside: whichever of side and cap is nearer
+    if (a <= 0 && b <= 0) // inside: the nearer one of the side and the cap
         return a > b ? SurfaceDistance{a, at.outward} : SurfaceDistance{b, at.direction(0, up)};
     const double d = std::hypot(std::max(a, 0.0), std::max(b, 0.0));
     return {d, at.direction(std::max(a, 0.0) / d, up * std::max(b, 0.0) / d)};
@@ -85,7 +85,8 @@ SurfaceDistance signed_distance(const Cone& cone, const Vector3d& p)
     const Cylindrical at(p);
     const double base = -cone.height / 4;
     const double length = std::hypot(cone.radius, cone.height);
-    // Coordinates relative to the rim: along the slope up to the tip, and perpendicular to it.
+    // Coordinates relative to the rim: outwards and up (x, y), and in the frame of the slope:
+    // towards the tip (`along`), and outwards, perpendicular to the slope (`away`).
     const double x = at.distance - cone.radius, y = at.height - base;
     const double along = (-cone.radius * x + cone.height * y) / length;
     const double away = (cone.height * x + cone.radius * y) / length;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Support functions of the shapes (Gilbert, Johnson and Keerthi 1988, "A fast procedure for
 // computing the distance between complex objects") and the features at the support point. Each is a
-// visitor with one function for each shape. First come points, then features, then the normals of
-// faces.
+// visitor with one function for each shape: first the support points, then the features, then the
+// normals of faces.
 #include "geometry/distance/support.hpp"
 
 #include "geometry/shapes/solid_mesh.hpp"
@@ -41,7 +41,8 @@ Feature point(const Vector3d& p)
 // perpendicular to d up to rounding.
 Feature circle(double radius, double height, const Vector3d& d)
 {
-    constexpr double perpendicular = 1e-6; // sine of an angle that counts as rounding
+    // Sine of the angle between d and the y axis. A smaller angle is only rounding.
+    constexpr double perpendicular = 1e-6;
     const bool is_tilted = std::hypot(d.x(), d.z()) > perpendicular;
     const Vector3d first = is_tilted ? outward(d) : Vector3d::UnitX();
     Feature feature;

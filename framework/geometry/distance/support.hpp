@@ -10,7 +10,8 @@
 
 namespace rigor {
 
-/// Whether the shape is one of these convex shapes, as the functions below require.
+/// Whether the shape is a box, cylinder, cone, ellipsoid or convex mesh, as the functions below
+/// require.
 bool is_convex_solid(const Shape& shape);
 
 /// The point of a convex shape that is farthest along a direction [m].
@@ -21,9 +22,9 @@ Vector3d support(const Shape& shape, const Vector3d& direction);
 /// the direction; else a point.
 Feature feature_towards(const Shape& shape, const Vector3d& direction);
 
-/// Appends the outward unit normals of a convex shape's faces, candidates for a separating axis; at
-/// most a few dozen.
-/// @param towards  direction in which a round side's normal is taken
+/// Appends the outward unit normals of a convex shape's faces, at most a few dozen. They are
+/// candidates for a separating axis.
+/// @param towards  a round side has many normals; the one on the side of this direction is appended
 void add_face_normals(const Shape& shape, const Vector3d& towards, std::vector<Vector3d>& normals);
 
 } // namespace rigor

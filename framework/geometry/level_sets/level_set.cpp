@@ -16,7 +16,7 @@ namespace rigor {
 namespace {
 
 // Pseudonormals: the normal of a face, at an edge the sum of the normals of its two faces, and at a
-// vertex the sum of the normals of its faces, each weighted by its angle there.
+// vertex the sum of the normals of its faces, each weighted by the face's angle there.
 struct PseudoNormals {
     std::vector<Vector3d> faces, vertices;
     std::vector<std::array<Vector3d, 3>> edges; // for each triangle, at its edges ab, bc, ca
@@ -64,15 +64,15 @@ private:
     const TriangleMesh& mesh_;
     TriangleTree tree_;
     PseudoNormals normals_;
-    int last_ = 0; // the triangle nearest to the last point
+    int last_ = 0; // index of the triangle nearest to the previous point
 };
 
-// A ray also hits a triangle that it misses by less than this, divided by the distance along the
+// A ray counts as hitting a triangle if it misses it by less than this times the distance along the
 // ray. Such a miss is a rounding error: a ray through an edge must not slip between two triangles.
 constexpr double on_edge = 1e-9;
 
-// The distance from a face's middle inwards to the opposite side [m]; infinite if the ray finds
-// none.
+// The length of a ray from a face's middle, along the inward normal, to the opposite side of the
+// mesh [m]; infinite if the ray hits nothing.
 double thickness_at(const TriangleMesh& mesh, const TriangleTree& tree, int face)
 {
     const Triangle triangle = triangle_of(mesh, face);
@@ -108,8 +108,8 @@ double thickness_at(const TriangleMesh& mesh, const TriangleTree& tree, int face
 
 LevelSet make_level_set(const TriangleMesh& mesh, int cells)
 {
-    constexpr int margin = 2;         // cells on each side of the bounds
-    constexpr double rounding = 1e-9; // in cells, so that rounding does not add another cell
+    constexpr int margin = 2;         // cells beyond the mesh's bounds on each side
+    constexpr double rounding = 1e-9; // in cells; rounding of the extent must not add a cell
     const Bounds bounds = bounds_of(mesh);
     const Vector3d extent = bounds.high - bounds.low;
     LevelSet grid;
@@ -136,11 +136,11 @@ int suggested_cells(const TriangleMesh& mesh)
     constexpr double least = 32, most = 64;
     // Cells across a wall. With fewer, interpolation would mix the distances of its two sides.
     constexpr double across = 3;
-    // Share of the surface that may have thinner walls, so that a thin rim does not decide the
-    // number of cells.
+    // Share of the surface area whose walls may have fewer than `across` cells, so that a thin rim
+    // does not decide the number of cells.
     constexpr double quantile = 0.1;
     const TriangleTree tree(mesh);
-    std::vector<std::pair<double, double>> walls; // thickness, area
+    std::vector<std::pair<double, double>> walls; // at each face: thickness [m], area [m²]
     double area = 0;
     for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
         walls.push_back({thickness_at(mesh, tree, t), triangle_of(mesh, t).area_normal().norm()});

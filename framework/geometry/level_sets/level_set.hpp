@@ -15,8 +15,9 @@ namespace rigor {
 /// @param cells  number of cells along the longest side of the bounds
 LevelSet make_level_set(const TriangleMesh& mesh, int cells);
 
-/// The number of cells along the longest side, from 32 to 64, at which a wall of the mesh is three
-/// cells thick. This wall is chosen such that a tenth of the surface has thinner walls.
+/// A number of cells along the longest side of the bounds, from 32 to 64. Within this range, it is
+/// the number at which walls are at least three cells thick, apart from the thinnest walls, which
+/// may cover up to a tenth of the surface area.
 int suggested_cells(const TriangleMesh& mesh);
 
 } // namespace rigor

@@ -11,7 +11,7 @@ namespace rigor {
 
 /// A token as an error message shows it: cut off after 24 characters, and with `?` for all but
 /// printable ASCII characters.
-/// @param end  shown instead of an empty token, which stands for the end of a line or text
+/// @param end  words to show for an empty token, which stands for the end of a line or text
 std::string quoted(std::string_view token, const char* end);
 
 /// Reads the whole token as a number, with or without a plus sign. Returns whether it is a number.

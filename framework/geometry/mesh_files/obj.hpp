@@ -15,7 +15,7 @@ namespace rigor {
 /// @throws MeshError  also as soon as there are too many vertices or triangles
 SurfaceText read_obj(std::string_view text);
 
-/// The text of a mesh. Reading it again gives exactly the same numbers.
+/// The text of a mesh. Reading this text gives exactly the same coordinates.
 std::string obj_text(const TriangleMesh& mesh);
 
 } // namespace rigor

@@ -9,14 +9,14 @@ namespace rigor {
 
 namespace {
 
-// The lines of a text that hold something besides a comment.
+// The lines of a text, without the lines that are empty or only a comment.
 class Lines {
 public:
     explicit Lines(std::string_view text) : rest_(text) {}
 
-    int number() const { return number_; } // number of the line returned last, from 1
+    int number() const { return number_; } // of the line that `next` returned last, from 1
 
-    /// @param what  what the line should hold, for the error at the end of the text
+    /// @param what  what the line should contain, for the error if the text has no more lines
     std::string_view next(const char* what)
     {
         while (!rest_.empty()) {
@@ -71,7 +71,7 @@ SurfaceText read_off(std::string_view text)
     Words header(line);
     if (const std::string_view word = header.next(); word != "OFF")
         throw MeshError(lines.number(), "expected \"OFF\" at the start, found " + quoted(word, ""));
-    Words counts = header; // the counts may follow on the same line
+    Words counts = header; // the counts may follow on the line of "OFF"
     if (Words(header).next().empty())
         counts = Words(lines.next("the numbers of vertices and faces"));
     const std::size_t vertices = read_count(counts, most_mesh_vertices, "vertices", lines.number());

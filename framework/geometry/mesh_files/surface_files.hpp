@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Triangle meshes of files in any of the known formats.
+// Triangle meshes from files in the formats OBJ, OFF and STL.
 #pragma once
 
 #include "geometry/mesh_files/surface_text.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the readers of triangle meshes share: words of a line, coordinates, and faces as fans of
-// triangles.
+// Code that the readers of OBJ, OFF and STL share: words of a line, coordinates, and faces as
+// fans of triangles.
 #pragma once
 
 #include "geometry/meshes/mesh_checks.hpp"
@@ -11,7 +11,7 @@
 
 namespace rigor {
 
-/// A mesh as it was read: its syntax is right, but `check_mesh` has not seen it.
+/// A mesh as it was read: the syntax of its text is right, but it has not passed `check_mesh` yet.
 struct SurfaceText {
     TriangleMesh mesh;      // without the vertices that no face uses
     std::vector<int> lines; // for each triangle, its line in the file; empty if the file is binary
@@ -22,13 +22,13 @@ class Words {
 public:
     explicit Words(std::string_view line) : rest_(line) {}
 
-    std::string_view next(); // empty at the end
+    std::string_view next(); // the next word; empty at the end of the line
 
 private:
     std::string_view rest_;
 };
 
-/// Three coordinates, each finite and at most 1e12 in size.
+/// Reads three coordinates, each finite and at most 1e12 in size.
 /// @throws MeshError
 Vector3d read_coordinates(Words& words, int line);
 
@@ -46,7 +46,7 @@ public:
 private:
     SurfaceText& read_;
     int line_, corners_ = 0;
-    std::array<int, 3> fan_{}; // the first vertex, and the last two
+    std::array<int, 3> fan_{}; // the first vertex of the face, and the last two so far
 };
 
 /// Removes the vertices that no triangle uses. The others are numbered in the order in which

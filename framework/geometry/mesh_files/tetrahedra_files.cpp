@@ -16,13 +16,13 @@ namespace rigor {
 
 namespace {
 
-// The largest number of elements of any kind in a Gmsh file, which may also contain points, lines
-// and triangles.
+// The largest number of elements in a Gmsh file, and of blocks of nodes or elements. Elements are
+// not only tetrahedra, but also points, lines and triangles.
 constexpr std::size_t most_entities = 10 * most_tetrahedra;
 constexpr long long any = std::numeric_limits<long long>::max();
 
-// The mesh with the numbers of the text: vertices have their number from the text, and tetrahedra
-// refer to these numbers.
+// The mesh as the text numbers it: each vertex has the number (tag) that the text gives it, and
+// tetrahedra refer to these numbers.
 class NumberedMesh {
 public:
     void add_vertex(long long tag, Tokenizer& tokens)
@@ -54,7 +54,7 @@ public:
                 throw MeshError(0, "expected each vertex once, found number " +
                                        std::to_string(tags_[i].first) + " twice");
         TetrahedraText read;
-        std::vector<int> number(vertices_.size(), -1); // new numbers of used vertices
+        std::vector<int> number(vertices_.size(), -1); // new number of each vertex; -1: unused
         for (std::size_t t = 0; t < tetrahedra_.size(); ++t) {
             std::array<int, 4> corners{};
             for (int i = 0; i < 4; ++i) {
@@ -154,7 +154,7 @@ private:
         }
     }
 
-    // Reads the rest of an element, after its kind. Points, lines and triangles are skipped.
+    // Reads the rest of an element, after its kind. Elements that are not tetrahedra are skipped.
     void element(long long kind)
     {
         constexpr long long linear = 4, curved[] = {11, 29, 30, 31};

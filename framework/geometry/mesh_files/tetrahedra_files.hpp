@@ -10,7 +10,7 @@
 
 namespace rigor {
 
-/// A mesh as it was read: its syntax is right, but `check_mesh` has not seen it.
+/// A mesh as it was read: the syntax of its text is right, but it has not passed `check_mesh` yet.
 struct TetrahedraText {
     TetrahedralMesh mesh;   // without the vertices that no tetrahedron uses
     std::vector<int> lines; // for each tetrahedron, its line in the text
@@ -29,7 +29,7 @@ TetrahedraText read_medit(std::string_view text);
 /// @throws MeshError
 TetrahedraText read_tetrahedra(std::string_view text);
 
-/// The text of a mesh for Medit. Reading it again gives exactly the same numbers.
+/// The text of a mesh for Medit. Reading this text gives exactly the same coordinates.
 std::string medit_text(const TetrahedralMesh& mesh);
 
 } // namespace rigor

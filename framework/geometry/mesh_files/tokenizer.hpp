@@ -18,11 +18,12 @@ public:
     int line() const { return line_; }
 
     /// The next token, on this line or a later one; empty at the end of the text. `next` also goes
-    /// past it.
+    /// past this token, `peek` does not.
     std::string_view peek();
     std::string_view next();
     void skip_line(); // goes to the start of the next line
 
+    /// These functions read a token and check it; `refuse` only throws the error.
     /// @param what  what is expected, as the message of the error names it
     /// @throws MeshError
     double coordinate();

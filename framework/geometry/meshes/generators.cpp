@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Builds triangle meshes of simple solids, as surfaces of revolution, as extrusions, or vertex by
 // vertex. Outlines are divided into triangles by clipping ears (Meisters 1975, "Polygons have
-// ears"). Each generator adds its vertices first, and then the triangles that name them.
+// ears"). Each generator adds its vertices first, and then its triangles, as indices of vertices.
 #include "geometry/meshes/generators.hpp"
 
 #include <algorithm>
@@ -22,7 +22,7 @@ void add_quad(TriangleMesh& mesh, int a, int b, int c, int d)
     mesh.triangles.push_back({a, c, d});
 }
 
-// Twice the signed area of (a, b, c), positive if counter-clockwise.
+// Twice the signed area of the triangle (a, b, c), positive if it is counter-clockwise.
 double turn(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c)
 {
     return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
@@ -33,8 +33,9 @@ bool is_inside(const PlanePoint& p, const PlanePoint& a, const PlanePoint& b, co
     return turn(a, b, p) >= 0 && turn(b, c, p) >= 0 && turn(c, a, p) >= 0;
 }
 
-// The triangles of a simple polygon, found by clipping one ear after the other. The ear with the
-// largest area for the length of its new edge comes first, which avoids slivers.
+// The triangles of a simple polygon, found by clipping one ear after the other. An ear is a
+// triangle of three successive corners with no other corner inside. The next ear is always the one
+// with the largest ratio of its area to the squared length of its new edge, which avoids slivers.
 std::vector<std::array<int, 3>> triangulated(const std::vector<PlanePoint>& polygon)
 {
     std::vector<int> rest(polygon.size());
@@ -71,7 +72,7 @@ std::vector<std::array<int, 3>> triangulated(const std::vector<PlanePoint>& poly
 TriangleMesh surface_of_revolution(const std::vector<PlanePoint>& profile, int sides)
 {
     TriangleMesh mesh;
-    std::vector<int> first; // the first vertex of each point of the profile
+    std::vector<int> first; // for each point of the profile, the index of its first vertex
     for (const auto& [distance, height] : profile) {
         first.push_back(static_cast<int>(mesh.vertices.size()));
         for (int side = 0; side < (distance > 0 ? sides : 1); ++side) {
@@ -174,12 +175,13 @@ TriangleMesh cross_mesh(double length, double width)
 {
     const double a = width / 2, b = length / 2;
     TriangleMesh mesh;
-    for (int corner = 0; corner < 8; ++corner) // the cube in the middle; bits of `corner` are signs
+    // The corners of the cube in the middle. The bits of `corner` are the signs of x, y and z.
+    for (int corner = 0; corner < 8; ++corner)
         mesh.vertices.push_back({corner & 1 ? a : -a, corner & 2 ? a : -a, corner & 4 ? a : -a});
     for (int axis = 0; axis < 3; ++axis)
         for (const int side : {0, 1}) {
             const int u = 1 << (axis + 1) % 3, v = 1 << (axis + 2) % 3, w = side << axis;
-            std::array<int, 4> root = {w, w | u, w | u | v, w | v}; // seen from +axis
+            std::array<int, 4> root = {w, w | u, w | u | v, w | v}; // counter-clockwise from +axis
             if (side == 0) std::swap(root[1], root[3]);
             const int first = static_cast<int>(mesh.vertices.size());
             for (const int corner : root) {
@@ -215,13 +217,14 @@ TriangleMesh gear_mesh(int teeth, double radius, double bore, double thickness)
 {
     const double pitch = 2 * pi / teeth, depth = radius * pitch / 2;
     // Depth of a root below the pitch circle and height of a tip above it, in units of `depth`.
-    // Their difference is the clearance between a tip and the root that it runs over.
+    // Their difference is the clearance between a tip and the root of the other gear that it
+    // passes.
     constexpr double dedendum = 0.6, addendum = 0.5;
     const double root = radius - dedendum * depth, tip = radius + addendum * depth;
-    // Half the angle of a tooth at its root and at its tip, in units of `pitch`. Their mean is
-    // below a quarter, so that a tooth is thinner than the gap that it runs in.
+    // Half the angle that a tooth spans at its root and at its tip, in units of `pitch`. Their mean
+    // is below a quarter, so that a tooth is thinner than the gap of the other gear that it enters.
     constexpr double at_root = 0.33, at_tip = 0.15;
-    std::vector<PlanePoint> outline; // angle, distance
+    std::vector<PlanePoint> outline; // angle [rad], distance from the axis [m]
     for (int tooth = 0; tooth < teeth; ++tooth)
         for (const auto& [angle, distance] : std::initializer_list<PlanePoint>{
                  {-at_root, root}, {-at_tip, tip}, {at_tip, tip}, {at_root, root}})

@@ -16,8 +16,8 @@ using PlanePoint = std::array<double, 2>;
 /// A surface of revolution: a polygon turned about y in `sides` steps. A point on the axis becomes
 /// one vertex.
 ///
-/// @param profile  (distance from the axis ≥ 0, height), counter-clockwise if the distance points
-///                 right and the height up
+/// @param profile  corners of the polygon as (distance from the axis ≥ 0, height),
+///                 counter-clockwise if drawn with the distance to the right and the height upwards
 TriangleMesh surface_of_revolution(const std::vector<PlanePoint>& profile, int sides);
 
 /// An extrusion: a polygon in the plane of x and y, from z = -thickness/2 to z = thickness/2.
@@ -32,10 +32,11 @@ TriangleMesh box_mesh(const Vector3d& size);
 /// are on the sphere.
 TriangleMesh icosphere(double radius, int levels);
 
-/// A ring whose section is a circle of radius `tube`. Vertices are on the round torus.
+/// A ring whose cross-section is a polygon of `tube_sides` sides, inscribed in a circle of radius
+/// `tube`. All vertices are on the exact torus.
 TriangleMesh torus_mesh(double radius, double tube, int sides, int tube_sides);
 
-/// A ring whose section is a rectangle.
+/// A ring whose cross-section is a rectangle.
 TriangleMesh ring_mesh(double inner_radius, double outer_radius, double height, int sides);
 
 /// Three square bars along x, y and z, joined in the middle.
@@ -43,11 +44,12 @@ TriangleMesh ring_mesh(double inner_radius, double outer_radius, double height, 
 /// @param length, width  length and width of each bar, width < length
 TriangleMesh cross_mesh(double length, double width);
 
-/// The lower half of a hollow ball, its rim at y = 0. @param thickness  < radius
+/// The lower half of a hollow ball, with its rim at y = 0.
+/// @param thickness  of the wall, < radius
 TriangleMesh bowl_mesh(double radius, double thickness, int sides);
 
-/// A spur gear with trapezoidal teeth, from 0.6 d below the pitch circle to 0.5 d above it, where d
-/// = π radius / teeth is half the circular pitch. Two gears of the same d run together with a
+/// A spur gear with trapezoidal teeth, which reach from 0.6 d below the pitch circle to 0.5 d above
+/// it; d = π radius / teeth is half the circular pitch. Two gears of the same d run together with a
 /// little backlash, if their axes are as far apart as the sum of their radii.
 ///
 /// @param radius  radius of the pitch circle [m]

@@ -22,17 +22,18 @@ namespace {
 // an area is a rounding error.
 constexpr double least_area = 1e-12;
 
-// A mesh has no volume if its volume, divided by the cube of its size, is at most this: such a
-// volume is a rounding error.
+// A mesh has no volume if its volume, divided by the cube of the longest side of its bounds, is at
+// most this: such a volume is a rounding error.
 constexpr double least_volume = 1e-12;
 
-// Largest length of the sum of two unit normals that count as opposite.
+// Two unit normals count as opposite if the length of their sum is below this.
 constexpr double folded = 1e-9;
 
-// The allowed error of a winding number, which is a whole number or, on a face, a half.
+// The allowed error of a winding number: 1/2 is expected at a point on a face.
 constexpr double winding_tolerance = 0.01;
 
-// The limit bounds the time, because a point of each piece is compared with all faces.
+// The largest number of closed pieces of a surface. It limits the time of the check, because a
+// point of each piece is compared with all faces.
 constexpr std::size_t most_pieces = 64;
 
 class Check {
@@ -233,7 +234,7 @@ private:
             parent[root(edges[i].triangle)] = root(edges[i + 1].triangle);
 
         std::vector<char> is_seen(mesh_.triangles.size(), 0);
-        std::vector<int> firsts; // a face of each piece
+        std::vector<int> firsts; // the first face of each piece
         for (int t = 0; t < count; ++t)
             if (!std::exchange(is_seen[root(t)], 1)) firsts.push_back(t);
         if (firsts.size() == 1) return;
@@ -244,8 +245,8 @@ private:
         for (const int first : firsts) {
             const Triangle triangle = triangle_of(mesh_, first);
             const Vector3d middle = (triangle.a + triangle.b + triangle.c) / 3;
-            // On the face, which itself contributes nothing, the winding number is the mean of its
-            // values on both sides, 1/2.
+            // At a point on a face, the winding number is the mean of its values on both sides of
+            // the face: 1/2. The face itself contributes nothing.
             double sum = 0;
             for (int t = 0; t < count; ++t)
                 if (t != first) sum += winding(triangle_of(mesh_, t), middle);
@@ -267,7 +268,8 @@ private:
 double signed_volume(const TriangleMesh& mesh)
 {
     if (mesh.vertices.empty()) return 0;
-    const Vector3d& o = mesh.vertices.front(); // an apex near the triangles reduces cancellation
+    // The common apex of the tetrahedra in the sum. An apex near the mesh reduces cancellation.
+    const Vector3d& o = mesh.vertices.front();
     double volume = 0;
     for (const auto& [i, j, k] : mesh.triangles) {
         const Vector3d a = mesh.vertices[i] - o, b = mesh.vertices[j] - o, c = mesh.vertices[k] - o;

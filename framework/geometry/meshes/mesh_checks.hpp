@@ -10,24 +10,25 @@
 
 namespace rigor {
 
-/// Larger coordinates are refused: the limit guards volumes and their products against overflow
-/// [m].
+/// Coordinates above this limit [m] are refused, so that volumes and products of volumes do not
+/// overflow.
 inline constexpr double largest_coordinate = 1e12;
 
 /// Larger meshes are refused: the limits guard time and memory.
 inline constexpr std::size_t most_mesh_triangles = 200'000, most_mesh_vertices = 200'000;
 
-/// Signed volume that the triangles enclose, positive if they turn counter-clockwise seen from
+/// Signed volume that the triangles enclose, positive if triangles are counter-clockwise seen from
 /// outside [m³].
 double signed_volume(const TriangleMesh& mesh);
 
-/// Refuses a mesh that is not the surface of a solid. It must have triangles, and not too many.
-/// Vertices must exist and be finite, and each face must have an area. Each edge must have two
-/// faces, which pass it in opposite directions. Faces must turn counter-clockwise seen from
-/// outside, and the surface must not intersect itself. A piece inside another piece must be a
-/// hollow.
+/// Refuses a mesh that is not the surface of a solid. It must have triangles, and not too many. The
+/// vertices of faces must exist and be finite, and each face must have an area. Each edge must have
+/// two faces, which pass it in opposite directions. Faces must be counter-clockwise seen from
+/// outside, and the surface must not intersect itself. A closed piece of surface inside another
+/// piece must be the wall of a hollow. At most 64 pieces are allowed.
 ///
-/// @param lines  line of the text for each triangle, for the error; empty if there is no text
+/// @param lines  for each triangle, its line in the text of the mesh, which the error names; empty
+///               if the mesh has no text
 /// @throws MeshError
 void check_mesh(const TriangleMesh& mesh, const std::vector<int>& lines = {});
 

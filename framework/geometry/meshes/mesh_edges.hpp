@@ -17,8 +17,8 @@ struct HalfEdge {
     bool same_edge(const HalfEdge& other) const { return low == other.low && high == other.high; }
 };
 
-/// The three half-edges of every triangle, sorted so that those of one edge are neighbours. In a
-/// closed mesh they are pairs.
+/// The three half-edges of every triangle, sorted so that the half-edges of one edge are neighbours
+/// in the list. In a closed mesh each edge has exactly two.
 std::vector<HalfEdge> sorted_half_edges(const TriangleMesh& mesh);
 
 /// An edge of a closed mesh, with the triangles on both sides.
@@ -29,11 +29,12 @@ struct MeshEdge {
 };
 
 /// All edges of a closed mesh.
-/// @param normals  unit, one for each triangle
+/// @param normals  unit normals, one for each triangle
 std::vector<MeshEdge> mesh_edges(const TriangleMesh& mesh, const std::vector<Vector3d>& normals);
 
-/// The largest angle between two facets of a closed mesh that stands for a round surface [rad].
-/// Only convex edges count at which the faces meet at 40 degrees or less. 0 if there are none.
+/// The largest angle between the normals of two facets that share an edge, in a closed mesh that
+/// approximates a round surface [rad]. Only convex edges with an angle of at most 40 degrees count.
+/// The result is 0 if there are none.
 double facet_angle(const TriangleMesh& mesh);
 
 /// Unit normal of each triangle.

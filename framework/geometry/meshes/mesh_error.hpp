@@ -12,10 +12,10 @@ struct MeshError : std::runtime_error {
     MeshError(int in_line, const std::string& message) : std::runtime_error(message), line(in_line)
     {
     }
-    int line = 0; // line of the mesh's text, counted from 1; 0: no single line
+    int line = 0; // line of the mesh's text, counted from 1; 0 if no single line is wrong
 };
 
-/// A number as an error message shows it, in six digits.
+/// A number as an error message shows it, with at most six significant digits.
 std::string number_text(double number);
 
 } // namespace rigor

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Samples the surface of a mesh for contacts. Each sample has the cone of the normals along which
 // the surface can be touched there (normal cones: Rockafellar 1970, "Convex analysis"). Vertices
-// come first, then convex edges, then faces in rows. In a hole, the corners of the facets lie
-// deepest, so that no body touches them; there even short edges and small faces get a point.
+// come first, then convex edges, then faces in rows. In a round hole, a body touches the middle of
+// facets and not their vertices, which lie farther out; there even short edges and small faces get
+// a point in their middle.
 #include "geometry/meshes/mesh_surface.hpp"
 
 #include "geometry/meshes/mesh_edges.hpp"
@@ -15,21 +16,21 @@ namespace rigor {
 
 namespace {
 
-// Sine of ten degrees. Edges that bend less are not tested for contacts edge against edge: the
-// facets of a round surface meet in such edges.
+// Sine of about ten degrees. Edges that bend less are not tested for contacts edge against edge:
+// the facets of a round surface meet in such edges.
 constexpr double sharp = 0.17;
 
 // Unit vectors count as equal if the length of their difference is below this, and as orthogonal if
-// their dot product is. The value is far above the rounding of normals and far below any angle that
-// matters.
+// their dot product is below it. The value is far above the rounding of normals and, in radians,
+// far below the angle of any edge that matters.
 constexpr double same = 1e-6;
 
 // A triangle is a sliver if its height is below this fraction of its longest side. It gets no point
 // in its middle, which would lie almost on the sides, where rounding makes distances inaccurate.
 constexpr double sliver = 0.05;
 
-// Whether a flat body with the normal -n can touch the surface at one of these vertices. If so,
-// these points are enough for the edges and faces around them.
+// Whether a flat face of another body, with the normal -n, can touch the surface at one of these
+// vertices. If so, the edge or face between these vertices needs no sample point in its middle.
 bool is_touched_at(const MeshSurface& surface, std::initializer_list<int> vertices,
                    const Vector3d& n)
 {
@@ -63,7 +64,7 @@ int MeshSurface::add_cone(const std::vector<Vector3d>& normals,
     Cone cone;
     cone.first_normal = static_cast<int>(cone_normals_.size());
     cone.first_direction = static_cast<int>(cone_directions_.size());
-    for (const Vector3d& n : normals) // the triangles of a flat face count once
+    for (const Vector3d& n : normals) // the equal normals of a flat face are stored once
         if (std::none_of(cone_normals_.begin() + cone.first_normal, cone_normals_.end(),
                          [&](const Vector3d& known) { return (known - n).norm() < same; }))
             cone_normals_.push_back(n);
@@ -110,7 +111,7 @@ void MeshSurface::add_edges(const TriangleMesh& mesh, const std::vector<Vector3d
     }
 }
 
-// Adds points on each face, in rows parallel to its longest side.
+// Adds points on each face, in rows parallel to its longest side, at twice the spacing of edges.
 void MeshSurface::add_faces(const TriangleMesh& mesh, const std::vector<Vector3d>& normals)
 {
     const double spacing = 2 * spacing_;
@@ -163,7 +164,8 @@ Vector3d MeshSurface::nearest_normal(int index, const Vector3d& d) const
     };
     for (int i = cone.first_normal; i < cone.last_normal; ++i)
         consider(cone_normals_[i]);
-    for (int i = cone.first_direction; i < cone.last_direction; ++i) { // between face normals
+    // Directions between two face normals: d, projected on the plane perpendicular to an edge.
+    for (int i = cone.first_direction; i < cone.last_direction; ++i) {
         const Vector3d& along = cone_directions_[i];
         const Vector3d across = d - along.dot(d) * along;
         if (across.norm() > same) consider(across.normalized());

@@ -12,19 +12,21 @@ namespace rigor {
 /// A sample point of a surface, on a vertex, an edge or a face [m].
 struct SurfacePoint {
     Vector3d point;
-    int cone = 0; // number of its normal cone, for `nearest_normal`
+    int cone = 0; // index of its normal cone, for `MeshSurface::nearest_normal`
 };
 
 /// A sharp convex edge.
 struct SharpEdge {
     Vector3d from, to;         // ends [m]
     Vector3d normal1, normal2; // unit normals of the two faces
-    int cone = 0;              // number of its normal cone
+    int cone = 0;              // index of its normal cone, for `MeshSurface::nearest_normal`
 };
 
-/// Sample points on faces and along convex edges, about one spacing apart, and the sharp edges,
-/// whose faces meet at more than ten degrees. Points and edges have a bounding tree each. Concave
-/// edges have no points, because another part of the surface always touches first.
+/// The sample points and the sharp edges of a surface. Points lie on all vertices, along convex
+/// edges at most one spacing apart, and in rows on faces about two spacings apart. Sharp edges are
+/// convex edges at which the normals of the faces differ by more than about ten degrees. Points and
+/// edges have a bounding tree each. Concave edges have no points along them, because another body
+/// always touches another part of the surface first.
 class MeshSurface {
 public:
     /// @param spacing  > 0 [m]
@@ -37,17 +39,18 @@ public:
     const BoundingTree& point_tree() const { return point_tree_; }
     const BoundingTree& edge_tree() const { return edge_tree_; }
 
-    /// The unit vector of a normal cone that is nearest to the unit vector d. From the cone's
-    /// directions, another body can touch the surface from outside: on a face from its normal, on
-    /// an edge from any direction between its two normals, at a vertex from any direction between
-    /// the normals around it. A saddle has no tangent plane that stays on one side of the surface;
-    /// there the result is d.
+    /// The unit vector nearest to the unit vector d among those of a normal cone. The cone contains
+    /// the directions from which another body can touch the surface: on a face only its normal, on
+    /// an edge all directions between its two normals, at a vertex all directions between the
+    /// normals of the faces around it. A saddle has no tangent plane that stays on one side of the
+    /// surface; there the result is d.
+    /// @param cone  index of the cone, from a SurfacePoint or SharpEdge
     Vector3d nearest_normal(int cone, const Vector3d& d) const;
 
 private:
-    // A normal cone: the normals of the faces around a point, and the directions along the surface
-    // away from the point. The cone contains the vectors that make no acute angle with any of these
-    // directions.
+    // A normal cone: the normals of the faces around a point, as a range of `cone_normals_`, and
+    // the directions along the surface away from the point, as a range of `cone_directions_`. The
+    // cone contains the vectors that make no acute angle with any of the directions.
     struct Cone {
         int first_normal = 0, last_normal = 0, first_direction = 0, last_direction = 0;
     };

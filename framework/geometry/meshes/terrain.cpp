@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Closes an open surface: it copies the surface as the bottom, turned around, and adds two
-// triangles below each edge of the border.
+// Closes an open surface. The bottom is a flat copy of the surface with its faces turned over, and
+// the walls have two triangles below each edge of the border.
 #include "geometry/meshes/terrain.hpp"
 
 #include "geometry/meshes/mesh_edges.hpp"

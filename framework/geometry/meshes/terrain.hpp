@@ -13,7 +13,8 @@ namespace rigor {
 ///
 /// @param surface  a mesh whose faces are all counter-clockwise seen from above, from +y
 /// @param depth    from the lowest point of the surface down to the bottom, > 0 [m]
-/// @param lines    line of the text for each triangle, for the error; empty if there is no text
+/// @param lines    for each triangle, its line in the text of the mesh, which the error names;
+///                 empty if the mesh has no text
 /// @return         a mesh that encloses a solid, if no face of the surface is above another
 /// @throws MeshError
 TriangleMesh solid_below(const TriangleMesh& surface, double depth,

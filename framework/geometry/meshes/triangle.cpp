@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Finds the point of a triangle nearest to a point, and whether a segment goes through a triangle.
-// Both follow Ericson 2005, "Real-time collision detection": 5.1.5 by Voronoi regions, 5.3.4 by the
-// signs of volumes. The vertices are tried first, then the edges, and the face is what is left.
+// Both follow Ericson 2005, "Real-time collision detection": the nearest point 5.1.5, by Voronoi
+// regions, and the segment 5.3.4, by the signs of volumes. For the nearest point, all vertices and
+// edges are tried, and the face is what remains.
 #include "geometry/meshes/triangle.hpp"
 
 namespace rigor {

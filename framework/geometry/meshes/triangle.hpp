@@ -7,7 +7,7 @@
 
 namespace rigor {
 
-/// A triangle by its vertices, counter-clockwise seen from outside [m].
+/// A triangle, given by its vertices, counter-clockwise seen from outside [m].
 struct Triangle {
     Vector3d a, b, c;
 
@@ -32,15 +32,15 @@ struct NearestOnTriangle {
     int feature = 6;
 };
 
-/// The nearest point, by the Voronoi regions of the triangle's features (Ericson 2005, "Real-time
-/// collision detection", 5.1.5).
+/// The point of the triangle nearest to p, by the Voronoi regions of the triangle's features
+/// (Ericson 2005, "Real-time collision detection", 5.1.5).
 NearestOnTriangle nearest_on(const Triangle& triangle, const Vector3d& p);
 
 /// Whether the segment from p to q goes through the triangle. Both ends must be clearly off the
 /// triangle's plane, on different sides.
 ///
-/// @param tolerance  p or q is in the plane if six times the volume of its tetrahedron with the
-///                   triangle is at most this [m³]
+/// @param tolerance  p or q counts as in the plane if six times the volume of the tetrahedron that
+///                   it forms with the triangle is at most this [m³]
 bool pierces(const Vector3d& p, const Vector3d& q, const Triangle& triangle, double tolerance);
 
 } // namespace rigor

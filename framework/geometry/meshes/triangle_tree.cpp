@@ -62,7 +62,7 @@ public:
     // added triangle.
     bool has(const std::array<int, 3>& triangle, int feature) const
     {
-        if (feature == 6) return false; // the face is the triangle's own
+        if (feature == 6) return false; // no other triangle has this face
         if (feature < 3) return vertices_.contains(triangle[feature]);
         return edges_.contains(edge(triangle, feature - 3));
     }

@@ -14,19 +14,19 @@ public:
     /// @param mesh  must live longer than the tree
     explicit TriangleTree(const TriangleMesh& mesh);
 
-    /// A nearest point with its triangle.
+    /// The nearest point of one triangle, and the index of the triangle.
     struct Found : NearestOnTriangle {
         int triangle = 0;
         double squared_distance = 0; // [m²]
     };
 
     /// The point of the mesh nearest to p.
-    /// @param near  the triangle with which the search starts; if it is near p, the search is
-    ///              shorter
+    /// @param near  index of the triangle with which the search starts; if this triangle is near p,
+    ///              the search is shorter
     Found nearest(const Vector3d& p, int near = 0) const;
 
-    /// The local minima of the distance to p that are below `within` [m], the nearest first. They
-    /// are the nearest points of the single triangles, without a point on a vertex or edge that
+    /// The local minima of the distance to p that are below `within` [m], the nearest first. Each
+    /// triangle contributes its point nearest to p, unless this point lies on a vertex or edge that
     /// also belongs to a triangle with a point nearer to p.
     std::vector<Found> local_minima(const Vector3d& p, double within) const;
 

@@ -10,7 +10,7 @@ namespace rigor {
 /// ask meanwhile wait.
 template <class T> class Lazy {
 public:
-    /// @param make  returns a std::unique_ptr<T>
+    /// @param make  function that computes the value and returns it as a std::unique_ptr<T>
     template <class Make> const T& get(const Make& make) const
     {
         std::call_once(flag_, [&] { value_ = make(); });

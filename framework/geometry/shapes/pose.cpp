@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Converts quaternions and rotation matrices into each other, and combines the poses of a body and
-// its parts. Quaternions are made unit first.
+// its parts. Quaternions are scaled to unit length.
 #include "geometry/shapes/pose.hpp"
 
 namespace rigor {

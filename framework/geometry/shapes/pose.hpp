@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Poses: position and rotation. Geometry computes rotations with Eigen; the motion of bodies calls
-// the formulas instead, because students write the formulas.
+// Poses: position and rotation. Geometry computes rotations with Eigen. The code that moves bodies
+// calls the functions of formulas/rotation.hpp instead, because students write these functions.
 #pragma once
 
 #include "formulas/types.hpp"
@@ -26,7 +26,7 @@ Pose pose_of(const RigidState& state);
 /// Unit quaternion of a matrix that is close to a rotation.
 Quaternion quaternion_of(const Matrix3d& R);
 
-/// Pose of a part in the outer frame, where its body has the pose `body`.
+/// Pose of a part in the frame in which its body has the pose `body`.
 Pose part_pose(const Pose& body, const Part& part);
 
 } // namespace rigor

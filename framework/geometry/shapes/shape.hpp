@@ -11,41 +11,42 @@ namespace rigor {
 
 class SolidMesh;
 
-/// A solid ball about the origin.
+/// A solid ball, centered at the origin.
 struct Sphere {
     double radius = 0; // [m]
 };
 
-/// A cylinder between two half balls, about the origin.
+/// A solid cylinder between two half balls, centered at the origin.
 struct Capsule {
     double radius = 0; // [m]
-    double height = 0; // without the half balls [m]
+    double height = 0; // of the cylinder, without the half balls [m]
 };
 
-/// A ring of circular section about the origin.
+/// A solid ring with a circular cross-section, centered at the origin.
 struct Torus {
     double radius = 0; // from the axis to the middle of the tube [m]
     double tube = 0;   // radius of the tube, smaller than `radius` [m]
 };
 
-/// A solid box about the origin, its edges along the axes.
+/// A solid box, centered at the origin, with its edges along x, y and z.
 struct Box {
     Vector3d size = Vector3d::Zero(); // full edge lengths [m]
 };
 
-/// A solid cylinder about the origin.
+/// A solid cylinder, centered at the origin.
 struct Cylinder {
     double radius = 0; // [m]
     double height = 0; // [m]
 };
 
-/// A solid cone about its center of mass: the base at y = -height/4, the tip at y = 3/4 height.
+/// A solid cone with its center of mass at the origin: the base is at y = -height/4, the tip
+/// at y = 3/4 height.
 struct Cone {
     double radius = 0; // radius of the base [m]
     double height = 0; // [m]
 };
 
-/// A solid ellipsoid about the origin, its semi-axes along the axes.
+/// A solid ellipsoid, centered at the origin, with its semi-axes along x, y and z.
 struct Ellipsoid {
     Vector3d radii = Vector3d::Zero(); // semi-axes [m]
 };
@@ -56,12 +57,12 @@ struct Mesh {
     std::shared_ptr<const SolidMesh> solid; // never null
 };
 
-/// The half-space y ≤ 0. Static bodies only.
+/// The half-space y ≤ 0. Only static bodies have this shape.
 struct Plane {};
 
 using Shape = std::variant<Sphere, Capsule, Torus, Box, Cylinder, Cone, Ellipsoid, Mesh, Plane>;
 
-/// A shape at its place in a body's frame. A compound body has several.
+/// A shape at its place in a body's frame. A compound body has several parts.
 struct Part {
     Shape shape;
     Vector3d position = Vector3d::Zero(); // position of the shape's origin in the body's frame [m]
@@ -69,7 +70,7 @@ struct Part {
     double density = 1000; // [kg/m³]
 };
 
-/// Volume of a shape [m³]. That of a plane is 0, because it has no mass.
+/// Volume of a shape [m³]. For a plane the result is 0, so that a plane gets no mass.
 double volume(const Shape& shape);
 
 } // namespace rigor

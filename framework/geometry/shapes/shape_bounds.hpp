@@ -7,12 +7,12 @@
 
 namespace rigor {
 
-/// Bounds of a shape at a pose. They are the smallest possible ones, except for a mesh, and
-/// infinite for a plane.
+/// Bounding box of a shape at a pose. It is the smallest possible box, except that for a mesh it
+/// may be larger, and for a plane it is infinite.
 Bounds bounds_of(const Shape& shape, const Pose& pose);
 
-/// Radius of a ball about the origin of the body's frame that contains the part, however it is
-/// turned [m]. That of a plane is infinite.
+/// Radius of a ball around the origin of the body's frame that contains the part, however the body
+/// is turned [m]. For a plane the radius is infinite.
 double bounding_radius(const Part& part);
 
 /// Whether a part is a plane.

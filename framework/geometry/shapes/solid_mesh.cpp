@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Computes the data that contacts need of a mesh. The constructor computes bounds, volume, radius
+// Computes the data of a mesh that contacts need. The constructor computes bounds, volume, radius
 // and convexity. The hull, the surface points, the tree and the level set are computed when they
 // are first needed.
 #include "geometry/shapes/solid_mesh.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A triangle mesh as a solid, shared by all bodies of its shape.
+// A triangle mesh as a solid. All bodies of a world with the same mesh share it.
 #pragma once
 
 #include "geometry/bounds/bounds.hpp"
@@ -12,24 +12,24 @@
 
 namespace rigor {
 
-/// The solid that a closed mesh encloses, and its hull, surface, tree and level set. It never
-/// changes. The parts that not every scene needs are computed lazily, when a thread first asks for
-/// them.
+/// The solid that a closed mesh encloses, with its hull, sample points, tree of triangles and level
+/// set. A `SolidMesh` never changes. Data that not every scene needs is computed lazily, when a
+/// thread first asks for it.
 class SolidMesh {
 public:
-    /// Limits of `cells`: a coarser level set has no room for detail, a finer one costs too much
-    /// time and memory.
+    /// Limits for the parameter `cells` of the constructor: a coarser level set loses the
+    /// details of the shape, a finer one costs too much time and memory.
     static constexpr int least_cells = 8, most_cells = 128;
 
     /// @param mesh   a mesh that passed `check_mesh`
-    /// @param cells  number of cells along the longest side of the level set; 0:
-    ///               `suggested_cells(mesh)`
+    /// @param cells  number of cells of the level set along the longest side of the mesh's bounds;
+    ///               0 means `suggested_cells(mesh)` (level_sets/level_set.hpp)
     explicit SolidMesh(TriangleMesh mesh, std::string name = "mesh", int cells = 0);
 
     SolidMesh(const SolidMesh&) = delete;
     SolidMesh& operator=(const SolidMesh&) = delete;
 
-    /// A copy for the same mesh, without what is computed lazily.
+    /// A new SolidMesh for the same mesh. Data that was computed lazily is not copied.
     std::shared_ptr<const SolidMesh> copy() const
     {
         return std::make_shared<SolidMesh>(mesh_, name_, cells_);
@@ -38,28 +38,30 @@ public:
     const TriangleMesh& mesh() const { return mesh_; }
     const std::string& name() const { return name_; }
     const Bounds& bounds() const { return bounds_; }
-    /// The bounding ball: its center, the middle of the bounds, and its radius [m].
+    /// The bounding ball. Its center is the middle of the bounds; its radius is in metres.
     Vector3d center() const { return (bounds_.low + bounds_.high) / 2; }
     double radius() const { return radius_; }
     double volume() const { return volume_; } // [m³]
 
-    /// Whether the mesh is convex, as `is_hull` defines it. Contacts of convex meshes use the hull,
-    /// and rarely need the level set.
+    /// Whether the mesh is convex and has few enough vertices for a hull (`is_hull` in
+    /// convex/hull.hpp). Contacts of such meshes use the hull, and rarely need the level set.
     bool is_convex() const { return is_convex_; }
     /// @pre is_convex()
     const Hull& hull() const;
 
-    /// The largest angle between two facets of a rounded surface, see mesh_edges.hpp [rad].
+    /// `facet_angle` (meshes/mesh_edges.hpp): how much two facets of a round surface bend at most
+    /// at their common edge [rad].
     double facet_angle() const;
 
-    /// Sample points and sharp edges of the surface, one cell of the level set apart.
+    /// Sample points, whose spacing is one cell of the level set, and sharp edges of the surface.
     const MeshSurface& surface() const;
 
-    /// A tree of its triangles.
+    /// A bounding tree of the mesh's triangles.
     const TriangleTree& triangles() const;
 
     /// Signed distances on a grid.
-    /// @param made  called just before the distances are computed, which only the first call does
+    /// @param made  function that is called just before the distances are computed. Only the first
+    ///              call of `level_set` computes them.
     template <class Made> const LevelSet& level_set(const Made& made) const
     {
         return level_set_.get([&] {

@@ -13,8 +13,8 @@ namespace rigor {
 /// Larger meshes are refused: the limits guard time and memory.
 inline constexpr std::size_t most_tetrahedra = 1'000'000, most_tetrahedron_vertices = 1'000'000;
 
-/// The vertices of face f of a tetrahedron, the one opposite vertex f, counter-clockwise seen from
-/// outside.
+/// tetrahedron_faces[f] has the vertices of face f of a tetrahedron, which lies opposite vertex f.
+/// The vertices are counter-clockwise seen from outside.
 inline constexpr std::array<std::array<int, 3>, 4> tetrahedron_faces = {
     {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
 
@@ -31,7 +31,7 @@ double tetrahedron_volume(const TetrahedralMesh& mesh, int tetrahedron);
 /// A face of a tetrahedron, its vertices in ascending order.
 struct SortedFace {
     std::array<int, 3> vertices;
-    bool is_even; // whether the order is an even permutation of the counter-clockwise one
+    bool is_even; // whether `vertices` is an even permutation of the counter-clockwise order
     int tetrahedron, face;
 };
 
@@ -42,7 +42,7 @@ std::vector<SortedFace> sorted_faces(const TetrahedralMesh& mesh);
 std::vector<std::array<int, 4>> face_neighbours(const TetrahedralMesh& mesh);
 
 /// The boundary surface: the faces that belong to one tetrahedron only, counter-clockwise seen from
-/// outside. Vertices keep their numbers.
+/// outside. The result has all vertices of the mesh, with the same numbers.
 TriangleMesh boundary(const TetrahedralMesh& mesh);
 
 } // namespace rigor

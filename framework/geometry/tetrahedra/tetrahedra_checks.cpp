@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Checks that a mesh of tetrahedra is one solid: first the numbers, then volumes, then faces, and
-// last that all of it is connected. Faces are compared as sorted triples of vertices. Connection is
-// found by a search from the first tetrahedron through faces.
+// Checks that a mesh of tetrahedra is one solid: first its counts, indices and coordinates, then
+// volumes, then faces, and last that all tetrahedra are connected. Faces are compared as sorted
+// triples of vertices. Connection is found by a search from the first tetrahedron through faces.
 #include "geometry/tetrahedra/tetrahedra_checks.hpp"
 
 #include "geometry/meshes/mesh_checks.hpp"
@@ -15,8 +15,9 @@ namespace rigor {
 
 namespace {
 
-// A tetrahedron is flat if its volume, divided by the cube of its longest edge, is below this. A
-// regular one has 0.12. Flat ones are refused because the formulas divide by the volume.
+// A tetrahedron is flat if its volume, divided by the cube of its longest edge, is at most this.
+// For a regular tetrahedron this ratio is 0.12. Flat ones are refused because the formulas divide
+// by the volume.
 constexpr double least_volume = 1e-9;
 
 class Check {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Builds meshes of tetrahedra. A block is made of cells of five tetrahedra each, a ball of an
-// octahedron whose eighths are divided along the diagonals of their cells (Kuhn 1960). Vertices are
-// numbered last for a block, without those that no tetrahedron uses, and when they are first used
-// for a ball.
+// octahedron whose eighths are divided along the diagonals of their cells (Kuhn 1960). In a block,
+// vertices are numbered last, and those that no tetrahedron uses are left out. In a ball, a vertex
+// is numbered when it is first used.
 #include "geometry/tetrahedra/tetrahedra_generators.hpp"
 
 #include "geometry/tetrahedra/tetrahedra.hpp"
@@ -19,7 +19,8 @@ namespace {
 constexpr int cell_tetrahedra[5][4] = {
     {0, 3, 6, 5}, {1, 5, 3, 0}, {2, 3, 6, 0}, {4, 6, 5, 0}, {7, 5, 6, 3}};
 
-using IsThere = std::function<bool(int, int)>; // whether the block has the cells at x, y
+// Whether the block has the cells in column (x, y), at all z.
+using IsThere = std::function<bool(int, int)>;
 
 // Neighbouring cells are mirror images in x. A mirrored tetrahedron would be inverted, so two of
 // its vertices are swapped.
@@ -54,7 +55,8 @@ TetrahedralMesh cells_as_tetrahedra(const Vector3d& size, const std::array<int, 
                 int& n = number[node(x, y, z)];
                 if (n < 0) continue;
                 n = static_cast<int>(mesh.vertices.size());
-                const Vector3d p(2.0 * x - nx, 2.0 * y - ny, 2.0 * z - nz); // exactly symmetric
+                // In half cells from the middle: p of opposite vertices differs in sign only.
+                const Vector3d p(2.0 * x - nx, 2.0 * y - ny, 2.0 * z - nz);
                 mesh.vertices.push_back(
                     p.cwiseQuotient(2 * Vector3d(nx, ny, nz)).cwiseProduct(size));
             }
@@ -65,7 +67,7 @@ TetrahedralMesh cells_as_tetrahedra(const Vector3d& size, const std::array<int, 
 }
 
 // Calls add(t) for each tetrahedron t into which Kuhn (1960) divides the region 0 ≤ z ≤ y ≤ x ≤ n:
-// each unit cell of the region is cut into six along its diagonal.
+// each unit cell is cut into six tetrahedra around its diagonal, and those in the region are taken.
 template <class Add> void for_each_kuhn_tetrahedron(int n, const Add& add)
 {
     constexpr int orders[6][3] = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
@@ -107,12 +109,12 @@ TetrahedralMesh ball_tetrahedra(double radius, int layers)
     const int n = layers, side = 2 * n + 1;
     std::vector<int> number(side * side * side, -1);
     TetrahedralMesh mesh;
-    // The vertex of a point of the octahedron |x| + |y| + |z| ≤ n.
+    // The index of the vertex for a grid point of the octahedron |x| + |y| + |z| ≤ n.
     const auto vertex = [&](const std::array<int, 3>& p) {
         int& v = number[p[0] + n + side * (p[1] + n + side * (p[2] + n))];
         if (v >= 0) return v;
         const Vector3d q(p[0], p[1], p[2]);
-        const double layer = q.lpNorm<1>(); // each octahedron of points becomes a sphere
+        const double layer = q.lpNorm<1>(); // all points of one layer move onto one sphere
         mesh.vertices.push_back(layer > 0 ? Vector3d(radius * layer / n * q.normalized()) : q);
         return v = static_cast<int>(mesh.vertices.size()) - 1;
     };
@@ -121,7 +123,7 @@ TetrahedralMesh ball_tetrahedra(double radius, int layers)
                                          octant & 4 ? -1 : 1};
         for_each_kuhn_tetrahedron(n, [&](const std::array<std::array<int, 3>, 4>& kuhn) {
             std::array<int, 4> t{};
-            for (int i = 0; i < 4; ++i) { // from Kuhn's tetrahedron to the octant
+            for (int i = 0; i < 4; ++i) { // maps Kuhn's region to the octant
                 const auto& [a, b, c] = kuhn[i];
                 t[i] = vertex({sign[0] * (a - b), sign[1] * (b - c), sign[2] * c});
             }
