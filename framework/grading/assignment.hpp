@@ -17,19 +17,20 @@ enum class Disclosure {
     nothing // only a status such as `crashed`
 };
 
-/// Points for one law of a task. They are earned if this law holds, even if others do not.
+/// Points for one law of a task. They are earned if this law holds, even if other laws do not.
 struct PartOfPoints {
-    std::string law; // the name of the test case that checks it
+    std::string law; // the name of the test case that checks this law
     double points = 0;
 };
 
 struct Task {
-    std::string tag;                    // "A2.14"
-    std::string formula;                // "combine"; empty if the task has a `title`
-    std::string title;                  // the task's name if it has no `formula`
-    double points = 0;                  // for the whole task, with its parts
-    std::vector<PartOfPoints> parts;    // their sum is below `points`; the rest needs all laws
-    bool is_hidden = false;             // whether its tests need the reference
+    std::string tag;     // "A2.14"
+    std::string formula; // "combine"; empty if the task has a `title`
+    std::string title;   // the task's name if it has no `formula`
+    double points = 0;   // for the whole task, including `parts`
+    /// The sum of the parts is below `points`. The rest is earned only if all laws hold.
+    std::vector<PartOfPoints> parts;
+    bool is_hidden = false;             // whether its tests are hidden; they need the reference
     std::string hint;                   // shown to a student whose solution fails
     std::vector<std::string> builds_on; // tags of other tasks whose formulas its tests call
     std::vector<std::string> scenes;    // files in scenes/ that its tests run
@@ -44,7 +45,7 @@ struct Assignment {
     std::string topic;               // "inertia"
     std::vector<std::string> submit; // the files a student hands in
     std::vector<Task> tasks;         // in the order of their tags
-    std::vector<std::string> scenes; // files in scenes/
+    std::vector<std::string> scenes; // files in scenes/ that a student can watch
     std::filesystem::path folder;
 
     std::string label() const { return name.substr(0, name.find('-')); } // "a2"

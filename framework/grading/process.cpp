@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Runs a program as a child process. Its output and its messages come through two pipes, which are
-// split into lines while the program runs. A program that is silent for too long gets SIGTERM, and
-// two seconds later SIGKILL.
+// Runs a program as a child process. Its output and its messages come through two pipes. What
+// arrives is split into lines while the program runs. A program that is silent for too long gets
+// SIGTERM, and two seconds later SIGKILL.
 #include "grading/process.hpp"
 
 #include "sandbox/argument_pointers.hpp"
@@ -65,7 +65,7 @@ public:
         while (is_open()) {
             const ssize_t n = read(read_, buffer.data(), buffer.size());
             if (n < 0 && errno == EINTR) continue;
-            if (n < 0) break; // EAGAIN: nothing more for now
+            if (n < 0) break; // EAGAIN: no more data at present
             if (n == 0) {
                 if (!pending_.empty()) on_line_(pending_);
                 close_end(read_);
@@ -86,7 +86,7 @@ private:
              from = end + 1)
             on_line_(std::string_view(pending_).substr(from, end - from));
         pending_.erase(0, from);
-        constexpr std::size_t longest_line = 1 << 20; // [bytes], a bound for the memory
+        constexpr std::size_t longest_line = 1 << 20; // [bytes], limits the memory for a line
         if (pending_.size() < longest_line) return;
         on_line_(pending_);
         pending_.clear();

@@ -25,8 +25,8 @@ struct Command {
 struct Ended {
     int status = 0;         // its exit status
     int signal = 0;         // the signal that killed it, or 0
-    bool timed_out = false; // whether it was killed after a long silence
-    double seconds = 0;     // from start to end
+    bool timed_out = false; // whether it was ended because it printed nothing for too long
+    double seconds = 0;     // wall-clock time from start to end [s]
 
     bool ok() const { return status == 0 && signal == 0 && !timed_out; }
 };

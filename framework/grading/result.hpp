@@ -15,7 +15,7 @@ namespace rigor {
 /// The outcome of a test case or a task, from the best to the worst. The outcome of a task is the
 /// worst of its test cases.
 ///
-/// A crash is worse than a wrong value, since it hides what would have been found after it.
+/// A crash is worse than a wrong value, since it hides failures that later checks would find.
 /// `failed` is worse than `not_implemented`, since a task that fails on its own is not excused by a
 /// stub that it calls as well.
 enum class Status {
@@ -37,14 +37,14 @@ std::optional<Status> status_of(std::string_view text);
 struct TestCase {
     std::string name; // "inertia: the union of two hemispheres is a sphere"
     Status status = Status::passed;
-    std::string message, hint; // as the test program words them
+    std::string message, hint; // in the words of the test program
     std::string mistake; // why the answers are wrong, in one sentence; empty if it is not known
-    /// What a comparison of numbers found; empty if the test case compared none.
+    /// What a comparison of numbers found, as text; empty if the test case compared no numbers.
     std::string expected, actual, error, tolerance, tolerance_class;
-    std::string place;                // what of the result is wrong, such as a field
+    std::string place;                // the part of the result that is wrong, such as a field
     std::optional<std::int64_t> seed; // seed of the failed case
     bool is_hidden = false;
-    double largest_error = 0; // error / tolerance, over the comparisons that held
+    double largest_error = 0; // largest error / tolerance of the comparisons that passed
     double seconds = 0;
 };
 
@@ -75,12 +75,12 @@ struct Result {
     SubmissionStatus status = SubmissionStatus::graded;
     std::string message; // explains a status other than `graded`
     std::uint32_t seed = 0;
-    bool has_secret_seeds = false; // whether a secret drew the seeds of this submission
+    bool has_secret_seeds = false; // whether the seeds come from a secret of the course
     std::vector<TaskResult> tasks;
     double build_seconds = 0, test_seconds = 0;
-    std::string walls; // the walls around the submission: "A: namespaces, uid, seccomp, Landlock"
+    std::string walls; // the sandbox around the submission: "A: namespaces, uid, seccomp, Landlock"
     std::vector<std::string> notes; // further remarks for the reader, such as ignored files
-    std::string fingerprint; // hash of all that the result depends on; empty: later runs redo it
+    std::string fingerprint;        // hash of all that the result depends on; empty: graded again
 
     double score() const;
     double max_score() const;

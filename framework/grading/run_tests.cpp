@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Runs the graded tests for the selected tasks and scores them. Hidden tests run only if there is
-// an oracle, which is the reference's worker. The test program streams its verdicts. If they are
-// incomplete or the program crashes or hangs, the result is an internal error and no score.
+// an oracle: a worker process that runs the reference. The test program sends each verdict at once.
+// If verdicts are missing, or the program crashes or hangs, the result is an internal error,
+// without a score.
 #include "grading/run_tests.hpp"
 
 #include "errors/quotes.hpp"
@@ -31,7 +32,7 @@ std::vector<std::string> runnable(const Selection& selection, bool has_oracle)
 // The error message if a task has points for a law that no test checks; otherwise empty.
 std::string missing_law(const Task& task, const std::vector<TestCase>& tests)
 {
-    if (tests.empty()) return ""; // the task did not run
+    if (tests.empty()) return ""; // no test of the task ran
     for (const PartOfPoints& part : task.parts)
         if (std::none_of(tests.begin(), tests.end(),
                          [&](const TestCase& test) { return test.name == part.law; }))
@@ -40,8 +41,8 @@ std::string missing_law(const Task& task, const std::vector<TestCase>& tests)
     return "";
 }
 
-// The walls around the submission, in words. A sanitizer needs calls that walls refuse, so the
-// sanitized build of the tests has rlimits only.
+// The walls (sandbox) around the submission, in words. A sanitizer needs system calls that the
+// sandbox forbids, so the sanitized build of the tests has only resource limits (rlimits).
 std::string walls_in_words()
 {
 #ifdef RIGOR_SANITIZED
@@ -76,7 +77,7 @@ std::string specification(const std::vector<std::string>& tags, bool has_oracle,
     return result;
 }
 
-#ifdef RIGOR_SANITIZED // no limit: a sanitizer reserves terabytes of addresses
+#ifdef RIGOR_SANITIZED // 0 is no limit: a sanitizer reserves terabytes of addresses
 constexpr std::size_t memory_of_tests = 0;
 #else
 // The most memory that the test program may use. Its engine makes meshes from the answers of a
@@ -85,11 +86,11 @@ constexpr std::size_t memory_of_tests = 0;
 constexpr std::size_t memory_of_tests = std::size_t{6} << 30; // [bytes]
 #endif
 
-// Who answers the formulas of other tasks that a task calls: the submission or the reference.
+// Whose code runs when a task calls the formulas of other tasks: the submission or the reference.
 enum class Others { submission, reference };
 
 // The longest time that the test program may compute between two calls of formulas [s]. It is
-// shorter once a test case has exceeded it, since more test cases of the task may do so.
+// shorter once a test case has exceeded the limit, since more test cases of the task may do so.
 double longest_stall(const Verdicts& before)
 {
     return before.stalled().empty() ? 8 : 2;
@@ -187,7 +188,7 @@ void follow_through(const GradingRun& run, const Implementation& implementation,
         result.notes.push_back(not_followed + fault);
         return;
     }
-    std::set<std::string> failed; // tags only, since the message may be undisclosed
+    std::set<std::string> failed; // only tags: a message may tell what must stay hidden
     for (const auto& [tag, what] : verdicts.own_failures())
         if (failed.insert(tag).second)
             result.notes.push_back(not_followed + ("the reference failed in a test of " + tag));

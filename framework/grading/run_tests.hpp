@@ -11,12 +11,13 @@
 
 namespace rigor {
 
-/// Called once for each task, when its first test case begins. The run has `tasks` of them.
+/// Called once for each task, when its first test case begins. `tasks` is how many tasks the run
+/// has.
 using OnTask = std::function<void(int tasks_begun, int tasks, const std::string& tag)>;
 
 struct GradingRun {
     std::filesystem::path test_program; // the program `graded_tests`
-    /// The reference's worker. Without it no hidden test runs.
+    /// The worker program that runs the reference. Without it no hidden test runs.
     std::optional<std::filesystem::path> oracle;
     std::uint32_t seed = 0; // the first seed of each test's random cases, if there is no secret
     /// The course's secret, from which each submission and each test gets seeds of its own. If it
@@ -39,9 +40,9 @@ Result grade(const Selection& selection, const Implementation& implementation,
 Result ungraded(const Selection& selection, const GradingRun& run, SubmissionStatus status,
                 const std::string& message);
 
-/// The graded tests of this tree, with the reference as the oracle if there is one and if the walls
-/// keep submissions away from it. The test program and the oracle are built if they are out of
-/// date.
+/// The graded tests of this tree, with the reference as the oracle if there is one and if the
+/// sandbox keeps submissions away from the reference. The test program and the oracle are built if
+/// they are out of date.
 GradingRun own_grading_run(const OnBuildStep& on_step = {});
 
 } // namespace rigor

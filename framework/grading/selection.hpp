@@ -8,7 +8,7 @@
 
 namespace rigor {
 
-/// A part of an assignment: some of its tasks.
+/// An assignment and the tags of the tasks that were selected from it.
 struct Selection {
     Assignment assignment;
     std::vector<std::string> tags;

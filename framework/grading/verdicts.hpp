@@ -23,13 +23,13 @@ public:
     const std::string& current_tag() const { return tag_; }
     /// Name of the test case that began and has not ended; empty if there is none.
     const std::string& open() const { return open_; }
-    /// Whether the last line says that all test cases have run.
+    /// Whether the last line was the one that the test program prints after all test cases.
     bool is_complete() const { return is_complete_; }
     /// The first error: a line that could not be parsed or a test case that checked nothing. Empty
     /// if there is none.
     const std::string& fault() const { return fault_; }
-    /// The test cases in which our own code failed, not the submission: for each the tag of its
-    /// task, and a sentence. Such a test case counts as failed.
+    /// The test cases in which the framework or the reference failed, not the submission: pairs of
+    /// the tag of the task and a sentence. Such a test case counts as failed.
     const std::vector<std::pair<std::string, std::string>>& own_failures() const
     {
         return own_failures_;
@@ -37,8 +37,8 @@ public:
     /// The time budget that the run has used, and the tags of the formulas that are not called any
     /// more. A later run with the same worker gets this text as its `--spent`.
     const std::string& spent() const { return spent_; }
-    /// The time budget that the run has used, in words; empty if the run stayed within the free
-    /// time.
+    /// The time budget that the run has used, in words. Empty if the run stayed within the free
+    /// time, in which calls get their full time limits (worker/time_budget.hpp).
     const std::string& cost() const { return cost_; }
     /// The test cases after which the test program ended itself, because the submission's answers
     /// made it compute without end. The test cases that follow have to run in a new test program.

@@ -23,8 +23,9 @@ namespace {
 // The user and group `nobody` of Debian and Ubuntu.
 constexpr int nobody = 65534;
 
-// The user who runs the programs of the layout: `nobody` if this process runs as root and `nobody`
-// can write to the layout, otherwise the user of this process.
+// The user who runs the programs in the layout, which is the folder that takes the place of
+// /autograder: `nobody` if this process runs as root and `nobody` can write to the layout,
+// otherwise the user of this process.
 class LayoutUser {
 public:
     explicit LayoutUser(const fs::path& layout) : layout_(layout)
@@ -141,7 +142,7 @@ std::string prove_autograder(const fs::path& zip, const fs::path& layout,
     const std::string solved = results_json_after(
         solved_submission(source / "reference", layout.string() + ".solved", file), layout, user);
     const nlohmann::json json = nlohmann::json::parse(solved, nullptr, false);
-    // all points, with those of hidden tasks if the walls are strong enough to run their tests
+    // All points. Those of hidden tasks are included if the sandbox is strong enough to run them.
     const double most = json.is_object() ? json.value("score", 0.0) : 0.0;
     if (most <= 0) throw std::runtime_error("the autograder gives a solution no points");
     if (const std::string fault = fault_of_results(solved, most, most); !fault.empty())

@@ -68,7 +68,8 @@ GitPlaces places_in(const fs::path& folder)
     return {folder / ".git", folder, folder / ".git/index"};
 }
 
-// Whether a folder is a repository of ours to which nobody has added anything.
+// Whether a folder is a repository that `write_repository` made, and in which nobody has changed a
+// file or added a commit.
 bool is_untouched_release(const fs::path& folder)
 {
     if (!fs::exists(folder / ".git" / our_mark)) return false;
@@ -85,7 +86,7 @@ std::string write_repository(const ReleasedTree& tree, const fs::path& folder)
     const GitPlaces at = places_in(folder);
     git(at, {"init", "--quiet", "--initial-branch=main"});
     git(at, {"config", "core.logAllRefUpdates", "false"});
-    // Ignore rules of this tree must not leave files out.
+    // --force: the .gitignore of this tree must not leave files out.
     git(at, {"add", "--all", "--force", "."});
     git(at, {"commit", "--quiet", "--no-verify", "--no-gpg-sign", "-m", "rigor: the assignments"});
     // The index is made again without the files' time stamps, which would differ from run to run.

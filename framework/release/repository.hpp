@@ -11,7 +11,7 @@
 namespace rigor {
 
 /// Writes the files to a folder, and a repository with one commit that has all of them.
-/// @param folder  new
+/// @param folder  a new folder
 /// @return the commit, 40 hexadecimal digits
 /// @throws InputError if git is not installed or a file cannot be written
 std::string write_repository(const ReleasedTree& tree, const std::filesystem::path& folder);
@@ -25,8 +25,9 @@ void write_commit(const std::filesystem::path& repository, const std::filesystem
 /// under that name, and an earlier release stays as it was.
 class DraftFolder {
 public:
-    /// @param place  new, empty, or a repository that write_repository made and nobody changed
-    /// @throws InputError if it is anything else, or cannot be written
+    /// @param place  a new or empty folder, or a repository that `write_repository` made and nobody
+    ///     changed
+    /// @throws InputError if `place` is anything else, or cannot be written
     explicit DraftFolder(const std::filesystem::path& place);
     ~DraftFolder();
     DraftFolder(const DraftFolder&) = delete;

@@ -25,8 +25,8 @@ using ReleasedTree = std::vector<ReleasedFile>; // sorted by path
 ReleasedTree students_tree(const std::filesystem::path& source);
 
 /// The tree for an autograder: the students' tree with the reference, with the hidden tests, and
-/// with the engine's own files in place of replaced ones. Its student/ has what student/ has now,
-/// because an earlier topic may be solved there.
+/// with the original files of the engine, not their replacements (withheld.hpp). It has student/
+/// as it is now, because an earlier topic may be solved there.
 ReleasedTree grading_tree(const std::filesystem::path& source);
 
 /// @throws InputError if git is not installed
@@ -35,7 +35,7 @@ void require_git();
 /// The content of a file. @throws InputError if it cannot be read
 std::string file_content(const std::filesystem::path& file);
 
-/// Adds a file and keeps the order.
+/// Adds a file at its place in the order of paths.
 void add_file(ReleasedTree& tree, ReleasedFile file);
 
 /// Writes the files of the tree to a folder. Files that have the same content already are not

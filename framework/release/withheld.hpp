@@ -10,12 +10,12 @@
 
 namespace rigor {
 
-/// The verdict on one file of the engine that computes what a formula computes, or nearly.
+/// The decision on one file of the engine that computes the same as a formula, or nearly so.
 struct JudgedFile {
-    std::string_view path;  // in the tree
+    std::string_view path;  // relative to the top of the tree
     std::string_view tasks; // tags of the tasks whose formulas it is similar to
     std::string_view why;   // why it is replaced or kept
-    /// The file whose text replaces its own in the students' tree; empty: it is kept.
+    /// The file whose text replaces its own in the students' tree; empty: the file is kept.
     std::string_view replacement;
 };
 

@@ -89,7 +89,7 @@ std::string declaration_of(const std::string& topic, const std::string& formula)
     return declaration;
 }
 
-// The longest value that a row shows whole [bytes]. The beginning of a longer one says as much.
+// The longest value that a row shows in full [bytes]. Of a longer value, the beginning is enough.
 constexpr std::size_t longest = 400;
 
 std::string shortened(const std::string& text)
@@ -139,8 +139,8 @@ std::string noted(const TestCase& test)
     return shortened(text);
 }
 
-// The laws that the task broke besides the first: the names of as many as fit, and the number of
-// the rest.
+// The laws that failed besides the one that is shown in full: the names of as many as fit, and the
+// number of the remaining ones.
 std::string also_broken(const TaskResult& task)
 {
     std::string text;
@@ -166,7 +166,7 @@ std::string failure_text(const Result& result, const TaskResult& task,
                        "  " + colored(look.words, look.color, color) + "\n";
     if (task.task.discloses == Disclosure::nothing)
         return text + row("hint", task.task.hint) + row("to read", handout(result, task));
-    if (task.status == Status::compile_error) // no law was broken
+    if (task.status == Status::compile_error) // the formula is missing: no law was checked
         return text + row("what happened", shortened(test.message)) +
                row("declared", declaration_of(result.assignment.topic, task.task.formula)) +
                row("your code", implementation.shown_file(result.assignment.topic));

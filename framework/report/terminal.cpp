@@ -31,7 +31,7 @@ std::string colored(std::string_view text, Color color, bool wanted)
 std::size_t columns(std::string_view text)
 {
     return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
-        return (static_cast<unsigned char>(c) & 0xC0) != 0x80; // no UTF-8 continuation byte
+        return (static_cast<unsigned char>(c) & 0xC0) != 0x80; // not a UTF-8 continuation byte
     }));
 }
 

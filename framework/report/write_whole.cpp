@@ -27,7 +27,8 @@ void write_whole(const std::filesystem::path& file, const std::string& content)
         ok = n > 0;
         if (ok) sent += static_cast<std::size_t>(n);
     }
-    // fsync before the rename: after a crash there is either the old file or the new one.
+    // fsync before the rename: after a crash of the machine there is the old file or the new one,
+    // whole.
     ok = ok && fsync(descriptor) == 0;
     const int error = errno;
     close(descriptor);

@@ -19,7 +19,7 @@ void await_no_writer(const std::filesystem::path& file)
         if (fcntl(descriptor, F_SETLEASE, F_RDLCK) == 0 || errno != EAGAIN) break;
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
-    close(descriptor); // and with it the lease
+    close(descriptor); // this also gives up the lease
 }
 
 } // namespace rigor

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A private folder has `files`, the copies that the compiler reads; `out`, where tools write; and
-// the objects, each with a key and the names that it defines and uses.
+// A private folder has a subfolder `files` with the copies that the compiler reads, and a subfolder
+// `out` in which compiler and linker write. It also has the object files, each with a key file. The
+// key file lists the names that the object defines and uses.
 #include "grading/build/compiled_folder.hpp"
 
 #include "errors/input_error.hpp"
@@ -69,8 +70,8 @@ fs::path made(const fs::path& folder)
     return folder;
 }
 
-// Whether the disk is full. The message of a compiler alone does not prove it, because a submission
-// can print the same text.
+// Whether the disk is full. The message of a compiler alone does not prove this, because a
+// submission can make the compiler print the same text.
 bool is_full(const fs::path& disk)
 {
     std::error_code error;
@@ -166,7 +167,8 @@ KeyFile CompiledFolder::key_of(const std::string& topic) const
     return KeyFile(place_ / (topic + ".key"));
 }
 
-// The object of an earlier run. Its `errors` are not empty if no such object is up to date.
+// The object that an earlier run compiled. Its `errors` are not empty if there is no such object or
+// if it is out of date.
 CompiledTopic CompiledFolder::up_to_date(const std::string& topic) const
 {
     CompiledTopic compiled{object_of(topic), {}, 0, "out of date"};
@@ -203,7 +205,7 @@ void CompiledFolder::compile_topic(const std::string& topic, CompiledTopic& comp
         compiled.errors = file + ": its object cannot be read\n" + shown_errors(names.output);
         return;
     }
-    if (names.output.size() >= RunLimits().output_kept) { // the list is cut off
+    if (names.output.size() >= RunLimits().output_kept) { // the list of names is incomplete
         compiled.errors = file + ": expected fewer or shorter names for the linker\n";
         return;
     }

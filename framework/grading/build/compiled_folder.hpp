@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The object files of one folder with topics' files. They are compiled behind walls, and kept for
-// later runs.
+// The object files of one folder of sources, such as inertia.cpp, one for each topic. They are
+// compiled behind walls, that is, in a sandbox, and kept for later runs.
 #pragma once
 
 #include "grading/build/ninja.hpp"
@@ -17,8 +17,8 @@
 
 namespace rigor {
 
-/// A file that says from what something else was made. It has a key, which is a hash of the
-/// sources, and further lines of text.
+/// A file beside a built file that tells whether the built file is up to date. Its first line is a
+/// key, which is a hash of the sources of the built file. Further lines of text follow.
 class KeyFile {
 public:
     explicit KeyFile(std::filesystem::path file) : file_(std::move(file)) {}
@@ -34,7 +34,7 @@ private:
 struct CompiledTopic {
     std::filesystem::path object;
     ObjectSymbols symbols;
-    std::uint64_t key = 0; // a hash of all that the object was made from
+    std::uint64_t key = 0; // a hash of everything that the object was made from
     std::string errors;    // the compiler's first errors; empty if there is an object
 };
 
@@ -44,9 +44,9 @@ std::string shown_errors(const std::string& output);
 
 class CompiledFolder {
 public:
-    /// Copies the folder's files into its private folder. As long as this object lives, other
-    /// builds of this folder wait.
-    /// @throws InputError if it has no topic's file
+    /// Copies the files of `folder` into a private folder. As long as this object lives, other
+    /// builds of `folder` wait.
+    /// @throws InputError if `folder` has no file of any topic
     CompiledFolder(const std::filesystem::path& folder, const Toolchain& tools);
 
     /// The private folder for the objects of `folder`: the same in every run.
@@ -56,15 +56,15 @@ public:
 
     /// Compiles the files of these topics, if the folder has them and their objects are out of
     /// date.
-    /// @param steps  grows by what was compiled
+    /// @param steps  gets a line for each file that was compiled
     std::map<std::string, CompiledTopic> compile(const std::vector<std::string>& topics,
                                                  const OnBuildStep& on_step,
                                                  std::vector<std::string>& steps);
 
-    /// SHA-256 of all files that were taken.
+    /// SHA-256 of all files that were copied, with their names.
     const std::string& digest() const { return files_.digest; }
 
-    /// The private folder, where a worker may be put too.
+    /// The private folder. The linked worker, the program that runs the formulas, is put there too.
     const std::filesystem::path& place() const { return place_; }
 
 private:
@@ -77,7 +77,7 @@ private:
     std::filesystem::path place_;
     BuildLock lock_;
     SubmissionFiles files_;
-    std::uint64_t surroundings_; // hash of the command, the contract and all other sources
+    std::uint64_t surroundings_; // hash of compiler command, contract and other sources
 };
 
 } // namespace rigor

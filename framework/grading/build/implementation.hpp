@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// An implementation of the formulas, from its sources to the worker that runs it.
+// An implementation of the formulas, from its sources to the worker, the program that runs them.
 #pragma once
 
 #include "grading/build/ninja.hpp"
@@ -18,12 +18,12 @@ struct Implementation {
     /// The topics whose files do not compile, each with the first errors. The worker is built
     /// without these files, and their formulas are missing in it.
     std::map<std::string, std::string> broken;
-    std::vector<std::string> borrowed;  // topics that the folder lacks, taken from student/
+    std::vector<std::string> borrowed;  // topics without a file in `folder`; student/ has the file
     std::vector<std::string> undefined; // names that are used but defined nowhere
-    /// What was out of date and had to be made; empty if everything was up to date.
+    /// What was built again, such as "Building inertia.cpp"; empty if everything was up to date.
     std::vector<std::string> build_steps;
     double build_seconds = 0;
-    std::string digest; // SHA-256 of the files that it was made of, with their names
+    std::string digest; // SHA-256 of the files in `folder`; for the reference, of its name
 
     bool is_broken(const std::string& topic) const { return broken.count(topic) > 0; }
     /// The errors of all topics' files; empty if there are none.
@@ -39,8 +39,8 @@ struct Implementation {
 /// are missing.
 ///
 /// @throws InputError if there is no such implementation, std::runtime_error if code of the
-///     framework or of the reference does not compile, std::system_error if the walls cannot be put
-///     up
+///     framework or of the reference does not compile, std::system_error if the sandbox cannot be
+///     set up
 Implementation build_implementation(const std::string& name, const OnBuildStep& on_step = {});
 
 /// Builds targets of the framework. @throws std::runtime_error with the compiler's first errors

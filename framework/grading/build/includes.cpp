@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Finds files that a solution may not include. The compiler lists every file that it opened for an
-// object; each path of that list is resolved, with its links, and compared with the allowed
-// folders. Macros and relative paths cannot hide an include, since the list has the files that were
-// opened.
+// object. For each path in that list, symbolic links are resolved, and the result is compared with
+// the allowed folders. Macros and relative paths cannot hide an include, since the list has the
+// files that were opened.
 #include "grading/build/includes.hpp"
 
 #include "grading/places.hpp"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Checks what a solution includes. It may include the contract of the formulas, files of its own
-// folder, and system headers. Behind strong walls the compiler finds nothing else anyway.
+// folder, and system headers. Where the sandbox is strong, the compiler cannot open other files
+// anyway.
 #pragma once
 
 #include <filesystem>

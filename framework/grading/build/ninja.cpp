@@ -16,8 +16,8 @@ namespace rigor {
 namespace {
 
 constexpr std::uint64_t compiler_memory = std::uint64_t(6) << 30;
-// The longest time between two lines of ninja, which prints one whenever a file is done [s]. It
-// compiles our own files only, but the machine may be slow or busy.
+// The longest time between two lines of ninja, which prints one whenever a file is done [s]. Here
+// ninja compiles only files of the framework, but the machine may be slow or busy.
 constexpr double longest_silence = 3600;
 
 bool speaks_of_an_error(const std::string& line)

@@ -15,7 +15,7 @@ using OnBuildStep = std::function<void(int done, int total, const std::string& s
 struct NinjaRun {
     bool ok = false;
     std::vector<std::string> steps;  // "Building CXX object …", "Linking CXX executable …"
-    std::vector<std::string> failed; // outputs that could not be made
+    std::vector<std::string> failed; // files that could not be built
     std::string errors;              // the compiler's first errors, or why ninja was ended
     double seconds = 0;
 };

@@ -42,8 +42,8 @@ const Formula* formula_of(const std::string& symbol)
 // Whether a weak name, which several objects may define, is meant to be shared by them: the name of
 // a template or an inline function of C++, or a name that the compiler makes for itself, such as
 // the pointer `DW.ref.__gxx_personality_v0` to the function that finds exception handlers. A weak
-// name of C, or a weak `operator new` or `delete`, is not: it would replace the function of the C
-// library or of the worker.
+// name of C, or a weak `operator new` or `delete`, is not meant to be shared: it would replace the
+// function of the C library or of the worker.
 bool is_shared(const std::string& name)
 {
     constexpr std::string_view replaceable[] = {"_Znw", "_Zna", "_Zdl", "_Zda"};
@@ -54,7 +54,7 @@ bool is_shared(const std::string& name)
 }
 
 // Whether a line of `nm -P` is a name without spaces, a letter and up to two hexadecimal numbers. A
-// name may have megabytes, which is too long for std::regex.
+// name may be megabytes long, too long for std::regex.
 bool is_name_kind_and_numbers(const std::string& line)
 {
     std::istringstream words(line);
@@ -91,7 +91,8 @@ ObjectSymbols parse_symbols(const std::string& listing)
 
 std::string line_with_unreadable_name(const std::string& listing)
 {
-    constexpr std::string_view own_words = "/usr/bin/nm: "; // such as "…: no symbols"
+    // Messages of nm itself, such as "/usr/bin/nm: …: no symbols", begin like this.
+    constexpr std::string_view own_words = "/usr/bin/nm: ";
     std::istringstream lines(listing);
     for (std::string line; std::getline(lines, line);)
         if (!is_plain_utf8(line) ||

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Ninja first builds what a worker needs besides the submission's files. Then each of these files
-// is compiled, and the objects are linked. If the link fails, objects are added one after the
-// other, and those that make it fail are left out.
+// A worker is the program that runs the formulas of one submission. Ninja first builds what a
+// worker needs besides the submission's files. Then each file of the submission is compiled, and
+// the objects are linked. If the link fails, objects are added one after the other, and those that
+// make it fail are left out.
 #include "grading/build/submission_build.hpp"
 
 #include "errors/printable.hpp"
@@ -27,7 +28,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// The names in the objects and libraries of ours that are linked into each worker.
+// The linker names in the framework's objects and libraries, which are linked into each worker.
 std::set<std::string> names_of_worker(const Toolchain& tools)
 {
     Command command;
@@ -47,8 +48,8 @@ std::set<std::string> names_of_worker(const Toolchain& tools)
 }
 
 // The commands that build a worker. What every worker needs is built first: the contract as a
-// precompiled header, the engine, and the program `confine`, which starts programs behind walls.
-// This is done once in a process.
+// precompiled header, the engine, and the program `confine`, which starts programs in a sandbox.
+// This is done once in each process.
 const Toolchain& tools_after_framework(const OnBuildStep& on_step, std::vector<std::string>& steps)
 {
     static std::mutex guard;
@@ -100,7 +101,7 @@ public:
 
     fs::path worker() const { return folder_ / "worker"; }
 
-    // A hash of all that the worker is made of. As long as it is the same, so is the worker.
+    // A hash of everything that is linked. If it has not changed, the worker is up to date.
     std::uint64_t key() const
     {
         std::uint64_t key = hash_of(fmt::format("{}", fmt::join(tools_.link, " ")));
@@ -113,8 +114,8 @@ public:
         return key;
     }
 
-    // Links all objects. The names that an object keeps to itself are hidden first, in a copy of
-    // the object.
+    // Links all objects. Before that, in a copy of each object, the names that other objects must
+    // not see are made local.
     Linked run() const
     {
         const fs::path out = folder_ / "out/link";
@@ -160,7 +161,7 @@ private:
         std::map<std::string, std::vector<std::string>> hidden =
             names_to_hide(symbols, tools_.reserved);
         for (const auto& [topic, compiled] : objects_)
-            hidden[topic]; // an entry for each object, also if it hides nothing
+            hidden[topic]; // adds an empty entry if the object has no name to hide
         return hidden;
     }
 
@@ -190,8 +191,8 @@ private:
     std::map<std::string, const CompiledTopic*> objects_;
 };
 
-// Adds one object after the other, and leaves out each with which no worker can be linked and
-// started.
+// Adds one object after the other. If the worker cannot be linked or started with an object, this
+// object is left out.
 Linked link_what_can_be(Link& link, const std::map<std::string, CompiledTopic>& compiled,
                         std::map<std::string, std::string>& broken)
 {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Builds a worker from a folder of topic files. The compiler and the linker run behind walls in a
-// private folder, one file at a time. If a file does not compile, only the formulas of this file
-// are missing. Each file is compiled again only if it, a header, or the contract has changed.
+// Builds a worker, the program that runs the formulas, from a folder of topic files such as
+// inertia.cpp. The compiler and the linker run behind walls (in a sandbox), in a private folder. If
+// a file does not compile, only the formulas of this file are missing. Each file is compiled again
+// only if it, a header, or the contract has changed.
 #pragma once
 
 #include "grading/build/ninja.hpp"
@@ -16,17 +17,17 @@ namespace rigor {
 struct SubmissionBuild {
     std::filesystem::path worker;
     std::map<std::string, std::string> broken; // by topic, the first errors of its file
-    std::vector<std::string> borrowed;         // topics that the folder lacks, taken from student/
-    std::vector<std::string> undefined;        // names that are used but defined nowhere
-    std::vector<std::string> steps;            // what was done, such as "Building inertia.cpp"
-    std::string digest;                        // SHA-256 of the folder's files
+    std::vector<std::string> borrowed;  // topics that the folder lacks; student/ has their files
+    std::vector<std::string> undefined; // names that are used but defined nowhere
+    std::vector<std::string> steps;     // what was done, such as "Building inertia.cpp"
+    std::string digest;                 // SHA-256 of the folder's files
     double seconds = 0;
 };
 
 /// Builds the worker of a folder with some topics' files. Two builds of one folder wait for each
 /// other; builds of different folders do not.
 /// @throws InputError if the folder has no topic's file, std::runtime_error if code of the
-///     framework does not compile, std::system_error if the walls cannot be put up
+///     framework does not compile, std::system_error if the sandbox cannot be set up
 SubmissionBuild build_submission(const std::filesystem::path& folder, const OnBuildStep& on_step);
 
 /// Builds what all submissions share: the framework's part of a worker, and the objects of

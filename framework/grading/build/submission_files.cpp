@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Each file is opened without following a link and without waiting for a writer, and its kind and
-// size are read from the open file, so that they cannot change in between.
+// size are read from the open file, so that nobody can exchange the file between the check and the
+// reading.
 #include "grading/build/submission_files.hpp"
 
 #include "errors/utf8.hpp"
@@ -74,7 +75,8 @@ Content read_file(const fs::path& file)
     return {text, ""};
 }
 
-// Whether a file has the ending of a header or a source. The files of topics may include these.
+// Whether a file has the ending of a header or a source, so that the file of a topic may include
+// it.
 bool is_code(const fs::path& file)
 {
     static const std::set<std::string> endings = {".hpp", ".h",   ".hh",  ".hxx", ".inl",
@@ -91,11 +93,12 @@ void write_if_changed(const fs::path& file, const std::string& text)
     fs::create_directories(file.parent_path());
     std::ofstream copy(file, std::ios::binary);
     copy << text << std::flush;
-    if (!copy) throw std::runtime_error(file.string() + ": cannot be written"); // a full disk
+    // Writing fails, for example, when the disk is full.
+    if (!copy) throw std::runtime_error(file.string() + ": cannot be written");
 }
 
-// Collects the files that are taken in the folder `into`. Other files, from an earlier run, are
-// removed.
+// Writes the files of a submission to the folder `into`. `remove_others` removes what an earlier
+// run has left there.
 class Taken {
 public:
     explicit Taken(fs::path into) : into_(std::move(into)) { fs::create_directories(into_); }
@@ -123,7 +126,7 @@ public:
 private:
     fs::path into_;
     std::set<fs::path> kept_;
-    std::string digests_; // the digests of each name and text, all of one length
+    std::string digests_; // the SHA-256 of each name and text; all have the same length
 };
 
 // The names of the submission's sources that are no topic's file, sorted.

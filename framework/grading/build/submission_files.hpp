@@ -13,19 +13,20 @@
 namespace rigor {
 
 struct SubmissionFiles {
-    std::vector<std::string> topics;            // those whose file was taken
-    std::map<std::string, std::string> refused; // by topic, why its file was not taken
-    std::uint64_t hash = 0;                     // hash of the names and contents of all other files
-    std::string digest;                         // SHA-256 of all names and contents
+    std::vector<std::string> topics;            // the topics whose file was copied
+    std::map<std::string, std::string> refused; // by topic, why its file was not copied
+    /// A hash of the names and contents of all copied files except those of topics.
+    std::uint64_t hash = 0;
+    std::string digest; // SHA-256 of names and contents of all copied files
 };
 
 /// Copies the topics' files of a folder, and its headers and other sources that these may include,
 /// to the folder `into`, which has nothing else afterwards. Links are not followed.
 SubmissionFiles take_files(const std::filesystem::path& folder, const std::filesystem::path& into);
 
-/// A hash of `text` that continues from `start` (FNV-1a of Fowler, Noll and Vo). It names private
-/// folders and says what is out of date. It is no protection against forgery, but a forger could
-/// only spoil the build of the forged folder.
+/// A hash of `text` that continues from `start` (FNV-1a of Fowler, Noll and Vo). It gives private
+/// folders their names and shows what is out of date. It is not cryptographic, but a student who
+/// constructs a collision can only spoil the build of his own folder.
 inline std::uint64_t hash_of(std::string_view text, std::uint64_t start = 0xcbf29ce484222325)
 {
     for (const char c : text)

@@ -65,7 +65,7 @@ bool is_student_object(const std::string& word)
 }
 
 // Replaces the build's compiler by the one that RIGOR_COMPILER names. A compiler of another family
-// cannot read the precompiled header, and gets the header's text instead.
+// (gcc or Clang) cannot read the precompiled header. It includes the source of the header instead.
 void exchange_compiler(std::vector<std::string>& words)
 {
     const std::string chosen = chosen_compiler();
@@ -77,7 +77,7 @@ void exchange_compiler(std::vector<std::string>& words)
     const auto at = std::find(words.begin(), words.end(), "-include");
     if (at == words.end())
         throw std::runtime_error("RIGOR_COMPILER: the build's precompiled header is not for it");
-    // Clang's driver would take the precompiled header of gcc for its own.
+    // Without -Xclang, the driver of Clang would try to load gcc's precompiled header.
     words.insert(words.erase(at), {"-Xclang", "-include", "-Xclang"});
 }
 
@@ -88,7 +88,8 @@ void take_compile(Toolchain& tools, const std::string& command)
     for (std::size_t i = 0; i < words.size(); ++i) {
         const bool has_file =
             words[i] == "-MT" || words[i] == "-MF" || words[i] == "-o" || words[i] == "-c";
-        if (words[i].find("/cmake_pch.hxx") != std::string::npos) // whichever option names it
+        // The option before this path depends on the compiler, so only the path is looked for.
+        if (words[i].find("/cmake_pch.hxx") != std::string::npos)
             tools.precompiled = fs::path(words[i]).parent_path();
         if (has_file)
             ++i;
@@ -98,7 +99,7 @@ void take_compile(Toolchain& tools, const std::string& command)
     exchange_compiler(tools.compile);
     // The assembler then reads from a pipe, so that its messages do not name a temporary file.
     tools.compile.emplace_back("-pipe");
-    // A file that includes itself could have errors without end. Clang stops by itself.
+    // A file that includes itself could cause endless errors. Clang limits their number by itself.
     if (tools.compile[0].find("clang") == std::string::npos)
         tools.compile.emplace_back("-fmax-errors=20");
 }
@@ -123,7 +124,7 @@ void take_link(Toolchain& tools, const std::string& command)
     tools.link.emplace_back("-Wl,--warn-unresolved-symbols");
 }
 
-// The largest ratio of a program's running time to its time on a processor, on a busy machine.
+// The largest ratio of wall-clock time to processor time that is expected on a busy machine.
 constexpr double busy = 4;
 
 // The most memory of a compiler or linker: half of the machine's, so that the grader keeps the
@@ -187,7 +188,7 @@ ConfinedRun run_tool(const ToolRun& tool)
 
 std::string why_it_does_not_start(const fs::path& worker)
 {
-#ifdef RIGOR_SANITIZED // a sanitizer needs calls that walls refuse
+#ifdef RIGOR_SANITIZED // a sanitizer needs system calls that the sandbox forbids
     Confinement walls{Profile::worker, Tier::c};
 #else
     Confinement walls{Profile::worker, usual_tier()};
@@ -227,12 +228,12 @@ void take_over(const fs::path& made, const fs::path& place)
 
 void let_others_read(const fs::path& path)
 {
-    if (geteuid() != 0) return; // nothing runs as another user
+    if (geteuid() != 0) return; // then tools run as this user, not as another
     using fs::perms;
     const auto open = [](const fs::path& file) {
         const bool is_folder = fs::is_directory(file);
         const perms wanted = perms::others_read | (is_folder ? perms::others_exec : perms::none);
-        std::error_code error; // if this is not allowed, the tool says what it could not read
+        std::error_code error; // ignored: the tool reports a file that it cannot read
         if ((fs::status(file, error).permissions() & wanted) != wanted)
             fs::permissions(file, wanted, fs::perm_options::add, error);
     };

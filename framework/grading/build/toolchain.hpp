@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The commands that make a worker from the students' files. They are run behind walls.
+// The commands that make a worker, the program that runs formulas, from the students' files. They
+// are run behind walls, that is, in a sandbox.
 #pragma once
 
 #include "sandbox/run_confined.hpp"
@@ -14,11 +15,11 @@ namespace rigor {
 
 /// How the build of student/ compiles a topic's file and links a worker: words of command lines.
 struct Toolchain {
-    std::vector<std::string> compile; // the compiler and its options, without input and output
-    std::vector<std::string> link;    // the linker's command, without objects of the topics
+    std::vector<std::string> compile;       // the compiler's command, without input and output file
+    std::vector<std::string> link;          // the linker's command, without objects of the topics
     std::vector<std::string> linked_inputs; // files in `link`, relative to the build folder
     std::filesystem::path precompiled;      // the folder of the precompiled headers
-    /// Names that the rest of the worker defines, or takes from libraries.
+    /// Linker names that the framework's part of a worker defines, or takes from libraries.
     std::set<std::string> reserved = {};
 };
 
@@ -41,11 +42,11 @@ struct ToolRun {
     std::filesystem::path out;
 };
 
-/// Runs a tool. @throws std::system_error if it cannot be started behind walls
+/// Runs a tool. @throws std::system_error if it cannot be started in the sandbox
 ConfinedRun run_tool(const ToolRun& tool);
 
 /// Why a worker does not reach its main function; empty if it does. Global objects are constructed
-/// before it, and a constructor of a student may fail.
+/// before main, and a constructor in a student's file may fail.
 std::string why_it_does_not_start(const std::filesystem::path& worker);
 
 /// Whether there is a regular file, and no link, at this path. Where a tool should have left a
@@ -53,8 +54,8 @@ std::string why_it_does_not_start(const std::filesystem::path& worker);
 /// waiting.
 bool is_plain_file(const std::filesystem::path& path);
 
-/// Moves a file that a tool made to a place of ours. The new file is a copy, so the tool's
-/// processes can no longer write to it.
+/// Copies a file that a tool made to `place`, and removes the original. The tool may still have the
+/// original open, but it cannot write to the copy.
 void take_over(const std::filesystem::path& made, const std::filesystem::path& place);
 
 /// Lets every user read a file, or a folder with its files: a tool may run as another user, and the

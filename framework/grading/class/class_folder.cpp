@@ -40,8 +40,8 @@ void make_folder(const fs::path& folder)
                      (is_other ? ", which is none" : ", which cannot be made: " + error.message()));
 }
 
-// The unconfirmed results that a file lists: the name of the submission and the fingerprint of its
-// result. A submission may have several.
+// The unconfirmed results that a file lists, as pairs: the name of a submission, and the
+// fingerprint (hash) of its result. The list may have several results for one submission.
 std::set<std::pair<std::string, std::string>> unconfirmed(const fs::path& file)
 {
     std::ifstream in(file);
@@ -109,7 +109,7 @@ void ClassFolder::check_owner(const std::string& assignment,
         throw InputError(fmt::format("--out: expected a folder with results of {}, found those of "
                                      "{} in {}",
                                      assignment, run["assignment"].dump(), folder_.string()));
-    // After a complete run all results were there, so a missing result was removed on purpose.
+    // A complete run writes all results, so a result that is missing now was removed on purpose.
     const bool has_all = fs::exists(folder_ / gradebook_file) && !has_unconfirmed();
     for (const Json& entry : run["submissions"]) {
         const std::string name = entry.is_string() ? entry.get<std::string>() : entry.dump();

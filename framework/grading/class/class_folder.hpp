@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The folder with the results of a class. Its subfolder `.rigor` has the names of the assignment
-// and of the submissions, a lock, and a list of the results that no control has confirmed
-// (control.hpp).
+// and of the submissions, a lock, and a list of the results that no control has confirmed yet. A
+// control is a submission whose points are known (control.hpp).
 #pragma once
 
 #include "report/exports/row.hpp"
@@ -35,10 +35,11 @@ public:
     /// The content of result.json; empty if there is no such file, or if it is incomplete.
     std::optional<Row> row_of(const std::string& submission) const;
 
-    /// Whether there are results that no control has confirmed: it is so if their run was broken
-    /// off.
+    /// Whether there are results that no control has confirmed. This is so during a run, and after
+    /// a run that did not reach its end.
     bool has_unconfirmed() const;
-    /// Marks results with these fingerprints as unconfirmed, in addition to those that already are.
+    /// Marks results with these fingerprints as unconfirmed, in addition to those that are
+    /// unconfirmed already.
     /// @param fingerprints  the fingerprint of each submission's result, by the submission's name
     void begin_unconfirmed(const std::map<std::string, std::string>& fingerprints) const;
     void confirm() const;

@@ -33,8 +33,8 @@ struct ClassWork {
 
 /// Called with the number of a submission and the files to write about it.
 using OnGraded = std::function<void(std::size_t submission, const ResultFiles& files)>;
-/// Called from time to time. @param doing  such as "grading"  @param detail  such as "3 tasks", or
-/// empty
+/// Called from time to time, to show progress. `doing` says what is done now, such as "grading";
+/// `detail` is a remark on it, such as "3 tasks", or empty.
 using OnWait = std::function<void(const std::string& doing, const std::string& detail)>;
 
 class Engine {

@@ -14,7 +14,7 @@ namespace rigor {
 
 /// A hash of all that a result depends on except the submission: the assignment, this program, the
 /// tests, the reference and what else is linked into a worker, the files of student/, which stand
-/// in for missing files of submissions, the scenes, the seed and the walls.
+/// in for missing files of submissions, the scenes, the seed and the sandbox.
 std::uint64_t fingerprint_of(const Selection& selection, const GradingRun& run);
 
 /// The fingerprint of a submission's result: two hashes of 16 hexadecimal digits, first
@@ -22,8 +22,9 @@ std::uint64_t fingerprint_of(const Selection& selection, const GradingRun& run);
 /// as it is, without unpacking it.
 std::string fingerprint_of(const Submission& submission, std::uint64_t all_but_the_submission);
 
-/// Whether the result with this fingerprint was made with the same tests, points, seeds and walls,
-/// whatever its submission: whether the first hash of the fingerprint is `all_but_the_submission`.
+/// Whether the result with this fingerprint was made with the same tests, points, seeds and
+/// sandbox, whatever its submission: whether the first hash of the fingerprint is
+/// `all_but_the_submission`.
 bool is_of_the_same_tests(const std::string& fingerprint, std::uint64_t all_but_the_submission);
 
 } // namespace rigor

@@ -150,7 +150,8 @@ private:
     Engine& engine_;
     const ClassListener& listener_;
     OldResults old_;
-    std::vector<std::optional<Row>> before_, rows_; // old results; results of this run
+    // The old results, and the results after this run.
+    std::vector<std::optional<Row>> before_, rows_;
     std::vector<std::size_t> to_do_;
     std::size_t done_ = 0;
 };

@@ -15,8 +15,8 @@ namespace rigor {
 
 /// Functions that are called during the run, to show its progress.
 struct ClassListener {
-    /// Called from time to time. @param doing  such as "grading"  @param detail  such as "3 tasks",
-    /// or empty
+    /// Called from time to time. `doing` says what is done now, such as "grading"; `detail` is a
+    /// remark on it, such as "3 tasks", or empty.
     std::function<void(std::size_t done, std::size_t total, const std::string& doing,
                        const std::string& detail)>
         on_progress;
@@ -28,15 +28,15 @@ struct ClassListener {
 
 struct ClassOutcome {
     std::vector<Row> rows;  // in the order of the submissions
-    std::size_t graded = 0; // submissions of this run; the others keep an old result
+    std::size_t graded = 0; // how many this run graded; the others keep an old result
     /// What is wrong with a control; empty if nothing is. If a control is wrong, all unconfirmed
     /// results have been removed, and `rows` is empty.
     std::string control_fault;
 };
 
-/// What happens to an old result that was made with other tests, points, seeds or walls. `stay`:
-/// the run ends with an error. `are_replaced`: the submission is graded again. A new or changed
-/// submission is graded in both cases.
+/// What happens to an old result that was made with other tests, points, seeds or walls
+/// (another sandbox). `stay`: the run ends with an error. `are_replaced`: the submission is graded
+/// again. A new or changed submission is graded in both cases.
 enum class OldResults { stay, are_replaced };
 
 /// Grades the submissions and writes the files about each as soon as it is graded. Before the first

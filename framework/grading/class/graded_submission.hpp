@@ -13,7 +13,7 @@
 namespace rigor {
 
 /// The files about a submission: their texts by their names. All names are always in the map; an
-/// empty text means that there is no such file.
+/// empty text means that this file must not exist.
 using ResultFiles = std::map<std::string, std::string>;
 
 /// Reads the files about a submission from its folder.

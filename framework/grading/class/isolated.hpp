@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Runs each piece of work in a process of its own, so that a crash of the framework costs only this
-// piece. In a thread, a crash would end the whole program. A process costs a millisecond.
+// Runs each piece of work in a separate process, so that a crash of the framework costs only this
+// piece. In a thread, a crash would end the whole program. Starting a process takes about 1 ms.
 #pragma once
 
 #include <chrono>
@@ -41,7 +41,7 @@ private:
     bool has_ended_ = false;
 };
 
-/// The `longest` for work that may take any time.
+/// The value of the parameter `longest` of `run_isolated` for work without a time limit.
 inline constexpr std::chrono::duration<double> no_limit{std::numeric_limits<double>::infinity()};
 
 /// How one piece of work ended.
@@ -52,7 +52,7 @@ struct WorkDone {
     bool was_tried_twice = false;
 };
 
-/// Runs `work(i)` for each `i < count`, up to `jobs` at a time, each in a process of its own. Work
+/// Runs `work(i)` for each `i < count`, up to `jobs` at a time, each in a separate process. Work
 /// that fails is tried once more. Work that takes longer than `longest` is ended, and not tried
 /// again. This process calls `on_done` each time that a piece of work is done, and `on_wait`
 /// repeatedly while it waits.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Takes results from another folder in place of grading.
+// Takes results from another results folder, instead of grading the submissions again.
 #pragma once
 
 #include "grading/class/class_folder.hpp"
@@ -11,8 +11,8 @@ namespace rigor {
 /// other submissions.
 class KnownResults : public Engine {
 public:
-    /// @param known  the folder with the results; if some of them are unconfirmed, none is taken
-    /// @param engine  grades the other submissions; nullptr: another submission is an InputError
+    /// @param known  the folder with the results; no result is taken if some are unconfirmed
+    /// @param engine  grades the other submissions; nullptr: if there are any, InputError is thrown
     KnownResults(const ClassFolder& known, Engine* engine) : known_(known), engine_(engine) {}
 
     std::string grade(const ClassWork& work, const std::vector<std::size_t>& numbers,

@@ -18,7 +18,8 @@ namespace {
 std::chrono::duration<double> longest_grading(std::chrono::duration<double> controls)
 {
     constexpr double multiple = 100;
-    constexpr std::chrono::minutes least(30); // enough if each compiler runs into its limit
+    // Enough even if the compilation of each file takes as long as its limit allows.
+    constexpr std::chrono::minutes least(30);
     return std::max<std::chrono::duration<double>>(least, multiple * controls);
 }
 

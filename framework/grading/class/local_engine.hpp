@@ -10,9 +10,9 @@ class LocalEngine : public Engine {
 public:
     /// @param jobs  how many submissions are graded at the same time
     /// @param part  the beginning of the names of the working folders. If several engines grade
-    ///              parts of one run, each has its own; for a task of Slurm it is `JOB_RESTARTS`,
-    ///              the number of the task's job and how often the task was restarted. Empty for an
-    ///              engine that grades the whole run.
+    ///              parts of one run, each part has another beginning. For a task of Slurm this is
+    ///              `JOB_RESTARTS`: the number of its job, and how often the task was restarted.
+    ///              Empty for an engine that grades the whole run.
     explicit LocalEngine(unsigned jobs, std::string part = {}) : jobs_(jobs), part_(std::move(part))
     {
     }

@@ -7,7 +7,7 @@
 namespace rigor {
 
 /// The folders that the submissions of a class are unpacked in. The destructor removes them, with
-/// what was built from them. The constructor removes those that a killed run has left.
+/// what was built from them. The constructor removes folders that a killed run has left.
 class WorkFolders {
 public:
     /// @param out  the results' folder, which tells the runs apart
@@ -25,7 +25,7 @@ private:
     void clear() const;
 
     std::filesystem::path folder_;
-    std::string prefix_; // begins the names of this part's folders
+    std::string prefix_; // the names of this part's folders begin with it
 };
 
 } // namespace rigor

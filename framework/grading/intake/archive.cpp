@@ -91,7 +91,7 @@ public:
         archive_read_support_format_tar(a);
         archive_read_support_format_zip(a);
         if (archive_read_open_fd(a, descriptor, 65536) != ARCHIVE_OK) break_off();
-        if (archive_filter_count(a) > 2) // one is the compression, one the file itself
+        if (archive_filter_count(a) > 2) // one filter is the compression, one the plain file
             refuse_compressed_again();
     }
 
@@ -130,7 +130,7 @@ private:
                           " encrypted");
         if (archive_entry_filetype(entry) == AE_IFDIR) return;
         std::string text = content_of(name);
-        if (std::string_view(raw).ends_with('\\')) return; // a folder, from an archive of Windows
+        if (std::string_view(raw).ends_with('\\')) return; // a folder, in a Windows archive
         if (is_source(name))
             contents_.add_source(name, std::move(text));
         else

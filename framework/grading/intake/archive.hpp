@@ -9,15 +9,16 @@
 
 namespace rigor {
 
-/// Whether a file's name ends like that of an archive, also of one that cannot be read, such as
-/// .rar.
+/// Whether a file's name ends like that of an archive. This includes formats that cannot be read
+/// here, such as .rar.
 bool is_archive_name(std::string_view name);
 
 /// The name without the ending of an archive: "alice" for "alice.tar.gz".
 std::string without_archive_ending(std::string_view name);
 
 /// Reads a whole archive from a descriptor. Nothing is written to the disk. The library that reads
-/// it may have security holes, so what students hand in is read by `read_archive_behind_walls`.
+/// the archive may have security holes, so archives of students are read in a sandbox, by
+/// `read_archive_behind_walls` (unpacked.hpp).
 /// @throws Refused if the archive is broken or encrypted, holds anything but files and folders, has
 ///     a name with ".." or the same name twice, or exceeds a limit
 Contents read_archive(int descriptor, const IntakeLimits& limits = {});

@@ -21,7 +21,7 @@ constexpr std::size_t longest_part = 255;  // [bytes], the most that a file syst
 
 bool has_drive(std::string_view name)
 {
-    return name.size() > 1 && name[1] == ':'; // "C:\collision.cpp", from an archive of Windows
+    return name.size() > 1 && name[1] == ':'; // "C:\collision.cpp", in an archive from Windows
 }
 
 } // namespace
@@ -56,8 +56,8 @@ void Contents::require_new(const std::string& name) const
         throw Refused("expected each file once, found " + in_quotes(name) + " twice");
 }
 
-// Refuses a name that cannot be written to a disk beside the others. Otherwise it would fail later,
-// and count as a fault of the framework.
+// Refuses a name with which the file cannot be written beside the other files. Otherwise the
+// writing would fail later, and count as a fault of the framework.
 void Contents::require_place(const std::string& name) const
 {
     for (std::size_t begin = 0, end = 0; end != std::string::npos; begin = end + 1) {

@@ -13,12 +13,13 @@ namespace rigor {
 /// The most that a submission may hold. A solution has a few files of about 20 kB; build folders
 /// and pictures beside it should not matter.
 struct IntakeLimits {
-    std::size_t entries = 10'000;                          // files and folders
-    std::size_t archive_bytes = std::size_t{64} << 20;     // size of an archive
-    std::size_t unpacked_bytes = std::size_t{64} << 20;    // what an archive unpacks to
-    std::size_t unpacked_ratio = 200;                      // unpacked bytes / bytes of the archive
-    std::size_t bytes_at_any_ratio = std::size_t{1} << 20; // any ratio is allowed up to here
-    std::size_t source_bytes = std::size_t{16} << 20;      // size of all sources
+    std::size_t entries = 10'000;                       // number of files and folders
+    std::size_t archive_bytes = std::size_t{64} << 20;  // size of an archive [bytes]
+    std::size_t unpacked_bytes = std::size_t{64} << 20; // size of what is unpacked [bytes]
+    std::size_t unpacked_ratio = 200;                   // unpacked bytes / bytes of the archive
+    /// Up to this unpacked size, any ratio is allowed [bytes].
+    std::size_t bytes_at_any_ratio = std::size_t{1} << 20;
+    std::size_t source_bytes = std::size_t{16} << 20; // total size of all sources [bytes]
 };
 
 /// Files by their names, such as "alice/collision.cpp". Only sources have a text.

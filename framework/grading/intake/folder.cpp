@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int deepest = 32; // folders inside each other
+constexpr int deepest = 32; // levels of folders inside each other
 
 std::string_view forbidden_kind(mode_t mode)
 {
@@ -68,7 +68,8 @@ private:
         for (fs::directory_iterator entry(folder_ / below, error), end; !error && entry != end;
              entry.increment(error)) {
             names.push_back(below / entry->path().filename());
-            if (names.size() > limits_.entries) break; // too many: `take` refuses them
+            // There are too many files, so `Contents::add_name`, called by `take`, will throw.
+            if (names.size() > limits_.entries) break;
         }
         if (error) fail(below.empty() ? "." : below, error.value());
         std::sort(names.begin(), names.end());

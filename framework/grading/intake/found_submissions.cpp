@@ -27,8 +27,8 @@ bool holds(const fs::path& folder, const std::string& wanted)
     return fs::exists(fs::symlink_status(folder / wanted, error));
 }
 
-// Whether the name is one that a learning platform gives to a single file, or to a folder with
-// nothing but a typed text.
+// Whether Canvas or Moodle gives this name to a file that was handed in without an archive, or to a
+// folder with nothing but a text typed into a web page.
 bool is_downloaded_alone(const std::string& file, bool is_folder)
 {
     const std::optional<DownloadedName> name = downloaded_name(file);
@@ -36,10 +36,10 @@ bool is_downloaded_alone(const std::string& file, bool is_folder)
     return is_folder ? name->is_online_text : !name->file.empty() && !is_archive_name(file);
 }
 
-// What lies in a folder, without what programs made, such as `.git`.
+// The content of a folder. What programs made, such as `.git`, is in no list but `dotted`.
 struct Listing {
     std::vector<fs::path> folders, archives, links, others;
-    std::vector<fs::path> downloaded; // files and typed texts with the names of a learning platform
+    std::vector<fs::path> downloaded; // single files and typed texts, named by Canvas or Moodle
     std::vector<fs::path> dotted;     // folders and archives whose names begin with a dot
 
     bool is_empty() const
@@ -154,7 +154,7 @@ public:
 private:
     void add(const fs::path& path, const std::string& refusal = {})
     {
-        if (!paths_.insert(path).second) return; // the same path again
+        if (!paths_.insert(path).second) return; // this path was added before
         const std::string file = path.filename().string();
         std::error_code error;
         Submission submission = {fs::is_directory(fs::symlink_status(path, error)) ? file
@@ -242,7 +242,7 @@ private:
         return has_number ? name.substr(0, open) : "";
     }
 
-    // A name that can be shown and given to a folder, in place of one that cannot.
+    // A name in printable ASCII, which can be shown and given to a folder, for a name that cannot.
     static std::string escaped(const std::string& name)
     {
         constexpr std::size_t longest = 200; // [bytes]; a file system takes 255

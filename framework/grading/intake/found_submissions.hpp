@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Finds the submissions that paths name.
+// Finds the submissions in the paths that the user names.
 #pragma once
 
 #include <filesystem>
@@ -13,12 +13,12 @@ namespace rigor {
 struct Submission {
     std::string name; // name of the folder, or of the file without its ending
     std::filesystem::path path;
-    std::string refusal; // why it cannot be graded; empty if nothing speaks against it yet
+    std::string refusal; // why it cannot be graded; empty if no reason is known yet
 };
 
 struct FoundSubmissions {
     std::vector<Submission> submissions; // sorted by name, each name once
-    std::vector<std::string> notes;      // what was passed over or is doubtful, a line each
+    std::vector<std::string> notes;      // a line each: what was ignored, and what is doubtful
 };
 
 /// Finds all submissions. Each path is a submission or a folder of submissions. It is a folder of

@@ -33,7 +33,7 @@ struct PrintedEntry {
     std::string name, text;
 };
 
-// Takes entries from the front of a text.
+// Reads entries from the text that `unpack` printed, and removes them from its front.
 class PrintedReader {
 public:
     explicit PrintedReader(std::string_view text) : rest_(text) {}
@@ -73,7 +73,7 @@ private:
     std::string_view rest_;
 };
 
-// The limits in the order of the arguments.
+// Pointers to all limits, in the order of the command-line arguments of `unpack`.
 template <class Limits> auto all_of(Limits& limits)
 {
     return std::array{&limits.entries,        &limits.archive_bytes,      &limits.unpacked_bytes,
@@ -86,7 +86,7 @@ Confinement walls_of_unpack()
     std::error_code error; // if this is not allowed, the start of `unpack` reports it
     fs::permissions(RIGOR_UNPACK, perms::others_read | perms::others_exec,
                     std::filesystem::perm_options::add, error);
-#ifdef RIGOR_SANITIZED // a sanitizer needs calls and memory that walls refuse
+#ifdef RIGOR_SANITIZED // a sanitizer needs calls and memory that the sandbox forbids
     return {Profile::compiler, Tier::c};
 #else
     Confinement walls{Profile::compiler, usual_tier()};
@@ -94,7 +94,7 @@ Confinement walls_of_unpack()
     // Besides the sources, the library keeps a dictionary for decompression in memory, of at most
     // some hundred megabytes.
     walls.limits.address_space = std::uint64_t{1} << 30;
-    walls.limits.processor_time = 60; // [s]; 64 MB take less than a second
+    walls.limits.processor_time = 60; // [s]; unpacking 64 MB takes less than a second
     walls.limits.file_size = 0;
     walls.limits.open_files = 32;
     walls.limits.processes = 8;

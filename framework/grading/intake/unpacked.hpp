@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Archives are read by a separate program behind walls, `unpack`. It gets the archive as its stdin
-// and prints what is in it; a fault of the library that reads it ends only this program.
+// Archives are read by a separate program, `unpack`, behind walls, that is, in a sandbox. It gets
+// the archive as its stdin and prints the content. If the library that reads archives crashes, only
+// this program ends.
 #pragma once
 
 #include "grading/intake/contents.hpp"
@@ -26,7 +27,7 @@ std::vector<std::string> arguments_of(const IntakeLimits& limits);
 IntakeLimits limits_of(const std::vector<std::string>& arguments);
 
 /// Reads a whole archive by `unpack`. @throws Refused as `read_archive`, and also if the program
-/// crashes or takes too long; std::system_error if the walls cannot be put up
+/// crashes or takes too long; std::system_error if the sandbox cannot be set up
 Contents read_archive_behind_walls(const std::filesystem::path& file,
                                    const IntakeLimits& limits = {});
 

@@ -13,12 +13,12 @@ using Json = nlohmann::ordered_json;
 
 struct Field {
     const char *name, *variable;
-    const char* otherwise = ""; // is read if `variable` is not set
+    const char* otherwise = ""; // the variable to read if `variable` is not set
 };
 
-// The fields of a result that the runner requires, and the variables that it sets for them. It
-// corrects `owner`, `assignment_type` and `datetime` in the result, and refuses a result that lacks
-// one of these fields.
+// The fields of a result that the runner of Classroom 50 requires, and the environment variables
+// that it sets for them. The runner corrects `owner`, `assignment_type` and `datetime` in the
+// result, and refuses a result that lacks one of these fields.
 constexpr std::array<Field, 8> required = {{{"classroom", "CLASSROOM"},
                                             {"assignment", "ASSIGNMENT"},
                                             {"assignment_type", "ASSIGNMENT_TYPE"},

@@ -12,10 +12,11 @@ bool is_number(const std::string& cell)
     return cell.find_first_not_of("0123456789.") == std::string::npos;
 }
 
-// Spreadsheets take a cell that begins with one of these signs for a formula, also after spaces.
-// The last four are the full-width forms of =, +, - and @, which some spreadsheets read as these.
+// A spreadsheet reads a cell as a formula if it begins with one of these signs, even after spaces.
+// The last four are the full-width forms of =, +, - and @, which some spreadsheets read in this
+// way.
 constexpr std::string_view signs[] = {"=",      "+",      "-",      "@",
-                                      "\t",     "\r",     "\n", // plain
+                                      "\t",     "\r",     "\n", // ASCII signs
                                       "\uFF1D", "\uFF0B", "\uFF0D", "\uFF20"};
 
 // Invisible characters: spaces, spaces that do not break, wide spaces, and the byte-order mark.

@@ -12,7 +12,7 @@ namespace rigor {
 /// front.
 std::string csv_line(const std::vector<std::string>& cells);
 
-/// Points as a cell: the shortest decimal number that reads back the same.
+/// Points as a cell: the shortest decimal number that gives the same double when it is read.
 std::string csv_number(double points);
 
 } // namespace rigor

@@ -17,7 +17,7 @@ std::string cell_of(const Row& row, double points)
     return row.has_points() ? csv_number(points) : "";
 }
 
-// The rows of the submissions that were judged, also those that do not compile.
+// The rows of the submissions that were judged. One that does not compile was judged too.
 std::vector<const Row*> judged(const std::vector<Row>& rows)
 {
     std::vector<const Row*> result;
@@ -82,7 +82,7 @@ std::string distribution(const std::vector<const Row*>& rows)
     for (const double p : points)
         ++tenths[most > 0 ? std::min(9, static_cast<int>(10 * p / most)) : 0];
     for (int i = 0; i < 10; ++i) {
-        // the bar has at most forty signs
+        // the bar has at most 40 characters, for all n submissions
         const int bar = static_cast<int>((40 * tenths[i] + static_cast<int>(n) - 1) / n);
         text += fmt::format("  {:>3} to {:>3} % {:>5}{}{}\n", 10 * i, 10 * (i + 1), tenths[i],
                             bar > 0 ? "  " : "", std::string(bar, '#'));
@@ -93,7 +93,8 @@ std::string distribution(const std::vector<const Row*>& rows)
 // The mistakes that several submissions have in common, the most frequent first.
 std::string common_mistakes(const std::vector<const Row*>& rows)
 {
-    std::map<std::pair<std::size_t, std::string>, int> counts; // by index of the task and sentence
+    // How many submissions made a mistake. The key has the index of the task and the sentence.
+    std::map<std::pair<std::size_t, std::string>, int> counts;
     for (const Row* row : rows)
         for (std::size_t t = 0; t < row->tasks.size(); ++t)
             if (!row->tasks[t].mistake.empty()) ++counts[{t, row->tasks[t].mistake}];

@@ -37,15 +37,15 @@ std::string feedback(const Row& row)
     return text;
 }
 
-// The student's number in a name that a learning system gave; empty for any other name.
+// The student's number in a name that Canvas or Moodle gave; empty for any other name.
 std::string number_in(const std::string& submission, const std::regex& downloaded)
 {
     std::smatch parts;
     return std::regex_match(submission, parts, downloaded) ? parts[2].str() : "";
 }
 
-// The numbers of the students with several graded submissions. The system would take the last of
-// these, which may not be the one that counts.
+// The numbers of the students with several graded submissions. Canvas and Moodle would take the
+// points of the last one, which may not be the one that counts.
 std::set<std::string> ambiguous(const std::vector<Row>& rows, const std::regex& downloaded)
 {
     std::set<std::string> once, several;

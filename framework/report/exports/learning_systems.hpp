@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Points as files that learning management systems read. Submissions without a grade are left out,
-// since an empty cell would erase a grade that the system has already. If a student has several
-// submissions with a grade, all of them are left out, since it is not known which one counts.
+// Points as files that the learning platforms Canvas and Moodle read. Submissions without a grade
+// are left out, since an empty cell would erase a grade that the system has already. If a student
+// has several submissions with a grade, all of them are left out, since it is not known which one
+// counts.
 #pragma once
 
 #include "report/exports/row.hpp"
@@ -13,8 +14,8 @@ namespace rigor {
 
 /// For the import of grades in Canvas: the columns Student, ID, SIS User ID, SIS Login ID and
 /// Section, then the assignment; the second line has the points that are possible. If Canvas has
-/// named a submission, such as `doejane_12345_678_collision.zip`, it finds the student by the
-/// number 12345. Names from Moodle are left out, and any other name is taken for the login.
+/// named a submission, such as `doejane_12345_678_collision.zip`, the number 12345 tells Canvas
+/// which student it is. Names from Moodle are left out, and any other name is taken for the login.
 std::string canvas_csv(const std::vector<Row>& rows, const std::string& assignment_title);
 
 /// For the upload of a grading worksheet in Moodle: the columns Identifier, Full name, Grade,

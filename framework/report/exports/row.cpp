@@ -50,7 +50,7 @@ std::optional<Row> read_row(const std::string& result_json)
         Row row = row_of(nlohmann::json::parse(result_json));
         if (adds_up(row)) return row;
     } catch (const nlohmann::json::exception&) {
-        // not a result
+        // the text is not the result of a submission
     }
     return {};
 }

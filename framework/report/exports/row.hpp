@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A row of the gradebook, read back from a result.json. The gradebook is always made from these
-// files, never from results in memory, so it is the same for new and for kept results.
+// files, never from results in memory, so new results and those that were kept from an
+// earlier run are treated in the same way.
 #pragma once
 
 #include <optional>

@@ -19,8 +19,8 @@ struct Answer {
     std::vector<std::string> lines;
 };
 
-// How long a command of Slurm may be silent. It waits and tries again while Slurm's controller does
-// not answer.
+// How long a command of Slurm may be silent. While Slurm's controller does not answer, the
+// command waits and tries again.
 constexpr double longest_silence = 120; // [s]
 
 Answer asked(const std::vector<std::string>& arguments)
@@ -103,7 +103,7 @@ TaskCounts parsed_counts(const std::vector<std::string>& lines)
     TaskCounts counts;
     for (const std::string& line : lines) {
         const std::string state = line.substr(0, line.find('|'));
-        if (state.empty() || state.size() == line.size()) continue; // no task, but a message
+        if (state.empty() || state.size() == line.size()) continue; // not a line of a task
         if (state == "CANCELLED") ++counts.cancelled;
         if (std::find(over.begin(), over.end(), state) != over.end()) continue;
         if (std::find(waits.begin(), waits.end(), state) == waits.end()) {

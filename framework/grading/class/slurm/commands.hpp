@@ -14,9 +14,9 @@ namespace rigor::slurm {
 struct ArrayJob {
     std::string name;
     std::size_t tasks = 1;
-    unsigned at_once = 0;             // most tasks that run at the same time; 0: no limit
-    std::filesystem::path script;     // a shell script that runs `program`
-    std::filesystem::path log;        // file for what a task prints; %A is the job, %a the task
+    unsigned at_once = 0;         // most tasks that run at the same time; 0: no limit
+    std::filesystem::path script; // a shell script that runs `program`
+    std::filesystem::path log;    // a task's output; sbatch replaces %A by the job, %a by the task
     std::vector<std::string> program; // the program and its arguments
 };
 
@@ -31,7 +31,7 @@ std::string submit(const ArrayJob& job);
 /// How many tasks of a job are in each state.
 struct TaskCounts {
     std::size_t waiting = 0, running = 0;
-    std::size_t cancelled = 0; // by somebody: they have ended, and Slurm does not run them again
+    std::size_t cancelled = 0; // cancelled by a user: Slurm does not run these again
     std::string reason;        // why a task waits, such as "Resources"
 
     bool is_over() const { return waiting + running == 0; }

@@ -4,10 +4,10 @@
 //
 //     plan_1.json     what the tasks of the first job are to grade, and how
 //     job             the number of the job that runs now
-//     graded/NAME     the texts about a submission; the name is its fingerprint
+//     graded/NAME     the result files of a submission; NAME is its fingerprint
 //     ended/1.3       task 3 of the first job has ended, and its controls were right
 //     control_fault   what was wrong with a control
-//     log/1_3.txt     what the task printed
+//     log/1_3.txt     what task 3 of the first job printed
 //     run.sh          the script of the jobs
 #pragma once
 
@@ -21,14 +21,14 @@
 
 namespace rigor::slurm {
 
-/// What a job array is to grade.
+/// What a job array of Slurm is to grade.
 struct Plan {
-    unsigned round = 1; // 1: the first job; more: a later job for what was lost
+    unsigned round = 1; // 1: the first job; 2 and more: a later job, for lost submissions
     std::string assignment, out;
     std::uint32_t seed = 0;
     std::string secret_file;                      // absolute path; empty: no secret
     std::uint64_t fingerprint = 0;                // fingerprint_of(selection, run)
-    std::vector<Submission> submissions;          // those of this job
+    std::vector<Submission> submissions;          // the submissions that this job grades
     std::vector<std::string> fingerprints;        // one for each submission
     std::vector<std::vector<std::size_t>> chunks; // for each task, indices in `submissions`
 };

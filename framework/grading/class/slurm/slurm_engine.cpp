@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The engine submits a job array and follows it: it takes each result as soon as its file is there,
-// and asks Slurm from time to time whether the tasks still wait or run. A task that has ended well
-// writes a file to say so. The round is over when all tasks have written theirs, or when Slurm
-// knows of no task that waits or runs. The submissions that are still missing make the next round.
+// and asks Slurm from time to time whether the tasks still wait or run. A task whose controls were
+// right writes a file at its end. The round is over when all tasks have written this file, or when
+// Slurm knows of no task that waits or runs. The submissions that are still missing make the next
+// round.
 #include "grading/class/slurm/slurm_engine.hpp"
 
 #include "errors/input_error.hpp"
@@ -28,10 +29,10 @@ constexpr unsigned most_rounds = 3;
 constexpr std::size_t most_tasks = 1000; // Slurm's own limit of a job array is 1001
 constexpr std::chrono::milliseconds look_every(250);
 constexpr std::chrono::seconds ask_every(2);
-// Slurm's daemons are restarted now and then. The tasks go on meanwhile.
+// How long Slurm may not answer. Its daemons are restarted now and then; the tasks go on meanwhile.
 constexpr std::chrono::minutes longest_silence(10);
-// NFS caches the list of files in a folder for some seconds, so files of another machine appear
-// late.
+// How long to look for more files after the end of a job. NFS caches the list of files in a folder
+// for some seconds, so files of another machine appear late.
 constexpr std::chrono::seconds last_look(5);
 
 // A job of Slurm. The destructor cancels it, unless it was released.
@@ -83,7 +84,8 @@ public:
                 note(fmt::format("{} of {} tasks of Slurm's job were lost{}", lost,
                                  plan.chunks.size(), reason));
                 if (round_ >= most_rounds && !missing_.empty()) give_up_missing(reason);
-                if (round_ <= most_rounds) continue; // the last round grades controls only
+                // After `most_rounds` rounds, one more follows, which grades only the controls.
+                if (round_ <= most_rounds) continue;
                 fault = "control after the last submission could not be graded" + reason;
             }
             shared_.remove();
@@ -168,7 +170,7 @@ private:
                          plan.chunks.size() == 1 ? "task" : "tasks"));
         const slurm::TaskCounts counts = follow(job, plan, interruption);
         take_results();
-        if (!shared_.control_fault().empty()) return; // ~RunningJob cancels it
+        if (!shared_.control_fault().empty()) return; // ~RunningJob cancels the job
         job.release();
         const bool is_whole = shared_.ended(round_).size() == plan.chunks.size();
         if (!is_whole && counts.cancelled > 0)
@@ -246,7 +248,7 @@ private:
         return fmt::format("{} {}", counts.running, counts.running == 1 ? "task" : "tasks");
     }
 
-    // Of the lost tasks that have printed anything, the last line of the first one.
+    // The last line that a lost task printed; if several printed something, that of the first task.
     std::string first_reason(const slurm::Plan& plan) const
     {
         const std::set<std::size_t> ended = shared_.ended(round_);
@@ -274,7 +276,7 @@ private:
     const OnWait& on_wait_;
     std::vector<std::size_t> missing_; // numbers of the submissions without a result
     slurm::SharedFolder shared_;
-    WorkFolders folders_; // working folders of the tasks; removed, also if a task was lost
+    WorkFolders folders_; // removes the working folders of all tasks, even of lost ones
     std::string name_;
     unsigned round_ = 0;
 };

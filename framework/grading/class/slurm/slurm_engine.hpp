@@ -6,9 +6,9 @@
 namespace rigor {
 
 struct SlurmOptions {
-    std::vector<std::string> task_command; // grades a chunk; without the plan's file
+    std::vector<std::string> task_command; // command of a task; the plan's path is appended
     std::string secret_file;               // absolute path of the course's secret; empty: none
-    std::size_t chunk = 8;                 // submissions in a task; more for a huge class
+    std::size_t chunk = 8;                 // submissions for each task; more if the class is huge
     unsigned at_once = 0;                  // most tasks that run at the same time; 0: no limit
     std::function<void(const std::string&)> on_note; // called with messages for the user
 };

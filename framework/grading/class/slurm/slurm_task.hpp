@@ -8,9 +8,9 @@ namespace rigor {
 
 /// Grades the submissions of a chunk that have no result yet, and writes their results to the
 /// shared folder. @param task  the number of the chunk
-/// @param work  with the assignment, the run and the reference of this node
-/// @throws InputError if the node has another tree, other programs or other walls than the machine
-///     that made the plan. A submission that has changed since then is reported as a fault
+/// @param work  the assignment, the run and the reference of this node, without submissions
+/// @throws InputError if the node has another tree, other programs or another sandbox than the
+///     machine that made the plan. A submission that has changed since then is reported as a fault
 /// @return what is wrong with a control, which is also written to the folder; empty if nothing is
 std::string run_slurm_task(const slurm::Plan& plan, std::size_t task, ClassWork work);
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The program `unpack`: reads the archive that is its stdin, and prints what is in it. It runs
-// behind walls, since the library that reads archives works on bytes that anybody may have made.
+// in a sandbox, since the library that reads archives works on bytes that anybody may have made.
 //
-//     unpack LIMIT...    see `arguments_of`
+//     unpack LIMIT...    see `arguments_of` in unpacked.hpp
 #include "grading/intake/archive.hpp"
 #include "grading/intake/refused.hpp"
 #include "grading/intake/unpacked.hpp"
