@@ -18,7 +18,8 @@ struct DrawnBody {
     std::vector<int> models;
     Matrix3d inverse_inertia = Matrix3d::Zero(); // I_body⁻¹ [1/(kg m²)]
     double mass = 0, mean_inertia = 0;           // [kg], [kg m²]
-    double radius = 0; // of a ball around the center of mass that has all parts but planes [m]
+    // Radius of a ball around the center of mass that contains all parts but planes [m].
+    double radius = 0;
     Vector4f color;
 };
 

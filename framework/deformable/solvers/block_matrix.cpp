@@ -116,7 +116,7 @@ void BlockMatrix::soften(const Elements& elements, const Matrix3d& R, const Elem
 {
     const auto gradients = elements.gradients(flow.element);
     const auto t = elements.nodes(flow.element);
-    std::array<Vector3d, 4> g, n, kept; // of each corner: R ∇N, R n ∇N, R k ∇N
+    std::array<Vector3d, 4> g, n, kept; // for each corner: R ∇N, R n ∇N, R k ∇N
     for (int i = 0; i < 4; ++i) {
         g[i] = R * gradients[i];
         n[i] = R * (flow.along * gradients[i]);

@@ -14,7 +14,7 @@ class Lines {
 public:
     explicit Lines(std::string_view text) : rest_(text) {}
 
-    int number() const { return number_; } // of the line that `next` returned last, from 1
+    int number() const { return number_; } // number of the line that `next` returned, from 1
 
     /// @param what  what the line should contain, for the error if the text has no more lines
     std::string_view next(const char* what)

@@ -19,7 +19,7 @@ struct Sphere {
 /// A solid cylinder between two half balls, centered at the origin.
 struct Capsule {
     double radius = 0; // [m]
-    double height = 0; // of the cylinder, without the half balls [m]
+    double height = 0; // height of the cylinder, without the half balls [m]
 };
 
 /// A solid ring with a circular cross-section, centered at the origin.

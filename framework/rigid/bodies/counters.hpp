@@ -31,7 +31,7 @@ namespace rigor {
 /// because the scene did not need it.
 struct Counters {
     std::uint64_t steps = 0;
-    std::uint64_t substeps = 0; // of free flight; those of step/adaptive_substeps are not counted
+    std::uint64_t substeps = 0; // substeps of free flight; step/adaptive_substeps is not counted
     std::uint64_t pairs_possible = 0, pairs_tested = 0, pair_searches_saved = 0, contacts = 0;
     std::uint64_t collision_impulses = 0, contact_impulses = 0;
     std::uint64_t isotropic_shortcuts = 0, free_flights = 0, static_skipped = 0;

@@ -18,7 +18,7 @@ namespace rigor {
 /// rounding.
 struct ContactConstraint : Contact {
     double restitution = 0, friction = 0;
-    double radius = 0; // of the body that can move; if both can, of the smaller one [m]
+    double radius = 0; // radius of the body that can move, or of the smaller one if both can [m]
     // The front of a rolling wheel moves down, but also forward, so that it does not reach the
     // ground in this step. `turning_speed` is the part of v·n with which rotation moves such a
     // point towards the other body, ≤ 0 [m/s]. `passes_by` is the depth that the point would reach

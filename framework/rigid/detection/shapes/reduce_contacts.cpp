@@ -88,7 +88,7 @@ private:
         for (int i = 0; i < size(); ++i) {
             if (contacts_[i].gap > deepest_ + as_deep * extent_) continue;
             const double d = (contacts_[i].point - middle_).norm();
-            if (d <= farthest * (1 + equal_distance)) continue; // of equal ones, the first stays
+            if (d <= farthest * (1 + equal_distance)) continue; // the first of equal ones stays
             farthest = d;
             best = i;
         }
