@@ -188,6 +188,13 @@ struct MovingPair {
           relative_move(time_step * (velocity_of(body1) - velocity_of(body2)))
     {
     }
+    // Whether the search for contacts ahead is worth its time: a body moves over a concave shape that
+    // is still, or one of the shapes has a core, so that the search is cheap.
+    bool looks_ahead(const Shape& shape1, const Shape& shape2) const
+    {
+        if (is_concave(shape1) && (is_still1 || has_core(shape2))) return true;
+        return is_concave(shape2) && (is_still2 || has_core(shape1));
+    }
     // The displacement of a contact point: that of the moving body, or the mean if both move.
     Vector3d point_move() const
     {
@@ -204,21 +211,25 @@ struct MovingPair {
 //
 // @param first  the contacts of these two shapes start at this index
 void find_contacts_ahead(const Shape& shape1, const Pose& pose1, const Shape& shape2,
-                         const Pose& pose2, const MovingPair& pair, double reach,
-                         Counters& counters, std::size_t first, Contacts& contacts)
+                         const Pose& pose2, const MovingPair& pair, Counters& counters,
+                         std::size_t first, Contacts& contacts)
 {
+    constexpr double overlapping = 0;    // reach of the search
     constexpr double same_normal = 1e-4; // largest length of the difference of equal normals
     const Bounds bounds1 = bounds_of(shape1, {}), bounds2 = bounds_of(shape2, {});
     const double size =
         std::min((bounds1.high - bounds1.low).norm(), (bounds2.high - bounds2.low).norm());
     const double slop = resting_overlap * size / 2;
-    if (pair.relative_move.norm() < slop) return;
+    const double way = pair.relative_move.norm();
+    if (way < slop || std::none_of(contacts.begin() + static_cast<std::ptrdiff_t>(first),
+                                   contacts.end(), [&](const Contact& c) { return c.gap < way; }))
+        return;
     Contacts ahead;
     find_in_any_order(shape1, {pose1.R, pose1.X + pair.move1}, shape2,
-                      {pose2.R, pose2.X + pair.move2}, {0, 0, 0}, reach, counters, ahead);
+                      {pose2.R, pose2.X + pair.move2}, {0, 0, 0}, overlapping, counters, ahead);
     for (const Contact& c : ahead) {
         const double now = c.gap - c.normal.dot(pair.relative_move);
-        if (c.gap >= 0 || now < -slop) continue;
+        if (now < -slop) continue;
         if (std::none_of(contacts.begin() + static_cast<std::ptrdiff_t>(first), contacts.end(),
                          [&](const Contact& known) {
                              return (known.normal - c.normal).norm() < same_normal;
@@ -272,9 +283,9 @@ void find_contacts(const World& world, const std::vector<Pose>& poses, int body1
                 const std::size_t first_of_parts = contacts.size();
                 find_in_any_order(part1.shape, pose1, part2.shape, pose2, pair.relative_move, reach,
                                   counters, contacts);
-                if (is_concave(part1.shape) || is_concave(part2.shape))
-                    find_contacts_ahead(part1.shape, pose1, part2.shape, pose2, pair, reach,
-                                        counters, first_of_parts, contacts);
+                if (pair.looks_ahead(part1.shape, part2.shape))
+                    find_contacts_ahead(part1.shape, pose1, part2.shape, pose2, pair, counters,
+                                        first_of_parts, contacts);
             } catch (const NonFiniteLevelSet& e) {
                 throw NonFiniteState(owner(world.bodies[body1], world.bodies[body2], e.shape),
                                      std::string(e.quantity) + " of the level set", world.time);

@@ -112,19 +112,24 @@ private:
     // lie on the front of a rolling wheel, and the wheel turns them away before they touch.
     void remove_points_ahead_of_round(std::vector<Contact>& contacts, std::size_t first) const
     {
-        const std::vector<Contact> all(contacts.begin() + static_cast<std::ptrdiff_t>(first),
-                                       contacts.end());
-        const auto faces = [&](std::size_t i) {
-            return all[i].normal.dot(gradients_[i]) >= facet_cosine_;
+        std::vector<std::size_t> facing; // the contacts whose normal differs by at most a facet
+        for (std::size_t i = first; i < contacts.size(); ++i)
+            if (contacts[i].normal.dot(gradients_[i - first]) >= facet_cosine_) facing.push_back(i);
+        if (facing.empty() || facing.size() == contacts.size() - first) return;
+        const auto is_ahead = [&](std::size_t i) {
+            const double gap = contacts[i].gap;
+            if (gap <= 0 || contacts[i].normal.dot(gradients_[i - first]) >= facet_cosine_)
+                return false;
+            return std::any_of(facing.begin(), facing.end(), [&](std::size_t k) {
+                return contacts[k].gap < gap &&
+                       (gradients_[k - first] - gradients_[i - first]).norm() < same_face;
+            });
         };
+        std::vector<Contact> kept;
+        for (std::size_t i = first; i < contacts.size(); ++i)
+            if (!is_ahead(i)) kept.push_back(contacts[i]);
         contacts.resize(first);
-        for (std::size_t i = 0; i < all.size(); ++i) {
-            bool is_ahead = false;
-            for (std::size_t k = 0; k < all.size() && !is_ahead; ++k)
-                is_ahead = all[i].gap > 0 && !faces(i) && faces(k) && all[k].gap < all[i].gap &&
-                           (gradients_[k] - gradients_[i]).norm() < same_face;
-            if (!is_ahead) contacts.push_back(all[i]);
-        }
+        contacts.insert(contacts.end(), kept.begin(), kept.end());
     }
 
     const MeshSurface& surface_;
