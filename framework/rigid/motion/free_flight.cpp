@@ -105,7 +105,9 @@ int substeps_for_forces(const World& world, double h)
         std::ostringstream text;
         text << "body '" << world.bodies[body].name
              << "': a spring or damper is too stiff or a force too fast for the step: expected "
-                "sqrt(k/M) h, c h/M and 2 pi f h up to "
+                "sqrt(k K) h, c K h and 2 pi f h, where K = 1/M + r^2/I at the point that is "
+                "pulled, "
+                "up to "
              << most_substeps * most_change << ", found " << std::setprecision(4) << rate * h;
         throw std::domain_error(text.str());
     }
