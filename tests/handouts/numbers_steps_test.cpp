@@ -160,6 +160,31 @@ TEST_CASE("A5: a checkpoint of two sweeps", "[numbers]")
     check_shown("A5", "They approach 0.5 N s each", {impulses(100)[0].y()});
 }
 
+TEST_CASE("A5: a rod that falls flat on its two ends", "[numbers]")
+{
+    // 1 kg and 2 m along x, one impulse after the other
+    const Matrix3d I_inverse = Vector3d(0, 3, 3).asDiagonal();
+    const Vector3d X(0, 0, 0), left(-1, 0, 0), right(1, 0, 0), up(0, 1, 0);
+    Body rod{1, I_inverse, X, Vector3d(0, -1, 0), {0, 0, 0}, {0, 0, 0}};
+    const auto speed = [&](const Vector3d& x) {
+        return (rod.velocity + rod.angular_velocity.cross(x - X)).y();
+    };
+    const auto hit = [&](const Vector3d& x) {
+        const Matrix3d K = impulse_matrix(1, I_inverse, X, x);
+        const Vector3d j = frictionless_impulse(K, speed(x) * up, up, 0);
+        rod = apply_impulse(rod, x, j);
+        return j.y();
+    };
+    check_shown("A5", "moves that end by $4j$ and the other by $-2j$",
+                {impulse_matrix(1, I_inverse, X, left)(1, 1), 1 + 3 * left.x() * right.x()});
+    const double first = hit(left);
+    check_shown("A5", "| 1/4 N s at the left end | 0 | −1.5 m/s |",
+                {first, speed(left), speed(right)});
+    const double second = hit(right);
+    check_shown("A5", "| 1.5/4 N s at the right end | −0.75 m/s | 0 |",
+                {second, speed(left), speed(right)});
+}
+
 TEST_CASE("A6: a checkpoint of one stretch", "[numbers]")
 {
     const double E = 200e9, nu = 0.3, sigma_Y = 250e6;
