@@ -71,8 +71,8 @@ ContactResult shock_propagation(const std::vector<Body>& bodies,
 /// shock propagation for multibody dynamics animation".
 ///
 /// First the `impulse` of every contact (the warm start) is applied to its bodies. Then each sweep
-/// visits the contacts in the order given. With the velocity v at that moment, the total impulse
-/// j of the contact is updated:
+/// visits the contacts in the order given. With the velocity v at that moment and the contact's
+/// `separation_speed` s, its total impulse j is updated:
 ///
 ///     jₙ ← max(0, jₙ - (v·n - s) / (nᵀ K n))
 ///     j_T ← j_T - v_T / λ,  shortened to |j_T| = μ jₙ where it is longer

@@ -6,6 +6,8 @@
 #include "scene/trajectory/writer.hpp"
 #include "worker/process.hpp"
 
+#include <functional>
+
 namespace rigor {
 
 /// The time that a question may take. At first the limit is a fixed time, the floor. When the floor

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Motion of the nodes of a solid as one rigid body, by the formulas of the lecture's derivation.
+// Motion of the nodes of a solid as one rigid body, by the formulas of the lecture's section
+// "Constrained dynamics" (assignment A1).
 #pragma once
 
 #include "deformable/motion/node_motion.hpp"

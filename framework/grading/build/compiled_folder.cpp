@@ -236,14 +236,13 @@ std::map<std::string, CompiledTopic> CompiledFolder::compile(const std::vector<s
     }
     std::atomic<std::size_t> next = 0;
     std::mutex guard; // for `steps` and what `on_step` prints
+    const int count = static_cast<int>(steps.size() + stale.size());
     const auto work = [&] {
         for (std::size_t i; (i = next++) < stale.size();) {
             compile_topic(stale[i]->first, stale[i]->second);
             const std::lock_guard hold(guard);
             steps.push_back("Building " + stale[i]->first + ".cpp");
-            if (on_step)
-                on_step(static_cast<int>(steps.size()),
-                        static_cast<int>(steps.size() + stale.size()), steps.back());
+            if (on_step) on_step(static_cast<int>(steps.size()), count, steps.back());
         }
     };
     const std::size_t hands = std::clamp<std::size_t>(std::thread::hardware_concurrency(), 1, 8);

@@ -10,6 +10,7 @@
 #include "rigid/bodies/non_finite.hpp"
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace rigor {

@@ -5,6 +5,7 @@
 #include "rigid/bodies/pair_laws.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace rigor {
 

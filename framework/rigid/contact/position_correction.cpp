@@ -50,7 +50,8 @@ struct CorrectionRow {
     double correction = 0;       // sum of the corrections so far, ≥ 0 [kg m]
 };
 
-// The rows for the contacts of a block, and how many of these contacts penetrate.
+// The rows for the contacts in a block of an island (blocks.hpp), and how many of these contacts
+// penetrate.
 struct Rows {
     std::vector<CorrectionRow> all;
     std::uint64_t penetrating = 0;

@@ -13,7 +13,9 @@ namespace rigor {
 /// overlap, in which they separate soonest. If both shapes turn a face or a line to each other, one
 /// is clipped against the other (Sutherland and Hodgman 1974), and each corner of the result is a
 /// contact with its own gap. Otherwise there is one contact. A mesh that stands for a round body
-/// (`SolidMesh::facet_angle`) touches a flat face with all its near vertices.
+/// (`SolidMesh::facet_angle` is not 0) also touches a flat face with those of its vertices that are
+/// over the face and closer than `reach`, because it rolls to its next facets within a step. Of all
+/// contacts a few are kept (reduce_contacts.hpp).
 void find_convex_contacts(const Shape& shape1, const Pose& pose1, const Shape& shape2,
                           const Pose& pose2, double reach, std::vector<Contact>& contacts);
 

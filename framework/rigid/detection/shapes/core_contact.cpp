@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <span>
 
@@ -90,7 +91,8 @@ template <class Function> double minimum(const Function& f, double a, double b)
     return (a + b) / 2;
 }
 
-// Finds the contacts at samples of a core and at the minima of the gap along it.
+// Finds the contacts of a core curve (the segment of a capsule, the circle of a torus): at its
+// samples or, on a circle, around the nearest point, and at the minima of the gap along the curve.
 class AlongCore {
 public:
     AlongCore(const Core& core, const DistanceField& field, const Pose& pose2, double reach,
