@@ -27,8 +27,8 @@ constexpr double equally_deep = 0.9;
 constexpr double same_normal = 1e-9; // normals n, n' count as equal if 1 - n·n' is smaller
 // The front point of a rolling wheel moves towards the ground by rotation without reaching it in
 // this step; `turning_speed` is this part of v·n. The rest of v·n may be ignored (`only_turns`) if
-// it is an approach slower than this share of |turning_speed|, because `turning_speed` is exact only
-// to first order in the rotation during the step.
+// it is an approach slower than this share of |turning_speed|, because `turning_speed` is exact
+// only to first order in the rotation during the step.
 constexpr double negligible_share = 0.1;
 // Below this share of |turning_speed|, the rest is ignored even if gravity does not explain it. The
 // share is far above the rounding error of a speed and far below any speed that matters.

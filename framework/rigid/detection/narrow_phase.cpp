@@ -188,8 +188,8 @@ struct MovingPair {
           relative_move(time_step * (velocity_of(body1) - velocity_of(body2)))
     {
     }
-    // Whether the search for contacts ahead is worth its time: a body moves over a concave shape that
-    // is still, or one of the shapes has a core, so that the search is cheap.
+    // Whether the search for contacts ahead is worth its time: a body moves over a concave shape
+    // that is still, or one of the shapes has a core, so that the search is cheap.
     bool looks_ahead(const Shape& shape1, const Shape& shape2) const
     {
         if (is_concave(shape1) && (is_still1 || has_core(shape2))) return true;
