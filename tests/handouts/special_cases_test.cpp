@@ -42,7 +42,7 @@ constexpr SpecialCase special_cases[] = {
     {"[Ee]qual (depths|faces)", "equal"},
     {"moments are repeated", "moments are equal"},
     {"all moments are zero", "all moments are 0"},
-    {"No such contact", "there is none"},
+    {"No contact whose bodies approach", "there is none"},
     {"k < 0", "below 0"},
     {"n < 1", "N < 1"},
     {"sweeps < 1", "Without a sweep"},
@@ -54,11 +54,11 @@ constexpr SpecialCase special_cases[] = {
     {"several eigenvalues are equal", "several eigenvalues are equal"},
     {"Compression alone", "pure pressure"},
     {"without area", "without area"},
-    {"face of the surface", "face on the surface"},
+    {"face on the surface", "face on the surface"},
     {"possibly repeated", "more than once"},
     {"unchanged if no vertex", "returned as it is"},
     {"one on the plane", "lies on the plane"},
-    {"any number for each tetrahedron", "Several cracks in one tetrahedron"},
+    {"any number of cracks for each", "Several cracks in one tetrahedron"},
 };
 
 // The comment of a formula in its header, without the marks of a comment, in one line.
