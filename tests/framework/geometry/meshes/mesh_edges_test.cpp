@@ -3,6 +3,7 @@
 
 #include "geometry/meshes/generators.hpp"
 #include "support/catch.hpp"
+#include "support/close.hpp"
 
 #include <numbers>
 
