@@ -109,7 +109,7 @@ TEST_CASE("classics: a body in a faceted bowl gains no energy", "[classics]")
         const Shape bowl = mesh(bowl_mesh(1.1, 0.1, sides));
         for (const auto& [name, shape] : shapes)
             for (const double friction : {0., 0.5})
-                for (const double h : {0.02, 0.01, 0.005}) {
+                for (const double h : {0.02, 0.005}) {
                     CAPTURE(sides, name, friction, h);
                     const Material material{0, friction};
                     World world =
@@ -118,7 +118,7 @@ TEST_CASE("classics: a body in a faceted bowl gains no energy", "[classics]")
                     const RigidBody& body = world.bodies[1];
                     const double bottom = -body.mass * g, first = energy(body) - bottom;
                     double least = first, rise = 0;
-                    while (world.time < 8) {
+                    while (world.time < 4) {
                         step(world, h);
                         least = std::min(least, energy(body) - bottom);
                         rise = std::max(rise, (energy(body) - bottom - least) / first);
@@ -150,7 +150,7 @@ TEST_CASE("classics: a ball swings in a faceted bowl or ring without a gain", "[
                     const RigidBody& ball = world.bodies[1];
                     const double bottom = -0.9 * ball.mass * g, first = energy(ball) - bottom;
                     double most = 0;
-                    while (world.time < 20) {
+                    while (world.time < 10) {
                         step(world, h);
                         most = std::max(most, energy(ball) - bottom);
                     }

@@ -143,6 +143,7 @@ TEST_CASE("classics: a polygonal wheel loses no more than its corners take", "[c
             for (const Ground& ground : grounds())
                 for (const double h : {0.02, 0.01, 0.005, 0.0025, 0.001})
                     for (const double speed : {1., 3.}) {
+                        if (h == 0.001 && sides != 96) continue; // costs the most
                         CAPTURE(name, sides, ground.name, h, speed);
                         const Wheel wheel{"polygon", shape, {0, 1, 0}};
                         const double kept = kept_speed(wheel, ground, speed, h);
