@@ -13,6 +13,7 @@
 #include "geometry/shapes/solid_mesh.hpp"
 #include "rigid/bodies/orientation.hpp"
 #include "rigid/detection/broad_phase.hpp"
+#include "rigid/detection/travel.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -36,31 +37,6 @@ Bounds body_bounds(const RigidBody& body, const Pose& pose)
     for (const Part& part : body.parts)
         bounds.include(bounds_of(part.shape, part_pose(pose, part)));
     return bounds;
-}
-
-// How a body moves in free flight during the step [m]: the displacement of its center, the
-// displacement that its velocity at the end of the flight would give over the whole step, and how
-// far rotation moves its other points in addition.
-struct Travel {
-    Vector3d moved = Vector3d::Zero(), at_last_velocity = Vector3d::Zero();
-    double turned = 0;
-};
-
-Travel travel_of(const RigidState& from, const RigidState& to, double radius, double time_step)
-{
-    // A rotation by the angle α changes the quaternion by about α/2. The factor 2.5 instead of 2
-    // allows for a quarter more than α, which covers the approximation and an axis that changes its
-    // direction.
-    constexpr double angle_per_distance = 2.5;
-    return {to.position - from.position, time_step * to.velocity,
-            angle_per_distance * orientation_distance(from.orientation, to.orientation) * radius};
-}
-
-// The largest distance that a point of one body moves relative to a point of the other body [m].
-double path_between(const Travel& a, const Travel& b)
-{
-    return std::max((a.moved - b.moved).norm(), (a.at_last_velocity - b.at_last_velocity).norm()) +
-           a.turned + b.turned;
 }
 
 // A body in the propagation of impulses.
@@ -285,45 +261,6 @@ NarrowPhaseResult run_narrow_phase(const ContactSearch& search, std::span<const 
         }
     }
     return found;
-}
-
-// The motions relative to which the travel of bodies is measured: those of still and of driven
-// bodies, without duplicates. In a world without such bodies it is the motion of the center of
-// mass.
-std::vector<Travel> frames_of(const World& world, std::span<const RigidState> flown,
-                              double time_step)
-{
-    std::vector<Travel> frames;
-    Travel center;
-    double mass = 0;
-    for (std::size_t i = 0; i < world.bodies.size(); ++i) {
-        const RigidBody& body = world.bodies[i];
-        Travel motion;
-        if (!body.is_still()) motion = travel_of(body.state, flown[i], 0, time_step);
-        if (!body.is_static && !body.is_still()) {
-            mass += body.mass;
-            center.moved += body.mass * motion.moved;
-            center.at_last_velocity += body.mass * motion.at_last_velocity;
-            continue;
-        }
-        if (std::none_of(frames.begin(), frames.end(), [&](const Travel& known) {
-                return known.moved == motion.moved &&
-                       known.at_last_velocity == motion.at_last_velocity;
-            }))
-            frames.push_back(motion);
-    }
-    if (frames.empty() && mass > 0)
-        frames.push_back({center.moved / mass, center.at_last_velocity / mass, 0});
-    return frames;
-}
-
-// The displacement that is subtracted from each body's path before its bounds are swept. It is zero
-// if any body is still, because the bounds of still bodies are not swept.
-Vector3d frame_of_bounds(const World& world, const std::vector<Travel>& frames)
-{
-    const bool any_still = std::any_of(world.bodies.begin(), world.bodies.end(),
-                                       [](const RigidBody& body) { return body.is_still(); });
-    return any_still || frames.empty() ? Vector3d(0, 0, 0) : frames.front().moved;
 }
 
 // Turns the bodies that roll over their facets (`turns_over_facets`) to their orientations at the

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "rigid/bodies/world.hpp"
+
+#include <span>
+#include <vector>
+
+namespace rigor {
+
+/// How a body moves in free flight during the step [m]: the displacement of its center, the
+/// displacement that its velocity at the end of the flight would give over the whole step, and how
+/// far rotation moves its other points in addition.
+struct Travel {
+    Vector3d moved = Vector3d::Zero(), at_last_velocity = Vector3d::Zero();
+    double turned = 0;
+};
+
+/// @param from, to  states at the start and at the end of the flight
+/// @param radius    of the body about its center of mass [m]
+Travel travel_of(const RigidState& from, const RigidState& to, double radius, double time_step);
+
+/// The largest distance that a point of one body moves relative to a point of the other body [m].
+double path_between(const Travel& a, const Travel& b);
+
+/// The motions relative to which the travel of bodies is measured: those of still and of driven
+/// bodies, without duplicates. In a world without such bodies it is the motion of the center of
+/// mass.
+std::vector<Travel> frames_of(const World& world, std::span<const RigidState> flown,
+                              double time_step);
+
+/// The displacement that is subtracted from each body's path before its bounds are swept. It is
+/// zero if any body is still, because the bounds of still bodies are not swept.
+/// @param frames  what `frames_of` returned
+Vector3d frame_of_bounds(const World& world, const std::vector<Travel>& frames);
+
+} // namespace rigor
