@@ -177,17 +177,12 @@ bool is_concave(const Shape& shape)
     return mesh && !mesh->solid->is_convex();
 }
 
-// Two bodies with the displacements that their velocities give them in this step.
+// Two bodies, and the displacement of body 1 relative to body 2 that their velocities give in this
+// step.
 struct MovingPair {
     bool is_still1 = false, is_still2 = false;
-    Vector3d move1, move2, relative_move;
+    Vector3d move = Vector3d::Zero();
 
-    MovingPair(const RigidBody& body1, const RigidBody& body2, double time_step)
-        : is_still1(body1.is_still()), is_still2(body2.is_still()),
-          move1(time_step * velocity_of(body1)), move2(time_step * velocity_of(body2)),
-          relative_move(time_step * (velocity_of(body1) - velocity_of(body2)))
-    {
-    }
     // Whether the search for contacts ahead is worth its time: a body moves over a concave shape
     // that is still, or one of the shapes has a core, so that the search is cheap.
     bool looks_ahead(const Shape& shape1, const Shape& shape2) const
@@ -195,19 +190,17 @@ struct MovingPair {
         if (is_concave(shape1) && (is_still1 || has_core(shape2))) return true;
         return is_concave(shape2) && (is_still2 || has_core(shape1));
     }
-    // The displacement of a contact point: that of the moving body, or the mean if both move.
-    Vector3d point_move() const
-    {
-        return is_still2 ? move1 : is_still1 ? move2 : Vector3d((move1 + move2) / 2);
-    }
+    // The share of `move` by which a contact point moves relative to body 2: the point belongs to
+    // the body that moves, or is in the middle if both move.
+    double point_share() const { return is_still2 ? 1 : is_still1 ? 0 : 0.5; }
 };
 
 // Appends the contacts with the part of a concave shape that another shape reaches in this step, as
-// in a bowl, where the wall ahead is steeper than the wall below. Such a contact is found with both
-// shapes at their places after the move, and its gap is measured along the same normal before the
-// move. It is kept if the shapes would overlap there, do not overlap now, and have no other contact
-// with this normal. Without it, a shape would move into the wall, and the position correction would
-// lift the shape, which adds energy.
+// in a bowl, where the wall ahead is steeper than the wall below. Such a contact is found with
+// shape 1 after its move relative to shape 2, and its gap is measured along the same normal before
+// the move. It is kept if the shapes would overlap there, do not overlap now, and have no other
+// contact with this normal. Without it, a shape would move into the wall, and the position
+// correction would lift the shape, which adds energy.
 //
 // @param first  the contacts of these two shapes start at this index
 void find_contacts_ahead(const Shape& shape1, const Pose& pose1, const Shape& shape2,
@@ -216,25 +209,27 @@ void find_contacts_ahead(const Shape& shape1, const Pose& pose1, const Shape& sh
 {
     constexpr double overlapping = 0;    // reach of the search
     constexpr double same_normal = 1e-4; // largest length of the difference of equal normals
+    const double way = pair.move.norm();
+    const auto any_known = [&](const auto& is_such) {
+        return std::any_of(contacts.begin() + static_cast<std::ptrdiff_t>(first), contacts.end(),
+                           is_such);
+    };
+    if (!any_known([&](const Contact& c) { return c.gap < way; })) return;
     const Bounds bounds1 = bounds_of(shape1, {}), bounds2 = bounds_of(shape2, {});
     const double size =
         std::min((bounds1.high - bounds1.low).norm(), (bounds2.high - bounds2.low).norm());
     const double slop = resting_overlap * size / 2;
-    const double way = pair.relative_move.norm();
-    if (way < slop || std::none_of(contacts.begin() + static_cast<std::ptrdiff_t>(first),
-                                   contacts.end(), [&](const Contact& c) { return c.gap < way; }))
-        return;
+    if (way < slop) return;
     Contacts ahead;
-    find_in_any_order(shape1, {pose1.R, pose1.X + pair.move1}, shape2,
-                      {pose2.R, pose2.X + pair.move2}, {0, 0, 0}, overlapping, counters, ahead);
+    find_in_any_order(shape1, {pose1.R, pose1.X + pair.move}, shape2, pose2, {0, 0, 0}, overlapping,
+                      counters, ahead);
     for (const Contact& c : ahead) {
-        const double now = c.gap - c.normal.dot(pair.relative_move);
-        if (now < -slop) continue;
-        if (std::none_of(contacts.begin() + static_cast<std::ptrdiff_t>(first), contacts.end(),
-                         [&](const Contact& known) {
-                             return (known.normal - c.normal).norm() < same_normal;
-                         }))
-            contacts.push_back({c.point - pair.point_move(), c.normal, now});
+        const double now = c.gap - c.normal.dot(pair.move);
+        if (now < -slop || any_known([&](const Contact& known) {
+                return (known.normal - c.normal).norm() < same_normal;
+            }))
+            continue;
+        contacts.push_back({c.point - pair.point_share() * pair.move, c.normal, now});
     }
 }
 
@@ -266,7 +261,9 @@ void find_contacts(const World& world, const std::vector<Pose>& poses, int body1
                    double reach, std::vector<Contact>& contacts, Counters& counters,
                    double time_step)
 {
-    const MovingPair pair(world.bodies[body1], world.bodies[body2], time_step);
+    const RigidBody &first_body = world.bodies[body1], &second_body = world.bodies[body2];
+    const MovingPair pair{first_body.is_still(), second_body.is_still(),
+                          time_step * (velocity_of(first_body) - velocity_of(second_body))};
     const std::vector<Part>& parts1 = world.bodies[body1].parts;
     const std::vector<Part>& parts2 = world.bodies[body2].parts;
     const bool is_compound = parts1.size() * parts2.size() > 1;
@@ -281,7 +278,7 @@ void find_contacts(const World& world, const std::vector<Pose>& poses, int body1
             if (is_compound && !bounds1.overlaps(bounds_of(part2.shape, pose2))) continue;
             try {
                 const std::size_t first_of_parts = contacts.size();
-                find_in_any_order(part1.shape, pose1, part2.shape, pose2, pair.relative_move, reach,
+                find_in_any_order(part1.shape, pose1, part2.shape, pose2, pair.move, reach,
                                   counters, contacts);
                 if (pair.looks_ahead(part1.shape, part2.shape))
                     find_contacts_ahead(part1.shape, pose1, part2.shape, pose2, pair, counters,

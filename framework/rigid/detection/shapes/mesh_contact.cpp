@@ -112,18 +112,20 @@ private:
     // lie on the front of a rolling wheel, and the wheel turns them away before they touch.
     void remove_points_ahead_of_round(std::vector<Contact>& contacts, std::size_t first) const
     {
-        std::vector<std::size_t> facing; // the contacts whose normal differs by at most a facet
+        const auto faces = [&](std::size_t i) { // whether the normal differs by at most a facet
+            return contacts[i].normal.dot(gradients_[i - first]) >= facet_cosine_;
+        };
+        std::vector<std::size_t> facing;
         for (std::size_t i = first; i < contacts.size(); ++i)
-            if (contacts[i].normal.dot(gradients_[i - first]) >= facet_cosine_) facing.push_back(i);
+            if (faces(i)) facing.push_back(i);
         if (facing.empty() || facing.size() == contacts.size() - first) return;
         const auto is_ahead = [&](std::size_t i) {
             const double gap = contacts[i].gap;
-            if (gap <= 0 || contacts[i].normal.dot(gradients_[i - first]) >= facet_cosine_)
-                return false;
-            return std::any_of(facing.begin(), facing.end(), [&](std::size_t k) {
-                return contacts[k].gap < gap &&
-                       (gradients_[k - first] - gradients_[i - first]).norm() < same_face;
-            });
+            return gap > 0 && !faces(i) &&
+                   std::any_of(facing.begin(), facing.end(), [&](std::size_t k) {
+                       return contacts[k].gap < gap &&
+                              (gradients_[k - first] - gradients_[i - first]).norm() < same_face;
+                   });
         };
         std::vector<Contact> kept;
         for (std::size_t i = first; i < contacts.size(); ++i)
