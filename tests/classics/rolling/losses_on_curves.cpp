@@ -5,7 +5,6 @@
 #include "classics/problems.hpp"
 
 #include "geometry/meshes/generators.hpp"
-#include "geometry/shapes/solid_mesh.hpp"
 
 using namespace rigor;
 using namespace rigor::testing;
@@ -94,19 +93,16 @@ TEST_CASE("classics: a body in a faceted bowl gains no energy", "[classics]")
         const char* name;
         Shape shape;
     };
-    const auto mesh = [](const TriangleMesh& triangles) -> Shape {
-        return Mesh{std::make_shared<SolidMesh>(triangles)};
-    };
     const std::vector<Named> shapes = {{"sphere", Sphere{0.1}},
                                        {"capsule", Capsule{0.08, 0.1}},
                                        {"torus", Torus{0.08, 0.03}},
                                        {"box", Box{{0.12, 0.12, 0.12}}},
                                        {"cylinder", Cylinder{0.08, 0.12}},
                                        {"ellipsoid", Ellipsoid{{0.1, 0.08, 0.06}}},
-                                       {"icosphere", mesh(icosphere(0.1, 3))},
-                                       {"ring", mesh(ring_mesh(0.07, 0.1, 0.05, 48))}};
+                                       {"icosphere", mesh_of(icosphere(0.1, 3))},
+                                       {"ring", mesh_of(ring_mesh(0.07, 0.1, 0.05, 48))}};
     for (const int sides : {24, 96}) {
-        const Shape bowl = mesh(bowl_mesh(1.1, 0.1, sides));
+        const Shape bowl = mesh_of(bowl_mesh(1.1, 0.1, sides));
         for (const auto& [name, shape] : shapes)
             for (const double friction : {0., 0.5})
                 for (const double h : {0.02, 0.005}) {
@@ -132,13 +128,10 @@ TEST_CASE("classics: a body in a faceted bowl gains no energy", "[classics]")
 TEST_CASE("classics: a ball swings in a faceted bowl or ring without a gain", "[classics]")
 {
     const Material smooth{0, 0};
-    const auto mesh = [](const TriangleMesh& triangles) -> Shape {
-        return Mesh{std::make_shared<SolidMesh>(triangles)};
-    };
     for (const int sides : {12, 48, 180})
         for (const bool is_ring : {false, true}) {
             const Shape wall =
-                mesh(is_ring ? ring_mesh(1, 1.2, 1, sides) : bowl_mesh(1.1, 0.1, sides));
+                mesh_of(is_ring ? ring_mesh(1, 1.2, 1, sides) : bowl_mesh(1.1, 0.1, sides));
             const Quaternion q = is_ring ? turn({1, 0, 0}, pi / 2) : Quaternion{};
             for (const double start : {0.2, 1.2}) // from the vertical [rad]
                 for (const double h : {0.02, 0.01, 0.005}) {

@@ -5,7 +5,6 @@
 #include "framework/rigid/worlds.hpp"
 
 #include "geometry/meshes/generators.hpp"
-#include "geometry/shapes/solid_mesh.hpp"
 #include "support/catch.hpp"
 
 #include <numbers>
@@ -14,11 +13,6 @@ using namespace rigor;
 using namespace rigor::testing;
 
 namespace {
-
-Shape mesh_of(const TriangleMesh& mesh)
-{
-    return Mesh{std::make_shared<SolidMesh>(mesh)};
-}
 
 struct Ring {
     const char* name;

@@ -4,7 +4,6 @@
 #include "framework/rigid/worlds.hpp"
 
 #include "geometry/meshes/generators.hpp"
-#include "geometry/shapes/solid_mesh.hpp"
 #include "support/catch.hpp"
 
 #include <array>
@@ -51,9 +50,7 @@ TriangleMesh divided_cube(int n)
 TEST_CASE("classics: a cube rests on any tessellation of its face", "[classics]")
 {
     const Material rough{0, 0.5};
-    const auto cube = [](int n) -> Shape {
-        return Mesh{std::make_shared<SolidMesh>(divided_cube(n))};
-    };
+    const auto cube = [](int n) { return mesh_of(divided_cube(n)); };
     const std::vector<std::pair<const char*, Shape>> grounds = {
         {"plane", Plane{}}, {"box", Box{{4, 1, 4}}}, {"cube", cube(1)}, {"cube 5", cube(5)}};
     for (const auto& [name, ground] : grounds)

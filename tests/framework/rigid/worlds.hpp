@@ -3,6 +3,7 @@
 #pragma once
 
 #include "geometry/shapes/pose.hpp"
+#include "geometry/shapes/solid_mesh.hpp"
 #include "rigid/bodies/mass.hpp"
 #include "rigid/bodies/world.hpp"
 #include "rigid/step/step.hpp"
@@ -10,6 +11,7 @@
 #include "support/random.hpp"
 
 #include <cmath>
+#include <memory>
 #include <numbers>
 
 namespace rigor::testing {
@@ -19,6 +21,11 @@ inline constexpr double g = 9.81; // [m/s²]
 inline Quaternion turn(const Vector3d& axis, double angle)
 {
     return {std::cos(angle / 2), std::sin(angle / 2) * axis.normalized()};
+}
+
+inline Shape mesh_of(const TriangleMesh& mesh)
+{
+    return Mesh{std::make_shared<SolidMesh>(mesh)};
 }
 
 inline RigidBody body_of(const Shape& shape, const Vector3d& X, const Material& material = {},
