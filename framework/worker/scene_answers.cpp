@@ -14,14 +14,14 @@
 
 namespace rigor {
 
-SceneAnswers::SceneAnswers(Worker& worker, const std::string& scene_name, Request kind,
-                           Bytes payload, bool every_step, const FormulaSet& given)
+SceneAnswers::SceneAnswers(Worker& worker, const std::string& scene_name, Bytes payload,
+                           bool every_step, const FormulaSet& given)
     : worker_(worker), scene_name_(scene_name), payload_(std::move(payload))
 {
     SceneOptions options;
     options.streams_answers = true;
     options.every_step = every_step;
-    question_ = {kind, options.packed(), payload_};
+    question_ = {Request::run_scene, options.packed(), payload_};
     question_.given = given;
     // The stream may have any length, since it is not stored.
     question_.longest_stream = std::numeric_limits<std::size_t>::max();

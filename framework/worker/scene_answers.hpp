@@ -22,13 +22,12 @@ public:
     /// Starts the run in the worker, which must outlive this object and gets no other request
     /// meanwhile.
     /// @param scene_name  for messages
-    /// @param kind        run_scene or advance
-    /// @param payload     what `Request` says for this kind
+    /// @param payload     what `Request::run_scene` says
     /// @param every_step  whether every time step is recorded; to record a deformable solid, the
     ///                    engine calls formulas too
     /// @param given       the formulas whose answers the worker gets by `give`
-    SceneAnswers(Worker& worker, const std::string& scene_name, Request kind, Bytes payload,
-                 bool every_step, const FormulaSet& given = {});
+    SceneAnswers(Worker& worker, const std::string& scene_name, Bytes payload, bool every_step,
+                 const FormulaSet& given = {});
     /// Ends the worker's process, unless the worker has come to the end of the scene too.
     ~SceneAnswers();
     SceneAnswers(const SceneAnswers&) = delete;

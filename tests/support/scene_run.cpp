@@ -113,23 +113,20 @@ std::vector<Worker::Start> neighbours_of(const Trajectory& run, const Worker::St
     return neighbours;
 }
 
-// Whether rounding alone decides a step in which the worker and the reference disagree. Both take
-// the step from neighbouring states. If the reference gets another result from one of them, or if
-// the two agree from one of them, no result of this step is the right one. An example is a scene
-// where points are equally deep, so that rounding decides which of them comes first. A decision may
-// go the other way in one of a hundred states only, so there are up to 400 of them.
+// Whether rounding alone decides a step: whether the reference gets another result from one of the
+// neighbouring states. Then no result of this step is the right one. An example is a scene where
+// points are equally deep, so that rounding decides which of them comes first. A decision may go
+// the other way in one of a hundred states only, so there are up to 400 of them. The worker under
+// test is not asked: a formula that is wrong in single states would be right in their neighbours.
 bool hangs_on_rounding(const Trajectory& run, const Worker::Start& start,
                        const std::vector<RigidState>& expected)
 {
     Random random(1);
     for (std::size_t count : {8, 56, 336}) {
         const auto neighbours = neighbours_of(run, start, count, random);
-        const auto wanted = oracle()->advance(run.scene.text, run.scene.name, neighbours, 1);
-        const auto found = advance_with_worker(run.scene, neighbours, 1);
-        for (std::size_t i = 0; i < count; ++i)
-            if (!agree(run, start, wanted[i], expected) ||
-                agree(run, neighbours[i], found[i], wanted[i]))
-                return true;
+        const auto results = oracle()->advance(run.scene.text, run.scene.name, neighbours, 1);
+        for (const std::vector<RigidState>& result : results)
+            if (!agree(run, start, result, expected)) return true;
     }
     return false;
 }
@@ -238,10 +235,14 @@ void check_every_step(const std::string& scene_name, const std::string& changes)
     REQUIRE(expected.size() == starts.size());
 
     std::size_t left_out = 0;
-    for (std::size_t n = 0; n < starts.size(); ++n)
-        if (!check_step(run, n, starts[n], expected[n])) ++left_out;
-    INFO("steps that hang on rounding alone");
-    REQUIRE(2 * left_out < starts.size());
+    for (std::size_t n = 0; n < starts.size(); ++n) {
+        if (check_step(run, n, starts[n], expected[n])) continue;
+        INFO(
+            fmt::format("in scene {} rounding alone decides half of the steps, so that they cannot "
+                        "be judged",
+                        run.scene.name));
+        REQUIRE(2 * ++left_out < starts.size());
+    }
 }
 
 void check_solids(const std::string& scene_name, double multiple)

@@ -44,9 +44,9 @@ inline double steps_of(const Frame& frame)
 /// run `without_memory`. The test compares X, q (up to its sign), V and L of every body, class R,
 /// and names step, body and quantity.
 ///
-/// A step is left out if rounding alone decides it: if among hundreds of neighbouring states there
-/// is one from which the reference gets another result, or from which both get the same. Fewer than
-/// half of the steps may be left out. Needs an oracle.
+/// A wrong step is left out if rounding alone decides it: if among hundreds of neighbouring states
+/// there is one from which the reference gets another result. Fewer than half of the steps may be
+/// left out. Needs an oracle.
 ///
 /// @param changes  a JSON object of keys to replace in the scene
 void check_every_step(const std::string& scene_name, const std::string& changes = "{}");

@@ -16,8 +16,8 @@ namespace {
 // the worker under test. Where the reference answers a formula, the worker is given that answer.
 class Answered {
 public:
-    Answered(const Scene& scene, Request kind, Bytes payload, Record record)
-        : answers_(worker(), scene.name, kind, std::move(payload), record == Record::every_step,
+    Answered(const Scene& scene, Bytes payload, Record record)
+        : answers_(worker(), scene.name, std::move(payload), record == Record::every_step,
                    replaced_by_reference())
     {
         answer_from(&answers_);
@@ -34,17 +34,6 @@ private:
 // sense it takes a few seconds; senseless answers may give it meshes that grow without end.
 constexpr double longest_run = 30 * sanitizer_factor; // time on a processor [s]
 
-// Runs the engine for a scene. @throws NotFinite, WorkerFailure
-template <class Run> auto judged(const Scene& scene, const Run& run)
-{
-    const OwnTimeLimit limit("scene " + scene.name, longest_run);
-    try {
-        return run(limit);
-    } catch (const NonFiniteState& state) {
-        throw NotFinite("scene " + scene.name, state.what());
-    }
-}
-
 } // namespace
 
 void run_scene_with_worker(const Scene& scene, Record record, const ByteSink& write)
@@ -52,30 +41,19 @@ void run_scene_with_worker(const Scene& scene, Record record, const ByteSink& wr
     Bytes request;
     wire::encode(request, scene.text);
     wire::encode(request, scene.name);
-    const Answered answered(scene, Request::run_scene, std::move(request), record);
-    // The scene is read again from its text, as the worker does, so that both engines start from
-    // the same numbers.
-    judged(scene, [&](const OwnTimeLimit& limit) {
+    const Answered answered(scene, std::move(request), record);
+    const OwnTimeLimit limit("scene " + scene.name, longest_run);
+    try {
+        // The scene is read again from its text, as the worker does, so that both engines start
+        // from the same numbers.
         run_scene(parse_scene(scene.text, scene.name), record,
                   [&](std::span<const std::byte> bytes) {
                       limit.check();
                       write(bytes);
                   });
-    });
-}
-
-std::vector<std::vector<RigidState>>
-advance_with_worker(const Scene& scene, const std::vector<Moment>& starts, int steps)
-{
-    Bytes request;
-    wire::encode(request, scene.text);
-    wire::encode(request, scene.name);
-    wire::encode(request, steps);
-    wire::encode(request, starts);
-    const Answered answered(scene, Request::advance, std::move(request), Record::frames);
-    return judged(scene, [&](const OwnTimeLimit&) {
-        return advance(parse_scene(scene.text, scene.name), starts, steps);
-    });
+    } catch (const NonFiniteState& state) {
+        throw NotFinite("scene " + scene.name, state.what());
+    }
 }
 
 } // namespace rigor

@@ -10,8 +10,4 @@ namespace rigor {
 /// @throws NotImplemented, FormulaMissing, WorkerFailure, NotFinite
 void run_scene_with_worker(const Scene& scene, Record record, const ByteSink& write);
 
-/// The same as `advance`, with the worker's formulas. @throws as `run_scene_with_worker`
-std::vector<std::vector<RigidState>>
-advance_with_worker(const Scene& scene, const std::vector<Moment>& starts, int steps);
-
 } // namespace rigor

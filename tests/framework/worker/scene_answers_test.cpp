@@ -111,7 +111,7 @@ TEST_CASE("scene answers: states are advanced as in a run")
         {1.0, wire::decode_all<std::vector<RigidState>>(run.frames[100])}};
     for (int repeat = 0; repeat < 3; ++repeat) {
         wire::Bytes after;
-        wire::encode(after, advance_with_worker(ball(), start, 5).at(0));
+        wire::encode(after, worker().advance(ball().text, ball().name, start, 5).at(0));
         REQUIRE(after == run.frames[105]);
         REQUIRE(next_call_is_answered());
     }
