@@ -88,8 +88,15 @@ void Worker::renew()
 {
     if (!session_) return;
     output_ += session_->take_output();
+    ended_ran_ += session_->on_processor();
     session_->begin_end();
     ending_ = std::move(session_);
+}
+
+void Worker::begin_budget_again(Seconds free)
+{
+    budget_.begin_again(free);
+    ended_ran_ = session_ ? -session_->on_processor() : Seconds(0);
 }
 
 std::string Worker::take_output()
@@ -206,9 +213,11 @@ const Bytes& Worker::call(FormulaIndex formula, std::span<const std::byte> argum
     try {
         const Bytes& result = ask(question, allowance);
         budget_.returned(formula, allowance.waited);
-        if (budget_.is_compared(formula))
+        if (budget_.is_compared(formula)) {
             budget_.compare(formula, allowance.waited,
                             oracle_ ? oracle_->duration(question) : Seconds(0));
+            budget_.ran(ended_ran_ + session_->on_processor());
+        }
         return result;
     } catch (const WorkerFailure& failure) {
         budget_.failed(formula, allowance.waited, failure.cause == WorkerFailure::timed_out);

@@ -69,6 +69,8 @@ public:
     const std::filesystem::path& executable() const { return executable_; }
 
     TimeBudget& budget() { return budget_; }
+    /// Begins the budget again, see `TimeBudget::begin_again`.
+    void begin_budget_again(std::chrono::duration<double> free);
 
 private:
     friend class SceneAnswers;
@@ -97,6 +99,9 @@ private:
     int failed_starts_ = 0;
     std::optional<WorkerFailure> start_failure_;
     TimeBudget budget_;
+    /// The time on a processor of the processes that have ended, without what was spent before the
+    /// budget began [s].
+    Seconds ended_ran_{};
 };
 
 } // namespace rigor

@@ -10,6 +10,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
+#include <ctime>
 #include <fcntl.h>
 #include <fstream>
 #include <sys/mman.h>
@@ -156,6 +157,15 @@ std::optional<Process::Progress> Process::progress() const
     if (!(times >> on_processor) || name_end == std::string::npos) return {};
     const char state = line[name_end + 2];
     return Progress{std::chrono::nanoseconds(on_processor), state != 'R' && state != 'D'};
+}
+
+std::chrono::duration<double> Process::on_processor() const
+{
+    clockid_t clock{};
+    timespec time{};
+    if (clock_getcpuclockid(program_.program(), &clock) != 0 || clock_gettime(clock, &time) != 0)
+        return {};
+    return std::chrono::seconds(time.tv_sec) + std::chrono::nanoseconds(time.tv_nsec);
 }
 
 std::size_t Process::drain(std::string& kept, std::size_t keep)

@@ -102,6 +102,9 @@ public:
     };
     std::optional<Progress> progress() const;
 
+    /// The time that all threads of the process were on a processor [s]; 0 if it has ended.
+    std::chrono::duration<double> on_processor() const;
+
     /// Reads a part of what the process has printed, and appends it to `kept`, but only until
     /// `kept` has `keep` bytes.
     /// @return the number of bytes read; 0: nothing to read now, or the pipe is closed

@@ -53,6 +53,9 @@ public:
     /// Begins to end the process, without waiting for its end. The destructor waits.
     void begin_end() { process_.begin_end(); }
 
+    /// See `Process::on_processor`.
+    Allowance::Seconds on_processor() const { return process_.on_processor(); }
+
     /// Asks a question and waits for the reply, which is valid until the next question.
     /// @throws Broken, what the sink throws; after both, the session cannot be used any more
     const Reply& ask(const Question& question, Allowance& allowance);

@@ -31,7 +31,8 @@ void TimeBudget::begin_again(Seconds free)
 {
     limits_.all_calls = limits_.all_scenes = free;
     rows_ = {};
-    calls_ = scenes_ = {};
+    calls_ = scenes_ = on_processor_ = {};
+    is_begun_again_ = true;
 }
 
 void TimeBudget::returned(FormulaIndex formula, Seconds took)
@@ -61,6 +62,8 @@ void TimeBudget::compare(FormulaIndex formula, Seconds took, Seconds reference_t
 
 bool TimeBudget::is_too_slow(const Row& row) const
 {
+    if (is_begun_again_)
+        return row.answered > limits_.all_calls && on_processor_ > limits_.all_calls;
     return row.compared > limits_.call / 10 + limits_.multiple * row.by_reference;
 }
 

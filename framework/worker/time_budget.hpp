@@ -36,7 +36,9 @@ public:
     void go_on_from(const Spent& spent);
 
     /// Forgets what was spent. From now on, `free` is the free time (before the limits become
-    /// shorter) of all calls together, and also that of all scenes together.
+    /// shorter) of all calls together, and also that of all scenes together. A formula that returns
+    /// is given up only if the worker has also been on a processor for that time, see `ran`. The
+    /// reference needs this rule: it never sleeps, but its replies come late on a busy machine.
     void begin_again(Seconds free);
 
     /// Counts a call that was answered.
@@ -47,6 +49,8 @@ public:
     /// the time of the reference.
     bool is_compared(FormulaIndex formula) const;
     void compare(FormulaIndex formula, Seconds took, Seconds reference_took);
+    /// Sets the time that the worker was on a processor since the budget was begun again.
+    void ran(Seconds on_processor) { on_processor_ = on_processor; }
 
     /// Counts time for which the engine has waited, within a scene, for answers of formulas.
     void scene_took(Seconds time) { scenes_ += time; }
@@ -88,7 +92,8 @@ private:
     Limits limits_;
     bool has_reference_;
     std::array<Row, formula_count> rows_;
-    Seconds calls_{}, scenes_{};
+    Seconds calls_{}, scenes_{}, on_processor_{};
+    bool is_begun_again_ = false;
 };
 
 } // namespace rigor

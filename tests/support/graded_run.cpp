@@ -110,7 +110,7 @@ namespace {
 void follow_through(const std::string& tag)
 {
     replace_by_reference(others_of(tag));
-    oracle()->budget().begin_again(std::chrono::duration<double>(longest_stall));
+    oracle()->begin_budget_again(std::chrono::duration<double>(longest_stall));
 }
 
 } // namespace

@@ -123,6 +123,20 @@ TEST_CASE("time budget: one that is begun again has forgotten what was spent")
     REQUIRE(budget.report() == "all calls together took 5.5 s, of which 5 s are free");
 }
 
+TEST_CASE("time budget: one that is begun again counts late replies by the processor's time")
+{
+    TimeBudget budget(limits_of_seconds(), false);
+    budget.begin_again(Seconds(5));
+    budget.returned(one, Seconds(12));
+    REQUIRE(budget.is_compared(one));
+    budget.compare(one, Seconds(7), Seconds(0));
+    budget.ran(Seconds(4.9));
+    REQUIRE_FALSE(budget.is_given_up(one));
+    budget.ran(Seconds(5.1));
+    REQUIRE(budget.is_given_up(one));
+    REQUIRE_FALSE(budget.is_given_up(other));
+}
+
 TEST_CASE("time budget: what is used up is told")
 {
     TimeBudget budget(limits_of_seconds(), true);
