@@ -199,7 +199,7 @@ void follow_through(const GradingRun& run, const Implementation& implementation,
         // second run tells what is wrong with this task.
         const bool tells_more = followed.score == task.score && !followed.tests.empty() &&
                                 task.status == Status::not_implemented &&
-                                verdicts.own_failures().empty();
+                                failed.count(task.task.tag) == 0;
         if (!is_better && !tells_more) continue;
         task = std::move(followed);
         task.follow_through = is_better;
