@@ -11,6 +11,24 @@
 
 namespace rigor::testing {
 
+namespace {
+
+// Class B: the outcome, whether the sphere slides on, flips between the critical friction less and
+// more a share d of it.
+void check_flip(const Matrix3d& K, const Skid& skid, double critical)
+{
+    const double d = 1e-9;
+    const auto slides_on = [&](double friction) {
+        const Vector3d j = collision_impulse(K, skid.v(), skid.n, skid.restitution, friction);
+        return (skid.v() + K * j).dot(skid.T) > 1e-3 * d;
+    };
+    check_that(slides_on(critical * (1 - d)),
+               "the ball slides on just below its critical friction");
+    check_that(!slides_on(critical * (1 + d)), "the ball sticks just above its critical friction");
+}
+
+} // namespace
+
 TEST_CASE("collision: bodies that separate are left alone", "[A4.9][collision]")
 {
     REQUIRE_THAT(collision_impulse(sphere_on_floor(), Vector3d(3, 2, 0), up, 0.5, 0.3),
@@ -35,15 +53,24 @@ TEST_CASE("collision: the oblique sphere slides below a friction of 2/7 and stic
     for (double friction : {0.3, 1.0, 1e6})
         REQUIRE_THAT(collision_impulse(K, v, up, 0.5, friction),
                      IsClose(Vector3d(-6.0 / 7, 3, 0), Rounding(16)));
+    check_flip(K, {1, 3, 2}, 2.0 / 7);
 
-    // class B: the outcome, whether it still slides, flips between 2/7 (1 - d) and 2/7 (1 + d)
-    const double d = 1e-9;
-    const auto slides_on = [&](double friction) {
-        const Vector3d after = v + K * collision_impulse(K, v, up, 0.5, friction);
-        return after.x() > 1e-3 * d;
-    };
-    check_that(slides_on(2.0 / 7 * (1 - d)), "the ball slides on, with a little less than 2/7");
-    check_that(!slides_on(2.0 / 7 * (1 + d)), "the ball sticks, with a little more than 2/7");
+    // with other speeds the limit is 2/7 of the sliding speed over the change of the normal speed
+    for (Random random : seeds(5)) {
+        const Skid skid = random_skid(random);
+        const auto impulse = [&, K = skidding_sphere(skid)](double friction) {
+            return collision_impulse(K, skid.v(), skid.n, skid.restitution, friction);
+        };
+        const double limit = 2.0 / 7 * skid.along / skid.kick(), j_n = skid.mass * skid.kick();
+        const auto with_friction = [&](double friction) {
+            return IsClose(Vector3d(j_n * (skid.n - friction * skid.T)), skid.rounding());
+        };
+        const double low = random.uniform(0, 0.9) * limit;
+        REQUIRE_THAT(impulse(low), with_friction(low));
+        for (double high : {1.05 * limit, 4 * limit, 1e6})
+            REQUIRE_THAT(impulse(high), with_friction(limit));
+        check_flip(skidding_sphere(skid), skid, limit);
+    }
 }
 
 TEST_CASE("collision: inside the cone it sticks and outside it slides", "[A4.9][collision]")

@@ -14,12 +14,34 @@ namespace rigor::testing {
 
 namespace {
 
-// K of a thin rod with M = L = 1 whose tip slides along x on the floor. The rod trails behind its
-// tip and leans at atan 2 = 63.4349°: K = 4 δ - 3 d dᵀ.
-Matrix3d leaning_rod()
+// K of a thin rod with L = 1 whose tip skids. The rod trails behind its tip and leans at atan t:
+// K = (4 δ - 3 d dᵀ)/M.
+Matrix3d leaning_rod(double t = 2, const Skid& skid = {})
 {
-    const Vector3d d = Vector3d(-1, 2, 0) / std::sqrt(5.0);
-    return 4 * Matrix3d::Identity() - 3 * d * d.transpose();
+    const Vector3d d = (t * skid.n - skid.T).normalized();
+    return (4 * Matrix3d::Identity() - 3 * d * d.transpose()) / skid.mass;
+}
+
+// Checks that this rod jams from the critical friction on: M nᵀ K n = (4 + t²)/(1 + t²) and
+// M nᵀ K T = 3 t/(1 + t²).
+void check_jam(double t, const Skid& skid)
+{
+    const Matrix3d K = leaning_rod(t, skid);
+    const auto& [mass, along, down, restitution, T, n] = skid;
+    const double critical = (4 + t * t) / (3 * t), nKn = (4 + t * t) / (1 + t * t) / mass;
+    const double d = 1e-3, after = restitution * down;
+
+    // below it nᵀ K (n - μ T) is small, and the impulse, which is divided by it, is large
+    const Vector3d below =
+        sliding_friction_impulse(K, skid.v(), n, restitution, critical * (1 - d));
+    REQUIRE_THAT(below.dot(n),
+                 IsClose(skid.kick() / (nKn * d), Rounding(64, mass * skid.kick() / (d * d))));
+    // above it the contact sticks, since in the plane the static impulse of a jammed contact is in
+    // the cone
+    const Vector3d above =
+        sliding_friction_impulse(K, skid.v(), n, restitution, critical * (1 + d));
+    REQUIRE_THAT(Vector3d(skid.v() + K * above),
+                 IsClose(Vector3d(after * n), Rounding(64, 4 * skid.v().norm())));
 }
 
 } // namespace
@@ -32,6 +54,14 @@ TEST_CASE("collision: an oblique sphere that slides", "[A4.8][collision]")
     REQUIRE_THAT(j, IsClose(Vector3d(-0.3, 3, 0), Rounding(16)));
     REQUIRE_THAT(3 + j.x(), IsClose(2.7, Rounding(16)));            // V
     REQUIRE_THAT(0.1 * j.x() / 0.004, IsClose(-7.5, Rounding(16))); // ω = (r × j)/I about z
+
+    for (Random random : seeds(5)) {
+        const Skid skid = random_skid(random);
+        const double friction = random.uniform(0, 0.5), j_n = skid.mass * skid.kick();
+        REQUIRE_THAT(sliding_friction_impulse(skidding_sphere(skid), skid.v(), skid.n,
+                                              skid.restitution, friction),
+                     IsClose(Vector3d(j_n * (skid.n - friction * skid.T)), skid.rounding()));
+    }
 }
 
 TEST_CASE("collision: friction takes speed from a block that slides down an incline",
@@ -140,18 +170,12 @@ TEST_CASE("collision: a jammed contact is not pulled", "[A4.8][collision]")
 
 TEST_CASE("collision: Painleve's rod jams from a friction of 4/3 on", "[A4.8][collision]")
 {
-    const Matrix3d K = leaning_rod();
-    const Vector3d v(1, -1, 0);
-    const double d = 1e-3;
-
-    // below the critical μ: nᵀ K (n - μ T) = 8/5 - μ 6/5 is small, and the impulse 1.5 divided by
-    // it is large
-    const Vector3d sliding = sliding_friction_impulse(K, v, up, 0.5, 4.0 / 3 * (1 - d));
-    REQUIRE_THAT(sliding.y(), IsClose(1.5 / (1.6 * d), Rounding(64, 1 / (d * d))));
-    // above it the contact sticks, since in the plane the static impulse of a jammed contact is in
-    // the cone
-    const Vector3d sticking = sliding_friction_impulse(K, v, up, 0.5, 4.0 / 3 * (1 + d));
-    REQUIRE_THAT(Vector3d(v + K * sticking), IsClose(Vector3d(0, 0.5, 0), Rounding(64)));
+    // nᵀ K (n - μ T) = 8/5 - μ 6/5
+    check_jam(2, Skid());
+    for (Random random : seeds(5)) {
+        const double t = random.uniform(1.5, 3);
+        check_jam(t, random_skid(random));
+    }
 }
 
 TEST_CASE("collision: whatever the friction a sliding impulse is in the cone", "[A4.8][collision]")

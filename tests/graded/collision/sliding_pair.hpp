@@ -69,6 +69,37 @@ inline void check_sliding(const CollidingPair& pair, double friction, const Vect
     check_at_least(j.dot(n), 0, "jₙ", scale);
 }
 
+/// A body that slides along T while it falls on a plane with the normal n.
+struct Skid {
+    double mass = 1;            // [kg]
+    double along = 1, down = 1; // its speeds along T and against n [m/s]
+    double restitution = 0.5;
+    Vector3d T = Vector3d::UnitX(), n = up; // unit, perpendicular
+
+    Vector3d v() const { return along * T - down * n; }
+    /// The change of the normal velocity by the impulse.
+    double kick() const { return (1 + restitution) * down; }
+    /// That of an impulse. The condition of K is at most 4.
+    Tolerance rounding() const { return Rounding(64, 4 * mass * v().norm()); }
+};
+
+inline Skid random_skid(Random& random)
+{
+    const Matrix3d R = random.rotation();
+    return {random.uniform(0.5, 2),
+            random.uniform(1, 4),
+            random.uniform(1, 4),
+            random.uniform(0, 1),
+            R.col(0),
+            R.col(1)};
+}
+
+/// K of a uniform sphere that skids: `sphere_on_floor`, seen from elsewhere.
+inline Matrix3d skidding_sphere(const Skid& skid)
+{
+    return (3.5 * Matrix3d::Identity() - 2.5 * skid.n * skid.n.transpose()) / skid.mass;
+}
+
 /// K of a contact that jams if it slides along x with μ ≥ 2: then friction presses it down harder
 /// than the normal impulse lifts it.
 /// For v = (2, -2, 0) and ε = 0.5 the static impulse is (-4, 2, 3).

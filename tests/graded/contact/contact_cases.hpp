@@ -162,41 +162,68 @@ inline ContactCase pile_of_balls(unsigned seed)
     return pile;
 }
 
-/// A rod that falls on both its ends, the left contact first.
-inline ContactCase rod_on_both_ends()
+/// A rod that falls on its points at x = a and x = b, first on that at a. By default these are its
+/// ends.
+inline ContactCase rod_on_both_ends(double a = -1, double b = 1)
 {
-    return {{Body(), rod(-up)}, {touch(1, 0, 0.02, {-1, 0, 0}), touch(1, 0, 0.01, {1, 0, 0})}};
+    return {{Body(), rod(-up)}, {touch(1, 0, 0.02, {a, 0, 0}), touch(1, 0, 0.01, {b, 0, 0})}};
 }
 
 /// The sums of its upward impulses after n iterations, whose restitution rises from -1 to 0. An
-/// impulse j at an end changes the velocity there by 4 j, and by -2 j at the other end.
-inline std::array<double, 2> impulses_on_both_ends(int n)
+/// impulse j at x changes the velocity at y by (1 + 3 x y) j: at an end by 4 j, and by -2 j at the
+/// other end.
+inline std::array<double, 2> impulses_on_both_ends(int n, double a = -1, double b = 1)
 {
+    const double x[2] = {a, b};
     double v[2] = {-1, -1};
     std::array<double, 2> sums = {0, 0};
     for (int k = 0; k < n; ++k)
         for (int i = 0; i < 2; ++i)
             if (v[i] < 0) {
-                const double j = -(k + 1.0) / n * v[i] / 4;
-                v[i] += 4 * j;
-                v[1 - i] -= 2 * j;
+                const double j = -(k + 1.0) / n * v[i] / (1 + 3 * x[i] * x[i]);
+                v[i] += (1 + 3 * x[i] * x[i]) * j;
+                v[1 - i] += (1 + 3 * a * b) * j;
                 sums[i] += j;
             }
     return sums;
 }
 
-/// The whole case, turned by R about the origin.
-inline ContactCase turned(ContactCase problem, const Matrix3d& R)
+/// How a case is seen from elsewhere: turned by R, moved by `shift`, and in other units.
+struct View {
+    Matrix3d R = Matrix3d::Identity();
+    Vector3d shift = Vector3d::Zero();
+    double length = 1, mass = 1, speed = 1; // the new values of 1 m, 1 kg and 1 m/s
+
+    Vector3d velocity(const Vector3d& V) const { return speed * (R * V); }
+    Vector3d impulse(const Vector3d& j) const { return mass * velocity(j); }
+};
+
+inline View random_view(Random& random)
 {
+    return {random.rotation(), random.vector(), random.uniform(0.5, 2), random.uniform(0.5, 2),
+            random.uniform(0.5, 2)};
+}
+
+/// The whole case, seen from elsewhere.
+inline ContactCase turned(ContactCase problem, const View& view)
+{
+    const auto& [R, shift, length, mass, speed] = view;
     for (Body& body : problem.bodies) {
-        body.inverse_inertia = (R * body.inverse_inertia * R.transpose()).eval();
-        for (Vector3d* a :
-             {&body.position, &body.velocity, &body.angular_velocity, &body.angular_momentum})
-            *a = (R * *a).eval();
+        body.inverse_mass /= mass;
+        body.inverse_inertia =
+            (R * body.inverse_inertia * R.transpose() / (mass * length * length)).eval();
+        body.position = length * (R * body.position + shift);
+        body.velocity = view.velocity(body.velocity);
+        body.angular_velocity = view.velocity(body.angular_velocity) / length;
+        body.angular_momentum = view.impulse(body.angular_momentum) * length;
     }
-    for (BodyContact& c : problem.contacts)
-        for (Vector3d* a : {&c.point, &c.normal, &c.impulse})
-            *a = (R * *a).eval();
+    for (BodyContact& c : problem.contacts) {
+        c.point = length * (R * c.point + shift);
+        c.normal = (R * c.normal).eval();
+        c.depth *= length;
+        c.separation_speed *= speed;
+        c.impulse = view.impulse(c.impulse);
+    }
     return problem;
 }
 

@@ -174,7 +174,7 @@ TEST_CASE("contact: turned by 17 degrees all contacts are resolved the same way"
         const ContactCase problem = guessed_case(seed, seed % 2 == 0);
         const Matrix3d R = turn(17, seed % 3 == 0 ? up : Random(seed).unit_vector());
         const ContactResult result = resolved(problem, few);
-        const ContactResult again = resolved(turned(problem, R), few);
+        const ContactResult again = resolved(turned(problem, {R}), few);
         const double k = 256.0 * (1 + visits(problem)), size = impulse_size(problem, result);
         for (std::size_t i = 0; i < problem.contacts.size(); ++i)
             REQUIRE_THAT(again.impulses[i],

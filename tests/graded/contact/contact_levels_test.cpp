@@ -24,11 +24,6 @@ std::vector<bool> on_the_ground(std::size_t count)
     return is_static;
 }
 
-void check_levels(const Edges& rests_on, const Levels& expected)
-{
-    REQUIRE_THAT(contact_levels(rests_on, on_the_ground(rests_on.size())), IsExactly(expected));
-}
-
 struct Pile {
     Edges rests_on;
     std::vector<bool> is_static;
@@ -50,6 +45,8 @@ std::vector<int> shuffled(int n, Random& random)
     return number;
 }
 
+// The bodies in another order, and what each rests on in another order too. Self-references and
+// repeated entries so come to any place of a list.
 Pile renumbered(const Pile& pile, Random& random)
 {
     const std::size_t n = pile.levels.size();
@@ -58,10 +55,22 @@ Pile renumbered(const Pile& pile, Random& random)
     for (std::size_t i = 0; i < n; ++i) {
         result.levels[number[i]] = pile.levels[i];
         result.is_static[number[i]] = pile.is_static[i];
-        for (int below : pile.rests_on[i])
-            result.rests_on[number[i]].push_back(number[below]);
+        const std::vector<int>& below = pile.rests_on[i];
+        for (const int place : shuffled(static_cast<int>(below.size()), random))
+            result.rests_on[number[i]].push_back(number[below[place]]);
     }
     return result;
+}
+
+// Checks the levels as they are and with other numbers, which no table of answers has.
+void check_levels(const Edges& rests_on, const Levels& expected)
+{
+    const Pile pile{rests_on, on_the_ground(rests_on.size()), expected};
+    REQUIRE_THAT(contact_levels(pile.rests_on, pile.is_static), IsExactly(expected));
+    for (Random random : seeds(5)) {
+        const Pile other = renumbered(pile, random);
+        REQUIRE_THAT(contact_levels(other.rests_on, other.is_static), IsExactly(other.levels));
+    }
 }
 
 // Puts bodies that lean on each other in a ring, or a single body, at this level of a pile.
@@ -143,6 +152,8 @@ TEST_CASE("contact: a cycle shares one level", "[A5.3][contact]")
     check_levels({{}, {0}, {1, 3}, {2}, {3}}, {0, 1, 2, 2, 3}); // a pair of cards on a block
     check_levels({{}, {2}, {1}}, {0, 1, 1});                    // a pair rests on nothing else
     check_levels({{}, {1, 0}, {1, 2}}, {0, 1, 2});              // a body rests on itself
+    check_levels({{}, {0}, {2, 1}}, {0, 1, 2});                 // the same, listed first
+    check_levels({{}, {0}, {0, 2, 2, 1, 2, 0}}, {0, 1, 2});     // the same, several times
 }
 
 TEST_CASE("contact: the level of a cycle is above all that any of it rests on", "[A5.3][contact]")
@@ -174,7 +185,8 @@ TEST_CASE("contact: a pile that is built level by level has these levels", "[A5.
 
 TEST_CASE("contact: levels do not depend on how bodies are numbered", "[A5.3][contact]")
 {
-    Pile pile{{{}, {0}, {1}, {2}, {0, 5}, {3, 4}, {4}, {6, 1}}, {}, {0, 1, 2, 3, 4, 4, 5, 6}};
+    Pile pile{
+        {{}, {0}, {1}, {2}, {0, 5}, {3, 4}, {4}, {6, 1, 7, 7, 1}}, {}, {0, 1, 2, 3, 4, 4, 5, 6}};
     pile.is_static = on_the_ground(pile.levels.size());
     for (Random random : seeds(50)) {
         const Pile other = renumbered(pile, random);

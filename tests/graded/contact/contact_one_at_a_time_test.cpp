@@ -140,7 +140,7 @@ TEST_CASE("contact: a pile of balls turned by 17 degrees is resolved the same wa
     for (unsigned seed : seeds(50)) {
         const ContactCase pile = pile_of_balls(seed);
         const Matrix3d R = turn(17, Random(seed).unit_vector());
-        const ContactResult result = resolved(pile), again = resolved(turned(pile, R));
+        const ContactResult result = resolved(pile), again = resolved(turned(pile, {R}));
         contacts += pile.contacts.size();
         const double k = 64.0 * (1 + visits(pile)), size = impulse_size(pile, result);
         for (std::size_t i = 0; i < pile.contacts.size(); ++i)

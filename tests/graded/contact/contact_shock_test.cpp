@@ -4,6 +4,7 @@
 #include "support/seeds.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 namespace rigor::testing::contact_shock_test {
 
@@ -28,6 +29,25 @@ Levels random_levels(const ContactCase& problem, unsigned seed)
     return levels;
 }
 
+// Checks that a stack, whose bodies have their numbers from below, is stopped.
+void check_stopped(const ContactCase& problem, int iterations, const View& view = {})
+{
+    Levels levels(problem.bodies.size());
+    std::iota(levels.begin(), levels.end(), 0);
+    const ContactResult result = propagated(problem, levels, iterations);
+    // everything below is held, so each contact stops its upper body alone
+    for (std::size_t i = 0; i < problem.contacts.size(); ++i) {
+        CAPTURE(iterations, i);
+        const int body = problem.contacts[i].body1;
+        const double mass = 1 / problem.bodies[body].inverse_mass;
+        REQUIRE_THAT(result.impulses[i], IsClose(Vector3d(mass * view.velocity(up)),
+                                                 Rounding(64, 5 * view.mass * view.speed)));
+        REQUIRE_THAT(result.bodies[body].velocity,
+                     IsClose(Vector3d(0, 0, 0), Rounding(64, view.speed)));
+    }
+    check_untouched(problem, result);
+}
+
 int visits(const ContactCase& problem)
 {
     return n * static_cast<int>(problem.contacts.size());
@@ -37,18 +57,18 @@ int visits(const ContactCase& problem)
 
 TEST_CASE("contact: a stack is stopped whole in one pass", "[A5.4][contact]")
 {
-    for (int iterations : {1, 2, 10}) {
-        const ContactCase problem = stack({3, 1, 4, 1, 5});
-        const ContactResult result = propagated(problem, {0, 1, 2, 3, 4, 5}, iterations);
-        // everything below is held, so each contact stops its upper body alone
-        for (int i = 0; i < 5; ++i) {
-            CAPTURE(iterations, i);
-            const double mass = 1 / problem.bodies[i + 1].inverse_mass;
-            REQUIRE_THAT(result.impulses[i], IsClose(Vector3d(mass * up), Rounding(64, 5)));
-            REQUIRE_THAT(result.bodies[i + 1].velocity,
-                         IsClose(Vector3d(0, 0, 0), Rounding(64, 1)));
-        }
-        check_untouched(problem, result);
+    for (int iterations : {1, 2, 10})
+        check_stopped(stack({3, 1, 4, 1, 5}), iterations);
+
+    for (Random random : seeds(5)) {
+        const View view = random_view(random);
+        std::vector<double> masses(2 + random.bits() % 6);
+        for (double& mass : masses)
+            mass = random.uniform(0.5, 5);
+        ContactCase problem = turned(stack(masses), view);
+        std::rotate(problem.contacts.begin(), problem.contacts.begin() + 1, problem.contacts.end());
+        for (int iterations : {1, 2, 10})
+            check_stopped(problem, iterations, view);
     }
 }
 
@@ -124,14 +144,30 @@ TEST_CASE("contact: bodies of one level move each other", "[A5.4][contact]")
 TEST_CASE("contact: within a level the deepest contact comes first and gently", "[A5.4][contact]")
 {
     // the rod of A5.2 with two iterations, and the same rod on a body that is held
+    const auto rod_on = [](int below, double a, double b) -> ContactCase {
+        return {{Body(), block(1), rod(-up)},
+                {touch(2, below, 0.01, {a, 0, 0}), touch(2, below, 0.02, {b, 0, 0})}};
+    };
     for (int below : {0, 1}) {
         CAPTURE(below);
-        const ContactCase problem{
-            {Body(), block(1), rod(-up)},
-            {touch(2, below, 0.01, {-1, 0, 0}), touch(2, below, 0.02, {1, 0, 0})}};
-        const ContactResult result = propagated(problem, {0, 1, 2}, 2);
+        const ContactResult result = propagated(rod_on(below, -1, 1), {0, 1, 2}, 2);
         REQUIRE_THAT(result.impulses, IsClose(std::vector<Vector3d>{0.4140625 * up, 0.328125 * up},
                                               Rounding(32, 1)));
+    }
+    for (Random random : seeds(5)) {
+        const View view = random_view(random);
+        const double a = random.uniform(-1, -0.6), b = random.uniform(0.6, 1);
+        for (int below : {0, 1})
+            for (int iterations : {2, 3, 4}) {
+                CAPTURE(below, iterations);
+                const auto [at_b, at_a] = impulses_on_both_ends(iterations, b, a);
+                const ContactResult result =
+                    propagated(turned(rod_on(below, a, b), view), {0, 1, 2}, iterations);
+                REQUIRE_THAT(
+                    result.impulses,
+                    IsClose(std::vector<Vector3d>{view.impulse(at_a * up), view.impulse(at_b * up)},
+                            Rounding(32, view.mass * view.speed)));
+            }
     }
 }
 

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 // A5.5: all contacts at once. These tests are about single sweeps and exact answers.
 #include "contact_laws.hpp"
+#include "support/seeds.hpp"
+
+#include <algorithm>
 
 namespace rigor::testing::contact_simultaneous_test {
 
@@ -18,9 +21,21 @@ ContactCase ball_on_floor(const Vector3d& V, double friction, const Vector3d& gu
     return result;
 }
 
-void check_impulses(const ContactResult& result, const std::vector<Vector3d>& expected)
+void check_impulses(const ContactResult& result, std::vector<Vector3d> expected,
+                    const View& view = {})
 {
-    REQUIRE_THAT(result.impulses, IsClose(expected, Rounding(64, 4)));
+    for (Vector3d& j : expected)
+        j = view.impulse(j);
+    REQUIRE_THAT(result.impulses, IsClose(expected, Rounding(64, 4 * view.mass * view.speed)));
+}
+
+// A rod with M = L = 1 leans in the plane z = 0 along the unit vector d, its tip at the origin.
+// There, K is 4 δ - 3 d dᵀ.
+ContactCase leaning_rod(const Vector3d& d)
+{
+    Body leaning = block(1, -up, d / 2);
+    leaning.inverse_inertia = 12 * (Matrix3d::Identity() - d * d.transpose());
+    return {{Body(), leaning}, {touch(1, 0, 0, {0, 0, 0}, 1)}};
 }
 
 // Upward speed of a ball on the floor after a few sweeps, if the contact asks for a separation
@@ -70,17 +85,30 @@ TEST_CASE("contact: the ends of a rod in turn", "[A5.5][contact]")
     // depth does not matter, the order of the list does
     std::swap(problem.contacts[0], problem.contacts[1]);
     check_impulses(resolved(problem, 2), {0.4375 * up, 0.46875 * up});
+
+    // other points of the rod, seen from elsewhere
+    for (Random random : seeds(5)) {
+        const View view = random_view(random);
+        const double a = random.uniform(-1, -0.6), b = random.uniform(0.6, 1);
+        problem = rod_on_both_ends(a, b);
+        problem.contacts[0].depth = random.uniform(0, 0.02);
+        problem = turned(problem, view);
+        double at_a = 0, at_b = 0;
+        for (int sweeps = 1; sweeps <= 5; ++sweeps) {
+            CAPTURE(sweeps);
+            // an impulse j at x adds (1 + 3 x y) j to the speed at y
+            at_a = (1 - (1 + 3 * a * b) * at_b) / (1 + 3 * a * a);
+            at_b = (1 - (1 + 3 * a * b) * at_a) / (1 + 3 * b * b);
+            check_impulses(resolved(problem, sweeps), {at_a * up, at_b * up}, view);
+        }
+    }
 }
 
 TEST_CASE("contact: friction is stepped by the larger eigenvalue across the normal",
           "[A5.5][contact]")
 {
-    // A rod with M = L = 1 leans at 45° in the plane z = 0, its tip at the origin. K is
-    // (2.5 -1.5 0; -1.5 2.5 0; 0 0 4), and λ = 4.
-    const Vector3d d = Vector3d(1, 1, 0) / std::sqrt(2.0);
-    Body leaning = block(1, -up, d / 2);
-    leaning.inverse_inertia = 12 * (Matrix3d::Identity() - d * d.transpose());
-    const ContactCase problem{{Body(), leaning}, {touch(1, 0, 0, {0, 0, 0}, 1)}};
+    // A rod leans at 45°. K is (2.5 -1.5 0; -1.5 2.5 0; 0 0 4), and λ = 4.
+    const ContactCase problem = leaning_rod(Vector3d(1, 1, 0).normalized());
 
     // jₙ = 1/2.5; then the tip slides at -0.6 m/s, and 0.6/4 is less than jₙ
     check_impulses(resolved(problem, 1), {{0, 0.4, 0}});
@@ -92,6 +120,23 @@ TEST_CASE("contact: friction is stepped by the larger eigenvalue across the norm
     check_impulses(resolved(problem, 200), {{0.375, 0.625, 0}});
     REQUIRE_THAT(velocity_of(resolved(problem, 200).bodies, problem.contacts[0]),
                  IsClose(Vector3d(0, 0, 0), Rounding(256, 1)));
+
+    // a rod that leans at another angle, seen from elsewhere; λ is still 4
+    for (Random random : seeds(5)) {
+        const View view = random_view(random);
+        const double angle = random.uniform(0.5, 1);
+        const Vector3d d(std::cos(angle), std::sin(angle), 0);
+        const Matrix3d K = 4 * Matrix3d::Identity() - 3 * d * d.transpose();
+        const ContactCase there = turned(leaning_rod(d), view);
+        Vector3d j(0, 0, 0);
+        for (int sweeps = 1; sweeps <= 10; ++sweeps) {
+            CAPTURE(sweeps);
+            const Vector3d v = K * j - up;
+            j.y() = std::max(0.0, j.y() - v.y() / K(1, 1));
+            j.x() = std::clamp(j.x() - v.x() / 4, -j.y(), j.y());
+            check_impulses(resolved(there, sweeps), {j}, view);
+        }
+    }
 }
 
 TEST_CASE("contact: how far a push moves its contact along the normal has no part in friction",
@@ -128,6 +173,19 @@ TEST_CASE("contact: a push that was too hard is taken back", "[A5.5][contact]")
     REQUIRE_THAT(result.bodies[1].velocity, IsClose(Vector3d(0, 3, 0), Rounding(64, 10)));
     result = resolved(ball_on_floor({1, 3, 0}, 0.5, {1, -10, 2}), 1);
     check_impulses(result, {{0, 0, 0}});
+
+    for (Random random : seeds(5)) {
+        const View view = random_view(random);
+        const double speed = random.uniform(0.5, 3), guess = random.uniform(2, 5);
+        for (double V : {-speed, speed}) {
+            result = resolved(turned(ball_on_floor({0, V, 0}, 0, guess * up), view), 1);
+            check_impulses(result, {std::max(0.0, -V) * up}, view);
+            REQUIRE_THAT(result.bodies[1].velocity, IsClose(view.velocity(std::max(0.0, V) * up),
+                                                            Rounding(64, 10 * view.speed)));
+        }
+        result = resolved(turned(ball_on_floor({1, speed, 0}, 0.5, {1, -guess, 2}), view), 1);
+        check_impulses(result, {{0, 0, 0}}, view);
+    }
 }
 
 TEST_CASE("contact: a simultaneous contact ends with the separation speed it asks for",

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // A5.1 and A5.2: contacts resolved one point at a time, at first gently.
 #include "contact_laws.hpp"
+#include "support/seeds.hpp"
 
+#include <algorithm>
 #include <limits>
 
 namespace rigor::testing {
@@ -31,11 +33,36 @@ ContactResult resolved(const ContactCase& problem, int n)
 }
 
 // Checks the upward impulses at the two ends of the rod.
-void check_ends(const ContactResult& result, double left, double right)
+void check_ends(const ContactResult& result, double left, double right, const View& view = {})
 {
+    const Tolerance tolerance = Rounding(32, view.mass * view.speed);
     check_count(result.impulses.size(), 2, "impulses, one for each contact");
-    REQUIRE_THAT(result.impulses[0], IsClose(Vector3d(0, left, 0), Rounding(32, 1)));
-    REQUIRE_THAT(result.impulses[1], IsClose(Vector3d(0, right, 0), Rounding(32, 1)));
+    REQUIRE_THAT(result.impulses[0], IsClose(view.impulse(left * up), tolerance));
+    REQUIRE_THAT(result.impulses[1], IsClose(view.impulse(right * up), tolerance));
+}
+
+// Two blocks fall at 1 m/s, one on top of the other. Checks what one iteration does to them.
+void check_two_blocks(double lower, double upper, const View& view = {})
+{
+    const double shared = lower * upper / (lower + upper);
+    const Tolerance rounding = Rounding(16, view.mass * view.speed * std::max(lower, upper));
+    const auto velocity = [&](double speed) {
+        return IsClose(view.velocity(-speed * up), Rounding(16, view.speed));
+    };
+    ContactCase blocks = stack({lower, upper});
+    blocks.contacts[0].depth = 0.02;
+    const ContactResult upwards = resolved(turned(blocks, view), 1);
+    REQUIRE_THAT(upwards.impulses,
+                 IsClose(std::vector<Vector3d>{view.impulse(lower * up), view.impulse(shared * up)},
+                         rounding));
+    REQUIRE_THAT(upwards.bodies[1].velocity, velocity(shared / lower));
+    REQUIRE_THAT(upwards.bodies[2].velocity, velocity(shared / lower));
+    // with the upper contact first, nothing approaches there yet, and it is not visited again
+    blocks.contacts[0].depth = 0.005;
+    const ContactResult downwards = resolved(turned(blocks, view), 1);
+    REQUIRE_THAT(downwards.impulses,
+                 IsClose(std::vector<Vector3d>{view.impulse(lower * up), 0 * up}, rounding));
+    REQUIRE_THAT(downwards.bodies[2].velocity, velocity(1));
 }
 
 } // namespace
@@ -127,38 +154,34 @@ TEST_CASE("contact: a gentle sweep shares the load more evenly", "[A5.2][contact
 
 TEST_CASE("contact: ten gentle iterations on a rod", "[A5.2][contact]")
 {
-    // a recurrence for the speeds of the ends: an impulse j adds 4 j to its own end and -2 j to the
-    // other
-    double v[2] = {-1, -1}, j[2] = {0, 0};
-    for (int k = 0; k < 10; ++k)
-        for (int end : {1, 0}) {
-            if (v[end] >= 0) continue;
-            const double push = -(k + 1) / 10.0 * v[end] / 4;
-            j[end] += push;
-            v[end] += 4 * push;
-            v[1 - end] -= 2 * push;
-        }
+    const auto [first, second] = impulses_on_both_ends(10);
     const ContactResult result = resolved(falling_rod(0.01, 0.02), 10);
-    check_ends(result, j[0], j[1]);
+    check_ends(result, second, first);
     // what is left of the 1 m/s of the end that was stopped first; after one iteration it is 0.75
     REQUIRE_THAT(velocity_at(result.bodies[1], {1, 0, 0}),
                  IsClose(Vector3d(0, -0.0162932134258535, 0), Rounding(64, 1)));
+
+    // other points of the rod, seen from elsewhere
+    for (Random random : seeds(5)) {
+        const View view = random_view(random);
+        const double a = random.uniform(-1, -0.6), b = random.uniform(0.6, 1);
+        const auto [at_a, at_b] = impulses_on_both_ends(10, a, b);
+        const ContactCase problem = turned(rod_on_both_ends(a, b), view);
+        const ContactResult there = resolved(problem, 10);
+        check_ends(there, at_a, at_b, view);
+        const double v = -1 + (1 + 3 * a * a) * at_a + (1 + 3 * a * b) * at_b;
+        REQUIRE_THAT(velocity_at(there.bodies[1], problem.contacts[0].point),
+                     IsClose(view.velocity(v * up), Rounding(64, view.speed)));
+    }
 }
 
 TEST_CASE("contact: a contact sees what those before it have done", "[A5.2][contact]")
 {
-    // two blocks of 1 kg, one on top of the other, fall at 1 m/s; one iteration
-    ContactCase blocks = stack({1, 1});
-    blocks.contacts[0].depth = 0.02;
-    const ContactResult upwards = resolved(blocks, 1);
-    REQUIRE_THAT(upwards.impulses, IsClose(std::vector<Vector3d>{up, 0.5 * up}, Rounding(16, 1)));
-    REQUIRE_THAT(upwards.bodies[1].velocity, IsClose(Vector3d(0, -0.5, 0), Rounding(16)));
-    REQUIRE_THAT(upwards.bodies[2].velocity, IsClose(Vector3d(0, -0.5, 0), Rounding(16)));
-    // with the upper contact first, nothing approaches there yet, and it is not visited again
-    blocks.contacts[0].depth = 0.005;
-    const ContactResult downwards = resolved(blocks, 1);
-    REQUIRE_THAT(downwards.impulses, IsClose(std::vector<Vector3d>{up, 0 * up}, Rounding(16, 1)));
-    REQUIRE_THAT(downwards.bodies[2].velocity, IsClose(Vector3d(0, -1, 0), Rounding(16)));
+    check_two_blocks(1, 1);
+    for (Random random : seeds(5)) {
+        const double lower = random.uniform(0.5, 2), upper = random.uniform(0.5, 2);
+        check_two_blocks(lower, upper, random_view(random));
+    }
 }
 
 TEST_CASE("contact: what separates or slides along is left alone", "[A5.2][contact]")

@@ -5,6 +5,7 @@
 #include "formulas/fracture.hpp"
 #include "support/close.hpp"
 #include "support/random.hpp"
+#include "support/seeds.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -95,10 +96,16 @@ inline int random_index(Random& random, std::size_t size)
     return static_cast<int>(random.bits() % size);
 }
 
-inline std::vector<int> permutation(Random& random, std::size_t size)
+inline std::vector<int> in_order(std::size_t size)
 {
     std::vector<int> result(size);
     std::iota(result.begin(), result.end(), 0);
+    return result;
+}
+
+inline std::vector<int> permutation(Random& random, std::size_t size)
+{
+    std::vector<int> result = in_order(size);
     for (std::size_t i = size; i > 1; --i)
         std::swap(result[i - 1], result[random_index(random, i)]);
     return result;
@@ -121,6 +128,51 @@ inline Renumbered renumbered(const TetrahedralMesh& mesh, Random& random)
         for (int c = 0; c < 4; ++c)
             result.mesh.tetrahedra[result.tetrahedron[t]][c] = result.vertex[mesh.tetrahedra[t][c]];
     return result;
+}
+
+inline int corner_of(const Tetrahedron& t, int vertex)
+{
+    return static_cast<int>(std::find(t.begin(), t.end(), vertex) - t.begin());
+}
+
+/// A solid as it was made, or elsewhere: turned, moved, of another size and renumbered, each
+/// tetrahedron with its corners in another order of the same orientation.
+struct Placed : Renumbered {
+    Matrix3d R = Matrix3d::Identity();
+    Vector3d X = Vector3d::Zero();
+    double length = 1; // the new length of 1 m [m]
+
+    explicit Placed(const TetrahedralMesh& made)
+        : Renumbered{made, in_order(made.vertices.size()), in_order(made.tetrahedra.size())}
+    {
+    }
+    Placed(const TetrahedralMesh& made, Random& random)
+        : Renumbered(renumbered(made, random)), R(random.rotation()), X(random.vector()),
+          length(random.uniform(0.5, 2))
+    {
+        for (Vector3d& x : mesh.vertices)
+            x = point(x);
+        for (Tetrahedron& t : mesh.tetrahedra) { // a turn of three corners keeps the orientation
+            std::rotate(t.begin(), t.begin() + random_index(random, 3), t.end() - 1);
+            std::rotate(t.begin() + 1, t.begin() + 1 + random_index(random, 3), t.end());
+        }
+    }
+
+    Vector3d point(const Vector3d& x) const { return length * (R * x + X); }
+    ElementCrack crack(const ElementCrack& made) const
+    {
+        return {tetrahedron[made.tetrahedron], point(made.point), R * made.normal};
+    }
+    // where the corner of a tetrahedron that had the vertex v is
+    int corner(int t, int v) const { return corner_of(mesh.tetrahedra[tetrahedron[t]], vertex[v]); }
+};
+
+/// Checks a law of a solid as it was made, and elsewhere.
+template <class Check> void everywhere(const TetrahedralMesh& made, Check check)
+{
+    check(Placed(made));
+    for (Random random : seeds(5))
+        check(Placed(made, random));
 }
 
 /// The vertices of a face, ascending.

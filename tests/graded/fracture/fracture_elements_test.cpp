@@ -129,24 +129,31 @@ int two_sided_vertex(const TetrahedralMesh& mesh)
 TEST_CASE("fracture: a plane through two vertices halves a tetrahedron", "[A7.6][fracture]")
 {
     // the plane goes through 0 and 3, and through the middle of the edge between 1 and 2
-    for (const double sign : {1.0, -1.0}) {
-        const SplitMesh result =
-            split(unit_tetrahedron(), 0, sign * Vector3d(1, -1, 0).normalized());
-        check_count(tetrahedron_count(result.mesh), 2, "tetrahedra");
-        check_count(vertex_count(result.mesh), 8, "vertices");
-        check_piece_volumes(result.mesh, std::vector{1.0 / 12, 1.0 / 12}, Rounding(16, 1));
-    }
+    everywhere(unit_tetrahedron(), [](const Placed& at) {
+        for (const double sign : {1.0, -1.0}) {
+            const SplitMesh result =
+                split(at.mesh, at.vertex[0], sign * at.R * Vector3d(1, -1, 0).normalized());
+            check_count(tetrahedron_count(result.mesh), 2, "tetrahedra");
+            check_count(vertex_count(result.mesh), 8, "vertices");
+            check_piece_volumes(result.mesh, std::vector<double>(2, std::pow(at.length, 3) / 12),
+                                Rounding(16, volume_scale(at.mesh)));
+        }
+    });
 }
 
 TEST_CASE("fracture: a plane through one vertex cuts off a corner", "[A7.6][fracture]")
 {
     // The plane 2x = y + z cuts the edges from 1 to 2 and from 1 to 3 at a third of their length
     // from their other end.
-    const SplitMesh result = split(unit_tetrahedron(), 0, Vector3d(2, -1, -1).normalized());
-    check_count(tetrahedron_count(result.mesh), 3, "tetrahedra");
-    check_count(vertex_count(result.mesh), 4 + 5, "vertices");
-    const double corner = 2.0 / 3 * 2 / 3 / 6;
-    check_piece_volumes(result.mesh, std::vector{corner, 1.0 / 6 - corner}, Rounding(32, 1));
+    everywhere(unit_tetrahedron(), [](const Placed& at) {
+        const SplitMesh result =
+            split(at.mesh, at.vertex[0], at.R * Vector3d(2, -1, -1).normalized());
+        check_count(tetrahedron_count(result.mesh), 3, "tetrahedra");
+        check_count(vertex_count(result.mesh), 4 + 5, "vertices");
+        const double whole = std::pow(at.length, 3) / 6, corner = 2.0 / 3 * 2 / 3 * whole;
+        check_piece_volumes(result.mesh, std::vector{corner, whole - corner},
+                            Rounding(32, volume_scale(at.mesh)));
+    });
 }
 
 TEST_CASE("fracture: a vertex near the plane counts as on it", "[A7.6][fracture]")
@@ -189,12 +196,15 @@ TEST_CASE("fracture: a neighbour is halved with the edge that it shares", "[A7.6
 {
     // The plane goes through 0, 3 and the middle of the edge 1 2, which the second tetrahedron has
     // too. That one is cut, but does not come apart, since only vertex 0 is doubled.
-    const SplitMesh result = split(two_tetrahedra(), 0, Vector3d(1, -1, 0).normalized());
-    check_count(tetrahedron_count(result.mesh), 4, "tetrahedra");
-    check_count(vertex_count(result.mesh), 5 + 1 + 1, "vertices");
-    check_count(piece_count(result.mesh), 1, "pieces");
-    std::vector<int> parents = sorted(result.parents);
-    REQUIRE_THAT(parents, IsExactly(std::vector{0, 0, 1, 1}));
+    everywhere(two_tetrahedra(), [](const Placed& at) {
+        const SplitMesh result =
+            split(at.mesh, at.vertex[0], at.R * Vector3d(1, -1, 0).normalized());
+        check_count(tetrahedron_count(result.mesh), 4, "tetrahedra");
+        check_count(vertex_count(result.mesh), 5 + 1 + 1, "vertices");
+        check_count(piece_count(result.mesh), 1, "pieces");
+        std::vector<int> parents = sorted(result.parents);
+        REQUIRE_THAT(parents, IsExactly(std::vector{0, 0, 1, 1}));
+    });
 }
 
 TEST_CASE("fracture: a plane along faces cuts no tetrahedron", "[A7.6][fracture]")

@@ -47,6 +47,14 @@ Faces random_faces(const TetrahedralMesh& mesh, Random& random, double chance)
     return result;
 }
 
+Faces moved(const Faces& faces, const TetrahedralMesh& mesh, const Placed& at)
+{
+    Faces result;
+    for (const auto& [t, f] : faces)
+        result.push_back({at.tetrahedron[t], at.corner(t, mesh.tetrahedra[t][f])});
+    return result;
+}
+
 // Checks that both sides of a face that holds have the same vertices. No other corners have one in
 // common, so there are as many vertices as groups of corners that faces hold together.
 void check_definition(const TetrahedralMesh& mesh, const Faces& faces, const SplitMesh& result)
@@ -98,11 +106,15 @@ TEST_CASE("fracture: a bar is cut across", "[A7.5][fracture]")
 {
     const TetrahedralMesh bar = block(3, 1, 1);
     const Faces faces = faces_where(bar, [](const Vector3d& x) { return x.x() == 1; });
-    const SplitMesh result = split(bar, faces);
-    check_count(vertex_count(result.mesh), vertex_count(bar) + 4, "vertices");
-    check_count(piece_count(result.mesh), 2, "pieces");
-    check_piece_volumes(result.mesh, std::vector{1.0, 2.0}, Rounding(16, 2));
-    check_split(bar, result);
+    everywhere(bar, [&](const Placed& at) {
+        const SplitMesh result = split(at.mesh, moved(faces, bar, at));
+        check_count(vertex_count(result.mesh), vertex_count(bar) + 4, "vertices");
+        check_count(piece_count(result.mesh), 2, "pieces");
+        const double cube = std::pow(at.length, 3);
+        check_piece_volumes(result.mesh, std::vector{cube, 2 * cube},
+                            Rounding(16, volume_scale(at.mesh)));
+        check_split(at.mesh, result);
+    });
 }
 
 TEST_CASE("fracture: one face inside a solid stays closed", "[A7.5][fracture]")
@@ -153,10 +165,13 @@ TEST_CASE("fracture: cracks that cross make a vertex fourfold", "[A7.5][fracture
     Faces faces = faces_where(plate, [](const Vector3d& x) { return x.x() == 1; });
     const Faces other = faces_where(plate, [](const Vector3d& x) { return x.y() == 1; });
     faces.insert(faces.end(), other.begin(), other.end());
-    const SplitMesh result = split(plate, faces);
-    check_count(vertex_count(result.mesh), 4 * 8, "vertices");
-    check_count(piece_count(result.mesh), 4, "pieces");
-    check_piece_volumes(result.mesh, std::vector{1.0, 1.0, 1.0, 1.0}, Rounding(16, 1));
+    everywhere(plate, [&](const Placed& at) {
+        const SplitMesh result = split(at.mesh, moved(faces, plate, at));
+        check_count(vertex_count(result.mesh), 4 * 8, "vertices");
+        check_count(piece_count(result.mesh), 4, "pieces");
+        check_piece_volumes(result.mesh, std::vector<double>(4, std::pow(at.length, 3)),
+                            Rounding(16, volume_scale(at.mesh)));
+    });
 }
 
 TEST_CASE("fracture: a crack that turns a corner frees a quarter", "[A7.5][fracture]")

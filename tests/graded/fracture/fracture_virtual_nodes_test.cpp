@@ -42,6 +42,33 @@ Cracks random_cracks(const TetrahedralMesh& mesh, Random& random, double chance)
     return result;
 }
 
+// The corners of the unit tetrahedron that are real in one of its copies, and the copy's share.
+using Part = std::pair<Tetrahedron, double>;
+
+// Cracks the unit tetrahedron and checks its copies.
+EmbeddedMesh check_parts(const Placed& at, const Cracks& cracks, const std::vector<Part>& parts,
+                         double k)
+{
+    Cracks moved;
+    for (const ElementCrack& crack : cracks)
+        moved.push_back(at.crack(crack));
+    const EmbeddedMesh result = embedded(at.mesh, moved);
+    std::vector<Part> expected = parts;
+    for (std::size_t i = 0; i < parts.size(); ++i)
+        for (int v = 0; v < 4; ++v)
+            expected[i].first[at.corner(0, v)] = parts[i].first[v];
+    std::sort(expected.rbegin(), expected.rend()); // by their first real corners
+    std::vector<Tetrahedron> real;
+    std::vector<double> shares;
+    for (const auto& [corners, share] : expected) {
+        real.push_back(corners);
+        shares.push_back(share);
+    }
+    REQUIRE_THAT(result.real, IsExactly(real));
+    check_shares(result, shares, Rounding(k, volume_scale(at.mesh) / std::pow(at.length, 3)));
+    return result;
+}
+
 } // namespace
 
 TEST_CASE("fracture: without cracks nothing is duplicated", "[A7.7][fracture]")
@@ -57,18 +84,25 @@ TEST_CASE("fracture: without cracks nothing is duplicated", "[A7.7][fracture]")
 
 TEST_CASE("fracture: a plane cuts c cubed off the unit tetrahedron", "[A7.7][fracture]")
 {
-    for (const double c : {0.125, 0.3, 0.5, 0.77, 0.999})
+    const auto check = [](const Placed& at, double c) {
         for (const double sign : {1.0, -1.0}) {
             CAPTURE(c, sign);
-            const EmbeddedMesh result = embedded(unit_tetrahedron(), {corner_cut(0, c, sign)});
-            REQUIRE_THAT(result.real,
-                         IsExactly(std::vector<Tetrahedron>{{1, 0, 0, 0}, {0, 1, 1, 1}}));
-            check_shares(result, std::vector{c * c * c, 1 - c * c * c}, Rounding(32, 1));
+            const double share = c * c * c, whole = std::pow(at.length, 3) / 6;
+            const EmbeddedMesh result =
+                check_parts(at, {corner_cut(0, c, sign)},
+                            {{{1, 0, 0, 0}, share}, {{0, 1, 1, 1}, 1 - share}}, 32);
             check_count(vertex_count(result.mesh), 8, "vertices");
-            check_piece_matter(unit_tetrahedron(), result,
-                               sorted(std::vector{c * c * c / 6, 1.0 / 6 - c * c * c / 6}),
-                               Rounding(32, 1));
+            check_piece_matter(at.mesh, result,
+                               sorted(std::vector{share * whole, whole - share * whole}),
+                               Rounding(32, volume_scale(at.mesh)));
         }
+    };
+    for (const double c : {0.125, 0.3, 0.5, 0.77, 0.999})
+        check(Placed(unit_tetrahedron()), c);
+    for (Random random : seeds(5)) {
+        const double c = random.uniform(0.1, 0.9);
+        check(Placed(unit_tetrahedron(), random), c);
+    }
 }
 
 TEST_CASE("fracture: a plane between two edges of the unit tetrahedron", "[A7.7][fracture]")
@@ -105,16 +139,26 @@ TEST_CASE("fracture: a corner on the plane is on the side of the normal", "[A7.7
 
 TEST_CASE("fracture: of two cracks the second ends at the first", "[A7.7][fracture]")
 {
-    const TetrahedralMesh mesh = unit_tetrahedron();
-    const ElementCrack half = corner_cut(0, 0.5), quarter = {0, {0.25, 0, 0}, {1, 0, 0}};
-    // corner 0 is alone, corner 1 is alone, and 2 and 3 are left; the planes cross inside
-    const std::vector<Tetrahedron> real = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 1}};
-    const EmbeddedMesh one = embedded(mesh, {half, quarter});
-    REQUIRE_THAT(one.real, IsExactly(real));
-    check_shares(one, std::vector{0.125, 0.40625, 0.46875}, Rounding(64, 1));
-    const EmbeddedMesh two = embedded(mesh, {quarter, half});
-    REQUIRE_THAT(two.real, IsExactly(real));
-    check_shares(two, std::vector{0.109375, 0.421875, 0.46875}, Rounding(64, 1));
+    // Corner 0 is alone, corner 1 is alone, and 2 and 3 are left. The planes x + y + z = c and
+    // x = b cross inside. The share (c - b)³ between them goes to the corner that the first crack
+    // parts.
+    const auto check = [](const Placed& at, double c, double b) {
+        CAPTURE(c, b);
+        const ElementCrack first = corner_cut(0, c), second = {0, {b, 0, 0}, {1, 0, 0}};
+        const double at0 = std::pow(c, 3), at1 = std::pow(1 - b, 3), both = std::pow(c - b, 3);
+        const auto parts = [&](double share0, double share1) {
+            return std::vector<Part>{{{1, 0, 0, 0}, share0},
+                                     {{0, 1, 0, 0}, share1},
+                                     {{0, 0, 1, 1}, 1 - share0 - share1}};
+        };
+        check_parts(at, {first, second}, parts(at0, at1 - both), 64);
+        check_parts(at, {second, first}, parts(at0 - both, at1), 64);
+    };
+    check(Placed(unit_tetrahedron()), 0.5, 0.25);
+    for (Random random : seeds(5)) {
+        const double c = random.uniform(0.3, 0.9), b = c * random.uniform(0.2, 0.8);
+        check(Placed(unit_tetrahedron(), random), c, b);
+    }
 }
 
 TEST_CASE("fracture: a second crack beside the first takes nothing away", "[A7.7][fracture]")
@@ -160,17 +204,27 @@ TEST_CASE("fracture: a crack that ends at a face does not open there", "[A7.7][f
 
 TEST_CASE("fracture: a crack through both of two tetrahedra parts them", "[A7.7][fracture]")
 {
-    const TetrahedralMesh mesh = two_tetrahedra();
-    // corner 1 and the vertex 4, both at x = 1, are on the same side
-    const EmbeddedMesh result = embedded(mesh, plane_through(mesh, {0.5, 0, 0}, {1, 0, 0}));
-    check_count(vertex_count(result.mesh), 2 * 5, "vertices");
-    check_count(piece_count(result.mesh), 2, "pieces");
-    // The first loses 0.5³ of itself. The second, between x = 0 and 1, has half of itself on either
-    // side.
-    check_piece_matter(
-        mesh, result,
-        sorted(std::vector{0.125 / 6 + volume(mesh, 1) / 2, 0.875 / 6 + volume(mesh, 1) / 2}),
-        Rounding(64, 1));
+    const auto check = [](const Placed& at, double x) {
+        CAPTURE(x);
+        // corner 1 and the vertex 4, both at x = 1, are on the same side
+        const EmbeddedMesh result =
+            embedded(at.mesh, plane_through(at.mesh, at.point({x, 0, 0}), at.R.col(0)));
+        check_count(vertex_count(result.mesh), 2 * 5, "vertices");
+        check_count(piece_count(result.mesh), 2, "pieces");
+        // The first, of 1/6 m³, loses (1 - x)³ of itself. The second, of 1/3 m³ between x = 0 and
+        // 1, has 3 x² - 2 x³ of itself, a half at x = 0.5, on the lower side.
+        const double cube = std::pow(at.length, 3), lost = std::pow(1 - x, 3);
+        const double lower = 3 * x * x - 2 * x * x * x;
+        check_piece_matter(at.mesh, result,
+                           sorted(std::vector{cube * (lost / 6 + (1 - lower) / 3),
+                                              cube * ((1 - lost) / 6 + lower / 3)}),
+                           Rounding(64, volume_scale(at.mesh)));
+    };
+    check(Placed(two_tetrahedra()), 0.5);
+    for (Random random : seeds(5)) {
+        const double x = random.uniform(0.2, 0.8);
+        check(Placed(two_tetrahedra(), random), x);
+    }
 }
 
 TEST_CASE("fracture: a bar is cracked across in the middle of its elements", "[A7.7][fracture]")

@@ -69,6 +69,18 @@ TEST_CASE("inertia: principal axes of a tensor with products", "[A2.4][inertia]"
     INFO("the first axis is (1, 1, 0), up to its sign");
     REQUIRE_THAT(std::abs(axes.rotation.col(0).dot(Vector3d(1, 1, 0))),
                  IsClose(std::numbers::sqrt2, Rounding(16, 2)));
+    INFO("the same moments times `mass`, along the columns of R");
+    for (Random random : seeds(5)) {
+        const Matrix3d R = random.rotation();
+        const Vector3d moments = random.mass() * Vector3d(1, 3, 4);
+        const Matrix3d J = turned(R, moments);
+
+        const PrincipalAxes found = principal_axes(J);
+
+        require_principal_axes(found, J);
+        REQUIRE_THAT(found.moments, IsClose(moments, Rounding(64, J.norm())));
+        REQUIRE_THAT(std::abs(found.rotation.col(0).dot(R.col(0))), IsClose(1.0, Rounding(16, 1)));
+    }
 }
 
 TEST_CASE("inertia: principal axes of any body are a rotation", "[A2.4][inertia]")

@@ -7,6 +7,7 @@
 #include "support/random.hpp"
 #include "support/seeds.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -109,6 +110,23 @@ TriangleMesh moved(TriangleMesh mesh, const Matrix3d& R, const Vector3d& X)
     return mesh;
 }
 
+// The same mesh with its vertices in the reverse order, and its triangles and their corners from
+// another one on.
+TriangleMesh renumbered(TriangleMesh mesh, Random& random)
+{
+    const int last = static_cast<int>(mesh.vertices.size()) - 1;
+    std::reverse(mesh.vertices.begin(), mesh.vertices.end());
+    for (std::array<int, 3>& triangle : mesh.triangles) {
+        for (int& v : triangle)
+            v = last - v;
+        std::rotate(triangle.begin(), triangle.begin() + random.bits() % 3, triangle.end());
+    }
+    std::rotate(mesh.triangles.begin(),
+                mesh.triangles.begin() + random.bits() % mesh.triangles.size(),
+                mesh.triangles.end());
+    return mesh;
+}
+
 } // namespace
 
 TEST_CASE("inertia: a box of twelve triangles", "[A2.13][inertia]")
@@ -128,6 +146,19 @@ TEST_CASE("inertia: a right tetrahedron", "[A2.13][inertia]")
     expected.inertia.diagonal().setConstant(1.0 / 80);
 
     require_mass_properties(mesh_mass_properties(mesh, 1), expected, 1, 16);
+    INFO("the same, turned, scaled and moved");
+    for (Random random : seeds(5)) {
+        const Matrix3d R = random.rotation();
+        const double length = random.uniform(0.5, 2), density = random.mass();
+        const double M = density / 6 * length * length * length;
+        const Vector3d X = length / 2 * random.vector(),
+                       center = length * R * Vector3d(1, 1, 1) / 4;
+        const Matrix3d I = 6 * M * length * length * R * expected.inertia * R.transpose();
+        const TriangleMesh other = renumbered(moved(mesh, length * R, X), random);
+
+        require_mass_properties(mesh_mass_properties(other, density), {M, center + X, I},
+                                X.norm() + length, 64);
+    }
 }
 
 TEST_CASE("inertia: a square pyramid", "[A2.13][inertia]")

@@ -24,6 +24,11 @@ Matrix3d diagonal(double x, double y, double z)
     return Vector3d(x, y, z).asDiagonal();
 }
 
+MassProperties moved(const MassProperties& body, const Matrix3d& R, const Vector3d& X)
+{
+    return {body.mass, R * body.center_of_mass + X, R * body.inertia * R.transpose()};
+}
+
 std::vector<Particle> moved(std::vector<Particle> particles, const Matrix3d& R, const Vector3d& X)
 {
     for (Particle& particle : particles)
@@ -31,6 +36,7 @@ std::vector<Particle> moved(std::vector<Particle> particles, const Matrix3d& R, 
     return particles;
 }
 
+// Half of a ball about the origin. Its disc lies across y.
 MassProperties hemisphere(double M, double R, double side)
 {
     const double across = 83.0 / 320 * M * R * R; // about its own center, 3/8 R above the disc
@@ -178,12 +184,22 @@ TEST_CASE("inertia: the inverse in world space inverts", "[A2.3][inertia]")
 
 TEST_CASE("inertia: two hemispheres make a sphere", "[A2.14][inertia]")
 {
-    const double M = 6, R = 2;
-    const MassProperties sphere{M, Vector3d::Zero(), 2.0 / 5 * M * R * R * Matrix3d::Identity()};
+    const auto sphere = [](double M, double R, const Vector3d& X) {
+        return MassProperties{M, X, 2.0 / 5 * M * R * R * Matrix3d::Identity()};
+    };
+    const MassProperties found = combine(hemisphere(3, 2, 1), hemisphere(3, 2, -1));
 
-    const MassProperties found = combine(hemisphere(M / 2, R, 1), hemisphere(M / 2, R, -1));
+    require_mass_properties(found, sphere(6, 2, Vector3d::Zero()), 2, 8);
+    INFO("the same, turned, scaled and moved");
+    for (Random random : seeds(5)) {
+        const double M = random.mass(), radius = random.uniform(0.5, 2);
+        const Matrix3d R = random.rotation();
+        const Vector3d X = random.vector();
+        const MassProperties up = moved(hemisphere(M / 2, radius, 1), R, X);
+        const MassProperties down = moved(hemisphere(M / 2, radius, -1), R, X);
 
-    require_mass_properties(found, sphere, R, 8);
+        require_mass_properties(combine(up, down), sphere(M, radius, X), radius + X.norm(), 32);
+    }
 }
 
 TEST_CASE("inertia: eight boxes make a box", "[A2.14][inertia]")

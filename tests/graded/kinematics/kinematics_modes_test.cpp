@@ -103,6 +103,21 @@ TEST_CASE("kinematics: generalized mass of one particle by hand", "[A1.7][kinema
     const Matrix6d found = generalized_mass({{2, Vector3d(1, 0, 0)}}, Vector3d::Zero());
 
     REQUIRE_THAT(found, IsClose(expected, Rounding(8, 2)));
+    INFO("the same, turned, scaled and moved");
+    for (Random random : seeds(5)) {
+        const Matrix3d R = random.rotation();
+        const double length = random.uniform(0.5, 2), m = random.mass();
+        const Vector3d X = random.vector(), x = X + length * R.col(0);
+        Matrix6d T = Matrix6d::Zero();
+        T.topLeftCorner<3, 3>() = R;
+        T.bottomRightCorner<3, 3>() = length * R;
+
+        const Matrix6d mass = generalized_mass({{m, x}}, X);
+
+        const double reach = X.norm() + x.norm();
+        REQUIRE_THAT(mass, IsClose(Matrix6d(m / 2 * T * expected * T.transpose()),
+                                   Rounding(16, m * (1 + reach * reach))));
+    }
 }
 
 TEST_CASE("kinematics: no particle has no generalized mass", "[A1.7][kinematics]")
@@ -202,14 +217,23 @@ TEST_CASE("kinematics: the rates give the centripetal acceleration", "[A1.12][ki
 TEST_CASE("kinematics: inertial wrench of six particles by hand", "[A1.13][kinematics]")
 {
     const Vector3d w(1, 2, 3), V(5, -4, 2);
-    const Wrench expected{Vector3d::Zero(), Vector3d(-30, 24, -6)};
-    const double scale = 3 * 14 * 9; // total mass × |ω|² × largest distance²
-
-    for (const Vector3d& at : {Vector3d(0, 0, 0), Vector3d(1, 1, 1)}) {
+    // all is turned by R, with `length` instead of 1 m, and has its center at X
+    const auto check = [&](const Matrix3d& R, double length, const Vector3d& X) {
         std::vector<Particle> particles = six_particles();
         for (Particle& particle : particles)
-            particle.position += at;
-        REQUIRE_THAT(inertial_wrench(particles, at, V, w), IsClose(expected, Rounding(16, scale)));
+            particle.position = length * R * particle.position + X;
+        const Wrench expected{Vector3d::Zero(), length * length * R * Vector3d(-30, 24, -6)};
+        const double reach = 3 * length + X.norm();
+        const double scale = 3 * 14 * reach * reach; // total mass × |ω|² × largest distance²
+        REQUIRE_THAT(inertial_wrench(particles, X, length * R * V, R * w),
+                     IsClose(expected, Rounding(16, scale)));
+    };
+    check(Matrix3d::Identity(), 1, Vector3d(0, 0, 0));
+    check(Matrix3d::Identity(), 1, Vector3d(1, 1, 1));
+    for (Random random : seeds(5)) {
+        const double length = random.uniform(0.5, 2);
+        const Vector3d X = random.vector();
+        check(random.rotation(), length, X);
     }
 }
 

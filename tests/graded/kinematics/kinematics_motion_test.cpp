@@ -102,6 +102,20 @@ TEST_CASE("kinematics: rates of a body by hand", "[A1.9][kinematics]")
 
     REQUIRE_THAT(equations_of_motion(state, 0.5, I_inverse, wrench),
                  IsClose(expected, Rounding(8, 10)));
+    INFO("the same, turned, moved, and `size` times as large");
+    for (Random random : seeds(5)) {
+        const Matrix3d R = random.rotation();
+        const double size = random.uniform(0.5, 2), size2 = size * size;
+        const MatrixState turned{random.vector(), R * state.rotation, size * R * state.velocity,
+                                 size2 * R * state.angular_momentum};
+        const MatrixStateRate rates{size * R * expected.position_rate, R * expected.rotation_rate,
+                                    size * R * expected.velocity_rate,
+                                    size2 * R * expected.angular_momentum_rate};
+
+        REQUIRE_THAT(equations_of_motion(turned, 0.5, R * I_inverse * R.transpose() / size2,
+                                         {size * R * wrench.force, size2 * R * wrench.torque}),
+                     IsClose(rates, Rounding(32, 10 * (1 + size2))));
+    }
 }
 
 TEST_CASE("kinematics: a static body has no rates", "[A1.9][kinematics]")

@@ -70,14 +70,25 @@ TEST_CASE("plasticity: below the yield surface nothing flows", "[A6.8][plasticit
 
 TEST_CASE("plasticity: a rod pulled with three times its yield stress", "[A6.8][plasticity]")
 {
-    // f = 2, γ = 2/(3·2) = 1/3, along (1, -1/2, -1/2)
-    const Flow pulled = flow(diagonal(3, 0, 0), 1, 2);
-    REQUIRE_THAT(pulled.increment, IsClose(diagonal(1, -0.5, -0.5) / 3, Rounding(16, 1)));
-    INFO("the pressure of 1 Pa stays, and f = 0");
-    REQUIRE_THAT(pulled.new_stress, IsClose(diagonal(5 / 3.0, 2 / 3.0, 2 / 3.0), Rounding(16, 3)));
-    INFO("pushed, it flows the other way");
-    const Flow pushed = flow(diagonal(-3, 0, 0), 1, 2);
-    REQUIRE_THAT(pushed.increment, IsClose(diagonal(-1, 0.5, 0.5) / 3, Rounding(16, 1)));
+    // R turns the rod, which lies along x. f = 2 σ_Y, γ = 2 σ_Y/(3 G), along (1, -1/2, -1/2)
+    const auto check = [](const Matrix3d& R, double yield_stress, double G) {
+        const double gamma = 2 * yield_stress / (3 * G);
+        const Matrix3d stress = turned(R, yield_stress * diagonal(3, 0, 0));
+        const Matrix3d increment = turned(R, gamma * diagonal(1, -0.5, -0.5));
+        const Matrix3d left = turned(R, yield_stress / 3 * diagonal(5, 2, 2));
+        const Flow pulled = flow(stress, yield_stress, G);
+        REQUIRE_THAT(pulled.increment, IsClose(increment, Rounding(16, 3 * gamma)));
+        INFO("the pressure of σ_Y stays, and f = 0");
+        REQUIRE_THAT(pulled.new_stress, IsClose(left, Rounding(16, 3 * yield_stress)));
+        INFO("pushed, it flows the other way");
+        const Flow pushed = flow(-stress, yield_stress, G);
+        REQUIRE_THAT(pushed.increment, IsClose(Matrix3d(-increment), Rounding(16, 3 * gamma)));
+    };
+    check(Matrix3d::Identity(), 1, 2);
+    for (Random random : seeds(5)) {
+        const double yield_stress = random.uniform(0.5, 2), G = random.uniform(0.5, 5);
+        check(random.rotation(), yield_stress, G);
+    }
 }
 
 TEST_CASE("plasticity: shear flows as shear", "[A6.8][plasticity]")
