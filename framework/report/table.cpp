@@ -280,7 +280,8 @@ std::string total(const Result& result, bool color)
 
 std::string ungraded(const Result& result, bool color)
 {
-    const char* words = result.status == SubmissionStatus::compile_error ? "does not compile"
+    const char* words = result.status == SubmissionStatus::compile_error
+                            ? "no function can be called"
                         : result.status == SubmissionStatus::rejected
                             ? "cannot be graded"
                             : "a fault of the framework, not of the solution";

@@ -9,6 +9,7 @@
 #include <fstream>
 #include <random>
 #include <set>
+#include <sstream>
 #include <stdexcept>
 
 namespace rigor::testing {
@@ -22,6 +23,21 @@ std::string content_of(const fs::path& file)
     std::ifstream in(file, std::ios::binary);
     if (!in) throw std::runtime_error(file.string() + ": expected a file");
     return {std::istreambuf_iterator<char>(in), {}};
+}
+
+// A source with the text of each header of the mistakes in place of its `#include`, since a
+// submission cannot include such a header.
+std::string in_one_file(const fs::path& source, const std::string& text)
+{
+    std::istringstream lines(text);
+    std::string all;
+    for (std::string line; std::getline(lines, line);)
+        if (line.starts_with("#include \"mistakes/"))
+            all += in_one_file(source,
+                               content_of(source / "tests" / line.substr(10, line.size() - 11)));
+        else if (line != "#pragma once")
+            all += line + '\n';
+    return all;
 }
 
 // The sources below a folder, in the order of their names.
@@ -67,8 +83,9 @@ public:
         for (const fs::path& path : sources_in(source / "tests/alternatives"))
             if (path.filename().string().starts_with(topic)) right_.push_back(instead(path));
         for (const fs::path& path : sources_in(source / "tests/mistakes" / topic))
-            mistakes_.push_back(with_other_formulas(
-                reference_, topic, {path.parent_path().filename().string()}, content_of(path)));
+            mistakes_.push_back(with_other_formulas(reference_, topic,
+                                                    {path.parent_path().filename().string()},
+                                                    in_one_file(source, content_of(path))));
         for (const fs::path& path : sources_in(source / "tests/attacks"))
             if (!formulas_in(content_of(path), topic).empty() &&
                 path.parent_path().filename() != "slips")

@@ -10,13 +10,14 @@ namespace rigor {
 
 std::optional<DownloadedName> downloaded_name(const std::string& name)
 {
-    static const std::regex moodle("^(.+_[0-9]+)_assignsubmission_(file|onlinetext)(?:_(.*))?$"),
-        canvas("^([^_]+)(?:_LATE)?(_[0-9]+)_[0-9]+_(.+)$");
+    static const std::regex moodle("^(.+)_([0-9]+)_assignsubmission_(file|onlinetext)(?:_(.*))?$"),
+        canvas("^([^_]+)_(?:LATE_)?([0-9]+)_[0-9]+(?:_(.+))?$");
     std::smatch parts;
     if (std::regex_match(name, parts, moodle))
-        return DownloadedName{parts[1], parts[3], parts[2] == "onlinetext"};
+        return DownloadedName{LearningSystem::moodle, parts[1], parts[2], parts[4],
+                              parts[3] == "onlinetext"};
     if (std::regex_match(name, parts, canvas))
-        return DownloadedName{parts[1].str() + parts[2].str(), parts[3], false};
+        return DownloadedName{LearningSystem::canvas, parts[1], parts[2], parts[3], false};
     return {};
 }
 

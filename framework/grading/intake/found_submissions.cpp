@@ -115,6 +115,7 @@ public:
         if (!fs::is_directory(path)) return add(path);
         const Listing listing = listing_of(path);
         if (is_only_path && listing.is_empty()) return; // no submission: `result` throws
+        if (is_only_path) require_one_or_many(path, listing);
         if (!holds_many(path, listing, wanted_, is_only_path)) return add(path);
         for (const fs::path& folder : listing.folders)
             add(folder);
@@ -152,6 +153,23 @@ public:
     }
 
 private:
+    // @throws InputError if a folder is a submission by a file in it, and a class by what is beside
+    // this file. Taken for one submission, the class would get a single grade.
+    void require_one_or_many(const fs::path& path, const Listing& listing) const
+    {
+        if (!holds(path, wanted_)) return;
+        std::vector<std::string> beside;
+        for (const fs::path& archive : listing.archives)
+            beside.push_back(archive.filename().string());
+        for (const fs::path& folder : listing.folders)
+            if (has_wanted_near(folder, wanted_)) beside.push_back(folder.filename().string());
+        if (!beside.empty())
+            throw InputError(
+                fmt::format("{}: expected one submission or a folder of many, found {} "
+                            "beside {}: move this file into a folder of its own",
+                            path.string(), wanted_, first_names(beside)));
+    }
+
     void add(const fs::path& path, const std::string& refusal = {})
     {
         if (!paths_.insert(path).second) return; // this path was added before
@@ -186,7 +204,7 @@ private:
         std::set<std::string> students;
         const auto note_student = [&](const fs::path& path) {
             if (const auto name = downloaded_name(path.filename().string()))
-                students.insert(name->student);
+                students.insert(name->student());
         };
         for (const auto* paths : {&listing.folders, &listing.archives})
             std::for_each(paths->begin(), paths->end(), note_student);
@@ -201,7 +219,7 @@ private:
         }
         for (const fs::path& path : others) {
             const DownloadedName name = *downloaded_name(path.filename().string());
-            if (students.insert(name.student).second)
+            if (students.insert(name.student()).second)
                 add(path, "expected " + wanted_ + " or an archive with it, found " +
                               (name.is_online_text ? "a typed text" : in_quotes(name.file)));
             else
@@ -217,7 +235,7 @@ private:
         for (const auto& [submission, same_name] : found_)
             for (const Submission& one : same_name) {
                 const std::string file = one.path.filename().string();
-                if (const auto name = downloaded_name(file)) files[name->student].push_back(file);
+                if (const auto name = downloaded_name(file)) files[name->student()].push_back(file);
             }
         for (const auto& [submission, same_name] : found_)
             if (const std::string original = without_number(submission); found_.count(original) > 0)

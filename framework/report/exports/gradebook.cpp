@@ -111,13 +111,16 @@ std::string common_mistakes(const std::vector<const Row*>& rows)
     return text.empty() ? "" : "\nmistakes of several submissions:\n" + text;
 }
 
-std::string not_judged(const std::vector<Row>& rows)
+// The submissions of which no formula could be tested, each with the first line that says why.
+std::string not_tested(const std::vector<Row>& rows)
 {
     std::string text;
     for (const Row& row : rows)
-        if (row.status == "rejected" || row.status == "internal_error")
-            text += fmt::format("  {}: {}: {}\n", row.submission, row.status,
-                                row.message.substr(0, row.message.find('\n')));
+        if (row.status != "graded") {
+            const std::string why = row.message.substr(0, row.message.find('\n'));
+            text += fmt::format("  {}: {}{}{}\n", row.submission, row.status,
+                                why.empty() ? "" : ": ", why);
+        }
     return text.empty() ? "" : "\nwithout a grade by tests:\n" + text;
 }
 
@@ -148,7 +151,7 @@ std::string class_summary(const std::vector<Row>& rows)
     const std::vector<const Row*> all = judged(rows);
     if (!all.empty())
         text += "\n" + tasks_table(all) + "\n" + distribution(all) + common_mistakes(all);
-    return text + not_judged(rows);
+    return text + not_tested(rows);
 }
 
 } // namespace rigor

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "report/exports/learning_systems.hpp"
 
+#include "grading/intake/downloaded_name.hpp"
 #include "report/exports/csv.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <regex>
+#include <optional>
 #include <set>
 
 namespace rigor {
@@ -28,7 +29,7 @@ std::string in_words(std::string status)
 // A text about the tasks that did not get all points.
 std::string feedback(const Row& row)
 {
-    if (row.status == "compile_error") return "does not compile";
+    if (row.status == "compile_error") return "no function can be called";
     std::string text;
     for (const TaskPoints& task : row.tasks)
         if (task.points < task.max_points)
@@ -37,53 +38,40 @@ std::string feedback(const Row& row)
     return text;
 }
 
-// The student's number in a name that Canvas or Moodle gave; empty for any other name.
-std::string number_in(const std::string& submission, const std::regex& downloaded)
+// What the name of a submission says, if this system gave it.
+std::optional<DownloadedName> name_from(LearningSystem system, const Row& row)
 {
-    std::smatch parts;
-    return std::regex_match(submission, parts, downloaded) ? parts[2].str() : "";
+    std::optional<DownloadedName> name = downloaded_name(row.submission);
+    return name && name->system == system ? name : std::nullopt;
 }
 
 // The numbers of the students with several graded submissions. Canvas and Moodle would take the
 // points of the last one, which may not be the one that counts.
-std::set<std::string> ambiguous(const std::vector<Row>& rows, const std::regex& downloaded)
+std::set<std::string> ambiguous(const std::vector<Row>& rows, LearningSystem system)
 {
     std::set<std::string> once, several;
     for (const Row& row : rows)
-        if (const std::string number = number_in(row.submission, downloaded);
-            has_grade(row) && !number.empty() && !once.insert(number).second)
-            several.insert(number);
+        if (const auto name = name_from(system, row);
+            has_grade(row) && name && !once.insert(name->number).second)
+            several.insert(name->number);
     return several;
-}
-
-// The names that Canvas and Moodle give to submissions when they are downloaded.
-const std::regex& from_canvas()
-{
-    static const std::regex name("^([^_]+)_(?:LATE_)?([0-9]+)_[0-9]+(?:_.*)?$");
-    return name;
-}
-const std::regex& from_moodle()
-{
-    static const std::regex name("^(.+)_([0-9]+)_assignsubmission_file(?:_.*)?$");
-    return name;
 }
 
 } // namespace
 
 std::string canvas_csv(const std::vector<Row>& rows, const std::string& assignment_title)
 {
-    const std::regex& downloaded = from_canvas();
     std::string text =
         csv_line({"Student", "ID", "SIS User ID", "SIS Login ID", "Section", assignment_title});
-    const std::set<std::string> several = ambiguous(rows, downloaded);
+    const std::set<std::string> several = ambiguous(rows, LearningSystem::canvas);
     const double possible = rows.empty() ? 0 : rows.front().max_points;
     text += csv_line({"Points Possible", "", "", "", "", csv_number(possible)});
     for (const Row& row : rows) {
-        if (!has_grade(row) || several.count(number_in(row.submission, downloaded)) > 0) continue;
-        std::smatch parts;
-        if (std::regex_match(row.submission, parts, downloaded))
-            text += csv_line({parts[1], parts[2], "", "", "", csv_number(row.points)});
-        else if (!std::regex_match(row.submission, from_moodle()))
+        if (!has_grade(row)) continue;
+        const auto name = name_from(LearningSystem::canvas, row);
+        if (name && several.count(name->number) == 0)
+            text += csv_line({name->name, name->number, "", "", "", csv_number(row.points)});
+        else if (!downloaded_name(row.submission))
             text += csv_line({row.submission, "", "", row.submission, "", csv_number(row.points)});
     }
     return text;
@@ -91,16 +79,13 @@ std::string canvas_csv(const std::vector<Row>& rows, const std::string& assignme
 
 std::string moodle_csv(const std::vector<Row>& rows)
 {
-    const std::regex& downloaded = from_moodle();
     std::string text = csv_line({"Identifier", "Full name", "Grade", "Maximum Grade",
                                  "Last modified (grade)", "Feedback comments"});
-    const std::set<std::string> several = ambiguous(rows, downloaded);
+    const std::set<std::string> several = ambiguous(rows, LearningSystem::moodle);
     for (const Row& row : rows) {
-        std::smatch parts;
-        if (!has_grade(row) || !std::regex_match(row.submission, parts, downloaded) ||
-            several.count(parts[2]) > 0)
-            continue;
-        text += csv_line({"Participant " + parts[2].str(), parts[1], csv_number(row.points),
+        const auto name = name_from(LearningSystem::moodle, row);
+        if (!has_grade(row) || !name || several.count(name->number) > 0) continue;
+        text += csv_line({"Participant " + name->number, name->name, csv_number(row.points),
                           csv_number(row.max_points), "", feedback(row)});
     }
     return text;

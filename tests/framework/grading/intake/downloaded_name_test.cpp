@@ -9,11 +9,12 @@ TEST_CASE("downloaded name: student and file of what Canvas and Moodle name", "[
 {
     const auto student = [](const std::string& name) {
         const auto found = downloaded_name(name);
-        return found ? found->student + " | " + found->file : "none";
+        return found ? found->student() + " | " + found->file : "none";
     };
     REQUIRE(student("doejane_11_501_collision.cpp") == "doejane_11 | collision.cpp");
     REQUIRE(student("doejane_LATE_11_501_my_file.zip") == "doejane_11 | my_file.zip");
     REQUIRE(student("Jane Doe_15_assignsubmission_file_a.cpp") == "Jane Doe_15 | a.cpp");
+    REQUIRE(student("doejane_11_501") == "doejane_11 | ");
     for (const char* name :
          {"Jane Doe_15_assignsubmission_file_", "Jane Doe_15_assignsubmission_file",
           "Jane Doe_15_assignsubmission_onlinetext"})

@@ -50,9 +50,28 @@ TEST_CASE("submissions: a folder with the file is one submission", "[intake]")
 {
     const TemporaryFolder folder;
     folder.write("alice/collision.cpp", "");
-    folder.write("alice/old/collision.cpp", "");
-    folder.write("alice/old.zip", "");
+    folder.write("alice/include/helper.hpp", "");
     REQUIRE(names_of(found_in({folder.path() / "alice"})) == Names{"alice"});
+}
+
+TEST_CASE("submissions: a folder that could be one or many is refused", "[intake]")
+{
+    const auto refusal = [](const char* beside) {
+        const TemporaryFolder folder;
+        folder.write("collision.cpp", "");
+        folder.write(beside, "");
+        try {
+            found_in({folder.path()});
+        } catch (const InputError& error) {
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    for (const char* beside : {"bob.zip", "bob/collision.cpp", "bob/src/collision.cpp"}) {
+        CAPTURE(beside);
+        REQUIRE(refusal(beside).find("found collision.cpp beside \"bob") != std::string::npos);
+    }
+    REQUIRE(refusal("bob/notes.txt").empty());
 }
 
 TEST_CASE("submissions: several paths are each a submission or hold many", "[intake]")
