@@ -100,8 +100,8 @@ MassProperties sampled_mass_properties(const std::vector<DensitySample>& samples
 /// One method sums over the signed tetrahedra that the triangles form with the origin; another one
 /// uses the divergence theorem, which turns the integrals into sums over the surface (Mirtich 1996,
 /// "Fast and accurate computation of polyhedral mass properties"). Open mesh: any finite result.
-/// Mesh inside out: mass and inertia change their sign, the center does not. No volume: all results
-/// are zero.
+/// Mesh inside out: mass and inertia change their sign, the center does not. No volume, or density
+/// 0: all results are zero.
 ///
 /// @param density  ρ [kg/m³]
 MassProperties mesh_mass_properties(const TriangleMesh& mesh, double density);
@@ -113,7 +113,8 @@ MassProperties mesh_mass_properties(const TriangleMesh& mesh, double density);
 ///     M = M₁ + M₂    X = (M₁ X₁ + M₂ X₂) / M    I = Σ Iᵢ + Mᵢ (Xᵢ - X)*ᵀ (Xᵢ - X)*
 ///
 /// The sum I₁ + I₂ alone would be wrong. If one body has zero mass, the result is the other body.
-/// If both do, all results are zero.
+/// If both do, all results are zero. If two masses of opposite sign add up to 0, there is no center
+/// of mass, and any result is correct.
 MassProperties combine(const MassProperties& a, const MassProperties& b);
 
 /// A2.17 Approximation by a simpler shape: mass properties of a solid box that bounds the vertices,

@@ -118,7 +118,8 @@ TEST_CASE("A1: checkpoints", "[numbers]")
     check_shown("A1", "is diagonal, with 0, 2 and 2.", listed(block.diagonal()));
     const Vector3d v = point_velocity(V, w, X, x);
     const Matrix3d of_rotation = velocity_mode_rates(V, v).rightCols<3>();
-    check_shown("A1", "it gives $(-13, 2, 3)$.", listed(of_rotation * w));
+    check_shown("A1", "$v = (0, 3, -2)$, as for the particle", listed(v));
+    check_shown("A1", "give $(-13, 2, 3)$.", listed(of_rotation * w));
 }
 
 TEST_CASE("A3: a checkpoint of a step of Buss", "[numbers]")

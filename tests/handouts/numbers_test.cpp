@@ -206,6 +206,9 @@ TEST_CASE("A4: friction that jams and friction that adds energy", "[numbers]")
     check_shown("A4", "$v + K j$ is $(1.2, 2, 0.4)$", listed(separates));
     check_shown("A4", "separate at 2 m/s and not at 1 m/s", {separates.y(), -0.5 * v.y()});
     check_shown("A4", "they lose 4.64 J.", {-jammed.dot(v + separates) / 2});
+    const Vector3d huge = collision_impulse(K, v, up, 0.5, 1.999);
+    check_shown("A4", "$j_n = 1500$ N s, and the bodies gain $8.982",
+                {huge.y(), huge.dot(v + K * huge / 2) / 1e6});
     const Vector3d j = collision_impulse(K, v, up, 0, 1.75);
     check_shown("A4", "$j = (-7, 4, 0)$", listed(j));
     check_shown("A4", "which is $-22 + 49.5 = 27.5$ J",
