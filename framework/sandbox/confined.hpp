@@ -87,7 +87,8 @@ public:
     /// program stops.
     pid_t monitor() const { return monitor_; }
 
-    /// The process number of the program. Use it only to look at `/proc`.
+    /// The process number of the program. Use it only to look at what the program does, in `/proc`
+    /// or by its clock.
     pid_t program() const { return program_; }
 
     /// The first system call that was not allowed. The process that made it, the program or one

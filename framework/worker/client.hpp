@@ -99,8 +99,8 @@ private:
     int failed_starts_ = 0;
     std::optional<WorkerFailure> start_failure_;
     TimeBudget budget_;
-    /// The time on a processor of the processes that have ended, without what was spent before the
-    /// budget began [s].
+    /// The time on a processor of the processes that have ended, minus what the running process had
+    /// used when the budget began again; so it may be negative [s].
     Seconds ended_ran_{};
 };
 

@@ -38,10 +38,10 @@ struct WorkerFailure : std::runtime_error {
 /// A formula that the implementation does not define, or defines with another signature:
 /// `A4.10 apply_impulse is not defined`.
 struct FormulaMissing : std::runtime_error {
-    /// @param asked    the formula that was called
+    /// @param asked    the formula that was called, maybe with the scene that called it
     /// @param missing  the formula that is not defined: the same one, or one that `asked` calls
     FormulaMissing(const std::string& asked, const std::string& missing)
-        : std::runtime_error(asked == missing
+        : std::runtime_error(asked.starts_with(missing)
                                  ? missing + " is not defined"
                                  : asked + " calls " + missing + ", which is not defined")
     {

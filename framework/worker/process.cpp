@@ -163,7 +163,9 @@ std::chrono::duration<double> Process::on_processor() const
 {
     clockid_t clock{};
     timespec time{};
-    if (clock_getcpuclockid(program_.program(), &clock) != 0 || clock_gettime(clock, &time) != 0)
+    const pid_t program = program_.program();
+    if (program <= 0 || clock_getcpuclockid(program, &clock) != 0 ||
+        clock_gettime(clock, &time) != 0)
         return {};
     return std::chrono::seconds(time.tv_sec) + std::chrono::nanoseconds(time.tv_nsec);
 }

@@ -49,7 +49,8 @@ public:
     /// the time of the reference.
     bool is_compared(FormulaIndex formula) const;
     void compare(FormulaIndex formula, Seconds took, Seconds reference_took);
-    /// Sets the time that the worker was on a processor since the budget was begun again.
+    /// Sets the time that the worker was on a processor since the budget was begun again, for
+    /// requests of any kind.
     void ran(Seconds on_processor) { on_processor_ = on_processor; }
 
     /// Counts time for which the engine has waited, within a scene, for answers of formulas.

@@ -15,6 +15,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <ctime>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
@@ -28,8 +29,19 @@ bool follows_through = false;
 int verdicts = -1;
 double longest_stall = 0; // [s] on a processor
 
-// The longest time on a processor for a test case with all its scenes [s].
-constexpr double longest_test = 60 * sanitizer_factor;
+// The longest time on a processor for a test case with all its scenes: what is left of `free_time`,
+// which all test cases of this process share, but at most `longest_test` and at least
+// `shortest_limit` [s]. Bodies that a wrong formula lets fall into each other keep the engine busy
+// in each scene.
+constexpr double longest_test = 60 * sanitizer_factor, shortest_limit = 15 * sanitizer_factor,
+                 free_time = 120 * sanitizer_factor;
+
+double longest_test_now()
+{
+    const double used = static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+    return std::clamp(free_time - used, shortest_limit, longest_test);
+}
+
 std::optional<OwnTimeLimit> limit_of_test;
 bool is_about_formula = false; // the running test case, and not about scenes
 
@@ -120,7 +132,7 @@ void begin_test_case(const std::string& tag, const StalledLine& stalled)
 {
     renew_worker();
     limit_of_test.reset();
-    limit_of_test.emplace("the test", longest_test);
+    limit_of_test.emplace("the test", longest_test_now());
     if (verdicts >= 0) watch_own_time({verdicts, stalled.before, stalled.after}, longest_stall);
     is_about_formula = has_formula(tag);
     if (follows_through) follow_through(tag);

@@ -38,7 +38,7 @@ wire::Bytes advance_states(const SceneRequest& request)
     reader.end();
     const auto states = advance(parse_scene(text, name), starts, steps, settings(request));
     wire::Bytes result;
-    if (!request.options.streams_answers) wire::encode(result, states);
+    wire::encode(result, states);
     return result;
 }
 

@@ -35,7 +35,7 @@ enum class Request : std::uint32_t {
 /// How a scene is run, and what the worker streams to the client.
 struct SceneOptions {
     /// Whether the answers of the formulas are streamed, one after the other, instead of the
-    /// trajectory or the states.
+    /// trajectory.
     bool streams_answers = false;
     bool every_step = false; // whether a trajectory has every time step, not only the frames
     int threads = 1;         // threads for the reference; other implementations use one thread

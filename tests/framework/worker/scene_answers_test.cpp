@@ -104,7 +104,7 @@ TEST_CASE("scene answers: our engine makes the same bits as the worker's")
     REQUIRE(ours.frames == theirs.frames);
 }
 
-TEST_CASE("scene answers: states are advanced as in a run")
+TEST_CASE("scene answers: a worker advances states as in a run")
 {
     const Run run = honest();
     const std::vector<Moment> start = {
