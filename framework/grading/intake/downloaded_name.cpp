@@ -11,7 +11,7 @@ namespace rigor {
 std::optional<DownloadedName> downloaded_name(const std::string& name)
 {
     static const std::regex moodle("^(.+)_([0-9]+)_assignsubmission_(file|onlinetext)(?:_(.*))?$"),
-        canvas("^([^_]+)_(?:LATE_)?([0-9]+)_[0-9]+(?:_(.+))?$");
+        canvas("^([^_]+)_(?:LATE_)?([0-9]+)_[0-9]+_(.*)$");
     std::smatch parts;
     if (std::regex_match(name, parts, moodle))
         return DownloadedName{LearningSystem::moodle, parts[1], parts[2], parts[4],

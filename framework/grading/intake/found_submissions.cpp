@@ -115,7 +115,7 @@ public:
         if (!fs::is_directory(path)) return add(path);
         const Listing listing = listing_of(path);
         if (is_only_path && listing.is_empty()) return; // no submission: `result` throws
-        if (is_only_path) require_one_or_many(path, listing);
+        require_one_or_many(path, listing);
         if (!holds_many(path, listing, wanted_, is_only_path)) return add(path);
         for (const fs::path& folder : listing.folders)
             add(folder);
@@ -153,21 +153,28 @@ public:
     }
 
 private:
-    // @throws InputError if a folder is a submission by a file in it, and a class by what is beside
-    // this file. Taken for one submission, the class would get a single grade.
+    // @throws InputError if a folder looks like a class but for the wanted file, which would make
+    // it a single submission: if submissions from Canvas or Moodle are in it, or at least two
+    // others. With a single other one it may be a student's folder, such as one with a backup.
     void require_one_or_many(const fs::path& path, const Listing& listing) const
     {
         if (!holds(path, wanted_)) return;
         std::vector<std::string> beside;
-        for (const fs::path& archive : listing.archives)
-            beside.push_back(archive.filename().string());
+        bool is_download = !listing.downloaded.empty();
+        const auto note = [&](const fs::path& other) {
+            beside.push_back(other.filename().string());
+            is_download = is_download || downloaded_name(beside.back());
+        };
+        std::for_each(listing.archives.begin(), listing.archives.end(), note);
+        std::for_each(listing.downloaded.begin(), listing.downloaded.end(), note);
         for (const fs::path& folder : listing.folders)
-            if (has_wanted_near(folder, wanted_)) beside.push_back(folder.filename().string());
-        if (!beside.empty())
-            throw InputError(
-                fmt::format("{}: expected one submission or a folder of many, found {} "
-                            "beside {}: move this file into a folder of its own",
-                            path.string(), wanted_, first_names(beside)));
+            if (has_wanted_near(folder, wanted_) || downloaded_name(folder.filename().string()))
+                note(folder);
+        if (beside.size() > 1 || (is_download && !beside.empty()))
+            throw InputError(fmt::format(
+                "{}: expected one submission or a folder of many, found {} beside {}: move this "
+                "file into a folder of its own",
+                path.string(), wanted_, first_names(beside)));
     }
 
     void add(const fs::path& path, const std::string& refusal = {})

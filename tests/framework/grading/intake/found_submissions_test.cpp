@@ -56,10 +56,11 @@ TEST_CASE("submissions: a folder with the file is one submission", "[intake]")
 
 TEST_CASE("submissions: a folder that could be one or many is refused", "[intake]")
 {
-    const auto refusal = [](const char* beside) {
+    const auto refusal = [](const std::vector<std::string>& beside) {
         const TemporaryFolder folder;
         folder.write("collision.cpp", "");
-        folder.write(beside, "");
+        for (const std::string& file : beside)
+            folder.write(file, "");
         try {
             found_in({folder.path()});
         } catch (const InputError& error) {
@@ -67,11 +68,17 @@ TEST_CASE("submissions: a folder that could be one or many is refused", "[intake
         }
         return std::string();
     };
-    for (const char* beside : {"bob.zip", "bob/collision.cpp", "bob/src/collision.cpp"}) {
-        CAPTURE(beside);
-        REQUIRE(refusal(beside).find("found collision.cpp beside \"bob") != std::string::npos);
+    using Files = std::vector<std::string>;
+    for (const Files& beside :
+         {Files{"amy.zip", "bob.zip"}, Files{"amy/collision.cpp", "bob/src/collision.cpp"},
+          Files{"amy.zip", "bob/collision.cpp"}, Files{"doejane_11_501_collision.cpp"},
+          Files{"doejane_11_501_work.zip"}, Files{"Jane Doe_15_assignsubmission_file/a.zip"}}) {
+        CAPTURE(beside.front());
+        REQUIRE(refusal(beside).find("found collision.cpp beside \"") != std::string::npos);
     }
-    REQUIRE(refusal("bob/notes.txt").empty());
+    for (const Files& beside : {Files{"backup.zip"}, Files{"old/collision.cpp"},
+                                Files{"include/helper.hpp", "notes/list.txt"}})
+        REQUIRE(refusal(beside).empty());
 }
 
 TEST_CASE("submissions: several paths are each a submission or hold many", "[intake]")
