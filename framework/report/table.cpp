@@ -72,7 +72,7 @@ std::string handout(const Result& result, const TaskResult& task)
     return fmt::format("assignments/{}/README.md, {}", result.assignment.name, task.task.tag);
 }
 
-// The declaration of a formula in the contract; empty if there is none.
+// The declaration of a formula in the contract, with its namespace; empty if there is none.
 std::string declaration_of(const std::string& topic, const std::string& formula)
 {
     if (formula.empty()) return "";
@@ -81,7 +81,7 @@ std::string declaration_of(const std::string& topic, const std::string& formula)
     const std::size_t name = text.find(" " + formula + "(");
     const std::size_t begin = text.rfind('\n', name) + 1, end = text.find(';', name);
     if (name == std::string::npos || end == std::string::npos) return "";
-    std::string declaration;
+    std::string declaration = "in namespace rigor: ";
     for (const char c : text.substr(begin, end - begin)) {
         const bool is_space = c == ' ' || c == '\n';
         if (!is_space || !declaration.ends_with(' ')) declaration += is_space ? ' ' : c;

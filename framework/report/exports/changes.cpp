@@ -41,6 +41,17 @@ std::string tasks_that_change(const Row& before, const Row& after)
     return text;
 }
 
+// Whether a submission has the same status and the same points in each task as before. The maxima
+// may differ.
+bool keeps_points(const std::optional<Row>& before, const Row& after)
+{
+    return before && before->status == after.status &&
+           std::equal(before->tasks.begin(), before->tasks.end(), after.tasks.begin(),
+                      after.tasks.end(), [](const TaskPoints& old, const TaskPoints& task) {
+                          return old.tag == task.tag && old.points == task.points;
+                      });
+}
+
 // The mean of the points as a text; "none" if the list is empty.
 std::string mean(const std::vector<double>& points)
 {
@@ -68,18 +79,23 @@ std::string changes_text(const std::vector<std::optional<Row>>& before,
 {
     assert(before.size() == after.size());
     std::string text;
-    std::size_t changed = 0;
+    std::size_t changed = 0, kept = 0;
     std::vector<double> old_points, new_points;
     for (std::size_t i = 0; i < after.size(); ++i) {
         const std::string change = change_text(before[i], after[i]);
-        changed += !change.empty();
-        text += change;
+        if (!change.empty() && keeps_points(before[i], after[i])) {
+            ++kept;
+        } else {
+            changed += !change.empty();
+            text += change;
+        }
         if (before[i] && before[i]->has_points()) old_points.push_back(before[i]->points);
         if (after[i].has_points()) new_points.push_back(after[i].points);
     }
-    return text + fmt::format("{} of {} submissions {}; the mean of the points: {} → {}\n", changed,
-                              after.size(), changed == 1 ? "changes" : "change", mean(old_points),
-                              mean(new_points));
+    const std::string same = kept == 0 ? "" : fmt::format(" and {} only in the maximum", kept);
+    return text + fmt::format("{} of {} submissions {}{}; the mean of the points: {} → {}\n",
+                              changed, after.size(), changed == 1 ? "changes" : "change", same,
+                              mean(old_points), mean(new_points));
 }
 
 } // namespace rigor

@@ -76,6 +76,7 @@ TEST_CASE("selection: an unknown word gets the nearest name", "[selection]")
 {
     REQUIRE(complaint("iertia").find("did you mean \"inertia\"?") != std::string::npos);
     REQUIRE(complaint("combin").find("did you mean \"combine\"?") != std::string::npos);
+    REQUIRE(complaint("2").find("did you mean \"a2\"?") != std::string::npos);
     REQUIRE(complaint("A2.99").ends_with("found \"A2.99\"; its tasks are A2.1 to A2.14"));
     REQUIRE(complaint("a99.1").ends_with("found \"a99.1\"; `rigor list` names them"));
     REQUIRE(complaint("").find("expected an assignment") != std::string::npos);

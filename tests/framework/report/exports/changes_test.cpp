@@ -33,6 +33,23 @@ TEST_CASE("changes: other tasks and other points for a task are changes", "[repo
             "    A2.2 turn: not_implemented 0/3 → no task any more\n");
 }
 
+TEST_CASE("changes: of a class, those who keep their points are only counted", "[report]")
+{
+    const Row a = row_of("a", "graded", 2, 0), b = row_of("b", "graded", 2, 3);
+    std::vector<Row> after = {a, b};
+    for (Row& row : after) {
+        row.tasks[1].max_points = 4;
+        row.max_points = 6;
+    }
+    after[1].tasks[1].points = 4;
+    after[1].points = 6;
+    REQUIRE(changes_text({a, b}, after) ==
+            "  b: 5/5 points → 6/6 points\n"
+            "    A2.2 turn: passed 3/3 → passed 4/4\n"
+            "1 of 2 submissions changes and 1 only in the maximum; the mean of the points: 3.50 → "
+            "4.00\n");
+}
+
 TEST_CASE("changes: a status is one and a class is counted", "[report]")
 {
     const std::vector<std::optional<Row>> before = {row_of("a", "rejected", 0, 0),
