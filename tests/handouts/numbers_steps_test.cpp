@@ -119,7 +119,7 @@ TEST_CASE("A1: checkpoints", "[numbers]")
     const Vector3d v = point_velocity(V, w, X, x);
     const Matrix3d of_rotation = velocity_mode_rates(V, v).rightCols<3>();
     check_shown("A1", "$v = (0, 3, -2)$, as for the particle", listed(v));
-    check_shown("A1", "give $(-13, 2, 3)$.", listed(of_rotation * w));
+    check_shown("A1", "gives $(-13, 2, 3)$.", listed(of_rotation * w));
 }
 
 TEST_CASE("A3: a checkpoint of a step of Buss", "[numbers]")
