@@ -150,6 +150,46 @@ TEST_CASE("inertia: a body combined with its like, with nothing, and with a hole
     }
 }
 
+TEST_CASE("inertia: a particle without mass changes nothing, wherever it is listed",
+          "[A2.1][inertia]")
+{
+    for (std::size_t place = 0; place < 3; ++place) {
+        std::vector<Particle> particles = {{1, {-1, 0, 0}}, {1, {1, 0, 0}}};
+        particles.insert(particles.begin() + static_cast<std::ptrdiff_t>(place), {0, {5, 5, 5}});
+        const MassProperties found = particle_mass_properties(particles);
+        REQUIRE_THAT(found.mass, IsClose(2.0, Rounding(8)));
+        REQUIRE_THAT(found.center_of_mass, IsClose(Vector3d(0, 0, 0), Rounding(8, 5)));
+        REQUIRE_THAT(found.inertia,
+                     IsClose(Matrix3d(Vector3d(0, 2, 2).asDiagonal()), Rounding(16, 50)));
+    }
+}
+
+namespace {
+
+// Equal moments of inertia with a product are not those of a ball: a quarter turn about z changes
+// the sign of Ixy.
+void check_turned_product(Matrix3d in_world(const Matrix3d& R, const Matrix3d& I))
+{
+    Matrix3d I, turned, R;
+    I << 2, -1, 0, -1, 2, 0, 0, 0, 2;
+    turned << 2, 1, 0, 1, 2, 0, 0, 0, 2;
+    R << 0, -1, 0, 1, 0, 0, 0, 0, 1;
+    REQUIRE_THAT(in_world(R, I), IsClose(turned, Rounding(16, 4)));
+}
+
+} // namespace
+
+TEST_CASE("inertia: a product turns although the moments are equal", "[A2.2][inertia]")
+{
+    check_turned_product(world_inertia);
+}
+
+TEST_CASE("inertia: a product of the inverse turns although its moments are equal",
+          "[A2.3][inertia]")
+{
+    check_turned_product(world_inverse_inertia);
+}
+
 TEST_CASE("inertia: vertices on a line, on a plane, and very many", "[A2.17][inertia]")
 {
     for (int along = 0; along < 3; ++along)

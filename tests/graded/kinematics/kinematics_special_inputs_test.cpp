@@ -47,6 +47,13 @@ TEST_CASE("kinematics: particles at one place, and one alone", "[A1.13][kinemati
     const Wrench several =
         inertial_wrench({{1, {1, 0, 0}}, {2, {1, 0, 0}}, {2, {1, 0, 0}}}, X, {0, 0, 0}, w);
     REQUIRE_THAT(several.force, IsClose(Vector3d(-5, 0, 0), Rounding(8)));
+    // particles on the axis, which need no force, anywhere in the list
+    for (std::size_t place = 0; place < 3; ++place) {
+        std::vector<Particle> particles = {{1, {1, 0, 0}}, {2, {1, 0, 0}}};
+        particles.insert(particles.begin() + static_cast<std::ptrdiff_t>(place), {4, {0, 0, 1}});
+        const Wrench wrench = inertial_wrench(particles, X, {0, 0, 0}, w);
+        REQUIRE_THAT(wrench.force, IsClose(Vector3d(-3, 0, 0), Rounding(8)));
+    }
 }
 
 } // namespace kinematics_special_inputs_test
