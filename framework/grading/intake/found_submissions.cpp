@@ -160,7 +160,7 @@ private:
     {
         if (!holds(path, wanted_)) return;
         std::vector<std::string> beside;
-        bool is_download = !listing.downloaded.empty();
+        bool is_download = false;
         const auto note = [&](const fs::path& other) {
             beside.push_back(other.filename().string());
             is_download = is_download || downloaded_name(beside.back());
@@ -170,7 +170,8 @@ private:
         for (const fs::path& folder : listing.folders)
             if (has_wanted_near(folder, wanted_) || downloaded_name(folder.filename().string()))
                 note(folder);
-        if (beside.size() > 1 || (is_download && !beside.empty()))
+        std::sort(beside.begin(), beside.end());
+        if (beside.size() > 1 || is_download)
             throw InputError(fmt::format(
                 "{}: expected one submission or a folder of many, found {} beside {}: move this "
                 "file into a folder of its own",
