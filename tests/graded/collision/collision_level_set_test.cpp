@@ -123,6 +123,29 @@ TEST_CASE("collision: outside the grid the distance to its box is added", "[A4.1
     REQUIRE_THAT(sample_level_set(slab, Vector3d(2, 3, 4)), IsClose(1.0, Rounding(16)));
 }
 
+TEST_CASE("collision: beyond each face, edge and corner the distance to the box is added",
+          "[A4.1][collision]")
+{
+    // the 27 regions into which the planes of the box divide space: below, between and above them
+    for (int region = 0; region < 27; ++region)
+        for (Random random : seeds(8)) {
+            const std::array<int, 3> place = {region % 3, region / 3 % 3, region / 9};
+            const Trilinear phi(random);
+            const LevelSet grid = sampled(random.vector(), 0.5, some_size, phi);
+            const Vector3d nearest_in = point_inside(random, grid);
+            Vector3d p = nearest_in, nearest = nearest_in;
+            for (int axis = 0; axis < 3; ++axis) {
+                const double low = grid.origin[axis], high = low + 0.5 * (some_size[axis] - 1);
+                if (place[axis] == 1) continue;
+                nearest[axis] = place[axis] == 0 ? low : high;
+                p[axis] = nearest[axis] + (place[axis] - 1) * random.uniform(0.01, 3);
+            }
+            CAPTURE(p, nearest);
+            REQUIRE_THAT(sample_level_set(grid, p),
+                         IsClose(phi(nearest) + (p - nearest).norm(), Rounding(64, 32)));
+        }
+}
+
 TEST_CASE("collision: far outside the grid the distance is finite", "[A4.1][collision]")
 {
     for (double far : {1e6, 1e12, 1e100}) {
@@ -224,6 +247,28 @@ TEST_CASE("collision: a point on a face between cells belongs to the higher cell
         REQUIRE_THAT(at(1.5), IsClose(rising, Rounding(8)));
         REQUIRE_THAT(at(2), IsClose(rising, Rounding(8))); // on the last face the last cell counts
     }
+}
+
+TEST_CASE("collision: a point on faces of several cells belongs to the highest of them",
+          "[A4.2][collision]")
+{
+    // The point lies on a face of its cell across each axis of the mask, so on an edge across two
+    // axes and at a node across three, and inside the cell across the others. Slightly higher along
+    // all axes the same cell counts, and its gradient is nearly the same.
+    for (int mask = 1; mask < 8; ++mask)
+        for (Random random : seeds(8)) {
+            const LevelSet grid = sampled(Vector3d::Zero(), 0.5, {4, 4, 4}, [&](const Vector3d& p) {
+                return p.x() + p.y() + p.z() + 0.2 * random.uniform(-1, 1);
+            });
+            Vector3d p;
+            for (int axis = 0; axis < 3; ++axis)
+                p[axis] = 0.5 * static_cast<double>(random.bits() % 3) +
+                          (mask >> axis & 1 ? 0 : 0.5 * random.uniform(0.1, 0.9));
+            CAPTURE(mask, p);
+            REQUIRE_THAT(
+                level_set_normal(grid, p),
+                IsClose(level_set_normal(grid, p + 0x1p-30 * Vector3d::Ones()), Order(0x1p-24)));
+        }
 }
 
 TEST_CASE("collision: outside the grid the normal is that of the nearest point",

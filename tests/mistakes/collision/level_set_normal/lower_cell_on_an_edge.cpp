@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// On an edge between cells along y, the point belongs to the highest cell along x and z, not to the
+// lower one along z.
+#include "mistakes/collision/level_set.hpp"
+
+namespace rigor {
+
+Vector3d level_set_normal(const LevelSet& grid, const Vector3d& p)
+{
+    Cell cell = cell_of(grid, p);
+    if (cell.t.x() == 0 && cell.t.z() == 0 && cell.lowest[2] > 0) {
+        --cell.lowest[2];
+        cell.t.z() = 1;
+    }
+    return direction_of(gradient_in(grid, cell));
+}
+
+} // namespace rigor

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// Beyond the edge that bounds the grid at its highest x and its lowest z, the larger of the two
+// distances is added instead of the length of both.
+#include "mistakes/collision/level_set.hpp"
+
+namespace rigor {
+
+double sample_level_set(const LevelSet& grid, const Vector3d& p)
+{
+    const Cell cell = cell_of(grid, p);
+    const Vector3d beyond = (cell.s - cell.nearest) * grid.cell_size;
+    const bool is_beyond_edge = beyond.x() > 0 && beyond.y() == 0 && beyond.z() < 0;
+    return interpolated(grid, cell) +
+           (is_beyond_edge ? beyond.lpNorm<Eigen::Infinity>() : beyond.norm());
+}
+
+} // namespace rigor
