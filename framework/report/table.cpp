@@ -91,11 +91,13 @@ std::string declaration_of(const std::string& topic, const std::string& formula)
 
 // The longest value that a row shows in full [bytes]. Of a longer value, the beginning is enough.
 constexpr std::size_t longest = 400;
+// The longest case [bytes]: its call of the formula, which students paste, must not be cut.
+constexpr std::size_t longest_case = 4000;
 
-std::string shortened(const std::string& text)
+std::string shortened(const std::string& text, std::size_t limit = longest)
 {
-    if (text.size() <= longest) return text;
-    std::size_t end = longest;
+    if (text.size() <= limit) return text;
+    std::size_t end = limit;
     while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80)
         --end; // do not cut a UTF-8 character
     return text.substr(0, end) + " …";
@@ -136,7 +138,7 @@ std::string noted(const TestCase& test)
     std::getline(lines, line);
     while (std::getline(lines, line))
         text += (text.empty() ? "" : ", ") + line;
-    return shortened(text);
+    return shortened(text, longest_case);
 }
 
 // The laws that failed besides the one that is shown in full: the names of as many as fit, and the

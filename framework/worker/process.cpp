@@ -80,7 +80,7 @@ std::string signal_name(int signal)
 {
     switch (signal) {
     case SIGSEGV:
-        return "segmentation fault";
+        return "segmentation fault, such as by an index outside of a list or endless recursion";
     case SIGABRT:
         return "aborted";
     case SIGFPE:

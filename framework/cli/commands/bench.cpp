@@ -76,9 +76,10 @@ int bench(const BenchOptions& options)
 {
     const std::vector<std::string> known = ninja_programs("bench_");
     if (known.empty())
-        throw InputError(
-            fmt::format("the build {} has no benchmarks; RIGOR_PRESET=release has them",
-                        places().build.filename().string()));
+        throw InputError(fmt::format(
+            "the build {} has no benchmarks: they need the whole tree, not the students', "
+            "and a build without sanitizers, such as RIGOR_PRESET=release",
+            places().build.filename().string()));
     if (options.list) {
         fmt::print("{}\n", fmt::join(known, "\n"));
         return exit_done;

@@ -144,7 +144,7 @@ void line(const char* what, const std::string& start, const std::string& end)
 
 std::string number(double x)
 {
-    return fmt::format("{:.8g}", x);
+    return fmt::format("{:.11g}", x);
 }
 
 void print_solid(const std::string& name, const SolidStatistics& first, const SolidStatistics& last,

@@ -48,8 +48,9 @@ template <class T> std::string find_non_finite(const T& value, const std::string
             const int row = i % T::RowsAtCompileTime, column = i / T::RowsAtCompileTime;
             const std::string element =
                 T::ColsAtCompileTime == 1 && T::RowsAtCompileTime == 3
-                    ? std::string(path.empty() ? "" : ".") + "xyz"[row]
-                    : "(" + std::to_string(row) + ", " + std::to_string(column) + ")";
+                    ? std::string(path.empty() ? "its component " : ".") + "xyz"[row]
+                    : std::string(path.empty() ? "its entry " : "") + "(" + std::to_string(row) +
+                          ", " + std::to_string(column) + ")";
             found = path + element + name_of_non_finite(value.data()[i]);
         }
     } else if constexpr (wire::is_array<T> || wire::is_vector<T>) {

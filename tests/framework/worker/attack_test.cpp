@@ -19,8 +19,10 @@ struct Expected {
 const std::string subject = "A1.1 cross_matrix";
 
 const Expected verdicts[] = {
-    {"segmentation_fault", WorkerFailure::crashed, "crashed: segmentation fault"},
-    {"stack_overflow", WorkerFailure::crashed, "crashed: segmentation fault"},
+    {"segmentation_fault", WorkerFailure::crashed,
+     "crashed: segmentation fault, such as by an index outside of a list or endless recursion"},
+    {"stack_overflow", WorkerFailure::crashed,
+     "crashed: segmentation fault, such as by an index outside of a list or endless recursion"},
     {"abort", WorkerFailure::crashed, "crashed: aborted"},
     {"stop_itself", WorkerFailure::crashed, "stopped itself: signal SIGSTOP"},
     {"exit_zero", WorkerFailure::exited, "exit status 0"},
@@ -69,7 +71,7 @@ TEST_CASE("attack: each failure has its verdict and the run goes on")
 TEST_CASE("attack: a NaN is named by formula and place")
 {
     use_worker(attack("nan"), {}, tight());
-    REQUIRE_THROWS_WITH(attacked(), subject + ": (0, 1) is NaN");
+    REQUIRE_THROWS_WITH(attacked(), subject + ": its entry (0, 1) is NaN");
     REQUIRE(next_call_is_answered());
 }
 
@@ -99,7 +101,8 @@ TEST_CASE("attack: a program that does not start says so and is not tried for ev
     use_worker(attack("crash_in_initializer"), {}, tight());
     for (int repeat = 0; repeat < 3; ++repeat)
         REQUIRE_THROWS_WITH(next_call_is_answered(),
-                            "the start of the program crashed: segmentation fault");
+                            "the start of the program crashed: segmentation fault, such as by an "
+                            "index outside of a list or endless recursion");
 
     Limits limits = tight();
     limits.start = Seconds(0.3);

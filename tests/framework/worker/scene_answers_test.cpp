@@ -129,7 +129,8 @@ TEST_CASE("scene answers: a failure names the formula and keeps what was before 
         REQUIRE(begins_as(run, right));
         REQUIRE(next_call_is_answered());
     };
-    expect("crash_in_scene", "A3.14 gravity_wrench in scene ball crashed: segmentation fault");
+    expect("crash_in_scene", "A3.14 gravity_wrench in scene ball crashed: segmentation fault, such "
+                             "as by an index outside of a list or endless recursion");
     expect("loop_in_scene", "A3.14 gravity_wrench in scene ball did not return within 0.6 s");
 }
 
@@ -216,7 +217,8 @@ TEST_CASE("scene answers: a failure is the same with answers that are given")
         REQUIRE(begins_as(run, right));
         REQUIRE(next_call_is_answered());
     };
-    expect("crash_in_scene", "A3.14 gravity_wrench in scene ball crashed: segmentation fault");
+    expect("crash_in_scene", "A3.14 gravity_wrench in scene ball crashed: segmentation fault, such "
+                             "as by an index outside of a list or endless recursion");
     expect("loop_in_scene", "A3.14 gravity_wrench in scene ball did not return within 0.6 s");
     expect("forge_scene", "sent no answer: it is out of step");
     expect("forge_used", "scene ball answered out of turn");

@@ -136,7 +136,7 @@ TEST_CASE("collision: static friction on long levers", "[A4.6][collision]")
     }
 }
 
-TEST_CASE("collision: a static impulse turns with the scene", "[A4.6][collision]")
+TEST_CASE("collision: a sticking impulse turns with the scene", "[A4.6][collision]")
 {
     for (unsigned seed : seeds(50)) {
         const CollidingPair pair = colliding_pair(seed);
@@ -150,7 +150,7 @@ TEST_CASE("collision: a static impulse turns with the scene", "[A4.6][collision]
     }
 }
 
-TEST_CASE("collision: between two static bodies there is no static impulse", "[A4.6][collision]")
+TEST_CASE("collision: between two static bodies there is no sticking impulse", "[A4.6][collision]")
 {
     const Vector3d j = static_friction_impulse(Matrix3d::Zero(), Vector3d(1, -1, 0), up, 0.5);
     REQUIRE_THAT(j, IsExactly(Vector3d(0, 0, 0)));

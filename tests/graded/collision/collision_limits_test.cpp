@@ -74,7 +74,7 @@ TEST_CASE("collision: the frictionless impulse is the formula for bodies that se
     }
 }
 
-TEST_CASE("collision: the static impulse is the formula for bodies that separate too",
+TEST_CASE("collision: the sticking impulse is the formula for bodies that separate too",
           "[A4.6][collision]")
 {
     for (unsigned seed : seeds(50)) {

@@ -67,7 +67,7 @@ TEST_CASE("collision: heavy bodies get large frictionless impulses", "[A4.5][col
     }
 }
 
-TEST_CASE("collision: heavy bodies get large static impulses", "[A4.6][collision]")
+TEST_CASE("collision: heavy bodies get large sticking impulses", "[A4.6][collision]")
 {
     for (const double size : powers(0, -90)) { // an inverse by cofactors needs the third power
         CAPTURE(size);
@@ -134,7 +134,7 @@ TEST_CASE("collision: a contact slides up to the friction at which it jams", "[A
                                      Rounding(64, 3 * j_n * 4 / (4 - 2 * below))));
         const Vector3d jams =
             sliding_friction_impulse(jamming_contact(), {2, -2, 0}, up, 0.5, above);
-        const double share = above * 2 / 5; // the static impulse is (-4, 2, 3), its |j_T| is 5
+        const double share = above * 2 / 5; // the sticking impulse is (-4, 2, 3), its |j_T| is 5
         REQUIRE_THAT(jams, IsClose(Vector3d(-4 * share, 2, 3 * share), Rounding(1 << 10, 5)));
     }
 }

@@ -36,8 +36,8 @@ void check_jam(double t, const Skid& skid)
         sliding_friction_impulse(K, skid.v(), n, restitution, critical * (1 - d));
     REQUIRE_THAT(below.dot(n),
                  IsClose(skid.kick() / (nKn * d), Rounding(64, mass * skid.kick() / (d * d))));
-    // above it the contact sticks, since in the plane the static impulse of a jammed contact is in
-    // the cone
+    // above it the contact sticks, since in the plane the sticking impulse of a jammed contact is
+    // in the cone
     const Vector3d above =
         sliding_friction_impulse(K, skid.v(), n, restitution, critical * (1 + d));
     REQUIRE_THAT(Vector3d(skid.v() + K * above),
@@ -135,7 +135,7 @@ TEST_CASE("collision: between two static bodies there is no sliding impulse", "[
                  IsExactly(Vector3d(0, 0, 0)));
 }
 
-TEST_CASE("collision: a jammed contact gets the static impulse shortened to the cone",
+TEST_CASE("collision: a jammed contact gets the sticking impulse shortened to the cone",
           "[A4.8][collision]")
 {
     const Vector3d v(2, -2, 0);
@@ -154,7 +154,7 @@ TEST_CASE("collision: a jammed contact gets the static impulse shortened to the 
 
 TEST_CASE("collision: a jammed contact is not pulled", "[A4.8][collision]")
 {
-    // the static impulse would be (-9, -3, 9)
+    // the sticking impulse would be (-9, -3, 9)
     Matrix3d K;
     K << 2, 1, 2, //
         1, 5, 3,  //

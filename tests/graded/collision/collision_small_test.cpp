@@ -101,7 +101,7 @@ TEST_CASE("collision: a small friction brakes, along any normal", "[A4.8][collis
 TEST_CASE("collision: a jammed contact is the same at any speed and in any direction",
           "[A4.8][collision]")
 {
-    const Vector3d v(2, -2, 0); // the static impulse is (-4, 2, 3), shortened to |j_T| = 2 μ
+    const Vector3d v(2, -2, 0); // the sticking impulse is (-4, 2, 3), shortened to |j_T| = 2 μ
     for (Random random : seeds(60)) {
         const Matrix3d R = random.rotation();
         const double mu = random.uniform(2.05, 3),

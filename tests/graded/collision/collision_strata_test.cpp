@@ -75,7 +75,7 @@ TEST_CASE("collision: a frictionless impulse reverses any normal velocity", "[A4
             }
 }
 
-TEST_CASE("collision: a static impulse stops any sliding", "[A4.6][collision]")
+TEST_CASE("collision: a sticking impulse stops any sliding", "[A4.6][collision]")
 {
     // v + K j = -ε vₙ n, also where K is soft along one direction, or is nearly diagonal
     for (Random random : seeds(5))
@@ -136,7 +136,7 @@ TEST_CASE("collision: bodies that move almost alike", "[A4.3][collision]")
 
 TEST_CASE("collision: a jammed contact pushes while its bodies separate", "[A4.8][collision]")
 {
-    // the static impulse for v = (2, 1, 0) and ε = 0 is (-2.4, 0.4, 2.2)
+    // the sticking impulse for v = (2, 1, 0) and ε = 0 is (-2.4, 0.4, 2.2)
     const Vector3d j = sliding_friction_impulse(jamming_contact(), {2, 1, 0}, {0, 1, 0}, 0, 2.0);
     const Vector3d shortened = 0.8 * Vector3d(-2.4, 0, 2.2).normalized();
     REQUIRE_THAT(j, IsClose(Vector3d(shortened + 0.4 * up), Rounding(256, 4)));
@@ -153,7 +153,7 @@ TEST_CASE("collision: bodies that separate without friction are left alone", "[A
 
 TEST_CASE("collision: high friction holds what slides fast", "[A4.9][collision]")
 {
-    // K = δ: the static impulse is (-s, 1, 0), inside of the cone for μ > s
+    // K = δ: the sticking impulse is (-s, 1, 0), inside of the cone for μ > s
     for (const double slide : {0.5, 2.0, 5.0, 50.0, 1e6}) {
         CAPTURE(slide);
         const Vector3d v(slide, -1, 0), n(0, 1, 0);

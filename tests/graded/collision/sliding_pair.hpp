@@ -31,8 +31,8 @@ inline double ease(const CollidingPair& pair, double friction)
     return 1 - friction * Kn.dot(T) / Kn.dot(pair.n);
 }
 
-/// Distance of the static impulse from the border of the friction cone, relative to the size of the
-/// impulse; positive inside the cone.
+/// Distance of the sticking impulse from the border of the friction cone, relative to the size of
+/// the impulse; positive inside the cone.
 inline double margin(const CollidingPair& pair, double friction)
 {
     const double v_n = pair.v.dot(pair.n);
@@ -102,7 +102,7 @@ inline Matrix3d skidding_sphere(const Skid& skid)
 
 /// K of a contact that jams if it slides along x with μ ≥ 2: then friction presses it down harder
 /// than the normal impulse lifts it.
-/// For v = (2, -2, 0) and ε = 0.5 the static impulse is (-4, 2, 3).
+/// For v = (2, -2, 0) and ε = 0.5 the sticking impulse is (-4, 2, 3).
 inline Matrix3d jamming_contact()
 {
     Matrix3d K;

@@ -106,7 +106,7 @@ TEST_CASE("finite: the first number that is not is named by its path")
     state.orientation.v.z() = infinity;
     REQUIRE(find_non_finite(state) == "orientation.v.z is +infinity");
     REQUIRE(find_non_finite(std::optional<Vector3d>()).empty());
-    REQUIRE(find_non_finite(std::optional<Vector3d>({0, nan, 0})) == "y is NaN");
+    REQUIRE(find_non_finite(std::optional<Vector3d>({0, nan, 0})) == "its component y is NaN");
     REQUIRE(find_non_finite(std::vector<Particle>{{1, {0, 0, 0}}, {nan, {0, 0, 0}}}) ==
             "[1].mass is NaN");
     REQUIRE(find_non_finite(nan) == "it is NaN");
