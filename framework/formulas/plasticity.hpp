@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Topic `plasticity`, assignment A6: when a solid yields, and how it flows.
-// Source: lecture "Rigid bodies", its first pages: the von Mises criterion, the linear elasticity
-// shortcut, perfect plastic flow. Conventions: types.hpp. Stresses σ (in Pa) and strains ε (without
+// Source: lecture "Rigid bodies", its first pages. They have the von Mises criterion, the von Mises
+// stress of a linear elastic solid directly from its strain, and perfect plastic flow. Conventions:
+// types.hpp. Stresses σ (in Pa) and strains ε (without
 // unit) are symmetric; tension is positive. Tr is the trace, ‖·‖ the Frobenius norm, δ the
 // identity.
 #pragma once

@@ -126,8 +126,8 @@ const Vector3d* DeformedSurface::line_through(int triangle, int corner) const
     const Vector3d a = place(triangle, corner + 1) - p, b = place(triangle, corner + 2) - p;
     for (const Vector3d& along : lines_[triangles_[triangle].points[corner]]) {
         if (!(std::abs(along.dot(normals_[triangle])) < 0.5)) continue;
-        // A triangle beyond the end of the edge gets no line: the straight line through the edge
-        // cuts this triangle, or runs along one of its sides.
+        // Only a triangle that lies wholly on one side of the straight line through the edge gets
+        // the line. A triangle beyond the end of the edge is cut by it, or has a side on it.
         const Vector3d across = normals_[triangle].cross(along);
         const double side_a = across.dot(a) / a.norm(), side_b = across.dot(b) / b.norm();
         if (side_a * side_b > 0 && std::min(std::abs(side_a), std::abs(side_b)) > 0.1)

@@ -27,8 +27,8 @@ void write_whole(const std::filesystem::path& file, const std::string& content)
         ok = n > 0;
         if (ok) sent += static_cast<std::size_t>(n);
     }
-    // fsync before the rename: after a crash of the machine there is the old file or the new one,
-    // whole.
+    // The data reach the disk before the rename. So after a crash of the machine the file is either
+    // the old one or the complete new one.
     ok = ok && fsync(descriptor) == 0;
     const int error = errno;
     close(descriptor);

@@ -29,9 +29,9 @@ enum class Trust {
     students, // formulas that are graded: the walls of `usual_tier`; the worker must be static
 };
 
-/// The limits of an implementation. The oracle is a second worker, which runs the reference. Each
-/// time limit has a floor, its lowest value. The limit is the floor or `multiple` times the time
-/// that the oracle took for the same request, whichever is longer; without an oracle it is the
+/// The limits of an implementation. The oracle is a second worker, which runs the reference. The
+/// limit of a call or of a scene is the time that the oracle took for the same request, times the
+/// factor `multiple`, but at least a lowest value, its floor. Without an oracle, the limit is the
 /// floor. Time counts from the request on, while the client waits and the worker is on a processor
 /// or sleeps. If the machine is busy and the worker waits for a processor, only a tenth of that
 /// time counts.

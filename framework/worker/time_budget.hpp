@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Limits the time of all requests of one submission together. A formula that costs too much is
-// given up: it is not called any more. So an endless loop costs only seconds, however many tests
-// and other formulas call it. Time counts as in `Limits` in process.hpp: while the worker is on a
-// processor, or asleep while the client waits.
+// Limits the time of all requests of one submission together. A formula that did not return in time
+// twice is given up: tests do not call it any more, and scenes only until it has failed in two of
+// them. So an endless loop costs only seconds, however many tests and other formulas call it. Time
+// counts as in `Limits` in process.hpp: while the worker is on a processor, or asleep while the
+// client waits.
 //
-// The first seconds of all calls and of all scenes are the free time (`Limits::all_calls` and
+// All calls together have a budget of time, and so have all scenes (`Limits::all_calls` and
 // `all_scenes`). When it is used up, the floor (the lowest time limit) of a call or a scene is only
 // a tenth of its usual value. The limit is this floor or `Limits::multiple` times the time of the
 // reference, whichever is longer. So a solution that is slow and right is graded to its end, and a

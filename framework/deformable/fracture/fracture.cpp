@@ -239,7 +239,9 @@ int crack_with_virtual_nodes(Deformable& solid, const std::vector<Candidate>& fo
         const bool is_divisible = std::accumulate(real.begin(), real.end(), 0) > 1;
         const auto& t = solid.rest.tetrahedra[c.element];
         if (!is_divisible || count[parent] >= most_in_element || taken.any(t)) continue;
-        if (edges.has_similar(parent, c.normal)) continue; // the old crack has to open first
+        // A crack along nearly the same plane as an earlier one would divide nothing: its two parts
+        // are only waiting to move apart.
+        if (edges.has_similar(parent, c.normal)) continue;
         const bool goes_on = edges.meets(parent, real);
         if (one_goes_on && !goes_on) continue;
         one_goes_on |= goes_on;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What an instructor reads about a class. The texts do not depend on times or on the order of
-// grading.
+// The gradebook and the summary of a class, for the instructor. Neither contains durations or
+// dates, and neither depends on the order in which submissions were graded.
 #pragma once
 
 #include "report/exports/row.hpp"

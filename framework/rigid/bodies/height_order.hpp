@@ -41,12 +41,12 @@ public:
         shift_ = std::ldexp(1.5, std::max(16 + exponent_of(extent), 6 + exponent_of(farthest)));
     }
 
-    /// Rounds x to a multiple of a power of two, by adding and subtracting a large number, the
-    /// shift. Let 2^e be the largest power of two up to the extent (the largest difference of two
-    /// coordinates). The shift is 1.5 · 2^(e + 16), and a double of this size has no digits below
-    /// 2^(e - 36). Coordinates far from the origin are less exact. Let 2^f be the largest power of
-    /// two up to the largest coordinate. The shift is therefore at least 1.5 · 2^(f + 6), which
-    /// rounds to 2^(f - 46): 64 times the spacing of doubles at this coordinate.
+    /// Rounds x to a multiple of 2^(e - 36), where 2^e is the largest power of two up to the extent
+    /// (the largest difference of two coordinates). Adding and subtracting the shift
+    /// 1.5 · 2^(e + 16) does so, because a double of this size has no smaller digits. Far from the
+    /// origin, coordinates are less exact than that. So the unit is at least 2^(f - 46), where 2^f
+    /// is the largest power of two up to the largest coordinate: 64 times the spacing of doubles
+    /// there.
     double operator()(double x) const { return (x + shift_) - shift_; }
 
     /// The position of x relative to the corner with the least coordinates of all points.

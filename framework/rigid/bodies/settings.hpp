@@ -6,7 +6,8 @@
 
 namespace rigor {
 
-/// How free flight is integrated.
+/// How free flight is integrated. CONTRIBUTING.md says in "An integrator of free flight" what one
+/// more needs.
 enum class Integrator {
     matrix, ///< Runge–Kutta 4 on (X, R, V, L) through `equations_of_motion`; R is made a rotation
             ///< again after each step
@@ -54,7 +55,7 @@ struct Settings {
     bool formulas_are_reference = false; // whether the reference implementation is linked
 
     /// The integrator of a body that springs, forces or contacts act on.
-    Integrator integrator_when_held() const
+    Integrator integrator_under_forces() const
     {
         return integrator == Integrator::exact ? Integrator::runge_kutta : integrator;
     }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// A first estimate of the impulses of an island that rests on static bodies. First it finds which
-// body rests on which other body. Then it visits the bodies from the highest to the lowest; each
-// passes its own weight and the load on it to its supports in equal parts.
+// A first estimate of the impulses of an island that rests on static bodies. The code finds for
+// each contact which of its bodies rests on the other. Then it visits the bodies from the highest
+// to the lowest. Each passes its own weight and the load on it to the contacts below it, in equal
+// parts.
 #include "rigid/contact/load_estimate.hpp"
 
 #include <algorithm>

@@ -64,10 +64,9 @@ void resolve(ContactProblem& problem, const Island& island)
     if (!corrects) return solve(problem, island, active);
 
     // A target speed above 0 corrects penetration, but adds energy. It is accepted if the contacts
-    // take away at least as much energy in this step. It is also accepted if the added energy
-    // exceeds the kinetic energy of the bodies' relative motion, so that bodies which hardly move
-    // relative to each other are corrected at once. Otherwise the correction waits for a later
-    // step.
+    // take away at least as much energy in this step. Bodies that hardly move relative to
+    // each other (the kinetic energy of this motion is below the added energy) are corrected in any
+    // case. Otherwise the correction waits for a later step.
     constexpr double rounding = 2 * std::numeric_limits<double>::epsilon();
     const std::vector<Body> bodies = problem.bodies_of(island);
     const Vector3d V = problem.grounds_of(island).front().velocity;

@@ -19,8 +19,10 @@ namespace rigor {
 /// that is not convex). Two planes never touch.
 ///
 /// Two capsules are sampled like any capsule (core_contact.hpp), although their distance has a
-/// closed form. To use it, `find_ordered` would have to test for two capsules before it calls
-/// `find_core_contacts`.
+/// closed form. To use it, write the test in a module `shapes/capsule_capsule`, and let
+/// `find_ordered` call it for two capsules before `find_core_contacts`. Two parallel capsules need
+/// a contact at each end of the part where they lie side by side; core_contact_test.cpp has such
+/// cases.
 void find_shape_contacts(const Shape& shape1, const Pose& pose1, const Shape& shape2,
                          const Pose& pose2, double reach, std::vector<Contact>& contacts);
 

@@ -25,8 +25,9 @@ namespace rigor {
 namespace {
 
 constexpr double quarter_turn = std::numbers::pi / 2;
-// A body that needs more substeps makes over 250 rotations in a step. No result is useful then, and
-// the limit keeps the step from taking very long.
+// A body that spins so fast that it needs more substeps makes over 250 rotations in a step. No
+// result is useful then, and the limit keeps the step from taking very long. If springs or forces
+// need more, the step is refused.
 constexpr double most_substeps = 1000;
 
 using Turn = Quaternion (*)(const Quaternion& q, const Vector3d& omega, double time_step);
@@ -97,7 +98,7 @@ int substeps_for_forces(const World& world, double h)
     const bool any_drags = std::any_of(world.bodies.begin(), world.bodies.end(),
                                        [](const RigidBody& body) { return body.drag.acts(); });
     if (world.springs.empty() && world.forces.empty() && !any_drags) return 1;
-    if (world.settings.integrator_when_held() != Integrator::runge_kutta) return 1;
+    if (world.settings.integrator_under_forces() != Integrator::runge_kutta) return 1;
     constexpr double most_change = 0.5; // rate times substep, [rad] for an oscillation
     const auto [rate, body] = fastest_force_rate(world);
     const double needed = std::ceil(rate * h / most_change);
@@ -187,7 +188,7 @@ void fly_by_splitting(const World& world, AppliedWrenches& wrenches, std::span<c
 void fly_pulled(const World& world, AppliedWrenches& wrenches, std::span<const int> together,
                 std::vector<RigidState>& states, double h, const StepTimes& times)
 {
-    const Integrator integrator = world.settings.integrator_when_held();
+    const Integrator integrator = world.settings.integrator_under_forces();
     if (integrator == Integrator::matrix)
         return fly_by_runge_kutta<MatrixScheme>(world, wrenches, together, states, h, times);
     if (integrator == Integrator::runge_kutta && wrenches.depends_on_velocities())
@@ -207,7 +208,7 @@ RigidState fly(const Settings& settings, const RigidBody& body, RigidState state
                Counters& counters, Gravity gravity)
 {
     const Integrator integrator =
-        gravity == Gravity::acts ? settings.integrator : settings.integrator_when_held();
+        gravity == Gravity::acts ? settings.integrator : settings.integrator_under_forces();
     const bool is_exact = integrator == Integrator::exact ||
                           (integrator == Integrator::runge_kutta && body.is_body_of_revolution());
     const int n =
@@ -235,7 +236,7 @@ std::vector<RigidState> fly_all(World& world, const std::vector<bool>& pulled, d
         if (!pulled[i] || body.is_still()) continue;
         together.push_back(static_cast<int>(i));
         n = std::max(
-            n, substeps_for(world.settings.integrator_when_held(), body, body.state, time_step));
+            n, substeps_for(world.settings.integrator_under_forces(), body, body.state, time_step));
         if (body.is_isotropic) ++counters.isotropic_shortcuts;
     }
     fly_in_parallel(
@@ -259,7 +260,7 @@ std::vector<RigidState> fly_all(World& world, const std::vector<bool>& pulled, d
         fly_pulled(world, wrenches, together, states, h,
                    {world.time + k * h, world.time + (k + 0.5) * h});
     for (int i : together)
-        states[i] = with_unit_orientation(world.settings.integrator_when_held(), states[i]);
+        states[i] = with_unit_orientation(world.settings.integrator_under_forces(), states[i]);
     return states;
 }
 

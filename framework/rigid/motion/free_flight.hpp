@@ -53,7 +53,7 @@ enum class Gravity { acts, left_out };
 /// `max_time_step` belongs to A3.
 ///
 /// @param gravity  `left_out` for a body that contacts hold, which moves by
-///                 `Settings::integrator_when_held`
+///                 `Settings::integrator_under_forces`
 RigidState fly(const Settings& settings, const RigidBody& body, RigidState state, double time_step,
                Counters& counters, Gravity gravity = Gravity::acts);
 

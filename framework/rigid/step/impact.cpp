@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The time of impact of two bodies that only bounce off each other. A quadratic prediction from the
-// gap, speed and acceleration of the contact that closes first starts a secant iteration on the
-// gap. The collision stage then runs at that time, in a world of these two bodies alone.
+// The time of impact of two bodies that only bounce off each other, by the secant method on the
+// gap. Its start is a quadratic prediction from the gap, speed and acceleration of that contact
+// which closes first. The collision stage then runs at that time, in a world of these two bodies
+// alone.
 #include "rigid/step/impact.hpp"
 
 #include "geometry/shapes/pose.hpp"

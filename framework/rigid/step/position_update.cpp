@@ -51,10 +51,10 @@ void displace(RigidState& state, const Displacement& by)
 // Whether positions converge with an order above the first even where forces change within a step,
 // as the forces of springs do. (`buss` has a higher order only without such forces.) If so, bodies
 // that contacts hold should have a higher order too.
-bool is_of_higher_order(Integrator integrator_when_held)
+bool is_of_higher_order(Integrator integrator_under_forces)
 {
-    return integrator_when_held == Integrator::runge_kutta ||
-           integrator_when_held == Integrator::matrix;
+    return integrator_under_forces == Integrator::runge_kutta ||
+           integrator_under_forces == Integrator::matrix;
 }
 
 // Whether the contacts of an island act along the same normals during the whole step, as on an
@@ -132,13 +132,15 @@ void update_positions(World& world, const ContactProblem& problem, const std::ve
         if (is_displaced) displace(states[i], displacements[i]);
     };
     for (const Island& island : problem.islands) {
-        const bool by_mean_velocity = is_of_higher_order(world.settings.integrator_when_held()) &&
-                                      holds_along_fixed_normals(problem, island, after_collisions);
+        const bool by_mean_velocity =
+            is_of_higher_order(world.settings.integrator_under_forces()) &&
+            holds_along_fixed_normals(problem, island, after_collisions);
         fly_in_parallel(*problem.pool, island.bodies.size(), counters,
                         [&](std::size_t first, std::size_t last, Counters& counted) {
                             for (std::size_t at = first; at < last; ++at)
                                 move(island.bodies[at], by_mean_velocity, counted);
                         });
+        // stage 1 counted each body; only those count that keep their state after free flight
         counters.free_flights -= island.bodies.size();
     }
 }

@@ -11,10 +11,10 @@ namespace rigor {
 ///
 /// A body that only bounced and is not `pulled` flies on with its velocity after the collision, and
 /// its integrator adds gravity. Any other body that got an impulse moves with its velocity at the
-/// end of the step, because this velocity does not move it into the bodies that hold it. There is
-/// one exception: if the integrator is of higher order and the contacts act along the same normals
-/// during the whole step, the body moves with the mean of its velocities at the start and the
-/// end of the step, which is exact for a constant acceleration.
+/// end of the step: the contacts have made this velocity such that the body does not move into
+/// those that hold it. There is one exception: if the integrator is of higher order and the
+/// contacts act along the same normals during the whole step, the body moves with the mean of its
+/// velocities at the start and the end of the step, which is exact for a constant acceleration.
 ///
 /// @param pulled            for each body, whether springs, applied forces or drag act on it
 /// @param after_collisions  the bodies after the collision stage, before the forces

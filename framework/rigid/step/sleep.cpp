@@ -53,10 +53,10 @@ void add_rest_times(World& world, const Island& island, const std::vector<double
 }
 
 // Whether all bodies of the island have been at rest for long enough.
-bool has_rested(const World& world, const Island& island, const std::vector<bool>& pulled)
+bool has_rested(const World& world, const Island& island, const std::vector<bool>& forced)
 {
     return std::all_of(island.bodies.begin(), island.bodies.end(), [&](int i) {
-        return world.bodies[i].rest.duration >= needed_rest && !pulled[i];
+        return world.bodies[i].rest.duration >= needed_rest && !forced[i];
     });
 }
 
@@ -78,14 +78,14 @@ bool is_driven(const World& world, const ContactProblem& problem, const Island& 
 } // namespace
 
 void fall_asleep(World& world, const ContactProblem& problem, const std::vector<double>& radii,
-                 const std::vector<bool>& pulled, std::vector<RigidState>& states,
+                 const std::vector<bool>& forced, std::vector<RigidState>& states,
                  const std::vector<ContactRecord>& records)
 {
     if (!world.settings.optimisations.sleep || world.settings.gravity.isZero(0)) return;
     std::vector<bool> fell; // for each body, whether it falls asleep now; empty if none does
     for (const Island& island : problem.islands) {
         add_rest_times(world, island, radii, states, problem.time_step);
-        if (!has_rested(world, island, pulled) || is_driven(world, problem, island)) continue;
+        if (!has_rested(world, island, forced) || is_driven(world, problem, island)) continue;
         fell.resize(world.bodies.size());
         const int group = *std::min_element(island.bodies.begin(), island.bodies.end());
         for (int i : island.bodies) {
@@ -117,10 +117,10 @@ void wake(World& world, const std::vector<int>& bodies)
         if (body.rest.is_asleep() && wakes[body.rest.group]) body.rest = {};
 }
 
-void wake_pulled(World& world, const std::vector<bool>& pulled)
+void wake_pulled(World& world, const std::vector<bool>& forced)
 {
-    for (std::size_t i = 0; i < pulled.size(); ++i)
-        if (pulled[i] && world.bodies[i].rest.is_asleep()) wake(world, {static_cast<int>(i)});
+    for (std::size_t i = 0; i < forced.size(); ++i)
+        if (forced[i] && world.bodies[i].rest.is_asleep()) wake(world, {static_cast<int>(i)});
 }
 
 } // namespace rigor

@@ -14,19 +14,19 @@ namespace rigor {
 /// stays awake.
 ///
 /// @param radii    radius of each body [m]
-/// @param pulled   for each body, whether springs or applied forces pull on it; such a body stays
+/// @param forced   for each body, whether springs or applied forces pull on it; such a body stays
 ///                 awake, and its island with it
 /// @param states   the states of all bodies after the step
 /// @param records  the contacts of the step; those of islands that fall asleep are kept in the
 ///                 memory of the world
 void fall_asleep(World& world, const ContactProblem& problem, const std::vector<double>& radii,
-                 const std::vector<bool>& pulled, std::vector<RigidState>& states,
+                 const std::vector<bool>& forced, std::vector<RigidState>& states,
                  const std::vector<ContactRecord>& records);
 
 /// Wakes these bodies and all bodies that fell asleep together with them.
 void wake(World& world, const std::vector<int>& bodies);
 
 /// Wakes the sleeping bodies on which springs or applied forces pull.
-void wake_pulled(World& world, const std::vector<bool>& pulled);
+void wake_pulled(World& world, const std::vector<bool>& forced);
 
 } // namespace rigor

@@ -99,7 +99,7 @@ private:
     {
         code_.push_back(BPF_STMT(BPF_LD | BPF_W | BPF_ABS, static_cast<std::uint32_t>(offset)));
     }
-    // `yes` and `no` are the numbers of instructions to skip if the comparison holds, and if not.
+    // `yes` and `no` are the numbers of instructions to skip if the comparison is true or false.
     void jump(unsigned comparison, std::uint32_t value, std::uint8_t yes, std::uint8_t no)
     {
         const auto instruction = static_cast<std::uint16_t>(BPF_JMP | BPF_K | comparison);

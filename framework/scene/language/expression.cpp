@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Reads an expression by recursive descent, with a function for each level of precedence, and
-// writes its program in the order in which a stack computes it.
+// writes it as a program for a stack machine, that is, in postfix order.
 #include "scene/language/expression.hpp"
 
 #include "errors/nearest.hpp"

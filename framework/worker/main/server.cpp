@@ -149,7 +149,8 @@ void Server::take_bytes(std::span<std::byte> bytes)
     while (!bytes.empty()) {
         const std::uint32_t given = ring.written.load(std::memory_order_acquire);
         if (given == used_) {
-            wake(channel_.reply, channel_.reply_awaited); // so that the client reads the stream
+            // the client writes further answers only as far as it has read our stream: wake it
+            wake(channel_.reply, channel_.reply_awaited);
             await_change(ring.written, ring.written_awaited, given, std::chrono::hours(1));
             continue;
         }

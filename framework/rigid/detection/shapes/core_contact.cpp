@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Contacts of shapes that are a core curve with a radius: spheres, capsules and tori. It samples
-// the other shape's distance along the core and refines each minimum by golden section search
-// (Kiefer 1953). Balls on a torus or a mesh have methods of their own. For a capsule or a torus on
+// Contacts of shapes that are a core (a point, a segment or a circle) with a radius around it:
+// spheres, capsules and tori; other engines call such shapes rounded. The distance of the other
+// shape is sampled along the core, and each minimum is refined by golden section search (Kiefer
+// 1953). Balls on a torus or a mesh have methods of their own. For a capsule or a torus on
 // a mesh, contacts at the points of the mesh are added.
 #include "rigid/detection/shapes/core_contact.hpp"
 
@@ -25,8 +26,9 @@ namespace {
 // samples take more time; the numbers were chosen by trial.
 constexpr int segment_samples = 17, circle_samples = 48;
 constexpr int golden_steps = 42; // they shorten an interval to 0.618⁴² = 2e-9 of its length
-// A minimum between samples is a contact of its own if its gap is smaller than that of the sample
-// by more than this, in lengths of the core. A smaller difference is the error of the search.
+// A minimum between two samples becomes another contact only if its gap is smaller than the gap at
+// the sample by more than this fraction of the core's length. A smaller difference may be an error
+// of the search.
 constexpr double least_improvement = 1e-9;
 
 // A core curve with a radius around it, in the frame of the other shape.

@@ -91,8 +91,8 @@ struct NormalAt {
     template <class Other> Vector3d operator()(const Other&) const { return d; }
 };
 
-// Points spread over the surface: the middles of the faces, edges or points that face 26
-// directions.
+// Points spread over the surface. For each of 26 directions it is the middle of the face, edge or
+// point that is turned towards this direction.
 std::vector<Vector3d> seeds(const Shape& shape)
 {
     std::vector<Vector3d> points;
