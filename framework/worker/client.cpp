@@ -93,9 +93,9 @@ void Worker::renew()
     ending_ = std::move(session_);
 }
 
-void Worker::begin_budget_again(Seconds free)
+void Worker::begin_budget_again(Seconds budget)
 {
-    budget_.begin_again(free);
+    budget_.begin_again(budget);
     ended_ran_ = session_ ? -session_->on_processor() : Seconds(0);
 }
 

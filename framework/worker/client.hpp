@@ -70,7 +70,7 @@ public:
 
     TimeBudget& budget() { return budget_; }
     /// Begins the budget again, see `TimeBudget::begin_again`.
-    void begin_budget_again(std::chrono::duration<double> free);
+    void begin_budget_again(std::chrono::duration<double> budget);
 
 private:
     friend class SceneAnswers;

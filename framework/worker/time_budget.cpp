@@ -7,9 +7,9 @@ namespace rigor {
 
 namespace {
 
-// The free time of all calls is `Limits::all_calls`. One formula may use this share of it before
-// the formula is compared with the reference, so that some time is left for the other formulas.
-// Without a reference, one formula may use all of the free time.
+// One formula may use this share of the budget of all calls before it is compared with the
+// reference, so that some of it is left for the other formulas. Without a reference, one formula
+// may use the whole budget.
 constexpr double share_with_reference = 0.25;
 
 } // namespace
@@ -27,9 +27,9 @@ void TimeBudget::go_on_from(const Spent& spent)
         of(formula).was_given_up = true;
 }
 
-void TimeBudget::begin_again(Seconds free)
+void TimeBudget::begin_again(Seconds budget)
 {
-    limits_.all_calls = limits_.all_scenes = free;
+    limits_.all_calls = limits_.all_scenes = budget;
     rows_ = {};
     calls_ = scenes_ = on_processor_ = {};
     is_begun_again_ = true;

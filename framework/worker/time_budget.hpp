@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Limits the time of all requests of one submission together. A formula that did not return in time
-// twice is given up: tests do not call it any more, and scenes only until it has failed in two of
-// them. So an endless loop costs only seconds, however many tests and other formulas call it. Time
-// counts as in `Limits` in process.hpp: while the worker is on a processor, or asleep while the
-// client waits.
+// twice, or that is far slower than the reference, is given up: tests do not call it any more, and
+// scenes only until it has failed in two of them. So an endless loop costs only seconds, however
+// many tests and other formulas call it. Time counts as in `Limits` in process.hpp: while the
+// worker is on a processor, or asleep while the client waits.
 //
 // All calls together have a budget of time, and so have all scenes (`Limits::all_calls` and
 // `all_scenes`). When it is used up, the floor (the lowest time limit) of a call or a scene is only
@@ -36,11 +36,11 @@ public:
     /// Goes on from what an earlier run has spent.
     void go_on_from(const Spent& spent);
 
-    /// Forgets what was spent. From now on, `free` is the free time (before the limits become
-    /// shorter) of all calls together, and also that of all scenes together. A formula that returns
-    /// is given up only if the worker has also been on a processor for that time, see `ran`. The
-    /// reference needs this rule: it never sleeps, but its replies come late on a busy machine.
-    void begin_again(Seconds free);
+    /// Forgets what was spent. From now on all calls together have this budget, and so have all
+    /// scenes together. A formula that returns is given up only if the worker has also been on a
+    /// processor for that time, see `ran`. The reference needs this rule: it never sleeps, but its
+    /// replies come late on a busy machine.
+    void begin_again(Seconds budget);
 
     /// Counts a call that was answered.
     void returned(FormulaIndex formula, Seconds took);
@@ -67,13 +67,13 @@ public:
     /// gets two short chances in scenes, because its arguments may differ there.
     bool ends_scenes(FormulaIndex formula) const;
 
-    /// The floors (lowest time limits) of `Limits`, which are shorter after the free time is used.
+    /// The floors (lowest time limits) of `Limits`, which are shorter once a budget is used up.
     Seconds floor_of_call() const { return floor_factor() * limits_.call; }
     Seconds floor_of_wait(FormulaIndex formula) const;
     Seconds floor_of_scene() const;
 
     Spent spent() const;
-    /// A text about the formulas that were given up and the free times that are used up; empty if
+    /// A text about the formulas that were given up and the budgets that are used up; empty if
     /// there are none.
     std::string report() const;
 
