@@ -68,8 +68,9 @@ void draw_cone(Drawing& drawing, const Vector3d& v, double mu, const std::string
     const double top = 3.4;
     drawing.polygon({{0, 0}, {-mu * top, top}, {mu * top, top}}, "grey filled thin");
     drawing.line({-2, 0}, {2, 0}, "ink thick");
-    drawing.arrow({-0.6 * v.x() - 0.2, 1.2}, {-0.2, 0.4}, "green");
-    drawing.label({-0.6 * v.x() - 0.2, 1.2}, "v", Side::left, "green");
+    const Vector2d tip(-0.2, 0.4), tail = tip - 0.6 * flat(v);
+    drawing.arrow(tail, tip, "green");
+    drawing.label(tail, "v", Side::left, "green");
     const Vector2d corner(-1.75, 0); // where the arrows n and T start, beside the contact
     drawing.arrow(corner, corner + Vector2d(0, 0.7), "ink");
     drawing.label(corner + Vector2d(0, 0.6), "n", Side::right);

@@ -8,8 +8,10 @@
 //
 // Meshes are conforming: two tetrahedra share a whole face, a whole edge, a vertex or nothing, at
 // most two tetrahedra share a face, and the tetrahedra around each vertex are connected through
-// faces. A vertex that no tetrahedron uses is kept. The returned meshes are conforming too. Every
-// index is valid; for an invalid index the result may be anything finite.
+// faces. The returned meshes are conforming too, apart from the two sides of a crack, which touch
+// and share nothing, and from the copies of A7.7: they overlap, and two copies and their neighbour
+// can share one face. A vertex that no tetrahedron uses is kept. Every index is valid; for an
+// invalid index the result may be anything finite.
 #pragma once
 
 #include "formulas/not_implemented.hpp"
@@ -57,10 +59,10 @@ int closest_face(const std::array<Vector3d, 4>& tetrahedron, const Vector3d& nor
 /// has this vertex and is not among `faces`, or if a chain of such faces connects them. Each
 /// connected group gets its own vertex. So no tetrahedron changes its shape, a vertex is duplicated
 /// only where the mesh splits, and the rim of a crack that ends inside the solid stays closed. If
-/// only a single face inside the solid is given, it stays closed entirely, and the next call does
-/// not remember it. So all faces of a crack must be given at once. Each vertex of the result is an
-/// old vertex or a copy of one. In its origin, `first` and `second` are both the index of this old
-/// vertex, and `fraction` is 0.
+/// only a single face is given, and none of its edges is on the surface of the solid, it stays
+/// closed entirely, and the next call does not remember it. So all faces of a crack must be given
+/// at once. Each vertex of the result is an old vertex or a copy of one. In its origin, `first` and
+/// `second` are both the index of this old vertex, and `fraction` is 0.
 ///
 /// @param faces  each given from either side, in any order, possibly repeated; a face on the
 ///               surface of the solid is allowed and changes nothing

@@ -214,6 +214,16 @@ TEST_CASE("A4: friction that jams and friction that adds energy", "[numbers]")
     check_shown("A4", "which is $-22 + 49.5 = 27.5$ J",
                 {j.dot(v), j.dot(K * j) / 2, j.dot(v + K * j / 2)});
 
+    Matrix3d K2;
+    K2 << 6, 2, -3, 2, 3, 0, -3, 0, 2;
+    check_shown("A4", "$(6, 2, -3)$, $(2, 3, 0)$ and $(-3, 0, 2)$", rows_of(K2));
+    const Vector3d v2(1, -1, 0), shortened = collision_impulse(K2, v2, up, 0, 1.5);
+    check_shown("A4", "The sticking impulse $(-10, 7, -15)$ is shortened",
+                listed(static_friction_impulse(K2, v2, up, 0)));
+    check_shown(
+        "A4", "shortened to $(-5.824, 7, -8.737)$, and this adds 4.577 J.",
+        {shortened.x(), shortened.y(), shortened.z(), shortened.dot(v2 + K2 * shortened / 2)});
+
     // The rod whose center falls straight down: the tip moves with (1.5, -2.5) m/s.
     const Vector3d d = Vector3d(1, 1, 0).normalized(), X = d / 2, tip(1.5, -2.5, 0);
     const Matrix3d I_inverse = 12 * (Matrix3d::Identity() - d * d.transpose());
