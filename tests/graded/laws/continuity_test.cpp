@@ -207,7 +207,7 @@ template <FormulaIndex f, auto& formula> Arguments<formula> special_arguments(Ra
         Vector3d& v = std::get<1>(arguments);
         if (v.dot(n) > 0) v = -v; // bodies that approach
         if (v.dot(n) > -0.05) v -= n;
-    } else if constexpr (std::is_same_v<decltype(f), F>) {
+    } else {
         align_points(arguments, random);
     }
     return arguments;
