@@ -239,8 +239,8 @@ int crack_with_virtual_nodes(Deformable& solid, const std::vector<Candidate>& fo
         const bool is_divisible = std::accumulate(real.begin(), real.end(), 0) > 1;
         const auto& t = solid.rest.tetrahedra[c.element];
         if (!is_divisible || count[parent] >= most_in_element || taken.any(t)) continue;
-        // A crack along nearly the same plane as an earlier one would divide nothing: its two parts
-        // are only waiting to move apart.
+        // The element already has a crack within about 45° of this one. Once that has opened, the
+        // stress that asks for another one is gone.
         if (edges.has_similar(parent, c.normal)) continue;
         const bool goes_on = edges.meets(parent, real);
         if (one_goes_on && !goes_on) continue;
