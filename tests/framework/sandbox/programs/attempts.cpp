@@ -78,7 +78,8 @@ bool execute_from_memory(const char* path)
     return false;
 }
 
-// Twenty daemons, each in a session of its own, without parents that live.
+// Twenty daemons, each in a session of its own, without parents that live. Each parent waits until
+// its daemon has told that it runs and ends it.
 bool leave_daemons(const char*)
 {
     for (int i = 0; i < 20; ++i) {
@@ -86,10 +87,14 @@ bool leave_daemons(const char*)
         if (child < 0) return false;
         if (child > 0) continue;
         setsid();
-        if (fork() != 0) _exit(0);
+        const pid_t daemon = fork();
+        if (daemon < 0) _exit(0);
+        while (daemon > 0)
+            pause();
         setsid();
         std::printf("daemon %d\n", getpid());
         std::fflush(stdout);
+        kill(getppid(), SIGKILL);
         signal(SIGTERM, SIG_IGN);
         for (;;)
             pause();
