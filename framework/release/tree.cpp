@@ -96,7 +96,8 @@ void require_stubs(const ReleasedTree& tree)
                                        [&](const ReleasedFile& f) { return f.path == path; });
         if (file == tree.end() || file->content.find(stub) == std::string::npos)
             throw InputError(fmt::format("{}: expected the untouched stub of {} {}, found none; "
-                                         "solved formulas must not be handed out",
+                                         "solved formulas must not be handed out (`git checkout "
+                                         "student` brings the stubs back)",
                                          path, formula.tag, formula.name));
     }
 }

@@ -211,6 +211,14 @@ private:
                    "folder with its report.txt\n",
                    outcome.graded, outcome.rows.size() - outcome.graded, options_.out,
                    gradebook_file);
+        // of its lines one or two are titles
+        const auto lines = [](const std::string& csv) {
+            return std::count(csv.begin(), csv.end(), '\n');
+        };
+        fmt::print("{} has {} submissions (names that Canvas has not given are taken for logins), "
+                   "{} has {} (only those that Moodle has named)\n",
+                   canvas_file, lines(canvas_csv(outcome.rows, "")) - 2, moodle_file,
+                   lines(moodle_csv(outcome.rows)) - 1);
         return status_of(outcome);
     }
 

@@ -42,6 +42,11 @@ std::string counts_of_statuses(const std::vector<Row>& rows)
     return text;
 }
 
+bool is_failed(const TaskPoints& task)
+{
+    return task.status != "passed" && task.status != "not_implemented" && task.status != "skipped";
+}
+
 std::string tasks_table(const std::vector<const Row*>& rows)
 {
     std::string text = fmt::format("{:<8}{:<32}{:>8}{:>8}{:>8}{:>8}\n", "task", "", "passed",
@@ -49,17 +54,35 @@ std::string tasks_table(const std::vector<const Row*>& rows)
     for (std::size_t t = 0; t < rows.front()->tasks.size(); ++t) {
         int passed = 0, failed = 0, stub = 0, not_run = 0;
         for (const Row* row : rows) {
-            const std::string& status = row->tasks.at(t).status;
-            (status == "passed"            ? passed
-             : status == "not_implemented" ? stub
-             : status == "skipped"         ? not_run
-                                           : failed)++;
+            const TaskPoints& task = row->tasks.at(t);
+            (is_failed(task)                    ? failed
+             : task.status == "not_implemented" ? stub
+             : task.status == "skipped"         ? not_run
+                                                : passed)++;
         }
         const TaskPoints& task = rows.front()->tasks[t];
         text += fmt::format("{:<8}{:<32}{:>8}{:>8}{:>8}{:>8}\n", task.tag, task.name, passed,
                             failed, stub, not_run);
     }
     return text;
+}
+
+// Who failed each task: the first names, and the number of the others.
+std::string failed_by_task(const std::vector<const Row*>& rows)
+{
+    constexpr std::size_t most_names = 8;
+    std::string text;
+    for (std::size_t t = 0; t < rows.front()->tasks.size(); ++t) {
+        std::vector<std::string> names;
+        for (const Row* row : rows)
+            if (is_failed(row->tasks[t])) names.push_back(row->submission);
+        if (names.empty()) continue;
+        const std::size_t others = names.size() - std::min(names.size(), most_names);
+        names.resize(names.size() - others);
+        text += fmt::format("  {:<8}{}{}\n", rows.front()->tasks[t].tag, fmt::join(names, ", "),
+                            others > 0 ? fmt::format(", and {} more", others) : "");
+    }
+    return text.empty() ? "" : "\nfailed:\n" + text;
 }
 
 std::string distribution(const std::vector<const Row*>& rows)
@@ -150,7 +173,8 @@ std::string class_summary(const std::vector<Row>& rows)
                     rows.size() == 1 ? "submission" : "submissions", counts_of_statuses(rows));
     const std::vector<const Row*> all = judged(rows);
     if (!all.empty())
-        text += "\n" + tasks_table(all) + "\n" + distribution(all) + common_mistakes(all);
+        text += "\n" + tasks_table(all) + "\n" + distribution(all) + failed_by_task(all) +
+                common_mistakes(all);
     return text + not_tested(rows);
 }
 

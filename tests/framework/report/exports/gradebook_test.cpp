@@ -35,6 +35,7 @@ TEST_CASE("gradebook: the summary counts tasks and points and names who has no g
     CHECK(contains(text, "A2.1    mass                                   2       1       0"));
     CHECK(contains(text, "A2.2    turn                                   1       0       2"));
     CHECK(contains(text, "out of 5: lowest 0, median 2, mean 2.333, highest 5"));
+    CHECK(contains(text, "\nfailed:\n  A2.1"));
     CHECK(contains(text, "  mallory: rejected: expected inertia.cpp, found no file\n"));
     CHECK(contains(text, "  eve: internal_error: the test program died\n"));
     CHECK(contains(text, "  zed: compile_error\n"));
