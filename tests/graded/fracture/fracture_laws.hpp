@@ -152,6 +152,27 @@ inline std::vector<Tetrahedron> canonical(const std::vector<Tetrahedron>& tetrah
     return result;
 }
 
+/// Checks that the same corners are one vertex in two meshes with their tetrahedra in one order.
+inline void check_same_vertices(const std::vector<Tetrahedron>& found,
+                                const std::vector<Tetrahedron>& expected)
+{
+    check_count(std::ssize(found), std::ssize(expected), "tetrahedra");
+    const std::vector<Tetrahedron> is = canonical(found), should = canonical(expected);
+    std::map<int, std::pair<std::size_t, int>> first; // the first corner of each vertex
+    for (std::size_t t = 0; t < should.size(); ++t)
+        for (int i = 0; i < 4; ++i) {
+            const auto [seen, is_new] = first.emplace(should[t][i], std::pair(t, i));
+            const auto [s, j] = seen->second;
+            check_that(is[t][i] == should[t][i],
+                       is_new ? fmt::format("corner {} of tetrahedron {} is a vertex that no "
+                                            "earlier corner has",
+                                            i, t)
+                              : fmt::format("corner {} of tetrahedron {} is the same vertex as "
+                                            "corner {} of tetrahedron {}",
+                                            i, t, j, s));
+        }
+}
+
 /// The position of each corner of each tetrahedron.
 inline std::vector<std::array<Vector3d, 4>> corners(const TetrahedralMesh& mesh)
 {

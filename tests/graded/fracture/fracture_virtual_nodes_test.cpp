@@ -75,7 +75,7 @@ TEST_CASE("fracture: without cracks nothing is duplicated", "[A7.7][fracture]")
 {
     for (const TetrahedralMesh& mesh : {unit_tetrahedron(), two_tetrahedra(), block(2, 2, 1)}) {
         const EmbeddedMesh result = embedded(mesh, {});
-        REQUIRE_THAT(canonical(result.mesh.tetrahedra), IsExactly(canonical(mesh.tetrahedra)));
+        check_same_vertices(result.mesh.tetrahedra, mesh.tetrahedra);
         for (double fraction : result.fractions)
             REQUIRE_THAT(fraction, IsClose(1.0, Rounding(4, 1)));
     }

@@ -80,6 +80,15 @@ TEST_CASE("scenes: the period of the box and the cone of the rotor", "[numbers]"
                "go around $L$ together, at " + number(L.norm() / 0.04, "%.3f") + " rad/s");
 }
 
+TEST_CASE("scenes: the particles that move by six numbers", "[numbers]")
+{
+    const Scene scene =
+        load_scene(assignments() / "a1-kinematics" / "scenes" / "velocity_modes.json");
+    const std::size_t n = make_deformable_world(scene).solids.at(0).rest.vertices.size();
+    check_says("a1-kinematics", "it moves " + std::to_string(n) + " particles with");
+    CHECK(scene.description.find("A bar of " + std::to_string(n)) == 0);
+}
+
 TEST_CASE("scenes: the first step of the seesaw", "[numbers]")
 {
     const Scene scene = load_scene(assignments() / "a5-contact" / "scenes" / "seesaw.json");
