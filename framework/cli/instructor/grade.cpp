@@ -215,8 +215,8 @@ private:
         const auto lines = [](const std::string& csv) {
             return std::count(csv.begin(), csv.end(), '\n');
         };
-        fmt::print("{} has {} submissions (names that Canvas has not given are taken for logins), "
-                   "{} has {} (only those that Moodle has named)\n",
+        fmt::print("submissions in {}: {} (names that Canvas has not given are taken for logins), "
+                   "in {}: {} (only those that Moodle has named)\n",
                    canvas_file, lines(canvas_csv(outcome.rows, "")) - 2, moodle_file,
                    lines(moodle_csv(outcome.rows)) - 1);
         return status_of(outcome);
