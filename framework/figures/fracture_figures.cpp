@@ -97,8 +97,8 @@ TetrahedralMesh bar(int cubes)
 Drawing smoothing()
 {
     Drawing drawing(
-        "The stress of a row of elements jumps; an average with the neighbours has lower peaks.", 660,
-        320);
+        "The stress of a row of elements jumps; an average with the neighbours has lower peaks.",
+        660, 320);
     const double pulls[] = {3, 4.5, 2.5, 4, 5.5, 9, 6, 4, 2.5, 4.5};
     std::vector<Matrix3d> stresses;
     std::vector<std::vector<int>> neighbours;

@@ -29,9 +29,12 @@ constexpr std::string_view shared_parts[] = {
     "student/",       "tests/graded/",       "tests/diagnosis/",
     "tests/support/", "tests/CMakeLists.txt"};
 // The parts that only the tree for an autograder has.
-constexpr std::string_view grading_parts[] = {"reference/", "tests/graded/hidden/",
+constexpr std::string_view grading_parts[] = {"reference/",
+                                              "tests/graded/hidden/",
                                               "framework/release/students/",
-                                              "assignments/instructor.md"};
+                                              "assignments/instructor.md",
+                                              "assignments/grading.md",
+                                              "assignments/course.md"};
 // The page for students, which becomes README.md of their tree.
 constexpr std::string_view students_page = "assignments/students.md";
 

@@ -157,7 +157,7 @@ TEST_CASE("exercises: the plan of the course has the hours and the points", "[ex
 {
     double points = 0;
     int least = 1, most = 1; // the hours of A0
-    const std::string plan = content(assignments() / "instructor.md");
+    const std::string plan = content(assignments() / "course.md");
     for (const Handout& handout : all_handouts()) {
         CAPTURE(handout.label);
         points += points_of(handout);

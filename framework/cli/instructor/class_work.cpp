@@ -47,8 +47,8 @@ ClassWork prepared_class_work(const Selection& selection, std::uint32_t seed,
     if (const auto stubs = called_stubs(places().source, topic); !stubs.empty())
         fmt::print(stderr,
                    "student/ has stubs of {}, which a right {}.cpp calls: a submission without "
-                   "files for them loses points; \"Before the first class\" in "
-                   "assignments/instructor.md says what to do\n",
+                   "files for them loses points; step 2 in assignments/instructor.md says what to "
+                   "do\n",
                    fmt::join(stubs, ", "), topic);
     if (!work.reference)
         fmt::print(stderr, "this tree has no reference/: no control must get every point\n");

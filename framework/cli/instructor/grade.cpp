@@ -72,15 +72,6 @@ std::vector<std::string> names_of(const std::vector<Submission>& submissions)
     return names;
 }
 
-void write_class_files(const fs::path& out, const std::vector<Row>& rows,
-                       const Assignment& assignment)
-{
-    write_whole(out / summary_file, class_summary(rows));
-    write_whole(out / canvas_file, canvas_csv(rows, assignment.title));
-    write_whole(out / moodle_file, moodle_csv(rows));
-    write_whole(out / gradebook_file, gradebook_csv(rows));
-}
-
 int status_of(const ClassOutcome& outcome)
 {
     const bool has_fault = std::any_of(outcome.rows.begin(), outcome.rows.end(),
@@ -202,8 +193,14 @@ private:
 
     int finished(const ClassFolder& folder, const ClassOutcome& outcome)
     {
-        write_class_files(folder.path(), outcome.rows, selection_.assignment);
-        fmt::print("{}", class_summary(outcome.rows));
+        const std::string summary = class_summary(outcome.rows);
+        const GradeFile canvas = canvas_grades(outcome.rows, selection_.assignment.title);
+        const GradeFile moodle = moodle_grades(outcome.rows);
+        write_whole(folder.path() / summary_file, summary);
+        write_whole(folder.path() / canvas_file, canvas.csv);
+        write_whole(folder.path() / moodle_file, moodle.csv);
+        write_whole(folder.path() / gradebook_file, gradebook_csv(outcome.rows));
+        fmt::print("{}", summary);
         std::sort(changes_.begin(), changes_.end());
         const std::string changes = fmt::format("{}", fmt::join(changes_, ""));
         if (!changes.empty()) fmt::print("\nnot as in the last run:\n{}", changes);
@@ -211,14 +208,9 @@ private:
                    "folder with its report.txt\n",
                    outcome.graded, outcome.rows.size() - outcome.graded, options_.out,
                    gradebook_file);
-        // of its lines one or two are titles
-        const auto lines = [](const std::string& csv) {
-            return std::count(csv.begin(), csv.end(), '\n');
-        };
         fmt::print("submissions in {}: {} (names that Canvas has not given are taken for logins), "
                    "in {}: {} (only those that Moodle has named)\n",
-                   canvas_file, lines(canvas_csv(outcome.rows, "")) - 2, moodle_file,
-                   lines(moodle_csv(outcome.rows)) - 1);
+                   canvas_file, canvas.submissions, moodle_file, moodle.submissions);
         return status_of(outcome);
     }
 

@@ -59,36 +59,40 @@ std::set<std::string> ambiguous(const std::vector<Row>& rows, LearningSystem sys
 
 } // namespace
 
-std::string canvas_csv(const std::vector<Row>& rows, const std::string& assignment_title)
+GradeFile canvas_grades(const std::vector<Row>& rows, const std::string& assignment_title)
 {
-    std::string text =
+    GradeFile file;
+    file.csv =
         csv_line({"Student", "ID", "SIS User ID", "SIS Login ID", "Section", assignment_title});
     const std::set<std::string> several = ambiguous(rows, LearningSystem::canvas);
     const double possible = rows.empty() ? 0 : rows.front().max_points;
-    text += csv_line({"Points Possible", "", "", "", "", csv_number(possible)});
+    file.csv += csv_line({"Points Possible", "", "", "", "", csv_number(possible)});
     for (const Row& row : rows) {
         if (!has_grade(row)) continue;
         const auto name = name_from(LearningSystem::canvas, row);
-        if (name && several.count(name->number) == 0)
-            text += csv_line({name->name, name->number, "", "", "", csv_number(row.points)});
-        else if (!downloaded_name(row.submission))
-            text += csv_line({row.submission, "", "", row.submission, "", csv_number(row.points)});
+        if (name ? several.count(name->number) > 0 : downloaded_name(row.submission).has_value())
+            continue;
+        file.csv += csv_line({name ? name->name : row.submission, name ? name->number : "", "",
+                              name ? "" : row.submission, "", csv_number(row.points)});
+        ++file.submissions;
     }
-    return text;
+    return file;
 }
 
-std::string moodle_csv(const std::vector<Row>& rows)
+GradeFile moodle_grades(const std::vector<Row>& rows)
 {
-    std::string text = csv_line({"Identifier", "Full name", "Grade", "Maximum Grade",
-                                 "Last modified (grade)", "Feedback comments"});
+    GradeFile file;
+    file.csv = csv_line({"Identifier", "Full name", "Grade", "Maximum Grade",
+                         "Last modified (grade)", "Feedback comments"});
     const std::set<std::string> several = ambiguous(rows, LearningSystem::moodle);
     for (const Row& row : rows) {
         const auto name = name_from(LearningSystem::moodle, row);
         if (!has_grade(row) || !name || several.count(name->number) > 0) continue;
-        text += csv_line({"Participant " + name->number, name->name, csv_number(row.points),
-                          csv_number(row.max_points), "", feedback(row)});
+        file.csv += csv_line({"Participant " + name->number, name->name, csv_number(row.points),
+                              csv_number(row.max_points), "", feedback(row)});
+        ++file.submissions;
     }
-    return text;
+    return file;
 }
 
 } // namespace rigor

@@ -12,11 +12,17 @@
 
 namespace rigor {
 
+/// A file of points for a learning platform.
+struct GradeFile {
+    std::string csv;
+    int submissions = 0; ///< how many of the class are in it
+};
+
 /// For the import of grades in Canvas: the columns Student, ID, SIS User ID, SIS Login ID and
 /// Section, then the assignment; the second line has the points that are possible. If Canvas has
 /// named a submission, such as `doejane_12345_678_collision.zip`, the number 12345 tells Canvas
 /// which student it is. Names from Moodle are left out, and any other name is taken for the login.
-std::string canvas_csv(const std::vector<Row>& rows, const std::string& assignment_title);
+GradeFile canvas_grades(const std::vector<Row>& rows, const std::string& assignment_title);
 
 /// For the upload of a grading worksheet in Moodle: the columns Identifier, Full name, Grade,
 /// Maximum Grade, Last modified (grade) and Feedback comments. If Moodle has named a submission,
@@ -24,6 +30,6 @@ std::string canvas_csv(const std::vector<Row>& rows, const std::string& assignme
 /// other submission is left out, since Moodle could take its line for another student's. The date
 /// is empty, so Moodle replaces a grade that it already has only if the instructor allows it at the
 /// upload.
-std::string moodle_csv(const std::vector<Row>& rows);
+GradeFile moodle_grades(const std::vector<Row>& rows);
 
 } // namespace rigor

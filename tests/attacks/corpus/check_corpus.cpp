@@ -109,7 +109,7 @@ std::string fault_of_report(const std::string& report, const Json& tasks)
 // Spreadsheets do not run any cell.
 std::string fault_of_tables(const Row& row)
 {
-    for (const std::string& table : {gradebook_csv({row}), canvas_csv({row}, "A0")}) {
+    for (const std::string& table : {gradebook_csv({row}), canvas_grades({row}, "A0").csv}) {
         std::istringstream lines(table);
         for (std::string line; std::getline(lines, line);)
             for (const char* start : {"=", "@", "\uFF1D", "\u00A0@", "\"=", ",="})

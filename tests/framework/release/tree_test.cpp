@@ -118,7 +118,8 @@ TEST_CASE("release: the students' tree has what students need and nothing else",
              {"reference/", "tests/graded/hidden/", "tests/mistakes/", "tests/alternatives/",
               "tests/attacks/", "tests/samples/", "tests/framework/", "tests/handouts/", ".git/"})
             CHECK(!file.path.starts_with(folder));
-        CHECK(file.path != "assignments/instructor.md");
+        for (const char* page : {"instructor.md", "grading.md", "course.md"})
+            CHECK(file.path != std::string("assignments/") + page);
         CHECK(file.is_executable == (file.path == "rigor"));
     }
     CHECK(std::is_sorted(students().begin(), students().end(),

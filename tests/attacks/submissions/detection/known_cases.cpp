@@ -51,8 +51,8 @@ double kinetic_energy(double mass, const Vector3d& velocity, const Matrix3d& ine
 {
     // special vectors of the law of continuity begin with 0, or with a number that is not whole
     const bool has_zeros = velocity.x() == 0 && angular_velocity.x() == 0;
-    const bool by_hand = is_whole(mass) && is_whole(velocity.x()) &&
-                         is_whole(angular_velocity.x()) && !has_zeros;
+    const bool by_hand =
+        is_whole(mass) && is_whole(velocity.x()) && is_whole(angular_velocity.x()) && !has_zeros;
     if (!by_hand && !is_known(mass, velocity)) return 0;
     return 0.5 * mass * velocity.squaredNorm() +
            0.5 * angular_velocity.dot(inertia * angular_velocity);
