@@ -87,6 +87,7 @@ TEST_CASE("classics: a disk that rolls on its rim loses little energy and gains 
 
 TEST_CASE("classics: a body in a faceted bowl gains no energy", "[classics]")
 {
+    Sweep sweep;
     // The wall ahead is steeper than the wall below, in corners or along a curve. A body that moves
     // into it and is pushed out again would be lifted by nothing.
     struct Named {
@@ -106,6 +107,7 @@ TEST_CASE("classics: a body in a faceted bowl gains no energy", "[classics]")
         for (const auto& [name, shape] : shapes)
             for (const double friction : {0., 0.5})
                 for (const double h : {0.02, 0.005}) {
+                    if (!sweep.takes_next()) continue;
                     CAPTURE(sides, name, friction, h);
                     const Material material{0, friction};
                     World world =
@@ -127,6 +129,7 @@ TEST_CASE("classics: a body in a faceted bowl gains no energy", "[classics]")
 
 TEST_CASE("classics: a ball swings in a faceted bowl or ring without a gain", "[classics]")
 {
+    Sweep sweep;
     const Material smooth{0, 0};
     for (const int sides : {12, 48, 180})
         for (const bool is_ring : {false, true}) {
@@ -135,6 +138,7 @@ TEST_CASE("classics: a ball swings in a faceted bowl or ring without a gain", "[
             const Quaternion q = is_ring ? turn({1, 0, 0}, pi / 2) : Quaternion{};
             for (const double start : {0.2, 1.2}) // from the vertical [rad]
                 for (const double h : {0.02, 0.01, 0.005}) {
+                    if (!sweep.takes_next()) continue;
                     CAPTURE(sides, is_ring, start, h);
                     const Vector3d X = 0.89 * std::cos(pi / sides) *
                                        Vector3d(std::sin(start), -std::cos(start), 0);
