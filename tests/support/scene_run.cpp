@@ -245,10 +245,10 @@ void check_every_step(const std::string& scene_name, const std::string& changes)
     }
 }
 
-void check_solids(const std::string& scene_name, double multiple)
+void check_solids(const std::string& scene_name, double multiple, const std::string& changes)
 {
     REQUIRE(oracle() != nullptr);
-    const Trajectory run = run_scene(scene_name);
+    const Trajectory run = run_scene(scene_name, {}, changes);
     const Trajectory wanted = run_by_oracle(run.scene);
     REQUIRE(run.frames.size() == wanted.frames.size());
     for (std::size_t n = 0; n < run.frames.size(); ++n)

@@ -54,6 +54,7 @@ void check_every_step(const std::string& scene_name, const std::string& changes 
 /// Checks a whole run with deformable solids: compares the nodes of the worker under test with
 /// those of the oracle, class R with `multiple` eps. It fits only motion that forgets small
 /// differences, as solids do that handles pull and that are damped.
-void check_solids(const std::string& scene_name, double multiple);
+void check_solids(const std::string& scene_name, double multiple,
+                  const std::string& changes = "{}");
 
 } // namespace rigor::testing

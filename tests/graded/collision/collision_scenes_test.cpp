@@ -160,13 +160,13 @@ TEST_CASE("collision: colliding balls never gain energy", "[A4.12][collision][sc
 
 TEST_CASE("collision: a pile of boxes settles and gains no energy", "[A4.12][collision][scene]")
 {
-    // 48 of the scene's hundred boxes. After 2 s they are at rest: 8 J of at most 500 J.
+    // 32 of the scene's hundred boxes. After 2 s they are at rest.
     const Trajectory run = run_scene("a4-collision/hundred_boxes", {}, R"({"end": 2, "bodies": [
         {"name": "floor", "shape": {"plane": {}}, "static": true, "restitution": 1,
          "friction": 0.6},
         {"name": "box", "shape": {"box": {"size": [0.5, 0.5, 0.5]}}, "density": 500,
          "position": [-1.7, 0.8, -1.7], "restitution": 0.2, "friction": 0.6,
-         "grid": {"count": [4, 3, 4], "spacing": [0.85, 0.9, 0.85], "jitter": 0.04,
+         "grid": {"count": [4, 2, 4], "spacing": [0.85, 0.9, 0.85], "jitter": 0.04,
                   "jitter_degrees": 30, "seed": 7}}]})");
     const Statistics statistics(run.scene, run.bodies);
     const double start = statistics.of(run.frames.front()).total_energy();
