@@ -5,6 +5,7 @@
 
 #include "formulas/types.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -31,5 +32,11 @@ public:
 private:
     std::uint64_t state_;
 };
+
+/// A number from 0 to size - 1.
+inline int random_index(Random& random, std::size_t size)
+{
+    return static_cast<int>(random.bits() % size);
+}
 
 } // namespace rigor::testing

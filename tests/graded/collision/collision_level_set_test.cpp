@@ -148,7 +148,7 @@ TEST_CASE("collision: beyond each face, edge and corner the distance to the box 
 
 TEST_CASE("collision: far outside the grid the distance is finite", "[A4.1][collision]")
 {
-    for (double far : {1e6, 1e12, 1e100}) {
+    for (double far : {1e6, 1e9, 1e12, 1e20, 1e100}) {
         CAPTURE(far);
         REQUIRE_THAT(sample_level_set(slab, Vector3d(far, 1, 1)),
                      IsClose(1 + (far - 2), Rounding(16)));
@@ -287,6 +287,32 @@ TEST_CASE("collision: outside the grid the normal is that of the nearest point",
     }
     REQUIRE_THAT(level_set_normal(slab, Vector3d(1e100, -1e100, 0)),
                  IsClose(Vector3d(1, 0, 0), Rounding(8)));
+}
+
+TEST_CASE("collision: beyond each face, edge and corner the normal is that of the nearest point",
+          "[A4.2][collision]")
+{
+    // Across some axes p lies outside, near the grid or far away. Across the others it lies inside
+    // a cell or on the face of one, also there in the higher cell.
+    for (int region = 0; region < 27; ++region)
+        for (Random random : seeds(12)) {
+            const LevelSet grid = sampled(Vector3d::Zero(), 0.5, {4, 4, 4}, [&](const Vector3d& p) {
+                return p.x() + p.y() + p.z() + 0.2 * random.uniform(-1, 1);
+            });
+            const std::array<int, 3> place = {region % 3, region / 3 % 3, region / 9};
+            Vector3d p, inside;
+            for (int axis = 0; axis < 3; ++axis) {
+                const double face = 0.5 * random_index(random, 3), low = 0, high = 1.5;
+                const double away =
+                    random.uniform(1, 2) * std::ldexp(1, random_index(random, 80) - 8);
+                p[axis] = place[axis] == 0 ? low - away : high + away;
+                if (place[axis] == 1) p[axis] = face + random_index(random, 2) * 0.25;
+                inside[axis] = std::min(std::max(p[axis], low) + 0x1p-30, high - 0x1p-30);
+            }
+            CAPTURE(p, inside);
+            REQUIRE_THAT(level_set_normal(grid, p),
+                         IsClose(level_set_normal(grid, inside), Order(0x1p-24)));
+        }
 }
 
 TEST_CASE("collision: where the gradient is zero the normal points up", "[A4.2][collision]")

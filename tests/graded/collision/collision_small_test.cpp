@@ -25,7 +25,8 @@ Vector3d near_an_axis(Random& random)
 {
     Vector3d n(power_of_two(random, -40, -1), power_of_two(random, -40, -1), 1);
     if (random.bits() % 2 == 0) n = -n;
-    return Vector3d(n[random.bits() % 2], n[2], n[1]).normalized();
+    const int axis = random_index(random, 3);
+    return Vector3d(n[axis], n[(axis + 1) % 3], n[(axis + 2) % 3]).normalized();
 }
 
 // A contact with a normal near an axis and with a small restitution. The bodies approach each other

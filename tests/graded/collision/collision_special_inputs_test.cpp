@@ -147,12 +147,15 @@ TEST_CASE("collision: the last cells of long and large grids", "[A4.1][collision
 {
     for (int axis = 0; axis < 3; ++axis) {
         std::array<int, 3> size = {2, 2, 2};
-        size[axis] = 300;
-        const LevelSet grid = grid_of(size, square);
-        // half-way between the nodes 297 and 298, where the other coordinates are 0
-        const Vector3d p = 297.5 * Vector3d::Unit(axis);
-        REQUIRE_THAT(sample_level_set(grid, p),
-                     IsClose((297.0 * 297 + 298.0 * 298) / 2, Rounding(16)));
+        for (const int count : {300, 70'000}) {
+            size[axis] = count;
+            const LevelSet grid = grid_of(size, square);
+            // half-way between two nodes, where the other coordinates are 0
+            const double node = count - 3;
+            const Vector3d p = (node + 0.5) * Vector3d::Unit(axis);
+            REQUIRE_THAT(sample_level_set(grid, p),
+                         IsClose((node * node + (node + 1) * (node + 1)) / 2, Rounding(16)));
+        }
     }
     const LevelSet large = grid_of({41, 41, 41}, slope);
     REQUIRE_THAT(sample_level_set(large, {40, 40, 40}), IsClose(240.0, Rounding(16)));
@@ -163,12 +166,14 @@ TEST_CASE("collision: the normal in the last cells of long and large grids", "[A
 {
     for (int axis = 0; axis < 3; ++axis) {
         std::array<int, 3> size = {2, 2, 2};
-        size[axis] = 300;
-        const Vector3d p = 297.5 * Vector3d::Unit(axis);
-        // the slope of the squares is 595 along the axis and 1 across it
-        const Vector3d gradient = Vector3d::Ones() + 594 * Vector3d::Unit(axis);
-        REQUIRE_THAT(level_set_normal(grid_of(size, square), p),
-                     IsClose(Vector3d(gradient.normalized()), Rounding(64)));
+        for (const int count : {300, 70'000}) {
+            size[axis] = count;
+            const Vector3d p = (count - 2.5) * Vector3d::Unit(axis);
+            // the slope of the squares is 2 count - 5 along the axis and 1 across it
+            const Vector3d gradient = Vector3d::Ones() + (2 * count - 6) * Vector3d::Unit(axis);
+            REQUIRE_THAT(level_set_normal(grid_of(size, square), p),
+                         IsClose(Vector3d(gradient.normalized()), Rounding(64)));
+        }
     }
     REQUIRE_THAT(level_set_normal(grid_of({41, 41, 41}, slope), {39.5, 39.5, 39.5}),
                  IsClose(Vector3d(Vector3d(1, 2, 3).normalized()), Rounding(256)));

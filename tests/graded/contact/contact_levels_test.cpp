@@ -30,11 +30,6 @@ struct Pile {
     Levels levels;
 };
 
-int random_index(Random& random, std::size_t size)
-{
-    return static_cast<int>(random.uniform(0, static_cast<double>(size)));
-}
-
 // A new number for each of n bodies.
 std::vector<int> shuffled(int n, Random& random)
 {
@@ -192,6 +187,41 @@ TEST_CASE("contact: levels do not depend on how bodies are numbered", "[A5.3][co
         const Pile other = renumbered(pile, random);
         REQUIRE_THAT(contact_levels(other.rests_on, other.is_static), IsExactly(other.levels));
     }
+}
+
+TEST_CASE("contact: a large pile whose bodies rest on few others", "[A5.3][contact]")
+{
+    // Each body rests on some of the lower ones, most of all on a table, and is listed repeatedly.
+    for (const int count : {70, 1000, 70'000})
+        for (Random random : seeds(3)) {
+            CAPTURE(count);
+            Pile pile{Edges(count), on_the_ground(count), Levels(count, 0)};
+            for (int i = 1; i < count; ++i) {
+                std::vector<int>& below = pile.rests_on[i];
+                for (int n = random_index(random, 4); n > 0; --n)
+                    below.push_back(
+                        random_index(random, random_index(random, 2) ? i : std::min(i, 4)));
+                if (below.size() > 1) below.push_back(below.front());
+                pile.levels[i] = 1;
+                for (const int other : below)
+                    pile.levels[i] = std::max(pile.levels[i], pile.levels[other] + 1);
+            }
+            for (const Pile& one : {pile, renumbered(pile, random)})
+                REQUIRE_THAT(contact_levels(one.rests_on, one.is_static), IsExactly(one.levels));
+        }
+}
+
+TEST_CASE("contact: a tall stack whose bodies are numbered from both ends", "[A5.3][contact]")
+{
+    // from below 0, n - 1, 1, n - 2, …
+    const int n = 6000;
+    Pile stack{Edges(n), on_the_ground(n), Levels(n)};
+    const auto number = [&](int place) { return place % 2 == 0 ? place / 2 : n - 1 - place / 2; };
+    for (int place = 0; place < n; ++place) {
+        stack.levels[number(place)] = place;
+        if (place > 0) stack.rests_on[number(place)] = {number(place - 1)};
+    }
+    REQUIRE_THAT(contact_levels(stack.rests_on, stack.is_static), IsExactly(stack.levels));
 }
 
 TEST_CASE("contact: a stack of a hundred thousand bodies", "[A5.3][contact]")

@@ -91,11 +91,6 @@ inline std::array<Vector3d, 4> corners_of(const TetrahedralMesh& mesh, int t)
     return {mesh.vertices[c[0]], mesh.vertices[c[1]], mesh.vertices[c[2]], mesh.vertices[c[3]]};
 }
 
-inline int random_index(Random& random, std::size_t size)
-{
-    return static_cast<int>(random.bits() % size);
-}
-
 inline std::vector<int> in_order(std::size_t size)
 {
     std::vector<int> result(size);

@@ -24,7 +24,7 @@ struct Stretched {
         strain = random_symmetric(random);
         lambda = random.uniform(0.1, 2);
         G = random.uniform(0.1, 2);
-        constexpr int largest = 40; // from 2^-40, about 1e-12, to 2^40
+        constexpr int largest = 80; // from 2^-80, about 1e-24, to 2^80
         factor = std::ldexp(1, static_cast<int>(random.bits() % (2 * largest + 1)) - largest);
     }
 };

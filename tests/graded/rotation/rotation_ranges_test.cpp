@@ -94,6 +94,18 @@ TEST_CASE("rotation: the smallest and the largest quaternions are normalized", "
         REQUIRE_THAT(normalize({size, {0, -size, 0}}),
                      IsClose(Quaternion{std::sqrt(0.5), {0, -std::sqrt(0.5), 0}}, Rounding(8, 1)));
     }
+    // one component is far larger than the others, and may be negative
+    for (const double sign : {1.0, -1.0})
+        for (int power = 0; power <= 1000; power += 8) {
+            CAPTURE(sign, power);
+            const double small = std::ldexp(1, -power), length = std::hypot(1, small);
+            REQUIRE_THAT(
+                normalize({sign, {0, 0, small}}),
+                IsClose(Quaternion{sign / length, {0, 0, small / length}}, Rounding(8, 1)));
+            REQUIRE_THAT(
+                normalize({small, {0, sign, 0}}),
+                IsClose(Quaternion{small / length, {0, sign / length, 0}}, Rounding(8, 1)));
+        }
     const double largest = std::numeric_limits<double>::max();
     REQUIRE_THAT(normalize({largest, {-largest, largest, -largest}}),
                  IsClose(Quaternion{0.5, {-0.5, 0.5, -0.5}}, Rounding(8, 1)));

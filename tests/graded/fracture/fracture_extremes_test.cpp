@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: MIT
+// A7: parts of very different sizes beside each other, many tetrahedra around an edge, many
+// vertices, many cracks in an element, and degenerate tetrahedra.
+#include "fracture_laws.hpp"
+#include "support/in_words.hpp"
+#include "virtual_nodes_laws.hpp"
+
+namespace rigor::testing::fracture_extremes_test {
+
+namespace {
+
+// n tetrahedra in a closed ring around the edge between the vertices 0 and 1. The vertex 2 + i is
+// between the tetrahedra i - 1 and i.
+TetrahedralMesh ring_around_edge(int n)
+{
+    TetrahedralMesh mesh = {{{0, 0, -1}, {0, 0, 1}}, {}};
+    for (int i = 0; i < n; ++i) {
+        const double angle = 2 * std::numbers::pi * i / n;
+        mesh.vertices.push_back({std::cos(angle), std::sin(angle), 0});
+        mesh.tetrahedra.push_back({0, 2 + i, 2 + (i + 1) % n, 1});
+    }
+    return mesh;
+}
+
+// The mesh behind `count` vertices that no tetrahedron uses.
+TetrahedralMesh behind_unused(const TetrahedralMesh& mesh, int count)
+{
+    TetrahedralMesh result;
+    result.vertices.assign(static_cast<std::size_t>(count), Vector3d(7, 7, 7));
+    result.vertices.insert(result.vertices.end(), mesh.vertices.begin(), mesh.vertices.end());
+    for (const Tetrahedron& t : mesh.tetrahedra)
+        result.tetrahedra.push_back({t[0] + count, t[1] + count, t[2] + count, t[3] + count});
+    return result;
+}
+
+constexpr int many = 70'000;
+
+} // namespace
+
+TEST_CASE("fracture: only an element and its neighbours count in its average", "[A7.1][fracture]")
+{
+    // a third element, which is nobody's neighbour, may be as large or small as it likes
+    const Matrix3d one = Matrix3d::Identity();
+    for (int power = -200; power <= 200; power += 8) {
+        CAPTURE(power);
+        const auto smooth =
+            smooth_stress({one, 3 * one, 5 * one}, {{1}, {0}, {}}, {1, 1, std::ldexp(1, power)});
+        REQUIRE_THAT(smooth,
+                     IsClose(std::vector<Matrix3d>{2 * one, 2 * one, 5 * one}, Rounding(8)));
+    }
+}
+
+TEST_CASE("fracture: a pull opens a crack however strong the pressure across it is",
+          "[A7.3][fracture]")
+{
+    for (int axis = 0; axis < 3; ++axis)
+        for (int power = 0; power <= 44; ++power) {
+            CAPTURE(axis, power);
+            Vector3d principal = Vector3d::Constant(-1);
+            principal[axis] = std::ldexp(1, -power);
+            const auto normal = crack_plane(principal.asDiagonal(), 0);
+            check_that(normal.has_value(), "a crack, since a principal stress is positive");
+            REQUIRE_THAT(std::abs((*normal)[axis]), IsClose(1.0, Rounding(64)));
+        }
+}
+
+TEST_CASE("fracture: a face of a flat tetrahedron and those that hardly lean against it",
+          "[A7.4][fracture]")
+{
+    // the face opposite the low tip is level; the others lean by about the height of the tip
+    for (int tip = 0; tip < 4; ++tip)
+        for (int power = 1; power <= 20; ++power)
+            for (const double sign : {1.0, -1.0}) {
+                CAPTURE(tip, power, sign);
+                const Vector3d level[] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+                std::array<Vector3d, 4> flat;
+                for (int i = 0; i < 3; ++i)
+                    flat[(tip + 1 + i) % 4] = level[i];
+                flat[tip] = {0.25, 0.25, std::ldexp(sign, -power)};
+                REQUIRE_THAT(closest_face(flat, {0, 0, 1}), IsExactly(tip));
+            }
+}
+
+TEST_CASE("fracture: no face of a flat tetrahedron is near a crack across it", "[A7.4][fracture]")
+{
+    // All vertices lie in the plane z = 0, so every |n_f·n| is 0, with or without an area.
+    for (Random random : seeds(60)) {
+        std::array<Vector3d, 4> flat;
+        for (Vector3d& x : flat) // of few places, so that some are equal or in one line
+            x = {1.0 * random_index(random, 3), 1.0 * random_index(random, 3), 0};
+        CAPTURE(flat[0], flat[1], flat[2], flat[3]);
+        REQUIRE_THAT(closest_face(flat, Vector3d(0.6, 0.8, 0)), IsExactly(0));
+    }
+}
+
+TEST_CASE("fracture: any number of tetrahedra around an edge part at two faces", "[A7.5][fracture]")
+{
+    for (const int n : {8, 30, 70, 130, 300})
+        for (Random random : seeds(6)) {
+            const TetrahedralMesh ring = ring_around_edge(n);
+            const int one = random_index(random, n), size = 2 + random_index(random, n - 3);
+            CAPTURE(n, one, size);
+            // face 2 of tetrahedron i has the vertex 2 + i
+            const SplitMesh result = split_along_faces(ring, {{one, 2}, {(one + size) % n, 2}});
+            check_split(ring, result);
+            // both ends of the edge are doubled, and a vertex at each cut
+            check_count(vertex_count(result.mesh), n + 2 + 4, "vertices");
+            check_count(piece_count(result.mesh), 2, "pieces");
+        }
+}
+
+TEST_CASE("fracture: along faces a mesh with many vertices", "[A7.5][fracture]")
+{
+    const TetrahedralMesh cube = block(2, 2, 2), mesh = behind_unused(cube, many);
+    for (const double x : {1.0, 3.0}) { // in the middle, and nowhere
+        const auto at = [x](const Vector3d& p) { return p.x() == x; };
+        const SplitMesh result = split_along_faces(mesh, faces_where(cube, at));
+        check_count(vertex_count(result.mesh), many + 27 + (x == 1 ? 9 : 0), "vertices");
+        check_count(piece_count(result.mesh), x == 1 ? 2 : 1, "pieces");
+    }
+}
+
+TEST_CASE("fracture: through elements a mesh with many vertices", "[A7.6][fracture]")
+{
+    const SplitMesh small = split_element(octahedron(), 0, diagonal),
+                    large = split_element(behind_unused(octahedron(), many), many, diagonal);
+    check_count(vertex_count(large.mesh), many + vertex_count(small.mesh), "vertices");
+    check_count(piece_count(large.mesh), piece_count(small.mesh), "pieces");
+}
+
+TEST_CASE("fracture: with virtual nodes a mesh with many vertices", "[A7.7][fracture]")
+{
+    const TetrahedralMesh cube = block(2, 2, 2), mesh = behind_unused(cube, many);
+    const Cracks cracks = plane_through(cube, {0.5, 0, 0}, {1, 0, 0});
+    const EmbeddedMesh small = virtual_nodes(cube, cracks), large = virtual_nodes(mesh, cracks);
+    check_count(vertex_count(large.mesh), many + vertex_count(small.mesh), "vertices");
+    check_count(piece_count(large.mesh), piece_count(small.mesh), "pieces");
+}
+
+TEST_CASE("fracture: any number of cracks beside an element changes nothing", "[A7.7][fracture]")
+{
+    for (const int count : {1, 31, 32, 63, 64, 130}) {
+        CAPTURE(count);
+        Cracks cracks = {corner_cut(0, 0.5)};
+        for (int i = 0; i < count; ++i)
+            cracks.push_back(corner_cut(0, 2 + i, i % 2 == 0 ? 1 : -1));
+        check_shares(embedded(unit_tetrahedron(), cracks), std::vector{0.125, 0.875},
+                     Rounding(16, 1));
+        std::reverse(cracks.begin(), cracks.end());
+        check_shares(embedded(unit_tetrahedron(), cracks), std::vector{0.125, 0.875},
+                     Rounding(16, 1));
+    }
+}
+
+TEST_CASE("fracture: two cracks in one plane with opposite normals", "[A7.7][fracture]")
+{
+    // The corners 0 and 3 lie in the plane x = y, so they are on the side of either normal. The
+    // second crack finds no matter on its side, and so leaves these corners without a share.
+    const Vector3d n = Vector3d(1, -1, 0).normalized(), zero = Vector3d::Zero();
+    for (const double sign : {1.0, -1.0}) {
+        const EmbeddedMesh result =
+            embedded(unit_tetrahedron(), {{0, zero, sign * n}, {0, zero, -sign * n}});
+        REQUIRE_THAT(result.real,
+                     IsExactly(std::vector<Tetrahedron>{{1, 0, 0, 1}, {0, 1, 0, 0}, {0, 0, 1, 0}}));
+        check_shares(result, std::vector<double>{0, 0.5, 0.5}, Rounding(16, 1));
+    }
+}
+
+TEST_CASE("fracture: the slice that a crack cuts off may be thin", "[A7.7][fracture]")
+{
+    // z < c has the share 1 - (1 - c)³
+    for (int power = 1; power <= 40; ++power) {
+        CAPTURE(power);
+        const double c = std::ldexp(1, -power), share = c * (3 - 3 * c + c * c);
+        const EmbeddedMesh result = embedded(unit_tetrahedron(), {{0, {0, 0, c}, {0, 0, 1}}});
+        REQUIRE_THAT(result.real, IsExactly(std::vector<Tetrahedron>{{1, 1, 1, 0}, {0, 0, 0, 1}}));
+        check_shares(result, std::vector{share, 1 - share}, Rounding(16, 1));
+    }
+}
+
+} // namespace rigor::testing::fracture_extremes_test

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+// The law of smoothness: near a special input most formulas change as they do farther away. A
+// formula that takes what is nearly special for special (nearly at rest, nearly a quarter turn,
+// nearly along the axis) does not change at all there. With inputs at -t, t, -T and T along one
+// path, f(t) - f(-t) is t/T times f(T) - f(-T), but for terms of the third order.
+#include "special_arguments.hpp"
+#include "support/seeds.hpp"
+
+#include <fmt/format.h>
+
+namespace rigor::testing {
+
+namespace {
+
+// The formulas that have derivatives at all special inputs.
+constexpr std::string_view smooth =
+    "kinetic_energy cross_matrix world_point object_point angular_velocity point_velocity "
+    "velocity_modes generalized_mass net_wrench equations_of_motion velocity_mode_rates "
+    "inertial_wrench particle_mass_properties world_inertia world_inverse_inertia invert_moments "
+    "solid_sphere solid_box solid_cylinder solid_ellipsoid thin_rod grid_mass_properties "
+    "sampled_mass_properties combine advance_matrix gram_schmidt "
+    "euler_to_matrix euler_rates multiply conjugate normalize rotate to_matrix quaternion_rate "
+    "advance_exact advance_linear gravity_wrench step_symplectic_euler step_buss "
+    "relative_velocity impulse_matrix frictionless_impulse static_friction_impulse apply_impulse "
+    "deviator isotropic_stress yield_strain smooth_stress";
+
+// The result at the distance t from special inputs, along a path that `random` draws.
+template <auto& formula>
+auto result_at(double t, Arguments<formula> arguments, const FormulaQuantities& of, Random random)
+{
+    std::size_t k = 0;
+    std::apply([&](auto&... one) { (nudge_argument(one, of.arguments[k++], t, random), ...); },
+               arguments);
+    return std::apply(formula, arguments);
+}
+
+template <FormulaIndex f, auto& formula> void check_smoothness()
+{
+    const FormulaQuantities& of = formula_quantities[static_cast<unsigned>(f)];
+    for (Random random : seeds(100)) {
+        const Arguments<formula> arguments = special_arguments<f, formula>(random);
+        const Random path(static_cast<unsigned>(random.bits()));
+        const auto at = [&](double t) { return result_at<formula>(t, arguments, of, path); };
+        constexpr double T = 0x1p-10;
+        auto far_change = at(T);
+        each_pair(far_change, at(-T), of.result, false,
+                  [](auto& a, const auto& b, const Quantity&) { a -= b; });
+        for (const double t : {0x1p-14, 0x1p-20, 0x1p-26, 0x1p-32, 0x1p-38}) {
+            auto expected = at(-t);
+            each_pair(expected, far_change, of.result, false,
+                      [&](auto& a, const auto& change, const Quantity&) { a += t / T * change; });
+            INFO(fmt::format("{} changes evenly: if each argument changes by {:.1g}, the result "
+                             "changes by {:.1g} of what it changes for arguments that change by "
+                             "{:.1g}; the expected value is found in this way",
+                             formulas[static_cast<unsigned>(f)].name, 2 * t, t / T, 2 * T));
+            REQUIRE_THAT(at(t), IsClose(expected, Order(0x1p16 * t * T * T + 0x1p-45)));
+        }
+    }
+}
+
+#define RIGOR_ROW(tag, topic, function, ...)                                                       \
+    [[maybe_unused]] const bool smoothness_of_##function = [] {                                    \
+        if constexpr (has_word(smooth, #function))                                                 \
+            return add_test(&check_smoothness<FormulaIndex::function, rigor::function>,            \
+                            #topic ": " #function " changes evenly near special values",           \
+                            "[" #tag "][" #topic "]");                                             \
+        return false;                                                                              \
+    }();
+RIGOR_FORMULAS(RIGOR_ROW)
+#undef RIGOR_ROW
+
+} // namespace
+
+} // namespace rigor::testing

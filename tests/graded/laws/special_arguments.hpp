@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: MIT
+// Special inputs of a formula, and inputs near them. Special inputs have entries that are zero or
+// equal, turn about an axis of the frame or by quarters of a turn, have a point straight above
+// another one, or repeat an argument. Random numbers almost never do.
+#pragma once
+
+#include "strata.hpp"
+
+#include <numbers>
+
+namespace rigor::testing {
+
+inline bool one_in(int n, Random& random)
+{
+    return random_index(random, static_cast<std::size_t>(n)) == 0;
+}
+
+/// Sets entries to zero, or to another entry or its negative.
+template <class Entries> void make_entries_special(Entries& x, bool may_vanish, Random& random)
+{
+    for (int i = 0; i < x.size(); ++i) {
+        if (may_vanish && one_in(3, random)) x(i) = 0;
+        if (!one_in(4, random)) continue;
+        const double other = x(random_index(random, static_cast<std::size_t>(x.size())));
+        x(i) = may_vanish && one_in(2, random) ? -other : other;
+    }
+}
+
+/// A turn about an axis or a diagonal of the frame, or one without a part about some axes; the real
+/// part has either sign, or is 0 for half a turn.
+inline Quaternion special_unit_quaternion(Random& random)
+{
+    Eigen::Vector4d q(random.uniform(-1, 1), 0, 0, 0);
+    q.tail<3>() = random.vector();
+    make_entries_special(q, true, random);
+    if (one_in(4, random)) q.setZero(); // no turn, or half a turn about an axis
+    if (q.norm() < 0.1) q[random_index(random, 4)] = one_in(2, random) ? 1 : -1;
+    q.normalize();
+    return {q[0], q.tail<3>()};
+}
+
+inline Matrix3d matrix_of(const Quaternion& q)
+{
+    return Eigen::Quaterniond(q.s, q.v.x(), q.v.y(), q.v.z()).toRotationMatrix();
+}
+
+/// A symmetric matrix: diagonal entries that are equal or not, and others that are 0 or not. They
+/// are at most 0.1.
+inline Matrix3d special_symmetric(Vector3d diagonal, bool may_vanish, Random& random)
+{
+    make_entries_special(diagonal, may_vanish, random);
+    if (one_in(4, random)) diagonal.setConstant(diagonal[0]);
+    Vector3d others = 0.1 * random.vector();
+    make_entries_special(others, true, random);
+    if (one_in(3, random)) others.setZero();
+    Matrix3d S = diagonal.asDiagonal();
+    for (int i = 0; i < 3; ++i) {
+        const int j = (i + 1) % 3;
+        S(i, j) = S(j, i) = others[i];
+    }
+    return S;
+}
+
+/// A body's inertia, or its inverse: moments that are equal or not, products that are 0 or not.
+/// The eigenvalues lie between 0.6 and 1.2, so no moment is above the sum of the others.
+inline Matrix3d special_definite(Random& random)
+{
+    return special_symmetric(0.9 * Vector3d::Ones() + 0.1 * random.vector(), false, random);
+}
+
+/// Makes a number, vector or matrix special within its set.
+template <class T> void make_special(T& value, const Quantity& q, Random& random)
+{
+    const bool may_vanish = q.kind != Kind::along_axes || q.dimension == quantities::none;
+    if constexpr (std::is_same_v<T, double>) {
+        if (q.kind == Kind::any_number)
+            value = random_index(random, 3) - 1;
+        else if (q.kind == Kind::number && q.dimension != quantities::duration.dimension)
+            value = 1;
+    } else if constexpr (std::is_same_v<T, Vector3d>) {
+        make_entries_special(value, may_vanish, random);
+        if (q.kind != Kind::unit) return;
+        if (value.norm() < 0.1) value = Vector3d::Unit(random_index(random, 3));
+        value.normalize();
+    } else if constexpr (std::is_same_v<T, Matrix3d>) {
+        if (q.kind == Kind::rotation) {
+            value = matrix_of(special_unit_quaternion(random));
+        } else if (q.kind == Kind::definite) {
+            value = special_definite(random);
+        } else if (q.kind == Kind::symmetric) {
+            value = special_symmetric(value.diagonal(), true, random);
+        } else if (q.kind == Kind::columns) { // near a rotation, so they do not depend
+            Matrix3d change = 0.2 * value;
+            make_entries_special(change, true, random);
+            value = matrix_of(special_unit_quaternion(random)) + change;
+        } else {
+            make_entries_special(value, true, random);
+            if (one_in(3, random)) value.diagonal().setZero();
+        }
+    }
+}
+
+/// Moves a value by about t within its set.
+template <class T> void nudge(T& value, const Quantity& q, double t, Random& random)
+{
+    if constexpr (std::is_same_v<T, double>) {
+        value += t * random.uniform(-1, 1);
+    } else if constexpr (std::is_same_v<T, Vector3d>) {
+        value += t * random.vector();
+        if (q.kind == Kind::unit) value.normalize();
+    } else if constexpr (std::is_same_v<T, Matrix3d>) {
+        Matrix3d change;
+        change << random.vector(), random.vector(), random.vector();
+        if (q.kind == Kind::rotation) {
+            const Vector3d axis = random.unit_vector();
+            value = Eigen::AngleAxisd(t, axis) * value;
+        } else {
+            if (q.kind == Kind::symmetric || q.kind == Kind::definite)
+                change = (change + change.transpose()).eval() / 2;
+            value += t * change;
+        }
+    }
+}
+
+template <class T> void make_unit(T& value, const Quantity& q)
+{
+    if constexpr (std::is_same_v<T, RigidState>)
+        make_unit(value.orientation, quantities::orientation);
+    if constexpr (std::is_same_v<T, Quaternion>) {
+        if (q.kind != Kind::orientation) return;
+        const double length = std::hypot(value.s, value.v.norm());
+        value.s /= length;
+        value.v /= length;
+    }
+}
+
+template <class T> void make_argument_special(T& value, const Quantity& q, Random& random)
+{
+    if constexpr (std::is_same_v<T, LevelSet>) return; // its point is special instead
+    const T ordinary = value;
+    each_pair(value, ordinary, q, false, [&](auto& leaf, const auto&, const Quantity& of) {
+        if (of.kind != Kind::index && !one_in(3, random)) make_special(leaf, of, random);
+    });
+    if constexpr (std::is_same_v<T, RigidState>) {
+        if (one_in(2, random)) value.orientation = special_unit_quaternion(random);
+    } else if constexpr (std::is_same_v<T, Quaternion>) {
+        if (one_in(2, random) || std::hypot(value.s, value.v.norm()) < 0.1)
+            value = special_unit_quaternion(random);
+    }
+    make_unit(value, q);
+}
+
+template <class T> void nudge_argument(T& value, const Quantity& q, double t, Random& random)
+{
+    const T before = value;
+    each_pair(value, before, q, false, [&](auto& leaf, const auto&, const Quantity& of) {
+        if (of.kind != Kind::index) nudge(leaf, of, t, random);
+    });
+    make_unit(value, q);
+}
+
+/// Gives two arguments that are points a difference of few entries.
+template <class Arguments> void align_points(Arguments& arguments, Random& random)
+{
+    if constexpr (std::tuple_size_v<Arguments> >= 2) {
+        constexpr std::size_t last = std::tuple_size_v<Arguments> - 1;
+        auto& x = std::get<last>(arguments);
+        auto& X = std::get<last - 1>(arguments);
+        if constexpr (std::is_same_v<decltype(x), Vector3d&> &&
+                      std::is_same_v<decltype(X), Vector3d&>) {
+            Vector3d arm = random.vector();
+            make_entries_special(arm, true, random);
+            if (one_in(2, random)) x = X + arm;
+        }
+    }
+}
+
+/// Gives a vector the direction of a quaternion's axis.
+template <class Arguments> void align_with_axis(Arguments& arguments, Random& random)
+{
+    if constexpr (std::tuple_size_v<Arguments> >= 2) {
+        auto& q = std::get<0>(arguments);
+        auto& w = std::get<1>(arguments);
+        if constexpr (std::is_same_v<decltype(q), Quaternion&> &&
+                      std::is_same_v<decltype(w), Vector3d&>)
+            if (one_in(4, random)) w = random.uniform(-2, 2) * q.v;
+    }
+}
+
+/// Turns by quarters: Euler angles away from gimbal lock, or a step.
+template <FormulaIndex f, class Arguments>
+void turn_by_quarters(Arguments& arguments, Random& random)
+{
+    constexpr double quarter = std::numbers::pi / 2;
+    const auto quarters = [&] { return quarter * (random_index(random, 9) - 4); };
+    if constexpr (f == FormulaIndex::euler_to_matrix || f == FormulaIndex::euler_rates) {
+        Vector3d& angles = std::get<0>(arguments);
+        for (const int i : {0, 2})
+            if (one_in(2, random)) angles[i] = quarters();
+        if (one_in(2, random)) angles[1] = 2 * quarters();
+        if (f == FormulaIndex::euler_to_matrix && one_in(2, random)) angles[1] = quarters();
+    } else if constexpr (f == FormulaIndex::advance_exact) {
+        auto& [q, omega, time_step] = arguments;
+        if (one_in(3, random) && !omega.isZero(0.1)) time_step = quarters() / omega.norm();
+    }
+}
+
+/// Arguments of the formula, special and within what the contract says of them together.
+template <FormulaIndex f, auto& formula> Arguments<formula> special_arguments(Random& random)
+{
+    using F = FormulaIndex;
+    constexpr bool is_impulse = f == F::frictionless_impulse || f == F::static_friction_impulse;
+    const FormulaQuantities& of = formula_quantities[static_cast<unsigned>(f)];
+    Arguments<formula> arguments =
+        random_arguments<f, formula>(static_cast<unsigned>(random.bits()));
+    std::size_t k = 0;
+    std::apply([&](auto&... one) { (make_argument_special(one, of.arguments[k++], random), ...); },
+               arguments);
+    if constexpr (f == F::sample_level_set) {
+        auto& [grid, p] = arguments;
+        for (int i = 0; i < 3; ++i) // a node, the middle of an edge, or a place between them
+            p[i] = grid.origin[i] + grid.cell_size / 2 * (random_index(random, 12) - 3) +
+                   (one_in(3, random) ? grid.cell_size * random.uniform(-1, 1) : 0);
+    } else if constexpr (is_impulse) {
+        const Vector3d& n = std::get<2>(arguments);
+        Vector3d& v = std::get<1>(arguments);
+        if (v.dot(n) > 0) v = -v; // bodies that approach
+        if (v.dot(n) > -0.05) v -= n;
+    } else {
+        align_points(arguments, random);
+        align_with_axis(arguments, random);
+        turn_by_quarters<f>(arguments, random);
+    }
+    return arguments;
+}
+
+} // namespace rigor::testing

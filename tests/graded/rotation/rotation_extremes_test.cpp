@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+// A3: inputs whose parts have very different sizes: columns, components of ω near gimbal lock, slow
+// bodies in long steps. And columns that lie along the axes in every combination.
+#include "formulas/rotation.hpp"
+#include "rotation_cases.hpp"
+#include "support/close.hpp"
+#include "support/in_words.hpp"
+#include "support/seeds.hpp"
+
+#include <limits>
+#include <numbers>
+
+namespace rotation_extremes_test {
+
+using namespace rigor;
+using namespace rigor::testing;
+
+namespace {
+
+using std::numbers::pi;
+
+Matrix3d matrix(const Vector3d& x, const Vector3d& y, const Vector3d& z)
+{
+    Matrix3d columns;
+    columns << x, y, z;
+    return columns;
+}
+
+} // namespace
+
+TEST_CASE("rotation: Gram-Schmidt of columns along the axes in every combination",
+          "[A3.2][rotation]")
+{
+    std::vector<Vector3d> columns = {Vector3d::Zero(), {0.6, 0, -0.8}, {1, 2, 3}};
+    for (int axis = 0; axis < 3; ++axis)
+        for (const double size : {1.0, -2.0})
+            columns.emplace_back(size * Vector3d::Unit(axis));
+    for (const Vector3d& x : columns)
+        for (const Vector3d& y : columns)
+            for (const Vector3d& z : columns) {
+                CAPTURE(x, y, z);
+                const Matrix3d Q = gram_schmidt(matrix(x, y, z));
+                REQUIRE_THAT(Q, IsRotation());
+                if (x.isZero(0)) continue;
+                REQUIRE_THAT(Vector3d(Q.col(0)), IsClose(x.normalized(), Rounding(16, 1)));
+                const Vector3d rest = y - y.dot(x) / x.squaredNorm() * x;
+                if (rest.norm() < 1e-9) continue;
+                REQUIRE_THAT(Vector3d(Q.col(1)), IsClose(rest.normalized(), Rounding(64, 4)));
+            }
+}
+
+TEST_CASE("rotation: in Gram-Schmidt the lengths of the columns do not matter", "[A3.2][rotation]")
+{
+    for (Random random : seeds(60)) {
+        const Matrix3d R = matrix(Vector3d::UnitX() + 0.3 * random.vector(),
+                                  Vector3d::UnitY() + 0.3 * random.vector(),
+                                  Vector3d::UnitZ() + 0.3 * random.vector());
+        Vector3d lengths;
+        for (int i = 0; i < 3; ++i)
+            lengths[i] = std::ldexp(1, random_index(random, 401) - 200);
+        CAPTURE(lengths);
+        REQUIRE_THAT(gram_schmidt(R * lengths.asDiagonal()),
+                     IsClose(gram_schmidt(R), Rounding(64, 4)));
+    }
+}
+
+TEST_CASE("rotation: near gimbal lock every component of ω counts", "[A3.4][rotation]")
+{
+    // without yaw φ̇ = ω_x / cos θ, θ̇ = ω_y and ψ̇ = ω_z + φ̇ sin θ
+    for (const double off : {1e-3, 1e-6, 1e-9, 2e-12})
+        for (int power = 0; power <= 60; power += 3) {
+            CAPTURE(off, power);
+            const double theta = pi / 2 - off, small = std::ldexp(1, -power);
+            const auto rates = euler_rates({0.3, theta, 0}, {small, 1, 0});
+            check_that(rates.has_value(), "rates of the angles, since |cos θ| > 1e-12");
+            const double roll = small / std::cos(theta);
+            REQUIRE_THAT((*rates)[0], IsClose(roll, Rounding(16)));
+            REQUIRE_THAT((*rates)[1], IsClose(1.0, Rounding(16)));
+            REQUIRE_THAT((*rates)[2], IsClose(roll * std::sin(theta), Rounding(16)));
+        }
+}
+
+TEST_CASE("rotation: gimbal lock is where the cosine is 0 after any number of turns",
+          "[A3.4][rotation]")
+{
+    int locked = 0;
+    for (int power = 0; power <= 40; ++power)
+        for (const int quarters : {1, 3}) {
+            const double theta = std::ldexp(1, power) * 2 * pi + quarters * pi / 2;
+            const double cosine = std::abs(std::cos(theta));
+            CAPTURE(power, quarters, cosine);
+            if (std::abs(cosine - 1e-12) < 1e-14) continue; // rounding decides
+            const auto rates = euler_rates({0.1, theta, 0.2}, {1, 2, 3});
+            check_that(rates.has_value() == (cosine >= 1e-12), "rates only if |cos θ| >= 1e-12");
+            locked += cosine < 1e-12 ? 1 : 0;
+        }
+    check_that(locked > 3, "some of these angles are locked");
+}
+
+TEST_CASE("rotation: the smallest vector part changes its sign in the conjugate",
+          "[A3.6][rotation]")
+{
+    for (int power = 0; power <= 1000; power += 8) {
+        CAPTURE(power);
+        const Vector3d v = std::ldexp(1, -power) * Vector3d(1, -2, 3);
+        REQUIRE_THAT(conjugate({4, v}), IsExactly(Quaternion{4, -v}));
+    }
+}
+
+TEST_CASE("rotation: a slow body in a long step turns as a fast one in a short step",
+          "[A3.11][rotation]")
+{
+    for (Random random : seeds(60)) {
+        const Quaternion q = random.quaternion();
+        const Vector3d axis = random.unit_vector();
+        const double half = random.uniform(0.1, 6),
+                     h = std::ldexp(1, random_index(random, 161) - 80);
+        CAPTURE(half, h);
+        const Quaternion turned{std::cos(half), std::sin(half) * axis};
+        const Eigen::Quaterniond product =
+            Eigen::Quaterniond(turned.s, turned.v.x(), turned.v.y(), turned.v.z()) *
+            Eigen::Quaterniond(q.s, q.v.x(), q.v.y(), q.v.z());
+        REQUIRE_THAT(advance_exact(q, 2 * half / h * axis, h),
+                     IsClose(Quaternion{product.w(), product.vec()}, Rounding(64, 1 + half)));
+    }
+}
+
+TEST_CASE("rotation: the longest linear step makes a half turn", "[A3.12][rotation]")
+{
+    // q + Δt/2 (0, ω) q becomes (0, ω/|ω|) q, whose sign is that of ω
+    const Quaternion q{0.8, {0.36, 0.48, 0}};
+    const Vector3d u(2. / 3, -1. / 3, 2. / 3);
+    const Quaternion expected{-u.dot(q.v), q.s * u + u.cross(q.v)};
+    for (int power = 48; power <= 400; power += 2) {
+        CAPTURE(power);
+        REQUIRE_THAT(advance_linear(q, u, std::ldexp(1, power)),
+                     IsClose(expected, Order(std::ldexp(4, -power) + 0x1p-48)));
+        REQUIRE_THAT(advance_linear(q, std::ldexp(1, power) * u, 1),
+                     IsClose(expected, Order(std::ldexp(4, -power) + 0x1p-48)));
+    }
+}
+
+} // namespace rotation_extremes_test

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// Both bodies count as static if nᵀ K n is small beside K, which is large across n where the lever
+// lies along n.
+#include "formulas/collision.hpp"
+
+namespace rigor {
+
+Vector3d frictionless_impulse(const Matrix3d& K, const Vector3d& v, const Vector3d& n,
+                              double restitution)
+{
+    const double softness = n.dot(K * n);
+    if (softness <= 1e-12 * K.norm()) return Vector3d::Zero();
+    return -(1 + restitution) * v.dot(n) / softness * n;
+}
+
+} // namespace rigor
