@@ -40,9 +40,10 @@ ClassWork prepared_class_work(const Selection& selection, std::uint32_t seed,
     if (has_too_weak_walls())
         fmt::print(stderr, "no walls are possible here: hidden tests are left out; with "
                            "RIGOR_TIER=C they run all the same\n");
-    if (work.run.secret.empty())
-        fmt::print(stderr, "random cases: the same for all, since there is no --secret: a student "
-                           "can know them\n");
+    fmt::print(stderr, "random cases: {}\n",
+               work.run.secret.empty()
+                   ? "the same for all, since there is no --secret: a student can know them"
+                   : "drawn from the secret, others for each submission");
     const std::string& topic = selection.assignment.topic;
     if (const auto stubs = called_stubs(places().source, topic); !stubs.empty())
         fmt::print(stderr,

@@ -76,6 +76,7 @@ TEST_CASE("collision: a block with restitution rests on an incline that holds it
         for (const Frame& frame : run.frames) {
             CAPTURE(frame.step);
             const double k = 64 * (1 + steps_of(frame));
+            INFO("the block stays where it was");
             REQUIRE_THAT(frame.bodies[i].position, IsClose(start.position, Rounding(k, 5)));
             REQUIRE_THAT(frame.bodies[i].orientation, IsClose(start.orientation, Rounding(k, 1)));
         }
@@ -98,7 +99,7 @@ TEST_CASE("collision: a block slides down an incline at g times sine minus frict
             const double n = steps_of(frame);
             if (n > 150) break; // then the fastest reaches the edge of the incline
             CAPTURE(name, n);
-            // x = a t² / 2
+            INFO("the way down the incline after n steps [m], a t²/2");
             const double x = a * h * h * n * n / 2;
             const double found = (frame.bodies[i].position - start.position).dot(down);
             REQUIRE_THAT(found, IsClose(x, Rounding(256 * (1 + n), 10)));
@@ -118,10 +119,13 @@ TEST_CASE("collision: a ball that slides ends rolling with five sevenths of its 
         const RigidState end = last_state(run, name);
         const Vector3d w = statistics.angular_velocity(static_cast<std::size_t>(body), end);
         const double v = 5.0 / 7 * 3, r = 0.25;
+        INFO("the ball rolls with five sevenths of its speed [m/s]");
         REQUIRE_THAT(end.velocity, IsClose(Vector3d(v, 0, 0), Rounding(k, 3)));
+        INFO("its angular velocity is its speed over its radius [rad/s]");
         REQUIRE_THAT(w, IsClose(Vector3d(0, 0, -v / r), Rounding(k, 3 / r)));
     }
     const RigidState free = last_state(run, "friction 0");
+    INFO("without friction the ball keeps its velocity and does not turn");
     REQUIRE_THAT(free.velocity, IsClose(Vector3d(3, 0, 0), Rounding(k, 3)));
     REQUIRE_THAT(free.angular_momentum, IsClose(Vector3d(0, 0, 0), Rounding(k, 1)));
 }
@@ -136,6 +140,7 @@ TEST_CASE("collision: a rod that falls on ice drops straight down", "[A4.12][col
         const RigidState& state = frame.bodies[i];
         CAPTURE(frame.step);
         const double k = 64 * (1 + steps_of(frame));
+        INFO("the center stays above the same point of the ice [m]");
         REQUIRE_THAT(state.position.x(), IsClose(start.position.x(), Rounding(k, 1)));
         REQUIRE_THAT(state.position.z(), IsClose(start.position.z(), Rounding(k, 1)));
         turned = turned || state.angular_momentum.norm() > 0.01;

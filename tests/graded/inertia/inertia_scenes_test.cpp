@@ -29,6 +29,7 @@ TEST_CASE("inertia: a box of 1 by 2 by 3 m and 12 kg has the moments 13 10 and 5
           "[A2.15][inertia][scene]")
 {
     const Trajectory run = run_scene("a2-inertia/spinning_box");
+    INFO("mass and inertia of the body, as the scene got them from your formulas");
     REQUIRE_THAT(run.bodies[0].mass, IsClose(12.0, Rounding(8)));
     REQUIRE_THAT(run.bodies[0].inertia,
                  IsClose(Matrix3d(Vector3d(13, 10, 5).asDiagonal()), Rounding(16)));
@@ -66,6 +67,7 @@ TEST_CASE("inertia: the hammer is the union of handle and head", "[A2.15][inerti
         const double m = part.density * size.prod();
         I += box_inertia(m, size) + point_inertia(m, part.position - X);
     }
+    INFO("mass, center and inertia of the body, as the scene got them from your formulas");
     REQUIRE_THAT(run.bodies[0].mass, IsClose(M, Rounding(16)));
     REQUIRE_THAT(run.bodies[0].center_of_mass, IsClose(X, Rounding(32)));
     REQUIRE_THAT(run.bodies[0].inertia, IsClose(I, Rounding(64)));

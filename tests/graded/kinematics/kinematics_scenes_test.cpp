@@ -52,6 +52,7 @@ TEST_CASE("kinematics: a body that no torque acts on keeps its angular momentum"
     check_that(L.norm() > 0, "a body that spins has an angular momentum");
     for (const Frame& frame : run.frames) {
         CAPTURE(frame.step);
+        INFO("the angular momentum stays the same");
         REQUIRE_THAT(frame.bodies[i].angular_momentum, IsClose(L, Rounding(16)));
     }
 }

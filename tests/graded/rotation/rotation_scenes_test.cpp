@@ -43,6 +43,7 @@ TEST_CASE("rotation: a body that no torque acts on keeps its angular momentum",
         const Vector3d L = run.frames.front().bodies[0].angular_momentum;
         for (const Frame& frame : run.frames) {
             CAPTURE(scene, frame.step);
+            INFO("the angular momentum stays the same");
             REQUIRE_THAT(frame.bodies[0].angular_momentum,
                          IsClose(L, Rounding(4 * (1 + steps_of(frame)))));
         }
@@ -59,6 +60,7 @@ TEST_CASE("rotation: quaternions stay unit over a whole run", "[A3.17][rotation]
             const Quaternion& q = frame.bodies[0].orientation;
             const double length = std::sqrt(q.s * q.s + q.v.squaredNorm());
             // advance_exact multiplies unit quaternions: rounding adds up by a few eps in each step
+            INFO("the length of the quaternion");
             REQUIRE_THAT(length, IsClose(1.0, Rounding(4 * (1 + steps_of(frame)), 1)));
         }
     }
@@ -129,6 +131,7 @@ TEST_CASE("rotation: a box thrown by symplectic Euler falls as its closed form s
         const Vector3d x = start.position + n * h * start.velocity + h * h * n * (n + 1) / 2 * g;
         const double scale = start.position.norm() + n * h * start.velocity.norm() +
                              h * h * n * (n + 1) / 2 * g.norm();
+        INFO("the position of symplectic Euler after n steps, x₀ + n h v₀ + g h² n (n + 1)/2");
         REQUIRE_THAT(frame.bodies[0].position, IsClose(x, Rounding(8 * (1 + n), scale)));
     }
 }

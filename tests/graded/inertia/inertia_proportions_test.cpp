@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+// A2: solids of every proportion, where each moment counts by itself, with sizes that are multiples
+// of each other, and particles without mass far away.
+#include "formulas/inertia.hpp"
+#include "support/close.hpp"
+#include "support/random.hpp"
+#include "support/seeds.hpp"
+
+#include <numbers>
+
+namespace inertia_proportions_test {
+
+using namespace rigor;
+using namespace rigor::testing;
+
+namespace {
+
+using std::numbers::pi;
+
+// Each moment to its own size: that of a needle about its axis is tiny beside the others.
+void check_solid(const MassProperties& solid, double mass, const Vector3d& moments)
+{
+    REQUIRE_THAT(solid.mass, IsClose(mass, Rounding(16)));
+    REQUIRE_THAT(solid.center_of_mass, IsClose(Vector3d(0, 0, 0), Rounding(8, 0)));
+    const Vector3d found = solid.inertia.diagonal();
+    for (int i = 0; i < 3; ++i) {
+        CAPTURE(i);
+        REQUIRE_THAT(found[i], IsClose(moments[i], Rounding(32)));
+    }
+    REQUIRE_THAT(Matrix3d(solid.inertia - Matrix3d(found.asDiagonal())),
+                 IsClose(Matrix3d(Matrix3d::Zero()), Rounding(8, 0)));
+}
+
+void check_box(const Vector3d& a)
+{
+    CAPTURE(a);
+    const double m = 3 * a.prod();
+    const Vector3d q = a.cwiseAbs2();
+    check_solid(solid_box(3, a), m, m / 12 * Vector3d(q.y() + q.z(), q.z() + q.x(), q.x() + q.y()));
+}
+
+void check_ellipsoid(const Vector3d& a)
+{
+    CAPTURE(a);
+    const double m = 3 * 4 * pi / 3 * a.prod();
+    const Vector3d q = a.cwiseAbs2();
+    check_solid(solid_ellipsoid(3, a), m,
+                m / 5 * Vector3d(q.y() + q.z(), q.z() + q.x(), q.x() + q.y()));
+}
+
+// Lengths of which some are multiples of others, and some far larger.
+template <class Check> void for_all_sizes(Check check)
+{
+    for (const double x : {1, 2, 3, 4, 6, 9})
+        for (const double y : {1, 2, 3, 4, 6, 9})
+            for (const double z : {1, 2, 3, 4, 6, 9})
+                check(Vector3d(x, y, z));
+    for (int axis = 0; axis < 3; ++axis)
+        for (int power = -60; power <= 60; power += 4) {
+            Vector3d a(1, 1.5, 2);
+            a[axis] = std::ldexp(1, power);
+            check(a);
+        }
+}
+
+} // namespace
+
+TEST_CASE("inertia: boxes of all proportions", "[A2.7][inertia]")
+{
+    for_all_sizes(check_box);
+}
+
+TEST_CASE("inertia: ellipsoids of all proportions", "[A2.9][inertia]")
+{
+    for_all_sizes(check_ellipsoid);
+}
+
+TEST_CASE("inertia: cylinders of all proportions", "[A2.8][inertia]")
+{
+    for_all_sizes([](const Vector3d& a) {
+        const double r = a.x(), l = a.y(), m = 3 * pi * r * r * l;
+        CAPTURE(r, l);
+        const MassProperties solid = solid_cylinder(3, r, l);
+        const double across = m / 12 * (3 * r * r + l * l), along = m * r * r / 2;
+        check_solid(solid, m, {across, along, across});
+    });
+}
+
+TEST_CASE("inertia: particles without mass do not count however far they are", "[A2.1][inertia]")
+{
+    for (Random random : seeds(40)) {
+        std::vector<Particle> particles = random.particles(5);
+        const MassProperties expected = particle_mass_properties(particles);
+        const double far = std::ldexp(1, random_index(random, 60));
+        particles.insert(particles.begin() + random_index(random, 6), {0, far * random.vector()});
+        CAPTURE(far);
+        REQUIRE_THAT(particle_mass_properties(particles),
+                     IsClose(expected, Rounding(64, 6 * expected.mass)));
+    }
+}
+
+} // namespace inertia_proportions_test
