@@ -37,7 +37,7 @@ Drawing level_set()
 {
     Drawing drawing(
         "A level set stores distances at nodes; between them the surface it describes is "
-        "a little inside the true one.",
+        "here a little inside the true one.",
         660, 380);
     const double h = 0.5;
     const int nodes = 4;

@@ -13,8 +13,9 @@
 //   * δ is the identity matrix, and w* the cross-product matrix of w: w* x = w × x.
 //   * A static body is one whose velocity nothing changes. It has inverse mass 0 and inverse
 //     inertia 0, and no formula divides by its mass.
-//   * Every formula is total: if the arguments and their squares are finite, so is the result. The
-//     exceptions are A3.13 (for ω = 0) and A6.7 (for G = 0), whose results are then infinite.
+//   * Every formula is total: the result is finite for finite arguments, as long as a double holds
+//     the terms that the formula adds up, and their squares. The exceptions are A3.13 (for ω = 0)
+//     and A6.7 (for G = 0), whose results are then infinite.
 #pragma once
 
 #include <Eigen/Dense>

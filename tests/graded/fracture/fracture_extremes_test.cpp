@@ -86,7 +86,7 @@ TEST_CASE("fracture: no face of a flat tetrahedron is near a crack across it", "
     // All vertices lie in the plane z = 0, so every |n_f·n| is 0, with or without an area.
     for (Random random : seeds(60)) {
         std::array<Vector3d, 4> flat;
-        for (Vector3d& x : flat) // of few places, so that some are equal or in one line
+        for (Vector3d& x : flat) // on few places, so that some are equal or in one line
             x = {1.0 * random_index(random, 3), 1.0 * random_index(random, 3), 0};
         CAPTURE(flat[0], flat[1], flat[2], flat[3]);
         REQUIRE_THAT(closest_face(flat, Vector3d(0.6, 0.8, 0)), IsExactly(0));
