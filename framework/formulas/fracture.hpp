@@ -9,9 +9,10 @@
 // Apart from earlier cracks, meshes are conforming: two tetrahedra share a whole face, a whole
 // edge, a vertex or nothing, at most two tetrahedra share a face, and the tetrahedra around each
 // vertex are connected through faces. The returned meshes are conforming too, apart from the two
-// sides of a crack, which touch and share nothing but its rim, and from the copies of A7.7: they
-// overlap, and two copies and their neighbour can share one face. A vertex that no tetrahedron uses
-// is kept. Every index is valid; for an invalid index the result may be anything finite.
+// sides of a crack, which touch and share nothing but the rim where it ends, and from the copies of
+// A7.7: they overlap, and two copies and their neighbour can share one face. A vertex that no
+// tetrahedron uses is kept. Every index is valid; for an invalid index the result may be anything
+// finite.
 #pragma once
 
 #include "formulas/not_implemented.hpp"

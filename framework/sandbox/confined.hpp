@@ -78,8 +78,8 @@ public:
     Confined(const Confined&) = delete;
     Confined& operator=(const Confined&) = delete;
 
-    /// Waits until the program runs. A worker with a listener of blocked calls does not start
-    /// before this call: the launcher puts up the walls and waits.
+    /// Waits until the program runs. With a listener of blocked calls it does not start before
+    /// this call: until then its launcher has put up the walls, and waits to be told to go on.
     /// @throws std::system_error if the program cannot be started behind these walls
     void await_start();
 

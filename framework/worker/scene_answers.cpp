@@ -137,7 +137,7 @@ void SceneAnswers::count_wait(FormulaIndex formula, Seconds time)
 void SceneAnswers::count_time(Seconds time)
 {
     waited_ += time;
-    worker_.budget_.scene_took(time);
+    worker_.budget_.waited_in_scene(time);
 }
 
 bool SceneAnswers::takes_too_long()

@@ -54,8 +54,8 @@ public:
     /// requests of any kind.
     void ran(Seconds on_processor) { on_processor_ = on_processor; }
 
-    /// Counts time for which the engine has waited, within a scene, for answers of formulas.
-    void scene_took(Seconds time) { scenes_ += time; }
+    /// Adds time for which the engine has waited for answers of formulas during a scene.
+    void waited_in_scene(Seconds time) { scenes_ += time; }
     /// Counts a scene that failed because of this formula.
     void scene_failed(FormulaIndex formula) { ++of(formula).failed_scenes; }
 

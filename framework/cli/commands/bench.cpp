@@ -111,7 +111,7 @@ Action declare_bench(Options& options)
     options.option("--out", "DIR", chosen->out,
                    "Folder for plots; without it build/<preset>/bench/NAME");
     options.examples({"bench --list",
-                      "bench spin            run time against error, every integrator",
+                      "bench spin            run time against error of the integrators",
                       "bench accuracy --out plots", "bench worker --json"});
     return [chosen] { return bench(*chosen); };
 }

@@ -64,9 +64,10 @@ void RigidColliders::apply_to(World& to, double time_step) const
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         if (!is_pushed[i]) continue;
         if (to.bodies[i].rest.is_asleep()) wake(to, {static_cast<int>(i)});
-        // The step of the rigid bodies will move this body by h V + ½ h² g. A body that the nodes
-        // carry has to move with its velocity at the end of the step instead, by h (V + h g), so
-        // the difference ½ h² g is added here.
+        // The step of the rigid bodies will move this body by h V + ½ h² g, on a parabola. A body
+        // that only nodes carry has to move with its velocity at the end of the step instead, by
+        // h (V + h g), so the difference ½ h² g is added here. (Integrators of symplectic Euler
+        // move it by h (V + h g) themselves, so with them this is too much.)
         if (!is_supported[i])
             to.bodies[i].state.position += 0.5 * time_step * time_step * to.settings.gravity;
         to.bodies[i].state.velocity = bodies[i].velocity;

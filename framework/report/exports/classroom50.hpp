@@ -8,7 +8,7 @@
 
 namespace rigor {
 
-/// The value of an environment variable; empty if it is not set.
+/// Looks up an environment variable: returns its value, or an empty text if it is not set.
 using Variable = std::function<std::string(const char* name)>;
 
 /// The result.json that Classroom 50 expects of an autograder, in its format

@@ -63,10 +63,10 @@ void resolve(ContactProblem& problem, const Island& island)
                                       [&](int i) { return problem.contacts[i].target_speed > 0; });
     if (!corrects) return solve(problem, island, active);
 
-    // A target speed above 0 corrects penetration, but adds energy. It is accepted if the contacts
-    // take away at least as much energy in this step. Bodies that hardly move relative to
-    // each other (the kinetic energy of this motion is below the added energy) are corrected in any
-    // case. Otherwise the correction waits for a later step.
+    // A target speed above 0 corrects penetration, but adds energy. The result is kept if the
+    // kinetic energy of the island does not grow, or if it grows by more than the energy that the
+    // bodies had in their motion relative to each other: then they hardly moved. Otherwise the
+    // island is solved again without the correction, which waits for a later step.
     constexpr double rounding = 2 * std::numeric_limits<double>::epsilon();
     const std::vector<Body> bodies = problem.bodies_of(island);
     const Vector3d V = problem.grounds_of(island).front().velocity;

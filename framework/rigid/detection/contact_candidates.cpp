@@ -68,10 +68,10 @@ double speed_transfer(const ImpulseBody& i, const ImpulseBody& j)
 // with one vertex after the other, which only the orientation at the start shows.
 bool turns_over_facets(const RigidBody& body, const RigidState& flown)
 {
-    // As a fraction of the angle between two facets. With a larger value, wheels that need many
-    // steps for one facet lose too much speed. With a smaller one, they lose less speed than the
-    // impacts of their corners cost even in short steps. Chosen by trial; tests/classics has wheels
-    // that roll.
+    // The least turn in a step by which a body counts as turning over its facets, as a fraction of
+    // the angle between two of them. With a larger value, wheels that need many steps for a facet
+    // are braked too much. With a smaller one, wheels keep speed that the impacts of their corners
+    // should take. Chosen by trial; tests/classics has wheels that roll.
     constexpr double least_turn = 1. / 16;
     double angle = 0; // largest angle between two facets [rad]
     for (const Part& part : body.parts)

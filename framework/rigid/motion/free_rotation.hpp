@@ -10,14 +10,15 @@ namespace rigor {
 /// the body, in its principal frame at the start [rad/s].
 ///
 /// The angular momentum M in the body follows Euler's equations, whose solution is Jacobi's (1849;
-/// Landau and Lifshitz, "Mechanics", § 37). With the inverse moments J₁ > J₂ > J₃ or J₁ < J₂ < J₃,
-/// so that M circles about axis 3:
+/// Landau and Lifshitz, "Mechanics", § 37). The axes are numbered so that J₁ > J₂ > J₃ or
+/// J₁ < J₂ < J₃, whichever makes M circle about axis 3:
 ///
-///     M₁ = A₁ cn u    M₂ = A₂ sn u    M₃ = A₃ dn u    u̇ = ±|M| √((J₂ - J₃) r)
+///     M₁ = A₁ cn u    M₂ = A₂ sn u    M₃ = A₃ dn u    u̇ = ±√((J₂ - J₃) r)
 ///
-/// The body turns about the fixed L by the angle that axis 3 sweeps out (van Zon and Schofield
-/// 2007, "Numerical implementation of the exact dynamics of free rigid bodies", J. Comput. Phys.
-/// 225; they compute φ by a theta series, this function by an integral of Carlson's):
+/// with amplitudes A that the energy and |M| give, and r = (J₁ - J₂) M₂² + (J₁ - J₃) M₃², which
+/// stays the same. The body turns about the fixed L by the angle φ that axis 3 sweeps out (van Zon
+/// and Schofield 2007, "Numerical implementation of the exact dynamics of free rigid bodies", J.
+/// Comput. Phys. 225; they compute φ by a theta series, this function by an integral of Carlson's):
 ///
 ///     φ̇ = |L| (J₂ + (J₁ - J₂) M₁² / (M₁² + M₂²))
 ///

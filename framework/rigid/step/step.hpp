@@ -44,12 +44,13 @@
 // deformable/contact/node_collisions calls `collision_impulse`, and deformable/motion/contact_set
 // has the law of friction for the implicit step.
 //
-// Papers of the stages, by the numbers above: 1 Buss (2000), see constant_wrench_step.hpp, Blanes
-// and Moan (2002) and Munthe-Kaas (1999), see free_flight.hpp; 2 Verlet (1967) for the pair cache,
-// Gottschalk et al. (1996) for boxes, Guendelman et al. (2003) for level sets; 3 Guendelman et al.;
-// 5 Guendelman et al., Jean (1999), Erleben (2007), Silcowitz-Hansen et al. (2010), Alart and
-// Curnier (1991); 6 Catto (2009), and Baumgarte (1972) without gravity. Stages 7 to 9 were made for
-// Rigor, this engine.
+// Papers of the stages, by the numbers above: 1 Jacobi (1849) and van Zon and Schofield (2007), see
+// free_rotation.hpp, Buss (2000), see constant_wrench_step.hpp, Blanes and Moan (2002) and
+// Munthe-Kaas (1999), see free_flight.hpp; 2 Verlet (1967) for the pair cache, Gottschalk et al.
+// (1996) for boxes, Guendelman et al. (2003) for level sets; 3 Guendelman et al.; 5 Guendelman et
+// al., Jean (1999), Erleben (2007), Silcowitz-Hansen et al. (2010), Alart and Curnier (1991);
+// 6 Catto (2009), and Baumgarte (1972) without gravity. Stages 7 to 9 were made for Rigor, this
+// engine.
 #pragma once
 
 #include "rigid/bodies/world.hpp"

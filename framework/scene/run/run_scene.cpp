@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Runs a scene and writes its trajectory: the start with the bodies, the initial frame, then the
+// Runs a scene and writes its trajectory: the header with the bodies, the frame at time 0, then the
 // frames of the chosen steps, and last the counters.
 #include "scene/run/run_scene.hpp"
 

@@ -98,7 +98,7 @@ TEST_CASE("time budget: a later run goes on from it")
     for (const FormulaIndex formula : {one, other, FormulaIndex::to_matrix})
         for (int i = 0; i < 2; ++i)
             first.failed(formula, Seconds(2), true);
-    first.scene_took(Seconds(21));
+    first.waited_in_scene(Seconds(21));
     second.go_on_from(first.spent());
     REQUIRE(second.is_given_up(one));
     REQUIRE(second.floor_of_call() == Seconds(0.2));
@@ -112,7 +112,7 @@ TEST_CASE("time budget: one that is begun again has forgotten what was spent")
     TimeBudget budget(limits_of_seconds(), true);
     for (int i = 0; i < 4; ++i)
         budget.failed(one, Seconds(2), true);
-    budget.scene_took(Seconds(21));
+    budget.waited_in_scene(Seconds(21));
     budget.returned(other, Seconds(1));
     budget.begin_again(Seconds(5));
     REQUIRE_FALSE(budget.is_given_up(one));
@@ -142,7 +142,7 @@ TEST_CASE("time budget: what is used up is told")
     TimeBudget budget(limits_of_seconds(), true);
     REQUIRE(budget.report().empty());
     budget.returned(one, Seconds(8.5));
-    budget.scene_took(Seconds(20.5));
+    budget.waited_in_scene(Seconds(20.5));
     REQUIRE(budget.report() == "all calls together took 8.5 s, of which 8 s are free; "
                                "all scenes together took 20.5 s, of which 20 s are free");
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The folder through which the machine that grades a class and the nodes of a cluster talk, inside
-// the results' folder. Every file is written whole, so a reader finds all of it or nothing:
+// A folder inside the results' folder, through whose files the machine that grades a class and the
+// nodes of a cluster talk. Every file is written whole, so a reader finds all of it or nothing:
 //
 //     plan_1.json     what the tasks of the first job are to grade, and how
 //     job             the number of the job that runs now
