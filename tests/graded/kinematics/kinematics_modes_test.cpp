@@ -7,6 +7,8 @@
 #include "support/random.hpp"
 #include "support/seeds.hpp"
 
+#include <algorithm>
+
 namespace kinematics_modes_test {
 
 using namespace rigor;
@@ -280,6 +282,23 @@ TEST_CASE("kinematics: no inertial wrench without rotation and without particles
     INFO("about a principal axis there is no torque");
     REQUIRE_THAT(inertial_wrench(six_particles(), none, V, Vector3d(0, 2, 0)),
                  IsClose(Wrench{}, Rounding(16, 3 * 2 * 20)));
+}
+
+TEST_CASE("kinematics: the modes change also where both speeds are equal", "[A1.12][kinematics]")
+{
+    // V* - v* of velocities with the same components in other places or with other signs
+    for (Random random : seeds(40)) {
+        const Vector3d V = random.vector();
+        Vector3d v = V;
+        std::rotate(v.data(), v.data() + random_index(random, 3), v.data() + 3);
+        for (int i = 0; i < 3; ++i)
+            if (random_index(random, 2)) v[i] = -v[i];
+        CAPTURE(V, v);
+        const Vector3d d = V - v;
+        Matrix36d expected = Matrix36d::Zero();
+        expected.rightCols<3>() << 0, -d.z(), d.y(), d.z(), 0, -d.x(), -d.y(), d.x(), 0;
+        REQUIRE_THAT(velocity_mode_rates(V, v), IsClose(expected, Rounding(8, 2)));
+    }
 }
 
 } // namespace kinematics_modes_test

@@ -6,6 +6,8 @@
 #include "support/random.hpp"
 #include "support/seeds.hpp"
 
+#include <numeric>
+
 namespace kinematics_sums_test {
 
 using namespace rigor;
@@ -13,14 +15,16 @@ using namespace rigor::testing;
 
 namespace {
 
-// More than an array on the stack of a program would be made for.
-constexpr int many = 1000;
-
-// A few, some more, and many, each from a seed of its own.
+// Every length up to 300, and those around the powers of two: where lists are cut into blocks, a
+// last block may be lost, or one that is full. Each list is from a seed of its own.
 std::vector<std::vector<Particle>> all_sizes()
 {
+    std::vector<int> lengths(300);
+    std::iota(lengths.begin(), lengths.end(), 1);
+    for (int power = 512; power <= 8192; power *= 2)
+        lengths.insert(lengths.end(), {power - 1, power, power + 1});
     std::vector<std::vector<Particle>> result;
-    for (const int n : {2, 9, 33, 129, many}) {
+    for (const int n : lengths) {
         Random random(first_seed() + static_cast<unsigned>(n));
         result.push_back(random.particles(n));
     }
@@ -89,6 +93,43 @@ TEST_CASE("kinematics: inertial forces are a sum over any number of particles",
         }
         REQUIRE_THAT(inertial_wrench(particles, X, V, omega),
                      IsClose(sum, rounding_of(particles.size(), magnitudes)));
+    }
+}
+
+namespace {
+
+// Puts an entry anywhere into a list.
+template <class T> void put_anywhere(std::vector<T>& list, const T& entry, Random& random)
+{
+    list.insert(list.begin() + random_index(random, list.size() + 1), entry);
+}
+
+} // namespace
+
+TEST_CASE("kinematics: forces of zero change nothing wherever they stand", "[A1.8][kinematics]")
+{
+    for (Random random : seeds(60)) {
+        std::vector<PointForce> forces(6);
+        for (PointForce& one : forces)
+            one = {random.vector(), random.vector()};
+        const Vector3d X = random.vector();
+        const Wrench expected = net_wrench(forces, X);
+        for (const Vector3d& point : {Vector3d(0, 0, 0), X, random.vector()})
+            put_anywhere(forces, {Vector3d::Zero(), point}, random);
+        REQUIRE_THAT(net_wrench(forces, X), IsClose(expected, rounding_of(9, 36)));
+    }
+}
+
+TEST_CASE("kinematics: particles of no mass change nothing wherever they stand",
+          "[A1.7][kinematics]")
+{
+    for (Random random : seeds(60)) {
+        std::vector<Particle> particles = random.particles(5);
+        const Vector3d X = random.vector();
+        const Matrix6d expected = generalized_mass(particles, X);
+        for (const Vector3d& position : {Vector3d(0, 0, 0), X, random.vector()})
+            put_anywhere(particles, {0, position}, random);
+        REQUIRE_THAT(generalized_mass(particles, X), IsClose(expected, rounding_of(8, 600)));
     }
 }
 

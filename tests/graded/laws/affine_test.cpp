@@ -4,6 +4,7 @@
 // drawn from all strata and t = 2^-k may be tiny. So (1-t) a + t b is often nearly a special case:
 // nearly a rod, nearly at rest, nearly at the center. A formula that takes it for the special case,
 // or that ignores a small part beside a large one, breaks the law.
+#include "add_law.hpp"
 #include "strata.hpp"
 #include "support/seeds.hpp"
 
@@ -158,26 +159,23 @@ template <FormulaIndex f, auto& formula> void check_affine(const Affine& row)
 template <FormulaIndex f, auto& formula> void check_all_affine()
 {
     for (const Affine& row : affine)
-        if (row.formula == formulas[static_cast<unsigned>(f)].name) check_affine<f, formula>(row);
+        if (row.formula == name_of(f)) check_affine<f, formula>(row);
 }
 
-template <FormulaIndex f> constexpr bool is_affine()
+constexpr bool is_affine(FormulaIndex f)
 {
     for (const Affine& row : affine)
-        if (row.formula == formulas[static_cast<unsigned>(f)].name) return true;
+        if (row.formula == name_of(f)) return true;
     return false;
 }
 
-#define RIGOR_ROW(tag, topic, function, ...)                                                       \
-    [[maybe_unused]] const bool affine_of_##function = [] {                                        \
-        if constexpr (is_affine<FormulaIndex::function>())                                         \
-            return add_test(&check_all_affine<FormulaIndex::function, rigor::function>,            \
-                            #topic ": " #function " adds up small and large parts",                \
-                            "[" #tag "][" #topic "]");                                             \
-        return false;                                                                              \
-    }();
-RIGOR_FORMULAS(RIGOR_ROW)
-#undef RIGOR_ROW
+struct Superposition {
+    static constexpr const char* words = "adds up small and large parts";
+    static constexpr bool holds_for(FormulaIndex f) { return is_affine(f); }
+    template <FormulaIndex f, auto& formula> static void check() { check_all_affine<f, formula>(); }
+};
+
+[[maybe_unused]] const bool added_superposition = add_law<Superposition>();
 
 } // namespace
 

@@ -151,14 +151,6 @@ template <class T> Tolerance universal(const T& expected)
     return Rounding(1 << 20, largest);
 }
 
-/// Adds a test case.
-inline bool add_test(void (*check)(), const char* name, const char* tags)
-{
-    Catch::AutoReg(Catch::makeTestInvoker(check), CATCH_INTERNAL_LINEINFO, Catch::StringRef(),
-                   Catch::NameAndTags{name, tags});
-    return true;
-}
-
 /// Changes the arguments of the formula with these quantities.
 template <class... Argument>
 void change_arguments(std::tuple<Argument...>& arguments, const FormulaQuantities& of,

@@ -2,6 +2,7 @@
 // The law of continuity: most formulas have no special values, so the result at a special input is
 // the limit of the results nearby. A formula that is wrong at special inputs alone would otherwise
 // keep its points.
+#include "add_law.hpp"
 #include "special_arguments.hpp"
 #include "support/seeds.hpp"
 
@@ -42,22 +43,19 @@ template <FormulaIndex f, auto& formula> void check_continuity()
             INFO(fmt::format("{} has no special values: if each argument changes by about {:.1g}, "
                              "the result may change by no more than some multiple of that; the "
                              "expected value is the result for such changed arguments",
-                             formulas[static_cast<unsigned>(f)].name, t));
+                             name_of(f), t));
             REQUIRE_THAT(found, IsClose(limit, Order(512 * t)));
         }
     }
 }
 
-#define RIGOR_ROW(tag, topic, function, ...)                                                       \
-    [[maybe_unused]] const bool continuity_of_##function = [] {                                    \
-        if constexpr (has_word(continuous, #function))                                             \
-            return add_test(&check_continuity<FormulaIndex::function, rigor::function>,            \
-                            #topic ": " #function " has no special values",                        \
-                            "[" #tag "][" #topic "]");                                             \
-        return false;                                                                              \
-    }();
-RIGOR_FORMULAS(RIGOR_ROW)
-#undef RIGOR_ROW
+struct Continuity {
+    static constexpr const char* words = "has no special values";
+    static constexpr bool holds_for(FormulaIndex f) { return has_word(continuous, name_of(f)); }
+    template <FormulaIndex f, auto& formula> static void check() { check_continuity<f, formula>(); }
+};
+
+[[maybe_unused]] const bool added_continuity = add_law<Continuity>();
 
 } // namespace
 

@@ -3,6 +3,7 @@
 // scene is turned and moved, the result turns and moves with it. The scene is turned by the 24
 // rotations of the cube and by random ones, and by small ones where all directions are along an
 // axis: then the components that were zero are nearly zero.
+#include "add_law.hpp"
 #include "strata.hpp"
 #include "support/seeds.hpp"
 
@@ -21,12 +22,12 @@ Matrix3d cube_rotation(unsigned which)
     return Q;
 }
 
-bool turns(const Quantity& q)
+constexpr bool turns(const Quantity& q)
 {
     return q.kind != Kind::number && q.kind != Kind::any_number && q.kind != Kind::index;
 }
 
-bool has_frame(FormulaIndex f)
+constexpr bool has_frame(FormulaIndex f)
 {
     const FormulaQuantities& of = formula_quantities[static_cast<unsigned>(f)];
     bool any = false;
@@ -103,13 +104,13 @@ template <FormulaIndex f, auto& formula> void check_frames()
     }
 }
 
-#define RIGOR_ROW(tag, topic, function, ...)                                                       \
-    const bool frames_of_##function =                                                              \
-        has_frame(FormulaIndex::function) &&                                                       \
-        add_test(&check_frames<FormulaIndex::function, rigor::function>,                           \
-                 #topic ": " #function " turns with the scene", "[" #tag "][" #topic "]");
-RIGOR_FORMULAS(RIGOR_ROW)
-#undef RIGOR_ROW
+struct Frames {
+    static constexpr const char* words = "turns with the scene";
+    static constexpr bool holds_for(FormulaIndex f) { return has_frame(f); }
+    template <FormulaIndex f, auto& formula> static void check() { check_frames<f, formula>(); }
+};
+
+[[maybe_unused]] const bool added_frames = add_law<Frames>();
 
 } // namespace
 

@@ -2,6 +2,7 @@
 // The law of no memory, for every formula: an answer depends on the arguments alone, and not on the
 // calls before. Each call is made after one that has nothing in common with it, and after one that
 // differs in a single argument, or in a list by a single element.
+#include "add_law.hpp"
 #include "change.hpp"
 #include "inputs.hpp"
 #include "support/seeds.hpp"
@@ -114,12 +115,13 @@ template <FormulaIndex f, auto& formula> void check_memory()
     }
 }
 
-#define RIGOR_ROW(tag, topic, function, ...)                                                       \
-    const bool memory_of_##function =                                                              \
-        add_test(&check_memory<FormulaIndex::function, rigor::function>,                           \
-                 #topic ": " #function " remembers nothing", "[" #tag "][" #topic "]");
-RIGOR_FORMULAS(RIGOR_ROW)
-#undef RIGOR_ROW
+struct Memory {
+    static constexpr const char* words = "remembers nothing";
+    static constexpr bool holds_for(FormulaIndex) { return true; }
+    template <FormulaIndex f, auto& formula> static void check() { check_memory<f, formula>(); }
+};
+
+[[maybe_unused]] const bool added_memory = add_law<Memory>();
 
 } // namespace
 

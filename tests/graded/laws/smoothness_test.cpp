@@ -3,6 +3,7 @@
 // formula that takes what is nearly special for special (nearly at rest, nearly a quarter turn,
 // nearly along the axis) does not change at all there. With inputs at -t, t, -T and T along one
 // path, f(t) - f(-t) is t/T times f(T) - f(-T), but for terms of the third order.
+#include "add_law.hpp"
 #include "special_arguments.hpp"
 #include "support/seeds.hpp"
 
@@ -52,22 +53,19 @@ template <FormulaIndex f, auto& formula> void check_smoothness()
             INFO(fmt::format("{} changes evenly: if each argument changes by {:.1g}, the result "
                              "changes by {:.1g} of what it changes for arguments that change by "
                              "{:.1g}; the expected value is found in this way",
-                             formulas[static_cast<unsigned>(f)].name, 2 * t, t / T, 2 * T));
+                             name_of(f), 2 * t, t / T, 2 * T));
             REQUIRE_THAT(at(t), IsClose(expected, Order(0x1p16 * t * T * T + 0x1p-45)));
         }
     }
 }
 
-#define RIGOR_ROW(tag, topic, function, ...)                                                       \
-    [[maybe_unused]] const bool smoothness_of_##function = [] {                                    \
-        if constexpr (has_word(smooth, #function))                                                 \
-            return add_test(&check_smoothness<FormulaIndex::function, rigor::function>,            \
-                            #topic ": " #function " changes evenly near special values",           \
-                            "[" #tag "][" #topic "]");                                             \
-        return false;                                                                              \
-    }();
-RIGOR_FORMULAS(RIGOR_ROW)
-#undef RIGOR_ROW
+struct Smoothness {
+    static constexpr const char* words = "changes evenly near special values";
+    static constexpr bool holds_for(FormulaIndex f) { return has_word(smooth, name_of(f)); }
+    template <FormulaIndex f, auto& formula> static void check() { check_smoothness<f, formula>(); }
+};
+
+[[maybe_unused]] const bool added_smoothness = add_law<Smoothness>();
 
 } // namespace
 

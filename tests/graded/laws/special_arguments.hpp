@@ -33,6 +33,9 @@ inline Quaternion special_unit_quaternion(Random& random)
     Eigen::Vector4d q(random.uniform(-1, 1), 0, 0, 0);
     q.tail<3>() = random.vector();
     make_entries_special(q, true, random);
+    if (one_in(8, random)) // a third of a turn about a diagonal
+        for (double& entry : q)
+            entry = one_in(2, random) ? 0.5 : -0.5;
     if (one_in(4, random)) q.setZero(); // no turn, or half a turn about an axis
     if (q.norm() < 0.1) q[random_index(random, 4)] = one_in(2, random) ? 1 : -1;
     q.normalize();
@@ -44,20 +47,20 @@ inline Matrix3d matrix_of(const Quaternion& q)
     return Eigen::Quaterniond(q.s, q.v.x(), q.v.y(), q.v.z()).toRotationMatrix();
 }
 
-/// A symmetric matrix: diagonal entries that are equal or not, and others that are 0 or not. They
-/// are at most 0.1.
-inline Matrix3d special_symmetric(Vector3d diagonal, bool may_vanish, Random& random)
+/// A symmetric matrix. Two of its diagonal entries are equal, or all, or none, and any of the other
+/// entries, which are at most 0.1, are 0.
+inline Matrix3d special_symmetric(Vector3d diagonal, Random& random)
 {
-    make_entries_special(diagonal, may_vanish, random);
-    if (one_in(4, random)) diagonal.setConstant(diagonal[0]);
-    Vector3d others = 0.1 * random.vector();
-    make_entries_special(others, true, random);
-    if (one_in(3, random)) others.setZero();
+    const int i = random_index(random, 5);
+    if (i < 3) diagonal[i] = diagonal[(i + 1) % 3];
+    if (i == 3) diagonal.setConstant(diagonal[0]);
     Matrix3d S = diagonal.asDiagonal();
-    for (int i = 0; i < 3; ++i) {
-        const int j = (i + 1) % 3;
-        S(i, j) = S(j, i) = others[i];
-    }
+    const int zeros = random_index(random, 8);
+    for (int k = 0; k < 3; ++k)
+        if (!(zeros >> k & 1)) {
+            const int next = (k + 1) % 3;
+            S(k, next) = S(next, k) = random.uniform(-0.1, 0.1);
+        }
     return S;
 }
 
@@ -65,7 +68,7 @@ inline Matrix3d special_symmetric(Vector3d diagonal, bool may_vanish, Random& ra
 /// The eigenvalues lie between 0.6 and 1.2, so no moment is above the sum of the others.
 inline Matrix3d special_definite(Random& random)
 {
-    return special_symmetric(0.9 * Vector3d::Ones() + 0.1 * random.vector(), false, random);
+    return special_symmetric(0.9 * Vector3d::Ones() + 0.1 * random.vector(), random);
 }
 
 /// Makes a number, vector or matrix special within its set.
@@ -88,7 +91,10 @@ template <class T> void make_special(T& value, const Quantity& q, Random& random
         } else if (q.kind == Kind::definite) {
             value = special_definite(random);
         } else if (q.kind == Kind::symmetric) {
-            value = special_symmetric(value.diagonal(), true, random);
+            Vector3d diagonal = value.diagonal();
+            if (one_in(4, random)) diagonal[random_index(random, 3)] = 0;
+            if (one_in(8, random)) diagonal.setZero();
+            value = special_symmetric(diagonal, random);
         } else if (q.kind == Kind::columns) { // near a rotation, so they do not depend
             Matrix3d change = 0.2 * value;
             make_entries_special(change, true, random);

@@ -2,6 +2,7 @@
 // The law of the units, for every formula: if mass, length and time are measured in other units,
 // the result changes as its dimension says. The factors are powers of four, from a grain of sand to
 // a planet, so the change itself is exact.
+#include "add_law.hpp"
 #include "change.hpp"
 #include "inputs.hpp"
 #include "support/seeds.hpp"
@@ -86,7 +87,7 @@ std::string units_in_words(const Arguments<formula>& arguments)
                         : text.substr(0, text.size() - 2);
 }
 
-bool has_units(FormulaIndex f)
+constexpr bool has_units(FormulaIndex f)
 {
     const FormulaQuantities& of = formula_quantities[static_cast<unsigned>(f)];
     return std::any_of(
@@ -120,13 +121,13 @@ template <FormulaIndex f, auto& formula> void check_units()
     }
 }
 
-#define RIGOR_ROW(tag, topic, function, ...)                                                       \
-    const bool units_of_##function =                                                               \
-        has_units(FormulaIndex::function) &&                                                       \
-        add_test(&check_units<FormulaIndex::function, rigor::function>,                            \
-                 #topic ": " #function " is the same in all units", "[" #tag "][" #topic "]");
-RIGOR_FORMULAS(RIGOR_ROW)
-#undef RIGOR_ROW
+struct Units {
+    static constexpr const char* words = "is the same in all units";
+    static constexpr bool holds_for(FormulaIndex f) { return has_units(f); }
+    template <FormulaIndex f, auto& formula> static void check() { check_units<f, formula>(); }
+};
+
+[[maybe_unused]] const bool added_units = add_law<Units>();
 
 } // namespace
 

@@ -19,6 +19,13 @@ inline Quaternion plain(const Eigen::Quaterniond& q)
     return {q.w(), q.vec()};
 }
 
+inline Matrix3d matrix(const Vector3d& x, const Vector3d& y, const Vector3d& z)
+{
+    Matrix3d columns;
+    columns << x, y, z;
+    return columns;
+}
+
 inline double length(const Quaternion& q)
 {
     return eigen(q).norm();

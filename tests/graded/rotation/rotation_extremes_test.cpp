@@ -19,13 +19,6 @@ namespace {
 
 using std::numbers::pi;
 
-Matrix3d matrix(const Vector3d& x, const Vector3d& y, const Vector3d& z)
-{
-    Matrix3d columns;
-    columns << x, y, z;
-    return columns;
-}
-
 } // namespace
 
 TEST_CASE("rotation: Gram-Schmidt of columns along the axes in every combination",

@@ -15,13 +15,6 @@ namespace {
 
 using std::numbers::pi;
 
-Matrix3d matrix(const Vector3d& x, const Vector3d& y, const Vector3d& z)
-{
-    Matrix3d columns;
-    columns << x, y, z;
-    return columns;
-}
-
 Matrix3d about(const Vector3d& axis, double angle)
 {
     return Eigen::AngleAxisd(angle, axis).toRotationMatrix();
