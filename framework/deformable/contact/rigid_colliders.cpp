@@ -64,12 +64,12 @@ void RigidColliders::apply_to(World& to, double time_step) const
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         if (!is_pushed[i]) continue;
         if (to.bodies[i].rest.is_asleep()) wake(to, {static_cast<int>(i)});
-        // The step of the rigid bodies will move this body by h V + ½ h² g, on a parabola. A body
-        // that only nodes carry has to move with its velocity at the end of the step instead, by
-        // h (V + h g), so the difference ½ h² g is added here. (Integrators of symplectic Euler
-        // move it by h (V + h g) themselves, so with them this is too much.)
+        // A body that only nodes carry has to move with its velocity at the end of the step, by
+        // h V + h² g. The step of the rigid bodies will move it by h V + ½ h² g on a parabola, and
+        // by all of it by symplectic Euler. What it will lack is added here.
+        const double lacks = 1 - fall_in_step(to.settings.integrator);
         if (!is_supported[i])
-            to.bodies[i].state.position += 0.5 * time_step * time_step * to.settings.gravity;
+            to.bodies[i].state.position += lacks * time_step * time_step * to.settings.gravity;
         to.bodies[i].state.velocity = bodies[i].velocity;
         to.bodies[i].state.angular_momentum = bodies[i].angular_momentum;
     }

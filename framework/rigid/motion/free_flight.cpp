@@ -222,6 +222,23 @@ RigidState fly(const Settings& settings, const RigidBody& body, RigidState state
     return with_unit_orientation(integrator, state);
 }
 
+double fall_in_step(Integrator integrator)
+{
+    switch (integrator) {
+    case Integrator::linear:
+    case Integrator::exponential:
+    case Integrator::gram_schmidt:
+    case Integrator::euler_angles:
+        return 1;
+    case Integrator::matrix:
+    case Integrator::buss:
+    case Integrator::runge_kutta:
+    case Integrator::exact:
+        return 0.5;
+    }
+    throw std::logic_error("an integrator without a step");
+}
+
 std::vector<RigidState> fly_all(World& world, const std::vector<bool>& pulled, double time_step,
                                 ThreadPool& pool)
 {

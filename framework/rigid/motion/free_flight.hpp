@@ -57,6 +57,10 @@ enum class Gravity { acts, left_out };
 RigidState fly(const Settings& settings, const RigidBody& body, RigidState state, double time_step,
                Counters& counters, Gravity gravity = Gravity::acts);
 
+/// How far gravity moves a body in one step of free flight, as a multiple of h² g: ½ on a parabola,
+/// and 1 by symplectic Euler, which moves the body with its velocity at the end of the step.
+double fall_in_step(Integrator integrator);
+
 /// Calls work(first, last, counters) for ranges that cover [0, count), shared by the threads of the
 /// pool, and adds up what the calls counted.
 template <class Work>

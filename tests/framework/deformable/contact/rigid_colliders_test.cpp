@@ -3,6 +3,7 @@
 #include "deformable/contact/rigid_colliders.hpp"
 
 #include "deformable/step/step.hpp"
+#include "framework/rigid/integrators.hpp"
 #include "rigid/bodies/mass.hpp"
 #include "rigid/step/step.hpp"
 #include "support/close.hpp"
@@ -54,4 +55,47 @@ TEST_CASE("deformable: a box that slept on a floor is not pressed into it when a
             check_at_most(std::abs(world.rigid.bodies[1].state.position.y() - before), 0.1 * fall,
                           "the box moves");
         }
+}
+
+namespace {
+
+// The height at which a box without friction comes to rest on a soft block that stands on its
+// lowest nodes.
+double height_of_rest(Integrator integrator, double step_length)
+{
+    DeformableWorld world = block_above_box(0.5, 0);
+    Deformable& block = world.solids[0];
+    block.material.damping = 0.02;
+    block.material.surface.friction = 0;
+    Handle ground;
+    double lowest = block.positions[0].y(), highest = lowest;
+    for (const Vector3d& x : block.positions) {
+        lowest = std::min(lowest, x.y());
+        highest = std::max(highest, x.y());
+    }
+    for (int i = 0; i < static_cast<int>(block.positions.size()); ++i)
+        if (block.positions[i].y() < lowest + 1e-9) ground.nodes.push_back(i);
+    block.handles.push_back(ground);
+    RigidBody& box = world.rigid.bodies[1];
+    box.material.friction = 0;
+    box.state.position = {0, highest + 0.25, 0};
+    world.rigid.settings.integrator = integrator;
+    while (world.rigid.time < 4)
+        step(world, step_length);
+    return world.rigid.bodies[1].state.position.y();
+}
+
+} // namespace
+
+TEST_CASE("deformable: a box on a soft block lies as deep by every integrator")
+{
+    for (const double step_length : {0.02, 0.01}) {
+        const double expected = height_of_rest(Integrator::exact, step_length);
+        for (const Integrator integrator : all_integrators) {
+            CAPTURE(static_cast<int>(integrator), step_length);
+            const double fall = 0.5 * 9.81 * step_length * step_length;
+            check_at_most(std::abs(height_of_rest(integrator, step_length) - expected), 0.01 * fall,
+                          "difference of the heights [m]");
+        }
+    }
 }
