@@ -124,7 +124,7 @@ Drawing smoothing()
     drawing.label({0, 250}, "σ₁", Side::left);
     drawing.label({285, 0}, "element", Side::below);
     drawing.line({0, 25 * 7.0}, {560, 25 * 7.0}, "red dashed");
-    drawing.label({0, 25 * 7.0}, "strength", Side::left, "red");
+    drawing.label({110, 25 * 7.0}, "strength", Side::above, "red");
     bars(stresses, "grey");
     bars(smooth, "blue thick");
     drawing.label({330, 235}, "as computed", Side::right, "grey");
