@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "report/exports/gradebook.hpp"
 
+#include "grading/intake/downloaded_name.hpp"
 #include "report/exports/csv.hpp"
 
 #include <algorithm>
 #include <array>
 #include <fmt/format.h>
 #include <map>
+#include <optional>
 
 namespace rigor {
 
@@ -42,29 +44,41 @@ std::string counts_of_statuses(const std::vector<Row>& rows)
     return text;
 }
 
-bool is_failed(const TaskPoints& task)
+// What became of a task, as a column of the table.
+enum class Fate { passed, failed, stub, not_defined, not_run };
+
+Fate fate_of(const TaskPoints& task)
 {
-    return task.status != "passed" && task.status != "not_implemented" && task.status != "skipped";
+    if (task.status == "passed") return Fate::passed;
+    if (task.status == "not_implemented") return Fate::stub;
+    if (task.status == "compile_error") return Fate::not_defined;
+    if (task.status == "skipped") return Fate::not_run;
+    return Fate::failed;
 }
+
+constexpr const char* table_row = "{:<8}{:<32}{:>7}{:>7}{:>7}{:>13}{:>9}\n";
 
 std::string tasks_table(const std::vector<const Row*>& rows)
 {
-    std::string text = fmt::format("{:<8}{:<32}{:>8}{:>8}{:>8}{:>8}\n", "task", "", "passed",
-                                   "failed", "stub", "not run");
+    std::string text = fmt::format(fmt::runtime(table_row), "task", "", "passed", "failed", "stub",
+                                   "not defined", "not run");
     for (std::size_t t = 0; t < rows.front()->tasks.size(); ++t) {
-        int passed = 0, failed = 0, stub = 0, not_run = 0;
-        for (const Row* row : rows) {
-            const TaskPoints& task = row->tasks.at(t);
-            (is_failed(task)                    ? failed
-             : task.status == "not_implemented" ? stub
-             : task.status == "skipped"         ? not_run
-                                                : passed)++;
-        }
+        std::map<Fate, int> n;
+        for (const Row* row : rows)
+            ++n[fate_of(row->tasks.at(t))];
         const TaskPoints& task = rows.front()->tasks[t];
-        text += fmt::format("{:<8}{:<32}{:>8}{:>8}{:>8}{:>8}\n", task.tag, task.name, passed,
-                            failed, stub, not_run);
+        text += fmt::format(fmt::runtime(table_row), task.tag, task.name, n[Fate::passed],
+                            n[Fate::failed], n[Fate::stub], n[Fate::not_defined], n[Fate::not_run]);
     }
     return text;
+}
+
+// The name of a student in a list: what Canvas or Moodle has written into the name of the
+// submission, or the whole of it. The number of the student tells two of the same name apart.
+std::string listed_name(const Row& row)
+{
+    const std::optional<DownloadedName> name = downloaded_name(row.submission);
+    return name ? name->student() : row.submission;
 }
 
 // Who failed each task: the first names, and the number of the others.
@@ -75,7 +89,7 @@ std::string failed_by_task(const std::vector<const Row*>& rows)
     for (std::size_t t = 0; t < rows.front()->tasks.size(); ++t) {
         std::vector<std::string> names;
         for (const Row* row : rows)
-            if (is_failed(row->tasks[t])) names.push_back(row->submission);
+            if (fate_of(row->tasks[t]) == Fate::failed) names.push_back(listed_name(*row));
         if (names.empty()) continue;
         const std::size_t others = names.size() - std::min(names.size(), most_names);
         names.resize(names.size() - others);

@@ -29,6 +29,8 @@ inline std::vector<Row> some_class()
                              row_of("zed", "compile_error", 0, 0)};
     rows[2].message = "the test program died";
     rows[3].message = "expected inertia.cpp, found no file";
+    for (TaskPoints& task : rows[4].tasks)
+        task.status = "compile_error";
     return rows;
 }
 
