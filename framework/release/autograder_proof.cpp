@@ -4,11 +4,9 @@
 #include "release/autograder_proof.hpp"
 
 #include "grading/process.hpp"
-#include "release/proof.hpp"
 #include "release/zip.hpp"
 
 #include <cmath>
-#include <cstdio>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -130,15 +128,16 @@ std::string fault_of_results(const std::string& json, double score, double most)
 }
 
 std::string prove_autograder(const fs::path& zip, const fs::path& layout,
-                             const Assignment& assignment, const fs::path& source)
+                             const Assignment& assignment, const fs::path& source,
+                             const OnProofStep& on_step)
 {
     const std::string file = assignment.topic + ".cpp";
     lay_out(zip, layout);
     const LayoutUser user(layout);
-    std::fprintf(stderr, "setup.sh of the autograder\n");
+    on_step("setup.sh builds the autograder");
     user.run_script(layout / "source/setup.sh");
 
-    std::fprintf(stderr, "run_autograder on a solved submission\n");
+    on_step("run_autograder gives a solved submission every point");
     const std::string solved = results_json_after(
         solved_submission(source / "reference", layout.string() + ".solved", file), layout, user);
     const nlohmann::json json = nlohmann::json::parse(solved, nullptr, false);
@@ -152,7 +151,7 @@ std::string prove_autograder(const fs::path& zip, const fs::path& layout,
         {"a file without formulas", {{file, "// nothing yet\n", false}}},
         {"an empty submission", {}}};
     for (const auto& [what, submission] : worthless) {
-        std::fprintf(stderr, "run_autograder on %s\n", what);
+        on_step(fmt::format("run_autograder gives {} no point", what));
         const std::string fault =
             fault_of_results(results_json_after(submission, layout, user), 0, most);
         if (!fault.empty())

@@ -87,15 +87,15 @@ void write_solved_files(const fs::path& reference, const fs::path& folder)
     write_tree(tree, folder);
 }
 
-TreeProof prove_students_tree(const fs::path& tree, const fs::path& reference)
+TreeProof prove_students_tree(const fs::path& tree, const fs::path& reference,
+                              const OnProofStep& on_step)
 {
     TreeProof proof;
     const fs::path solved_files = tree.string() + ".solved";
     write_solved_files(reference, solved_files);
     for (const bool solved : {false, true}) {
-        std::fprintf(stderr, "%s\n",
-                     solved ? "the reference in the students' tree"
-                            : "the stubs in the students' tree");
+        on_step(solved ? "the reference in the students' tree gets every visible point"
+                       : "the students' tree is built, and its stubs get no point");
         const std::vector<std::string> options =
             solved ? std::vector<std::string>{"--with", solved_files.string()}
                    : std::vector<std::string>{};

@@ -3,9 +3,13 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 
 namespace rigor {
+
+/// Called at the start of each step of a proof with a sentence about it. A step takes minutes.
+using OnProofStep = std::function<void(const std::string& step)>;
 
 /// What the proof of a students' tree has found.
 struct TreeProof {
@@ -17,9 +21,11 @@ struct TreeProof {
 /// implemented, and the reference, which must get every point of the visible tasks.
 /// @param tree       the students' tree, where it is built
 /// @param reference  the folder with the reference's files
+/// @param on_step    called `steps_of_tree_proof` times
 /// @throws std::runtime_error that says what is wrong with the tree
 TreeProof prove_students_tree(const std::filesystem::path& tree,
-                              const std::filesystem::path& reference);
+                              const std::filesystem::path& reference, const OnProofStep& on_step);
+inline constexpr int steps_of_tree_proof = 2;
 
 /// What is wrong with the output of `rigor check --json`; empty if every visible task has the
 /// expected status and points and no hidden task counts.

@@ -14,9 +14,11 @@
 #include "report/write_whole.hpp"
 
 #include <cerrno>
+#include <chrono>
 #include <cstdio>
 #include <cstring>
 #include <fmt/format.h>
+#include <ratio>
 #include <unistd.h>
 
 namespace rigor {
@@ -41,6 +43,26 @@ fs::path proving_ground(const char* name)
     return folder;
 }
 
+// Numbers the steps of all proofs that one command needs, and says on stderr when each begins.
+class Steps {
+public:
+    explicit Steps(int total) : total_(total) {}
+
+    OnProofStep on_step()
+    {
+        return [this](const std::string& step) {
+            using Minutes = std::chrono::duration<double, std::ratio<60>>;
+            const double minutes = Minutes(std::chrono::steady_clock::now() - start_).count();
+            fmt::print(stderr, "release, step {} of {}, after {:.0f} min: {}\n", ++begun_, total_,
+                       minutes, step);
+        };
+    }
+
+private:
+    int begun_ = 0, total_;
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
 Assignment assignment_of(const ReleaseOptions& options)
 {
     if (options.assignment.empty())
@@ -56,13 +78,14 @@ Assignment assignment_of(const ReleaseOptions& options)
 
 // Writes the students' tree as a git repository in a draft folder and proves that it works. Only
 // then is the draft folder renamed to `out`.
-void release_tree(const ReleasedTree& tree, const std::string& out)
+void release_tree(const ReleasedTree& tree, const std::string& out, Steps& steps)
 {
     DraftFolder folder(out);
     const std::string commit = write_repository(tree, folder.draft());
     const fs::path work = proving_ground("students");
     write_commit(folder.draft(), work);
-    const TreeProof proof = prove_students_tree(work, places().source / "reference");
+    const TreeProof proof =
+        prove_students_tree(work, places().source / "reference", steps.on_step());
     folder.publish();
     fmt::print("{}: {} files, commit {}\n"
                "  built; the stubs: {} visible tasks, none implemented, 0 of {:g} points; the "
@@ -81,12 +104,13 @@ void check_place_of(const std::string& file)
                                      std::strerror(errno)));
 }
 
-void release_autograder(const Assignment& assignment, const std::string& file)
+void release_autograder(const Assignment& assignment, const std::string& file, Steps& steps)
 {
     const fs::path layout = proving_ground("autograder"), draft = layout.string() + ".zip";
     const std::string bytes = zip_of(gradescope_tree(places().source, assignment));
     write_whole(draft, bytes);
-    const std::string user = prove_autograder(draft, layout, assignment, places().source);
+    const std::string user =
+        prove_autograder(draft, layout, assignment, places().source, steps.on_step());
     write_whole(file, bytes);
     fs::remove(draft);
     fmt::print(
@@ -121,9 +145,14 @@ int release(const ReleaseOptions& options)
         if (!folder.empty()) const DraftFolder can_be_written(folder);
     if (!options.gradescope.empty()) check_place_of(options.gradescope);
 
-    if (!options.out.empty()) release_tree(students_tree(places().source), options.out);
-    if (!options.classroom.empty()) release_tree(classroom_tree(assignment), options.classroom);
-    if (!options.gradescope.empty()) release_autograder(assignment, options.gradescope);
+    const auto count = [](const std::string& wanted, int n) { return wanted.empty() ? 0 : n; };
+    Steps steps(count(options.out, steps_of_tree_proof) +
+                count(options.classroom, steps_of_tree_proof) +
+                count(options.gradescope, steps_of_autograder_proof));
+    if (!options.out.empty()) release_tree(students_tree(places().source), options.out, steps);
+    if (!options.classroom.empty())
+        release_tree(classroom_tree(assignment), options.classroom, steps);
+    if (!options.gradescope.empty()) release_autograder(assignment, options.gradescope, steps);
     return exit_done;
 }
 
