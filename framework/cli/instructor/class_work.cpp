@@ -25,6 +25,19 @@ Selection whole_assignment(const std::string& word)
     return found[0];
 }
 
+std::string warning_about_stubs(const std::string& topic)
+{
+    const std::vector<std::string> stubs = called_stubs(places().source, topic);
+    if (stubs.empty()) return "";
+    std::string files;
+    for (const std::string& stub : stubs)
+        files += "reference/" + stub + ".cpp ";
+    return fmt::format("student/ has stubs of {}, which a right {}.cpp calls: a submission that "
+                       "has no files of its own for them loses points. To lend it the "
+                       "reference's: cp {}student/",
+                       fmt::join(stubs, ", "), topic, files);
+}
+
 ClassWork prepared_class_work(const Selection& selection, std::uint32_t seed,
                               const std::string& secret_file)
 {
@@ -44,13 +57,9 @@ ClassWork prepared_class_work(const Selection& selection, std::uint32_t seed,
                work.run.secret.empty()
                    ? "the same for all, since there is no --secret: a student can know them"
                    : "drawn from the secret, others for each submission");
-    const std::string& topic = selection.assignment.topic;
-    if (const auto stubs = called_stubs(places().source, topic); !stubs.empty())
-        fmt::print(stderr,
-                   "student/ has stubs of {}, which a right {}.cpp calls: a submission without "
-                   "files for them loses points; step 2 in assignments/instructor.md says what to "
-                   "do\n",
-                   fmt::join(stubs, ", "), topic);
+    if (const std::string warning = warning_about_stubs(selection.assignment.topic);
+        !warning.empty())
+        fmt::print(stderr, "{}\n", warning);
     if (!work.reference)
         fmt::print(stderr, "this tree has no reference/: no control must get every point\n");
     return work;

@@ -12,6 +12,10 @@ namespace rigor {
 /// All tasks of an assignment. @throws InputError if the word names something else
 Selection whole_assignment(const std::string& word);
 
+/// A line for the instructor if student/ has stubs that a right solution of the topic calls: what
+/// they cost, and the command that puts solutions in their place. Empty if there are none.
+std::string warning_about_stubs(const std::string& topic);
+
 /// Builds the tests, the reference and what all submissions share, with a progress bar. The result
 /// has no submissions yet. Prints on stderr how submissions are confined (by which "walls"), and
 /// which tests and controls are left out.

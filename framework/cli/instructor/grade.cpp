@@ -211,6 +211,10 @@ private:
         fmt::print("submissions in {}: {} (names that Canvas has not given are taken for logins), "
                    "in {}: {} (only those that Moodle has named)\n",
                    canvas_file, canvas.submissions, moodle_file, moodle.submissions);
+        std::fflush(stdout);
+        if (const std::string warning = warning_about_stubs(selection_.assignment.topic);
+            !warning.empty())
+            say(warning);
         return status_of(outcome);
     }
 
