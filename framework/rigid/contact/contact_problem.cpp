@@ -159,6 +159,13 @@ double ContactProblem::rounding_speed(const ContactConstraint& c) const
     return few_errors * speed;
 }
 
+bool ContactProblem::holds(const ContactConstraint& c) const
+{
+    if (c.contact_impulse.isZero(0)) return false;
+    const double rounding = rounding_speed(c);
+    return c.normal_K * c.contact_impulse.norm() > rounding || !std::isfinite(rounding);
+}
+
 Matrix3d ContactProblem::impulse_matrix_at(const ContactConstraint& c, const Vector3d& x) const
 {
     Matrix3d K = Matrix3d::Zero();

@@ -13,9 +13,9 @@
 
 namespace rigor {
 
-/// A contact while a step is being solved. Its data belong to the poses at the start of the step,
-/// so lever arms and positions agree, and momentum and angular momentum are conserved up to
-/// rounding.
+/// A contact while a step is being solved. Its data belong to the positions of the bodies at the
+/// start of the step, and lever arms are measured from these positions, so momentum and angular
+/// momentum are conserved up to rounding.
 struct ContactConstraint : Contact {
     double restitution = 0, friction = 0;
     double radius = 0; // radius of the body that can move, or of the smaller one if both can [m]
@@ -43,8 +43,8 @@ struct ContactConstraint : Contact {
 /// A gap up to this fraction of a contact's radius counts as touching, where poses are exact up to
 /// rounding. It is far above the rounding error of a position near the origin.
 inline constexpr double touching_gap = 1e-10;
-/// The same limit for bodies whose poses come from an iteration that may have ended before it
-/// converged: the solver of the last step, or the search for the time of an impact.
+/// The same limit as `touching_gap`, for bodies whose poses come from an iteration that may have
+/// ended before it converged: the solver of the last step, or the search for the time of an impact.
 inline constexpr double nearly_touching_gap = 1e-6;
 
 /// The contacts [first, last) of one pair of bodies, from the lowest up.
@@ -132,6 +132,9 @@ struct ContactProblem {
                               const Vector3d& x) const;
     /// The size of rounding errors in v₁ - v₂ [m/s]. A smaller speed counts as zero.
     double rounding_speed(const ContactConstraint& contact) const;
+    /// Whether the contact stage gave a contact an impulse. An impulse that changes a velocity only
+    /// by a rounding error does not count, as between bodies that fall together after a hit.
+    bool holds(const ContactConstraint& contact) const;
     /// K₁ + K₂ at a point [1/kg].
     Matrix3d impulse_matrix_at(const ContactConstraint& contact, const Vector3d& x) const;
     /// Computes K, `normal_K` and `tangential_K` of a contact.

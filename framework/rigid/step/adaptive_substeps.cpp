@@ -110,7 +110,8 @@ IslandWorld part_of(const World& world, const Island& island, const std::vector<
     return part;
 }
 
-// Checks whether the two bodies of a pair overlap after the step by more than is allowed.
+// Checks whether the overlap of the two bodies of a pair has grown in the step by more than is
+// allowed.
 class OverlapCheck {
 public:
     OverlapCheck(const World& world, const ContactProblem& problem,
@@ -231,10 +232,10 @@ Refinement refine_by_substeps(World& world, ContactProblem& problem,
         for (std::size_t k = 0; k < part.bodies.size(); ++k)
             if (!part.world.bodies[k].is_static)
                 states[part.bodies[k]] = part.world.bodies[k].state;
-        // The parts do not count as steps of this world. If the step was divided at an impact, the
-        // first attempt already counted the bounce of the two balls, so it is subtracted once. If
-        // the step was halved, the counters include the work of the first attempt and of the
-        // halves.
+        // The parts do not count as steps of this world. If the step was divided at an impact, both
+        // the first attempt and the parts counted its bounces, so one bounce is subtracted for each
+        // pair that bounced. If the step was halved, the counters include the work of the first
+        // attempt and of the halves.
         const std::uint64_t steps = world.counters.steps;
         world.counters = part.world.counters;
         if (!is_halved) world.counters.collision_impulses -= bounced_pairs(problem, island);

@@ -27,7 +27,7 @@ constexpr int most_iterations = 8; // limit of secant steps; three or four are u
 struct PairWorld {
     World world;
     double time = 0; // since the start of the step [s]
-    double gap = 0;  // the smallest gap of the contacts, or `reach` (in `pair_at`) if smaller [m]
+    double gap = 0;  // smallest gap of the contacts, at most the `reach` of `pair_at` [m]
     std::vector<Contact> contacts;
 };
 
@@ -36,7 +36,8 @@ struct PairWorld {
 struct Approach {
     double gap = 0, speed = 0, rate = 0;
 
-    // The time t when the gap closes, gap + speed t + ½ rate t² = 0; infinity if it never closes.
+    // The time t when the gap closes, gap + speed t + ½ rate t² = 0: infinity if it never closes, 0
+    // if it is closed now.
     double closes() const
     {
         if (gap <= 0) return 0;

@@ -12,16 +12,17 @@ namespace rigor {
 /// A body that only bounced and is not `pulled` flies on with its velocity after the collision, and
 /// its integrator adds gravity. Any other body that got an impulse moves with its velocity at the
 /// end of the step: the contacts have made this velocity such that the body does not move into
-/// those that hold it. There is one exception: if the integrator is of higher order and the
-/// contacts act along the same normals during the whole step, the body moves with the mean of its
-/// velocities at the start and the end of the step, which is exact for a constant acceleration.
+/// the bodies that hold it. The bodies of some islands move with the mean of their velocities at
+/// the start and the end of the step instead (mean_velocity.hpp), which is exact for a constant
+/// acceleration.
 ///
 /// @param pulled            for each body, whether springs, applied forces or drag act on it
 /// @param after_collisions  the bodies after the collision stage, before the forces
+/// @param by_mean           for each island, whether its bodies move with their mean velocities
 /// @param displacements     one for each body, or an empty list
 /// @param states            the states after free flight; replaced for bodies that got an impulse
 void update_positions(World& world, const ContactProblem& problem, const std::vector<bool>& pulled,
-                      const std::vector<Body>& after_collisions,
+                      const std::vector<Body>& after_collisions, const std::vector<char>& by_mean,
                       const std::vector<Displacement>& displacements,
                       std::vector<RigidState>& states);
 

@@ -23,7 +23,7 @@ void fall_asleep(World& world, const ContactProblem& problem, const std::vector<
                  const std::vector<bool>& forced, std::vector<RigidState>& states,
                  const std::vector<ContactRecord>& records);
 
-/// Wakes these bodies and all bodies that fell asleep together with them.
+/// Wakes these bodies, which have to be asleep, and all bodies that fell asleep together with them.
 void wake(World& world, const std::vector<int>& bodies);
 
 /// Wakes the sleeping bodies on which springs or applied forces pull.

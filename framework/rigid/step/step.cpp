@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Advances a world by one time step in the order of Guendelman, Bridson and Fedkiw (2003):
 // collisions, velocities, contact, positions. Free flight and the search for contacts come first.
-// Last, single bounces are computed at their exact times. The step of an island with too much new
-// overlap is repeated in two halves; that of an island in which two balls meet is repeated up to
-// the impact and then after it. Islands at rest fall asleep.
+// An island whose contacts move along a curve is solved again with the contacts of the middle of
+// the step. Last, single bounces are computed at their exact times. The step of an island with too
+// much new overlap is repeated in two halves; that of an island in which two balls meet is repeated
+// up to the impact and then after it. Islands at rest fall asleep.
 #include "rigid/step/step.hpp"
 
 #include "rigid/bodies/non_finite.hpp"
@@ -15,6 +16,7 @@
 #include "rigid/motion/free_flight.hpp"
 #include "rigid/step/adaptive_substeps.hpp"
 #include "rigid/step/impact.hpp"
+#include "rigid/step/mean_velocity.hpp"
 #include "rigid/step/position_update.hpp"
 #include "rigid/step/single_body.hpp"
 #include "rigid/step/sleep.hpp"
@@ -95,10 +97,13 @@ std::vector<ContactRecord> step(World& world, double time_step, int divisions)
     const std::vector<Body> after_collisions = problem.bodies;
     apply_forces(problem, world, flown);
     process_contact(problem);
+    const std::vector<char> by_mean =
+        moves_by_mean_velocity(world, after_collisions, flown, candidates.poses, problem);
     const std::vector<Displacement> displacements = position_corrections(problem);
 
     StepResult result{std::move(flown), {}, {}};
-    update_positions(world, problem, pulled, after_collisions, displacements, result.states);
+    update_positions(world, problem, pulled, after_collisions, by_mean, displacements,
+                     result.states);
     result.records = bounce_at_impacts(world, problem, pulled, displacements, result.states);
     Refinement refined;
     if (divisions < most_divisions)

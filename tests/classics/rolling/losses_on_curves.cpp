@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // A contact that moves along a curved surface does no work if nothing slips. In steps it does a
-// little, since the normal and the lever of the start hold for all of the step: the loss goes down
-// with the first power of the step, and is no gain.
+// little. Between smooth shapes this goes down with the third power of the step, or the second if
+// the body begins to roll from rest (step/midpoint_contact.hpp). On a mesh, where the normal jumps,
+// it is a loss.
 #include "classics/problems.hpp"
 
 #include "geometry/meshes/generators.hpp"
@@ -52,24 +53,28 @@ World rolling_on_its_rim(double angle)
 
 } // namespace
 
-TEST_CASE("classics: a ball rolls off a sphere with a loss of the first order", "[classics]")
+TEST_CASE("classics: a ball leaves a sphere with all of its energy", "[classics]")
 {
     for (const double radius : {0.1, 0.5})
         for (const double friction : {0., 100.})
             for (const double h : {0.02, 0.01, 0.005, 0.0025, 0.00125}) {
                 CAPTURE(radius, friction, h);
                 const double lost = lost_until_it_leaves(radius, friction, h);
-                check_at_least(lost, 0, "share of the fall");
-                check_at_most(lost, 3 * h, "share of the fall");
+                const double bound = friction == 0 ? 25 * h * h * h : h * h;
+                check_at_most(std::abs(lost), bound, "share of the fall");
             }
 }
 
-TEST_CASE("classics: a disk that rolls on its rim loses little energy and gains none", "[classics]")
+TEST_CASE("classics: a disk that rolls on its rim keeps its energy", "[classics]")
 {
+    // The error of steps of a millisecond in the first second. A flat disk turns in a circle of
+    // almost its own size, at 3 degrees with 27 rad/s, and its contact goes all the way around
+    // twenty times in a second.
     struct Disk {
-        double degrees, kept; // share of its energy after a second
+        double degrees, lost;
     };
-    for (const auto& [degrees, kept] : {Disk{30, 0.91}, Disk{50, 0.95}})
+    for (const auto& [degrees, lost] :
+         {Disk{3, 0.01}, Disk{10, 1e-4}, Disk{30, 1e-4}, Disk{50, 1e-5}, Disk{70, 1e-6}})
         for (const double h : {0.002, 0.001, 0.0005}) {
             CAPTURE(degrees, h);
             World world = rolling_on_its_rim(degrees * pi / 180);
@@ -79,10 +84,55 @@ TEST_CASE("classics: a disk that rolls on its rim loses little energy and gains 
                 step(world, h);
                 most = std::max(most, energy(world.bodies[1]));
             }
-            // The position correction leaves an overlap of a millionth of the radius, or lifts it.
-            check_at_most(most / first, 1 + 1e-6, "energy");
-            check_at_least(energy(world.bodies[1]) / first, kept, "energy");
+            check_at_most(most / first, 1 + 1e-5, "energy");
+            const double order = std::max(1.0, std::pow(h / 0.001, 3));
+            check_at_least(energy(world.bodies[1]) / first, 1 - order * lost, "energy");
         }
+}
+
+TEST_CASE("classics: a stick that turns about its foot keeps its energy", "[classics]")
+{
+    for (const double width : {0.02, 0.1})
+        for (const double depth : {0.1, 0.4})
+            for (const double start : {0.2, 0.6}) // from the vertical [rad]
+                for (const double h : {0.01, 0.005, 0.0025}) {
+                    CAPTURE(width, depth, start, h);
+                    const Material rough{0, 10};
+                    const Quaternion q = turn({0, 0, 1}, start);
+                    const Vector3d foot(width / 2, -0.5, 0);
+                    RigidBody stick = body_of(Box{{width, 1, depth}}, {0, 0, 0}, rough, q);
+                    stick.state.position = -(rotation_matrix(q) * Vector3d(-foot.x(), foot.y(), 0));
+                    World world = solved({fixed(Plane{}, rough), stick});
+                    const double first = energy(world.bodies[1]);
+                    while (world.time < 0.2)
+                        step(world, h);
+                    const double work = stick.mass * g * 0.5; // the fall from upright to flat
+                    check_at_most(std::abs(energy(world.bodies[1]) - first) / work, 10 * h * h,
+                                  "share of the fall");
+                }
+}
+
+TEST_CASE("classics: a pebble and an egg rock on with their energy", "[classics]")
+{
+    for (const Vector3d& half : {Vector3d(0.2, 0.1, 0.1), Vector3d(0.3, 0.1, 0.3)})
+        for (const double tilt : {0.1, 0.4})
+            for (const double friction : {0., 10.})
+                for (const double h : {0.01, 0.005, 0.0025}) {
+                    CAPTURE(half, tilt, friction, h);
+                    const Material material{0, friction};
+                    RigidBody egg =
+                        body_of(Ellipsoid{half}, {0, 0, 0}, material, turn({0, 0, 1}, tilt));
+                    egg.state.position.y() =
+                        std::hypot(half.x() * std::sin(tilt), half.y() * std::cos(tilt));
+                    World world = solved({fixed(Plane{}, material), egg});
+                    const double rest = egg.mass * g * half.y();
+                    const double first = energy(world.bodies[1]) - rest;
+                    while (world.time < 3)
+                        step(world, h);
+                    const double lost = 1 - (energy(world.bodies[1]) - rest) / first;
+                    check_at_most(std::abs(lost), (tilt > 0.2 ? 2000 : 600) * h * h,
+                                  "share of the energy");
+                }
 }
 
 TEST_CASE("classics: a body in a faceted bowl gains no energy", "[classics]")

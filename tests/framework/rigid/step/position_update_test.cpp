@@ -3,6 +3,7 @@
 
 #include "framework/rigid/contact/hand_made.hpp"
 #include "rigid/bodies/non_finite.hpp"
+#include "rigid/step/mean_velocity.hpp"
 #include "support/free_rotor.hpp"
 
 #include <limits>
@@ -43,7 +44,12 @@ struct Balls {
     const RigidState& update()
     {
         problem.islands = {problem.island};
-        update_positions(world, problem, pulled, after_collisions, displacements, states);
+        std::vector<Pose> poses;
+        for (const RigidBody& body : world.bodies)
+            poses.push_back(pose_of(body.state));
+        const std::vector<char> by_mean =
+            moves_by_mean_velocity(world, after_collisions, states, poses, problem);
+        update_positions(world, problem, pulled, after_collisions, by_mean, displacements, states);
         return states[1];
     }
 };
@@ -192,7 +198,7 @@ TEST_CASE("position update: a velocity that is none is named with its body and t
 TEST_CASE("position update: without islands nothing changes", "[rigid]")
 {
     Balls balls;
-    update_positions(balls.world, balls.problem, balls.pulled, balls.after_collisions, {},
+    update_positions(balls.world, balls.problem, balls.pulled, balls.after_collisions, {}, {},
                      balls.states);
     CHECK(std::isnan(balls.states[1].position.x()));
     CHECK(balls.world.counters.free_flights == 0);

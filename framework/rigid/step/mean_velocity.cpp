@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+// Decides which islands move with the mean of their velocities at the start and the end of the
+// step: those that are solved again with the contacts in the middle of the step, and those whose
+// contacts keep their normals.
+#include "rigid/step/mean_velocity.hpp"
+
+#include "rigid/step/midpoint_contact.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rigor {
+
+namespace {
+
+// Whether positions converge with an order above the first even where forces change within a step,
+// as the forces of springs do. (`buss` has a higher order only without such forces.) If so, bodies
+// that contacts hold should have a higher order too.
+bool is_of_higher_order(Integrator integrator_under_forces)
+{
+    return integrator_under_forces == Integrator::runge_kutta ||
+           integrator_under_forces == Integrator::matrix;
+}
+
+// Whether the contacts of an island act along the same normals during the whole step, as on an
+// incline. On the wall of a bowl the normals change, and the mean of two velocities would add
+// energy.
+bool holds_along_fixed_normals(const ContactProblem& problem, const Island& island,
+                               const std::vector<Body>& before)
+{
+    // A contact opens or closes if |v·n| is above this fraction of the speed of its bodies relative
+    // to the ground. A smaller |v·n| is only an error that the sweeps leave; it moves no point by
+    // more than 1e-6 of the distance that the bodies move. The limit also holds for the change of
+    // v·n by the collision stage: between bodies that gravity accelerates alike, this change may be
+    // tiny but not zero.
+    constexpr double opens = 1e-6;
+    // Between bodies at rest, the sweeps leave a |v·n| of at most this share of the speed that the
+    // forces of the step add.
+    constexpr double left_at_rest = 1e-12;
+    const std::vector<Body> grounds = problem.grounds_of(island);
+    const auto speed_of = [&](const Body& body) {
+        double speed = 0;
+        for (const Body& ground : grounds)
+            speed = std::max(speed, (body.velocity - ground.velocity).norm());
+        return speed;
+    };
+    for (const ContactPair& pair : island.pairs)
+        for (int i = pair.first; i < pair.last; ++i) {
+            const ContactConstraint& c = problem.contacts[i];
+            const double hit = c.normal_K * c.collision_impulse.norm(); // change of v·n
+            if (c.contact_impulse.isZero(0) && hit == 0) continue;
+            const double none =
+                std::max(left_at_rest * std::abs(c.force_speed), problem.rounding_speed(c));
+            for (const std::vector<Body>* bodies : {&before, &problem.bodies}) {
+                const double v_n = problem.velocity_between(*bodies, c, c.point).dot(c.normal);
+                const double speed = speed_of((*bodies)[c.body1]) + speed_of((*bodies)[c.body2]);
+                if (std::max(hit, std::abs(v_n)) > std::max(opens * speed, none)) return false;
+            }
+        }
+    return true;
+}
+
+} // namespace
+
+std::vector<char> moves_by_mean_velocity(const World& world,
+                                         const std::vector<Body>& after_collisions,
+                                         const std::vector<RigidState>& flown,
+                                         std::vector<Pose> poses, ContactProblem& problem)
+{
+    std::vector<char> by_mean(problem.islands.size(), false);
+    if (!is_of_higher_order(world.settings.integrator_under_forces())) return by_mean;
+    for (std::size_t k = 0; k < by_mean.size(); ++k) {
+        const Island& island = problem.islands[k];
+        switch (solve_at_midpoint(world, after_collisions, flown, island, poses, problem)) {
+        case MidpointResult::solved:
+            by_mean[k] = true;
+            break;
+        case MidpointResult::not_tried:
+            by_mean[k] = holds_along_fixed_normals(problem, island, after_collisions);
+            break;
+        case MidpointResult::refused:
+            break;
+        }
+    }
+    return by_mean;
+}
+
+} // namespace rigor

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "geometry/shapes/pose.hpp"
+#include "rigid/bodies/world.hpp"
+#include "rigid/contact/contact_problem.hpp"
+
+namespace rigor {
+
+/// The islands whose bodies move with the mean of their velocities at the start and the end of the
+/// step, which gives positions of the second order. These are islands whose contacts act along the
+/// same normals during the whole step, and those that `solve_at_midpoint` solves again; there are
+/// none if the world's integrator is only of the first order under forces.
+///
+/// @param after_collisions  the bodies after the collision stage, before the forces
+/// @param flown             the states after free flight
+/// @param poses             of all bodies at the start of the step
+/// @param problem           after the contact stage
+/// @return a value for each island
+std::vector<char> moves_by_mean_velocity(const World& world,
+                                         const std::vector<Body>& after_collisions,
+                                         const std::vector<RigidState>& flown,
+                                         std::vector<Pose> poses, ContactProblem& problem);
+
+} // namespace rigor

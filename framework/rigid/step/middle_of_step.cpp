@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: MIT
+// The middle of a step, for contacts that move along a curve. With the means of the velocities at
+// the start and after the contact stage, the bodies of an island move for half of the step. There
+// the narrow phase finds their contacts, and each contact with an impulse is paired with one of
+// them. The contacts move along a curve if their v·n has changed.
+#include "rigid/step/middle_of_step.hpp"
+
+#include "rigid/bodies/orientation.hpp"
+#include "rigid/detection/narrow_phase.hpp"
+#include "rigid/motion/free_flight.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace rigor {
+
+namespace {
+
+// Islands with more contacts, or with more than `few_bodies` bodies, are left out: to find and
+// solve their contacts twice would cost too much.
+constexpr std::size_t most_contacts = 32;
+// A contact moves along a curve if its v·n changes by more than this share of its speed. The limit
+// `opens` in mean_velocity.cpp is the same.
+constexpr double least_change = 1e-6;
+// The contact in the middle of the step is another one if its normal differs by more than 60°.
+constexpr double same_side = 0.5;
+
+bool has_mesh(const RigidBody& body)
+{
+    return std::any_of(body.parts.begin(), body.parts.end(),
+                       [](const Part& part) { return std::holds_alternative<Mesh>(part.shape); });
+}
+
+// Whether a body is driven otherwise than along a line at a constant velocity.
+bool is_driven_unevenly(const RigidBody& body, double time, double time_step)
+{
+    if (!body.drive) return false;
+    const Drive& d = *body.drive;
+    return d.is_belt || !d.angular_velocity.isZero(0) || !d.amplitude.isZero(0) || d.start > time ||
+           d.end < time + time_step;
+}
+
+bool is_suitable(const World& world, const ContactProblem& problem, const Island& island)
+{
+    const ContactMethod method = problem.settings.contact_method;
+    const bool solves_at_once =
+        method == ContactMethod::built_in || method == ContactMethod::simultaneous;
+    if (!solves_at_once || island.bodies.size() > few_bodies ||
+        contact_count(island.pairs) > most_contacts)
+        return false;
+    bool is_grounded = false;
+    for (const ContactPair& pair : island.pairs) {
+        const ContactConstraint& lowest = problem.contacts[pair.first];
+        for (const int i : {lowest.body1, lowest.body2}) {
+            const RigidBody& body = world.bodies[i];
+            if (has_mesh(body) || is_driven_unevenly(body, world.time, problem.time_step))
+                return false;
+            is_grounded |= body.is_static;
+        }
+    }
+    return is_grounded;
+}
+
+// A bound of |v| at a contact, whatever the directions of its lever arms. It is the same in every
+// frame that moves at a constant velocity.
+double speed_at(const Contact& c, const Body& body1, const Body& body2)
+{
+    return (body1.velocity - body2.velocity).norm() +
+           body1.angular_velocity.norm() * (c.point - body1.position).norm() +
+           body2.angular_velocity.norm() * (c.point - body2.position).norm();
+}
+
+// The contacts with an impulse; none if they do not move far enough for a curve to be seen.
+std::vector<HeldContact> held_contacts(const ContactProblem& problem, const Island& island,
+                                       const std::vector<Body>& first)
+{
+    std::vector<HeldContact> held;
+    bool any_moves = false;
+    for (const ContactPair& pair : island.pairs)
+        for (int i = pair.first; i < pair.last; ++i) {
+            const ContactConstraint& c = problem.contacts[i];
+            if (!problem.holds(c)) continue;
+            const double speed = speed_at(c, first[c.body1], first[c.body2]);
+            any_moves |= problem.time_step * speed > least_change * c.radius;
+            HeldContact& contact = held.emplace_back();
+            contact.index = i;
+            contact.v_start = velocity_at(c, first[c.body1], first[c.body2]);
+            contact.negligible = least_change * speed + problem.rounding_speed(c);
+        }
+    if (!any_moves) held.clear();
+    return held;
+}
+
+// Sets the poses of the island's bodies, and of driven bodies that it touches, to those in the
+// middle of the step.
+std::map<int, Body> moved_to_the_middle(const World& world, const ContactProblem& problem,
+                                        const Island& island, const std::vector<Body>& first,
+                                        std::vector<Pose>& poses)
+{
+    const double half = problem.time_step / 2;
+    std::map<int, Body> moved;
+    Counters uncounted;
+    for (const int i : island.bodies) {
+        const RigidBody& rigid = world.bodies[i];
+        const Body& last = problem.bodies[i];
+        RigidState state = rigid.state;
+        state.velocity = (first[i].velocity + last.velocity) / 2;
+        state.angular_momentum = (first[i].angular_momentum + last.angular_momentum) / 2;
+        state = fly(world.settings, rigid, state, half, uncounted, Gravity::left_out);
+        poses[i] = pose_of(state);
+        Body& body = moved[i] = first[i];
+        body.position = state.position;
+        body.inverse_inertia = inverse_inertia(world.settings.integrator, rigid, state);
+        body.angular_velocity = body.inverse_inertia * body.angular_momentum;
+    }
+    for (const ContactPair& pair : island.pairs) {
+        const ContactConstraint& c = problem.contacts[pair.first];
+        for (const int i : {c.body1, c.body2})
+            if (const auto& drive = world.bodies[i].drive)
+                poses[i] = pose_of(driven_state(*drive, world.time + half));
+    }
+    return moved;
+}
+
+// Takes from `found` the contact nearest to `point`, a contact point at the start of the step that
+// was carried along.
+// @return whether there is one within `reach` that is on the same side
+bool take_nearest(const Vector3d& point, const Vector3d& normal, double reach,
+                  std::vector<Contact>& found, Contact& nearest)
+{
+    const auto distance = [&](const Contact& c) { return (c.point - point).norm(); };
+    const auto best =
+        std::min_element(found.begin(), found.end(), [&](const Contact& a, const Contact& b) {
+            return distance(a) < distance(b);
+        });
+    if (best == found.end() || distance(*best) > reach || best->normal.dot(normal) < same_side)
+        return false;
+    nearest = *best;
+    found.erase(best);
+    return true;
+}
+
+// Finds the contacts [begin, end) of one pair of bodies in the middle of the step.
+// @return whether all of them were found
+bool find_middle(const World& world, const ContactProblem& problem, const std::vector<Body>& first,
+                 const std::vector<Pose>& poses, std::span<HeldContact> contacts)
+{
+    const ContactConstraint& lowest = problem.contacts[contacts.front().index];
+    const Body &body1 = first[lowest.body1], &body2 = first[lowest.body2];
+    const double h = problem.time_step;
+    const double path = h * speed_at(lowest, body1, body2) + nearly_touching_gap * lowest.radius;
+    std::vector<Contact> found;
+    Counters uncounted;
+    find_contacts(world, poses, lowest.body1, lowest.body2, std::abs(lowest.gap) + path, found,
+                  uncounted, h / 2);
+    // A single contact may move farther than any point of the bodies, as below a flat pebble.
+    const bool is_single = contacts.size() == 1 && found.size() == 1;
+    const double reach = is_single ? std::numeric_limits<double>::infinity() : path;
+    for (HeldContact& contact : contacts) {
+        const ContactConstraint& c = problem.contacts[contact.index];
+        const Vector3d v1 = body1.velocity + body1.angular_velocity.cross(c.point - body1.position);
+        const Vector3d carried = c.point + h / 2 * (v1 - contact.v_start / 2);
+        if (!take_nearest(carried, c.normal, reach, found, contact.middle)) return false;
+    }
+    return true;
+}
+
+} // namespace
+
+Vector3d velocity_at(const Contact& c, const Body& body1, const Body& body2)
+{
+    return body1.velocity + body1.angular_velocity.cross(c.point - body1.position) -
+           body2.velocity - body2.angular_velocity.cross(c.point - body2.position);
+}
+
+std::optional<MiddleOfStep> middle_of_step(const World& world, const ContactProblem& problem,
+                                           const Island& island, const std::vector<Body>& first,
+                                           std::vector<Pose>& poses)
+{
+    if (!is_suitable(world, problem, island)) return std::nullopt;
+    MiddleOfStep middle;
+    std::vector<HeldContact>& held = middle.contacts = held_contacts(problem, island, first);
+    if (held.empty()) return std::nullopt;
+    middle.bodies = moved_to_the_middle(world, problem, island, first, poses);
+
+    const auto bodies_of = [&](const HeldContact& contact) {
+        const ContactConstraint& c = problem.contacts[contact.index];
+        return std::pair(c.body1, c.body2);
+    };
+    // A body in the middle of the step, with its velocities of the start or of the end.
+    const auto starting = [&](int i) -> const Body& {
+        const auto moved = middle.bodies.find(i);
+        return moved == middle.bodies.end() ? first[i] : moved->second;
+    };
+    const auto ending = [&](int i) {
+        Body body = starting(i);
+        body.velocity = problem.bodies[i].velocity;
+        body.angular_momentum = problem.bodies[i].angular_momentum;
+        if (!body.is_static()) body.angular_velocity = body.inverse_inertia * body.angular_momentum;
+        return body;
+    };
+    bool any_curve = false;
+    for (auto begin = held.begin(), end = begin; begin != held.end(); begin = end) {
+        const std::pair<int, int> pair = bodies_of(*begin);
+        end = std::find_if(begin, held.end(),
+                           [&](const HeldContact& other) { return bodies_of(other) != pair; });
+        if (!find_middle(world, problem, first, poses, {begin, end})) return std::nullopt;
+        const Body &first1 = starting(pair.first), &first2 = starting(pair.second);
+        const Body last1 = ending(pair.first), last2 = ending(pair.second);
+        for (HeldContact& contact : std::span(begin, end)) {
+            const ContactConstraint& c = problem.contacts[contact.index];
+            const Vector3d& n = contact.middle.normal;
+            contact.v_middle = velocity_at(contact.middle, first1, first2);
+            const Vector3d v_last =
+                               velocity_at(c, problem.bodies[c.body1], problem.bodies[c.body2]),
+                           v_last_middle = velocity_at(contact.middle, last1, last2);
+            contact.change =
+                std::max(std::abs(contact.v_middle.dot(n) - contact.v_start.dot(c.normal)),
+                         std::abs(v_last_middle.dot(n) - v_last.dot(c.normal)));
+            any_curve |= contact.change > contact.negligible;
+        }
+    }
+    if (!any_curve) return std::nullopt;
+    return middle;
+}
+
+} // namespace rigor

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "geometry/shapes/pose.hpp"
+#include "rigid/bodies/world.hpp"
+#include "rigid/contact/contact_problem.hpp"
+
+#include <map>
+#include <optional>
+
+namespace rigor {
+
+/// A contact that got an impulse in the contact stage, at the start and in the middle of the step.
+struct HeldContact {
+    int index = 0;                        // in `ContactProblem::contacts`
+    Contact middle = {};                  // in the middle of the step
+    Vector3d v_start = {}, v_middle = {}; // v₁ - v₂ there, with the velocities of the start
+    // By how much v·n changes from the start to the middle of the step, with the velocities of the
+    // start or with those after the contact stage, whichever changes more [m/s].
+    double change = 0;
+    double negligible = 0; // a speed at this contact that counts as 0 [m/s]
+};
+
+/// The held contacts of an island, grouped by pairs of bodies, and its bodies that move, by their
+/// indices: in their poses in the middle of the step, with their velocities of the start.
+struct MiddleOfStep {
+    std::vector<HeldContact> contacts;
+    std::map<int, Body> bodies;
+};
+
+/// The middle of the step of an island whose held contacts move along a curve. Islands are left out
+/// that are large, that touch no static body, that have a mesh, or that touch a body which is
+/// driven otherwise than along a line at a constant velocity.
+///
+/// @param first    the bodies after the collision stage, before the forces
+/// @param problem  after the contact stage
+/// @param poses    of all bodies at the start of the step; those of the island's bodies may be
+///                 changed
+/// @return nothing if the island is left out, if no contact moves along a curve, or if a contact is
+///         not found again in the middle of the step
+std::optional<MiddleOfStep> middle_of_step(const World& world, const ContactProblem& problem,
+                                           const Island& island, const std::vector<Body>& first,
+                                           std::vector<Pose>& poses);
+
+/// v - (v·n) n
+inline Vector3d slip(const Vector3d& v, const Vector3d& n)
+{
+    return v - v.dot(n) * n;
+}
+
+/// v₁ - v₂ at the point of a contact [m/s].
+Vector3d velocity_at(const Contact& contact, const Body& body1, const Body& body2);
+
+} // namespace rigor

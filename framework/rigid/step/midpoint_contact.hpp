@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "geometry/shapes/pose.hpp"
+#include "rigid/bodies/world.hpp"
+#include "rigid/contact/contact_problem.hpp"
+
+namespace rigor {
+
+enum class MidpointResult {
+    solved,    ///< the island was solved again
+    not_tried, ///< there is no `middle_of_step`, or another contact would close
+    refused,   ///< a contact on a curve has just closed, or has just begun to stick
+};
+
+/// Solves the contact stage of an island a second time, with the contacts in the middle of the
+/// step. This is done where contacts move along a curve: a ball that rolls off another one, a disk
+/// on its rim, a stick that turns about its foot (middle_of_step.hpp has the conditions).
+///
+/// If the island is solved again, its bodies get their velocities after the step, and its contacts
+/// their impulses and normals of the middle of the step. The bodies then have to move with the
+/// means of their velocities at the start and at the end of the step.
+///
+/// @param first  the bodies after the collision stage, before the forces
+/// @param flown  the states after free flight
+/// @param poses  of all bodies at the start of the step; those of the island may be changed
+/// @return what was done; unless it is `solved`, `problem` has not changed
+MidpointResult solve_at_midpoint(const World& world, const std::vector<Body>& first,
+                                 const std::vector<RigidState>& flown, const Island& island,
+                                 std::vector<Pose>& poses, ContactProblem& problem);
+
+} // namespace rigor
