@@ -12,9 +12,10 @@ namespace rigor {
 
 namespace {
 
-// The position of p on the grid, or of the point of the grid's box nearest to p.
+// The position on the grid of the point nearest to p in the grid's box: of p itself, if p is in the
+// box.
 struct GridPosition {
-    std::array<int, 3> cell; // the lowest node of the cell that contains it
+    std::array<int, 3> cell; // the lowest node of the cell that contains the nearest point
     Vector3d t;              // position in that cell, 0 … 1 along each axis
     double distance;         // distance from p, 0 inside the box [m]
 };

@@ -57,8 +57,8 @@ Cut cut_at(const TetrahedralMesh& mesh, int vertex, const Vector3d& n)
     return cut;
 }
 
-// The edges of the ring's tetrahedra that cross the plane, each from its upper vertex to its lower
-// one.
+// The edges that cross the plane, of the tetrahedra in `cut.ring`. Each edge goes from its vertex
+// above the plane to the one below.
 std::set<std::array<int, 2>> crossing_edges(const Tetrahedra& tetrahedra, const Cut& cut)
 {
     std::set<std::array<int, 2>> edges;
@@ -109,8 +109,8 @@ Face face_of(const Tetrahedron& t, int face)
     return result;
 }
 
-// The faces at the vertex between a tetrahedron above the plane and one below. They lie on the
-// plane.
+// The faces between a tetrahedron above the plane and one below, both of which have the vertex. All
+// vertices of these faces count as lying on the plane.
 std::vector<MeshFace> faces_on_plane(const TetrahedralMesh& mesh, const std::vector<int>& near,
                                      const Cut& cut, int vertex, const Vector3d& n)
 {

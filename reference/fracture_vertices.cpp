@@ -84,7 +84,7 @@ std::vector<SharedFace> shared_faces(const Tetrahedra& tetrahedra, const std::ve
 }
 
 // Gives each group of corners its own vertex, if it is a group of a vertex v with `may_double[v]`.
-// The first group of v keeps its number, and each other group gets a new vertex, a copy of v.
+// The first group of v keeps the vertex v, and each other group gets a new vertex, a copy of v.
 // Returns for each vertex the one that it is a copy of, or itself.
 std::vector<int> separate(Tetrahedra& tetrahedra, Groups& groups,
                           const std::vector<bool>& may_double)

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double rounding = 1e-12; // relative to the largest term
 
-// False also if a number is not finite.
+// Whether a and b are equal up to rounding; false also if one of them is not finite.
 bool is_close(double a, double b, double scale)
 {
     return std::abs(a - b) <= rounding * scale;
@@ -52,7 +52,7 @@ bool collision_keeps_laws(const LineCollision& collide, double m1, double m2, do
 
 Judgement test_line_collision(const LineCollision& collide)
 {
-    // By hand: 1 kg at 3 m/s meets 2 kg at rest and bounces by half.
+    // By hand: 1 kg at 3 m/s meets 2 kg at rest, with the restitution ε = ½.
     const auto [u1, u2] = collide(1, 2, 3, 0, 0.5);
     if (!is_close(u1, 0, 3) || !is_close(u2, 1.5, 3)) return rejected();
 
@@ -127,7 +127,7 @@ Judgement test_oscillator_step(const OscillatorStep& step)
         const double x = i % 5 == 0 ? 0 : random.uniform(-1, 1) * size;
         const double v = i % 5 == 1 ? 0 : random.uniform(-1, 1) * size * w;
 
-        // x(h) = x cos ωh + v/ω sin ωh, and its derivative
+        // x(h) = x cos ωh + v/ω sin ωh, and its derivative divided by ω
         const OscillatorState after = step({x, v}, w, a / w);
         const double A = std::hypot(x, v / w), bound = (a * a * a + rounding) * A;
         if (!(std::abs(after.x - (x * std::cos(a) + v / w * std::sin(a))) <= bound))
@@ -149,7 +149,7 @@ Judgement test_units(const UnknownFormula& formula, const std::vector<double>& e
 
     for (const Dimension unit : {Dimension{1, 0, 0}, Dimension{0, 1, 0}, Dimension{0, 0, 1}})
         for (int exponent = -40; exponent <= 40; exponent += 8) {
-            // Powers of two: the change itself rounds nothing.
+            // The factors are powers of two, so multiplying by them rounds nothing.
             const auto factor = [&](const Dimension& of) {
                 return std::ldexp(1, exponent * (unit.mass * of.mass + unit.length * of.length +
                                                  unit.time * of.time));

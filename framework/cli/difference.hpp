@@ -21,8 +21,9 @@ struct Difference {
     double allowed = 0; // the largest size that counts as equal; `size` is larger
 };
 
-/// Tolerance, relative to the largest value of a quantity in the expected run. Rounding errors stay
-/// below it even after many steps; the error of a wrong formula does not.
+/// Tolerance, relative to the scale of a quantity, which for most quantities is the largest value
+/// in the expected run (difference.cpp). Rounding errors stay below it even after many steps; the
+/// error of a wrong formula does not.
 inline constexpr double same_within = 1e-9;
 
 /// Compares a run with an expected one, frame by frame.

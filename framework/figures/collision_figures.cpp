@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The figures of assignment A4, about collisions: the impulse matrix K as an ellipse at the tip of
-// a rod, the friction cone, a contact that jams, and the deepest point against the point that
-// touches first.
+// a rod, the friction cone, a contact that jams, and a fast plate that passes a wall within one
+// step.
 #include "figures/collision_figures.hpp"
 
 #include "formulas/collision.hpp"

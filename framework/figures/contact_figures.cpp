@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The figures of assignment A5, about contact: the load that the first end of a rod takes, the
-// levels of a contact graph, how three methods stop a stack, and the seesaw.
+// The figures of assignment A5, about contact: the velocities of the ends of a rod after some
+// iterations, the levels of a contact graph, how three methods stop a stack, and the seesaw.
 #include "figures/contact_figures.hpp"
 
 #include "formulas/collision.hpp"
@@ -119,8 +119,7 @@ Drawing levels()
     return drawing;
 }
 
-// A stack of blocks of 1 kg without rotation. Each block has the speed that gravity gives it in one
-// time step.
+// A stack of blocks of 1 kg without rotation. Each block falls at 1 m/s.
 struct Stack {
     std::vector<Body> bodies;
     std::vector<BodyContact> contacts;

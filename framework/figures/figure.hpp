@@ -10,8 +10,8 @@
 namespace rigor::figures {
 
 struct Figure {
-    std::string_view handout; // "a4-collision"
-    std::string_view name;    // "friction_cone": the file is figures/friction_cone.svg
+    std::string_view handout; // for example "a4-collision"
+    std::string_view name;    // for example "friction_cone", in figures/friction_cone.svg
     Drawing (*draw)();
 };
 

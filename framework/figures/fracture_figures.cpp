@@ -16,7 +16,7 @@ namespace {
 
 const View view(28, 22);
 
-// Draws the edges of a tetrahedron, shrunk a little towards its middle.
+// Draws the edges of a tetrahedron, scaled by `size` about its middle and moved by `shift`.
 void draw_tetrahedron(Drawing& drawing, const std::array<Vector3d, 4>& x, const Vector3d& shift,
                       const std::string& style, double size = 1)
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The figures of assignment A2, about inertia: a hammer with its bounding box and the ellipsoids of
-// the same inertia, the ellipsoid of inertia, the parallel shift for a union of bodies, and the
-// polhodes of a free box.
+// the same inertia, the ellipsoid of inertia, and the parallel shift for a union of bodies. Last
+// comes a figure of assignment A3: the polhodes of a free box.
 #include "figures/inertia_figures.hpp"
 
 #include "formulas/inertia.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The figures of assignment A2, about inertia.
+// The figures of assignment A2, about inertia, and one figure of A3.
 #pragma once
 
 #include "figures/figure.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The figures of assignment A4 that are about level sets: a level set with the surface between its
-// nodes, and one of its cells.
+// The figures of assignment A4 that are about level sets: the level set of a disc with the surface
+// between its nodes, and a single cell of the level set of a ball.
 #include "figures/level_set_figures.hpp"
 
 #include "formulas/collision.hpp"

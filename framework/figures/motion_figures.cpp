@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The figures of assignment A1, about rigid motion: object space and world space, velocity modes,
-// lever and torque, and the centripetal accelerations that add up to ω × I ω.
+// lever and torque, and the centripetal accelerations of particles, whose torques add up to
+// ω × I ω.
 #include "figures/motion_figures.hpp"
 
 #include "formulas/kinematics.hpp"

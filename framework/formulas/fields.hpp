@@ -11,7 +11,7 @@
 namespace rigor {
 
 /// The list of the fields of T: `Fields<Body>::each(body, visit)` calls visit(name, field) for each
-/// field. Below there is one row for each struct.
+/// field. Below there is one row for each struct of types.hpp.
 template <class T> struct Fields;
 
 /// A struct for which there is a list of fields.
@@ -31,7 +31,7 @@ concept Plain = requires
         }                                                                                          \
     };
 
-// RIGOR_EACH(macro, ...) expands `macro` for each of up to 256 arguments.
+// RIGOR_EACH(macro, ...) expands `macro` for each of up to 41 arguments.
 #define RIGOR_PARENTHESES ()
 #define RIGOR_EXPAND(...) RIGOR_EXPAND_3(RIGOR_EXPAND_3(RIGOR_EXPAND_3(__VA_ARGS__)))
 #define RIGOR_EXPAND_3(...) RIGOR_EXPAND_2(RIGOR_EXPAND_2(RIGOR_EXPAND_2(__VA_ARGS__)))

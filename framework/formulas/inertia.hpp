@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Topic `inertia`, assignment A2: the inertia tensor of point masses and of solids, in world space,
-// degenerate, approximated and combined. Source: lecture "Inertia, rotation, impulses".
-// Conventions: types.hpp.
+// Topic `inertia`, assignment A2: the inertia tensors of point masses and of solids, their form in
+// world space, degenerate tensors, approximations, and the tensor of two bodies together. Source:
+// lecture "Inertia, rotation, impulses". Conventions: types.hpp.
 #pragma once
 
 #include "formulas/not_implemented.hpp"

@@ -54,7 +54,8 @@ Matrix6d generalized_mass(const std::vector<Particle>& particles, const Vector3d
 /// A1.8 Net force F = Σ fᵢ and net torque τ = Σ (xᵢ - X) × fᵢ about X, which may be any point.
 /// Lecture: "What about the external forces?".
 ///
-/// F and τ together are Sᵀ F_ext; the transpose turns X* - x* into (x - X)*. No force: zero.
+/// F and τ together are the sum of S(xᵢ)ᵀ fᵢ, with S as in A1.6; its transpose turns X* - xᵢ* into
+/// (xᵢ - X)*. No force: zero.
 Wrench net_wrench(const std::vector<PointForce>& forces, const Vector3d& X);
 
 /// A1.9 Equations of motion.

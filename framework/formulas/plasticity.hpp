@@ -2,9 +2,8 @@
 // Topic `plasticity`, assignment A6: when a solid yields, and how it flows.
 // Source: lecture "Rigid bodies", its first pages. They have the von Mises criterion, the von Mises
 // stress of a linear elastic solid directly from its strain, and perfect plastic flow. Conventions:
-// types.hpp. Stresses σ (in Pa) and strains ε (without
-// unit) are symmetric; tension is positive. Tr is the trace, ‖·‖ the Frobenius norm, δ the
-// identity.
+// types.hpp. Stresses σ (in Pa) and strains ε (without unit) are symmetric; tension is positive. Tr
+// is the trace, ‖·‖ the Frobenius norm, δ the identity.
 #pragma once
 
 #include "formulas/not_implemented.hpp"

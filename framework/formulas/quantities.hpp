@@ -14,10 +14,10 @@
 
 namespace rigor {
 
-/// The set that a quantity belongs to, and what a value becomes when all of world space and all of
-/// object space are turned by a rotation Q and moved by d.
+/// The kind of a quantity: which values are allowed, and what a value becomes when all of world
+/// space and all of object space are turned by a rotation Q and moved by d.
 enum class Kind {
-    number,     // does not change; positive
+    number,     // does not change; ≥ 0 in the arguments of the tests
     any_number, // does not change; of either sign
     index,      // does not change; an integer or a bool
     vector,     // v becomes Q v
@@ -98,7 +98,8 @@ template <class T> struct FieldQuantities;
         static constexpr Quantity of[] = {RIGOR_EACH(RIGOR_OF, __VA_ARGS__)};                      \
     };
 
-// The fields have no dimension here: the dimension of the quaternion itself is added to theirs.
+// The fields s and v of a quaternion have no dimension in this list. Both have the dimension of the
+// whole quaternion, for example 1/s for `quaternion_rate`.
 template <> struct FieldQuantities<Quaternion> {
     static constexpr Quantity of[] = {{{}, Kind::any_number}, {{}, Kind::vector}};
 };
@@ -127,7 +128,7 @@ RIGOR_FIELD_QUANTITIES(SplitMesh, fields, fields, integer)
 RIGOR_FIELD_QUANTITIES(ElementCrack, integer, point, unit)
 RIGOR_FIELD_QUANTITIES(EmbeddedMesh, fields, integer, integer, integer, ratio)
 RIGOR_FIELD_QUANTITIES(Dimension, integer, integer, integer)
-// The numbers of a formula under test stand for quantities of any kind.
+// The numbers of a formula under test may have any kind, so a rotation gives no law for them.
 RIGOR_FIELD_QUANTITIES(KnownCall, along_axes, along_axes)
 RIGOR_FIELD_QUANTITIES(Judgement, integer, integer, along_axes)
 template <class Result, class... Argument> struct FieldQuantities<UnderTest<Result, Argument...>> {

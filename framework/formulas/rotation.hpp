@@ -29,7 +29,8 @@ Matrix3d gram_schmidt(const Matrix3d& R);
 /// @param angles  (φ, θ, ψ): roll about x, pitch about y, yaw about z [rad]
 Matrix3d euler_to_matrix(const Vector3d& angles);
 
-/// A3.4 Rates (φ̇, θ̇, ψ̇) [rad/s] of these Euler angles under the world-space angular velocity ω.
+/// A3.4 Rates (φ̇, θ̇, ψ̇) [rad/s] of the Euler angles (φ, θ, ψ) of A3.3, if the angular velocity
+/// in world space is ω.
 ///
 ///     ω = ψ̇ e_z + R_z(ψ) (θ̇ e_y + R_y(θ) φ̇ e_x)
 ///
@@ -101,9 +102,10 @@ RigidState step_symplectic_euler(const RigidState& state, const BodyInertia& bod
 ///     ω  = I⁻¹ L                        ω̇  = I⁻¹ (τ - ω × L)        I⁻¹ = R(q) I_body⁻¹ R(q)ᵀ
 ///     Ω  = ω + Δt/2 ω̇ + Δt²/12 (ω̇ × ω)  q' = advance_exact(q, Ω, Δt)  L' = L + Δt τ
 ///
-/// The last term of Ω appears in third-order methods, because rotations do not commute; compared
-/// with these, only the term with ω̈/6 is omitted. With the wrong sign of this term the order is
-/// still 2, so only the size of the error shows the mistake. Static body: unchanged.
+/// The last term of Ω appears in third-order methods, because rotations do not commute. Compared
+/// with such a method, only the term with ω̈/6 is omitted. If the last term of Ω has the wrong
+/// sign, the order is still 2, so only the size of the error shows the mistake. Static body:
+/// unchanged.
 RigidState step_buss(const RigidState& state, const BodyInertia& body, const Wrench& wrench,
                      double time_step);
 

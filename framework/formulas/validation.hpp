@@ -4,9 +4,9 @@
 // formula, calls it up to 1000 times, and says whether the implementation keeps the laws.
 // Conventions: types.hpp; what a test may do: under_test.hpp.
 //
-// A right implementation keeps the description to within rounding: its results may differ from
-// those of another right implementation by 1e-12 times the largest term. It may be written in any
-// way. Arguments with magnitudes between 1e-9 and 1e9 are fine.
+// A right implementation follows the description of its formula up to rounding: its results may
+// differ from those of another right implementation by 1e-12 times the largest term. It may be
+// written in any way. A test may call it with arguments whose magnitudes are 1e-9 to 1e9.
 #pragma once
 
 #include "formulas/dimension.hpp"
@@ -55,7 +55,8 @@ struct OscillatorState {
 /// ω (ω h)³ A in the velocity.
 using OscillatorStep = UnderTest<OscillatorState, OscillatorState, double, double>;
 
-/// A formula numbers → numbers, of which only the dimensions of these numbers are known.
+/// A formula that takes a list of numbers and returns a list of numbers. Only the dimensions of
+/// these numbers are known.
 using UnknownFormula = UnderTest<std::vector<double>, std::vector<double>>;
 
 /// A8.1 A test of a collision on a line.
@@ -72,7 +73,7 @@ Judgement test_oscillator_step(const OscillatorStep& step);
 
 /// A8.5 The law of the units, for any formula: if the unit of mass, length or time is replaced by
 /// another one, each number of the result changes as its dimension says. The formula is accepted
-/// where this holds for each of the three units, smaller and larger by factors up to 2⁴⁰.
+/// if this holds for each of the three units, smaller and larger by factors up to 2⁴⁰.
 ///
 /// A right formula may take a root of a factor, which need not be exact: √(2⁴) = 2², but √2 is
 /// rounded. So the test must allow for rounding.

@@ -17,7 +17,8 @@ enum class Disclosure {
     nothing // only a status such as `crashed`
 };
 
-/// Points for one law of a task. They are earned if this law holds, even if other laws do not.
+/// Points for one law of a task, that is, for one statement that a test case checks. They are
+/// earned if this law holds, even if other laws do not.
 struct PartOfPoints {
     std::string law; // the name of the test case that checks this law
     double points = 0;
@@ -44,7 +45,7 @@ struct Assignment {
     std::string title;               // "Inertia tensors"
     std::string topic;               // "inertia"
     std::vector<std::string> submit; // the files a student hands in
-    std::vector<Task> tasks;         // in the order of their tags
+    std::vector<Task> tasks;         // in the order of assignment.json
     std::vector<std::string> scenes; // files in scenes/ that a student can watch
     std::filesystem::path folder;
 

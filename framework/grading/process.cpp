@@ -176,7 +176,8 @@ Ended run(const Command& command, const OnLine& on_output, const OnLine& on_mess
     int failure[2];
     if (pipe2(failure, O_CLOEXEC) != 0)
         throw std::runtime_error("pipe: " + std::string(std::strerror(errno)));
-    // A descriptor of at least 10, because `become` overwrites message_descriptor and those below.
+    // A descriptor of at least 10, because `become` overwrites the descriptors up to
+    // `message_descriptor`.
     const int report = fcntl(failure[1], F_DUPFD_CLOEXEC, 10);
     close(failure[1]);
     LinePipe output(on_output), messages(on_message);

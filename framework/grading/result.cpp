@@ -42,7 +42,8 @@ const TestCase* TaskResult::of_law(std::string_view law) const
 
 const TestCase* TaskResult::first_failure() const
 {
-    // of two that are equally bad, the case by hand is shorter to read than the random one
+    // Of two cases with the same status, one without a seed is chosen: its numbers were chosen by
+    // hand, and are easier to read than random ones.
     const auto rank = [](const TestCase& test) {
         return std::pair(test.status, !test.seed.has_value());
     };

@@ -59,7 +59,8 @@ struct TaskResult {
 
     /// The test case of this law; nullptr if it did not run.
     const TestCase* of_law(std::string_view law) const;
-    /// The first of the test cases with the worst outcome; nullptr if all passed.
+    /// Of the test cases with the worst outcome, the first one without a seed, or else the first
+    /// one; nullptr if all passed.
     const TestCase* first_failure() const;
     /// Why the answers are wrong: the first `mistake` of a test case that is not empty; empty if
     /// there is none.
@@ -80,7 +81,9 @@ struct Result {
     double build_seconds = 0, test_seconds = 0;
     std::string walls; // the sandbox around the submission: "A: namespaces, uid, seccomp, Landlock"
     std::vector<std::string> notes; // further remarks for the reader, such as ignored files
-    std::string fingerprint;        // hash of all that the result depends on; empty: graded again
+    /// Hash of all that the result depends on. If it is empty, the next run grades the submission
+    /// again.
+    std::string fingerprint;
 
     double score() const;
     double max_score() const;

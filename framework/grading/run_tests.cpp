@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Runs the graded tests for the selected tasks and scores them. Hidden tests run only if there is
 // an oracle: a worker process that runs the reference. The test program sends each verdict at once.
-// If verdicts are missing, or the program crashes or hangs, the result is an internal error,
-// without a score.
+// If verdicts are missing, or the program crashes or hangs, the result is an internal error, and
+// its points do not count.
 #include "grading/run_tests.hpp"
 
 #include "errors/quotes.hpp"

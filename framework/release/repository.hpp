@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A tree as a git repository with one commit. The same files give the same commit and the same
-// bytes: author, date and settings are fixed, and nothing of the user's git is used.
+// bytes: author, date and settings are fixed, and the git settings of the user are not used.
 #pragma once
 
 #include "release/tree.hpp"

@@ -127,7 +127,8 @@ const Vector3d* DeformedSurface::line_through(int triangle, int corner) const
     for (const Vector3d& along : lines_[triangles_[triangle].points[corner]]) {
         if (!(std::abs(along.dot(normals_[triangle])) < 0.5)) continue;
         // Only a triangle that lies wholly on one side of the straight line through the edge gets
-        // the line. A triangle beyond the end of the edge is cut by it, or has a side on it.
+        // the line. A triangle beyond the end of the edge is cut by this straight line, or has a
+        // side on it.
         const Vector3d across = normals_[triangle].cross(along);
         const double side_a = across.dot(a) / a.norm(), side_b = across.dot(b) / b.norm();
         if (side_a * side_b > 0 && std::min(std::abs(side_a), std::abs(side_b)) > 0.1)

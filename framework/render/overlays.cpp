@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Overlays: arrows, dots, coils and texts that explain a frame. The length of an arrow for a
-// rotation or an impulse saturates, x / (x + h), which is ½ at x = h, so that small and large
-// values can be seen together.
+// rotation or an impulse of size x saturates as x / (x + h), which is ½ at x = h, so that small and
+// large values can be seen together.
 #include "render/overlays.hpp"
 
 #include "geometry/bounds/bounds.hpp"
@@ -51,8 +51,9 @@ void add_arrows(Picture& picture, const DrawnBody& body, const RigidState& state
             arrow(1.2 * body.radius * R.col(i), 0.8F, color[i]);
     }
     // Lengths saturate, so that a slow rotation can be seen and a fast one stays in the picture.
-    // The arrow of L has the length that ω would have in a body with the mean inertia. It is
-    // thinner and longer than the arrow of ω, so that both can be seen if they are parallel.
+    // The arrow of L shows |L| divided by the mean inertia, which is comparable with |ω|. It is
+    // thinner and longer than an arrow of ω would be, so that both can be seen if they are
+    // parallel.
     constexpr double half = 2; // [rad/s]
     const Vector3d& L = state.angular_momentum;
     const Vector3d w = R * (body.inverse_inertia * (R.transpose() * L));

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The surface of a shape as triangles to draw. Round shapes are meshed as surfaces of revolution
 // with 64 sides. An edge whose two triangles have normals that differ by more than 30 degrees is
-// sharp and gets a line. The normal at a corner is the mean of the normals of the triangles there
-// that differ by less from its triangle, weighted by their angles at the corner.
+// sharp and gets a line. The normal at a corner of a triangle is the mean of the normals of all
+// triangles there that differ from the triangle's own normal by less than 30 degrees, weighted by
+// their angles at the corner.
 #include "render/shape_surfaces.hpp"
 
 #include "geometry/meshes/generators.hpp"

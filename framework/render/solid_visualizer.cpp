@@ -116,7 +116,7 @@ void SolidVisualizer::add_color_scale(Picture& picture, const std::array<double,
     const bool is_stress = overlays_.solids == SolidColors::stress;
     const auto [unit, name] = is_stress ? pressure_unit(high) : std::pair{1.0, ""};
     scale.title = is_stress ? fmt::format("von Mises stress [{}]", name) : "plastic strain";
-    // The ticks are at round numbers, at least four of them.
+    // The ticks are at round numbers, at least three of them.
     const double step = rounded_up((high - low) / unit / 8);
     const auto last = std::llround(std::floor(high / unit / step + 1e-9));
     for (auto n = std::llround(std::ceil(low / unit / step - 1e-9)); n <= last; ++n) {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Starts a program in four steps. The launcher is spawned with the options for the walls. It
-// reports that the walls are up, and hands over the listener of blocked calls. The grader allows
-// the one call that starts the program. Then the launcher's end of the socket closes, which shows
-// that the program has started. To end the program, a signal is sent to the monitor, which ends
-// all other processes before it ends itself.
+// Starts a program in four steps. The launcher is spawned with the options for the sandbox. It
+// reports that the sandbox is up, and hands over the listener of blocked calls. If there is a
+// listener and the program is a worker, the grader allows the one call that starts the program.
+// Then the launcher's end of the socket closes, which shows that the program has started. To end
+// the program, a signal is sent to the monitor, which ends all other processes before it ends
+// itself.
 #include "sandbox/confined.hpp"
 
 #include "sandbox/argument_pointers.hpp"

@@ -23,7 +23,8 @@
 
 namespace rigor {
 
-/// The kind of a program. In tier C, both kinds are limited in the same way.
+/// The kind of a program. In tier C, where a program has limits on resources only (tier.hpp), both
+/// kinds are limited in the same way.
 enum class Profile {
     worker,  // a static program that computes: it opens and starts nothing
     compiler // a program that reads /usr and the readable paths, and starts others from there
@@ -46,9 +47,9 @@ struct Confinement {
     Profile profile;
     Tier tier; // usual_tier() for programs that students wrote
     /// For a compiler: the paths from which it may read and start programs, and the paths that it
-    /// may change. In tiers A and B it reaches no other paths, besides those of the system. If it
-    /// runs as another user, that user becomes the owner of the writable paths, and the readable
-    /// paths must be readable for everybody.
+    /// may change. It reaches no other paths, besides those of the system, unless it has limits on
+    /// resources only (tier C). If it runs as another user, that user becomes the owner of the
+    /// writable paths, and the readable paths must be readable for everybody.
     std::vector<std::filesystem::path> readable = {}, writable = {};
     std::filesystem::path folder = "/";        // its working directory
     std::vector<std::string> environment = {}; // "NAME=value" for each variable
@@ -70,7 +71,7 @@ public:
     /// program's descriptors 0, 1, …; it has no other descriptors.
     /// @param awaits  whether to wait until the program runs; otherwise the caller calls
     ///                `await_start` later
-    /// @throws std::system_error if the program cannot be started behind these walls
+    /// @throws std::system_error if the program cannot be started in this sandbox
     Confined(const Confinement& confinement, const std::vector<std::string>& arguments,
              std::span<const int> descriptors, bool awaits = true);
     /// Ends the program and all that it started.
@@ -78,21 +79,22 @@ public:
     Confined(const Confined&) = delete;
     Confined& operator=(const Confined&) = delete;
 
-    /// Waits until the program runs. With a listener of blocked calls it does not start before
-    /// this call: until then its launcher has put up the walls, and waits to be told to go on.
-    /// @throws std::system_error if the program cannot be started behind these walls
+    /// Waits until the program runs. With a listener of blocked calls it does not start before this
+    /// call: until then its launcher has put up the sandbox, and waits to be told to go on.
+    /// @throws std::system_error if the program cannot be started in this sandbox
     void await_start();
 
-    /// The process number of the monitor. The monitor ends as the program ends, and stops as the
-    /// program stops.
+    /// The process number of the monitor, the process that watches the program from outside. The
+    /// monitor ends in the same way as the program, and stops when the program stops.
     pid_t monitor() const { return monitor_; }
 
     /// The process number of the program. Use it only to look at what the program does, in `/proc`
     /// or by its clock.
     pid_t program() const { return program_; }
 
-    /// The first system call that was not allowed. The process that made it, the program or one
-    /// that it started, then waits forever. Without a listener it was killed by SIGSYS instead.
+    /// The first system call that was not allowed; empty if there was none, or if there is no
+    /// listener. The process that made the call, the program or one that it started, waits forever.
+    /// Without a listener it is killed by SIGSYS instead.
     std::optional<int> blocked_call();
 
     /// A descriptor that becomes readable when a call was blocked; -1: there is no listener.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The path of the launcher, the program that puts up the walls (`main/`) and becomes another
-// program.
+// The path of the launcher, the program that puts up the sandbox around itself (`main/`) and
+// becomes another program.
 #pragma once
 
 namespace rigor {

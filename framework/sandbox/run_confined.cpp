@@ -86,7 +86,7 @@ private:
     {
         siginfo_t info{};
         if (waitid(P_PID, program_.monitor(), &info, WEXITED | WNOHANG | WNOWAIT) != 0) return;
-        if (info.si_pid == 0) return; // it still runs: a limit or a blocked call ends it
+        if (info.si_pid == 0) return; // the program still runs: a limit or a blocked call ends it
         (info.si_code == CLD_EXITED ? result_.status : result_.signal) = info.si_status;
     }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Runs a program behind walls to its end, within limits on time and output.
+// Runs a program in a sandbox to its end, within limits on time and output.
 #pragma once
 
 #include "sandbox/confined.hpp"
@@ -34,7 +34,7 @@ struct ConfinedRun {
 
 /// Runs a program. When it ends, all that it started is ended too.
 /// @param input  a descriptor that becomes its stdin; -1 for an empty one
-/// @throws std::system_error if the program cannot be started behind these walls
+/// @throws std::system_error if the program cannot be started in this sandbox
 ConfinedRun run_confined(const Confinement& confinement, const std::vector<std::string>& arguments,
                          const RunLimits& limits = {}, int input = -1);
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The launcher itself tries each wall (sandbox/main/probe.cpp) and prints which ones work. A tier
-// is a set of walls that together can be relied on. Without a filter of system calls there is only
-// tier C. The same is true if there is a filter but neither a listener in the grader nor Landlock,
-// because then a program could start other programs.
+// The launcher itself tries each wall, that is, each part of the sandbox (sandbox/main/probe.cpp),
+// and prints which ones work. A tier is a set of walls that together can be relied on. Without a
+// filter of system calls there is only tier C, limits on resources. The same is true if there is a
+// filter but neither a listener in the grader nor Landlock, because then a program could start
+// other programs.
 #include "sandbox/tier.hpp"
 
 #include "errors/input_error.hpp"

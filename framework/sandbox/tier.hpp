@@ -19,7 +19,8 @@ namespace rigor {
 
 enum class Tier { a, b, c };
 
-/// A set of walls: those that this machine and this user allow, or those of a tier.
+/// A set of walls, the parts of a sandbox: those that this machine and this user allow, or those of
+/// a tier.
 struct Walls {
     enum class Namespaces { none, plain, user } namespaces = Namespaces::none;
     bool another_user = false;
@@ -28,10 +29,11 @@ struct Walls {
     bool landlock = false; // whether access to files can be denied
 };
 
-/// The walls that can be put up here, determined once by trying each. @throws std::system_error
+/// The walls (parts of the sandbox) that this machine and this user allow, determined once by
+/// trying each. @throws std::system_error
 const Walls& possible_walls();
 
-/// The strongest tier that these walls make.
+/// The strongest tier for which these walls (parts of the sandbox) are enough.
 Tier strongest(const Walls& walls);
 
 /// The tier for what students wrote: the strongest, or a weaker one that the environment variable
@@ -39,14 +41,16 @@ Tier strongest(const Walls& walls);
 /// @throws InputError if RIGOR_TIER is none of them or is not possible here
 Tier usual_tier();
 
-/// Whether the walls are too weak to hide what students must not see. This is so if only tier C is
-/// possible here and RIGOR_TIER does not ask for tier C.
+/// Whether the sandbox is too weak to hide what students must not see. This is so if only tier C,
+/// limits on resources, is possible here and RIGOR_TIER does not ask for tier C.
 bool has_too_weak_walls();
 
-/// The walls of a tier on this machine. Walls that only a stronger tier has are left out.
+/// The walls (parts of the sandbox) of a tier on this machine. Walls that only a stronger tier has
+/// are left out.
 Walls walls_of(Tier tier);
 
-/// `A: namespaces, uid, seccomp, Landlock`, or `B: seccomp, no Landlock`.
+/// The tier and its walls in words, such as `A: namespaces, uid, seccomp, Landlock` or `B: seccomp,
+/// no Landlock`.
 std::string description(Tier tier);
 
 /// A user number that nobody has, drawn at random from a range that systems give to nobody.

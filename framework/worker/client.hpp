@@ -44,12 +44,12 @@ public:
     /// Runs a scene and passes its trajectory to `sink` as it arrives. If the run fails, `sink`
     /// gets the bytes before the failure. The bytes have not been checked.
     /// @param threads  number of threads for the reference; other implementations use one
-    /// @throws NotImplemented, WorkerFailure, NotFinite, what `sink` throws
+    /// @throws NotImplemented, FormulaMissing, WorkerFailure, NotFinite, what `sink` throws
     void run_scene(const std::string& scene_text, const std::string& scene_name, Record record,
                    const ByteSink& sink, int threads = 1);
 
     /// The states after `steps` time steps from each of `starts`. All their numbers are finite.
-    /// @throws NotImplemented, WorkerFailure, NotFinite
+    /// @throws NotImplemented, FormulaMissing, WorkerFailure, NotFinite
     std::vector<std::vector<RigidState>> advance(const std::string& scene_text,
                                                  const std::string& scene_name,
                                                  const std::vector<Start>& starts, int steps);

@@ -26,7 +26,7 @@ inline constexpr double sanitizer_factor = is_sanitized ? 20 : 1;
 /// Whose formulas a worker runs. This decides which walls the sandbox puts around the worker.
 enum class Trust {
     ours,     // the reference, or code that its own author runs: limits on resources only
-    students, // formulas that are graded: the walls of `usual_tier`; the worker must be static
+    students, // formulas that are graded: the sandbox of `usual_tier`; the worker must be static
 };
 
 /// The limits of an implementation. The oracle is a second worker, which runs the reference. The
@@ -83,7 +83,7 @@ public:
     Process& operator=(const Process&) = delete;
 
     /// Waits until the executable runs. It may not be ready for requests yet.
-    /// @throws std::system_error if the executable cannot be started behind these walls
+    /// @throws std::system_error if the executable cannot be started in this sandbox
     void await_start() { program_.await_start(); }
 
     /// Begins to end the process, without waiting for its end. The destructor waits.

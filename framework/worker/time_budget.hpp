@@ -37,9 +37,9 @@ public:
     void go_on_from(const Spent& spent);
 
     /// Forgets what was spent. From now on all calls together have this budget, and so have all
-    /// scenes together. A formula that returns is given up only if the worker has also been on a
-    /// processor for that time, see `ran`. The reference needs this rule: it never sleeps, but its
-    /// replies come late on a busy machine.
+    /// scenes together. A formula that returns is given up only if its calls took longer than the
+    /// budget and the worker was also on a processor for longer than the budget, see `ran`. The
+    /// reference needs this rule: it never sleeps, but its replies come late on a busy machine.
     void begin_again(Seconds budget);
 
     /// Counts a call that was answered.

@@ -69,7 +69,7 @@ void print_report(const std::vector<Result>& results, const Implementation& impl
     if (results.size() > 1) fmt::print("\n{}", summary(results, color));
 }
 
-// Refuses to grade an assignment whose file is missing in the graded folder: instead, the points
+// Refuses to grade an assignment whose file is missing in the graded folder: otherwise the points
 // would be for the file in student/.
 void require_own_file(const Selection& selection, const Implementation& implementation)
 {

@@ -17,8 +17,8 @@ Selection whole_assignment(const std::string& word);
 std::string warning_about_stubs(const std::string& topic);
 
 /// Builds the tests, the reference and what all submissions share, with a progress bar. The result
-/// has no submissions yet. Prints on stderr how submissions are confined (by which "walls"), and
-/// which tests and controls are left out.
+/// has no submissions yet. Prints on stderr how strong the sandbox around submissions is, which
+/// hidden tests are left out, and whether there is a reference that must get every point.
 /// @param secret_file  the file with the course's secret; empty: the course has no secret
 ClassWork prepared_class_work(const Selection& selection, std::uint32_t seed,
                               const std::string& secret_file);

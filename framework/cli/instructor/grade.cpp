@@ -182,7 +182,7 @@ private:
     }
 
     // While gradebook.csv does not exist, results that were made with other tests, points, seeds or
-    // walls are replaced without asking. Once it exists, such results are an error.
+    // another sandbox are replaced without asking. Once it exists, such results are an error.
     int grade(const ClassFolder& folder)
     {
         const bool is_published = fs::exists(folder.path() / gradebook_file);

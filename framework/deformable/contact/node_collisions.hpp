@@ -16,8 +16,8 @@ void collide_nodes(Deformable& solid, const std::vector<char>& is_held,
                    const NodeContacts& contacts, RigidColliders& rigid, double time_step,
                    bool with_restitution, Counters& counters);
 
-/// Position correction: moves nodes that are inside rigid bodies outwards, without changing
-/// velocities.
+/// Position correction: moves nodes that are inside rigid bodies and that no handle holds outwards,
+/// without changing velocities.
 ///
 /// @param step_share  length of the substep divided by that of the step; in a whole step, a fifth
 ///                    of the penetration is removed

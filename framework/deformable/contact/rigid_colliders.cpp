@@ -65,8 +65,9 @@ void RigidColliders::apply_to(World& to, double time_step) const
         if (!is_pushed[i]) continue;
         if (to.bodies[i].rest.is_asleep()) wake(to, {static_cast<int>(i)});
         // A body that only nodes carry has to move with its velocity at the end of the step, by
-        // h V + h² g. The step of the rigid bodies will move it by h V + ½ h² g on a parabola, and
-        // by all of it by symplectic Euler. What it will lack is added here.
+        // h V + h² g. The step of the rigid bodies will move it by h V + ½ h² g if the integrator
+        // follows a parabola, and by h V + h² g if it is symplectic Euler. The difference is added
+        // here.
         const double lacks = 1 - fall_in_step(to.settings.integrator);
         if (!is_supported[i])
             to.bodies[i].state.position += lacks * time_step * time_step * to.settings.gravity;

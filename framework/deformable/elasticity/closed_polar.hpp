@@ -77,7 +77,8 @@ template <class Number>
 template <class Number> struct ClosedPolar {
     Square3<Number> R;
     Number s;            // Tr S
-    Number conditioning; // denominator of R, divided by s³: 16/27 at rest, 0 if R is not unique
+    Number conditioning; // denominator in the formula of R (at the top of this file), divided by
+                         // s³: 16/27 at rest, 0 if R is not unique
     Number last_step;    // last step of Newton's method, divided by s
 };
 

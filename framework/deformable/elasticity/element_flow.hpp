@@ -23,7 +23,7 @@ struct ElementFlow {
     double softened = 0;                // a, 0 … 1
     Matrix3d along = Matrix3d::Zero();  // n, Tr n = 0
     Matrix3d kept = Matrix3d::Zero();   // k, Tr k = 0
-    Matrix3d stress = Matrix3d::Zero(); // P [Pa]
+    Matrix3d stress = Matrix3d::Zero(); // P, which makes the reduction exact at the guess [Pa]
     Matrix3d strain = Matrix3d::Zero(); // the strain d at the guess
     bool is_limited() const { return !kept.isZero(0); }
 };

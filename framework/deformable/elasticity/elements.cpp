@@ -83,8 +83,8 @@ struct PolarPair {
     return polar;
 }
 
-// z = (s δ - S)⁻¹ a, by cofactors. Near a deformation whose R is not unique, z and the stiffness
-// would grow without bound; there z is reduced to 0 gradually.
+// z = (s δ - S)⁻¹ a by cofactors, with s = Tr S and the unit matrix δ. Near a deformation whose R
+// is not unique, z and the stiffness would grow without bound; there z is reduced to 0 gradually.
 [[gnu::always_inline]] inline void solve_spin(const PolarPair& polar, const Two (&a)[3],
                                               Two (&z)[3])
 {
@@ -108,15 +108,15 @@ struct PolarPair {
     z[2] = (cxz * a[0] + cyz * a[1] + czz * a[2]) * inverse;
 }
 
-// ε - ε_p = S - δ - ε_p
+// The elastic strain ε - ε_p = S - δ - ε_p, with the unit matrix δ and the plastic strain ε_p.
 [[gnu::always_inline]] inline Symmetric elastic_part(const Symmetric& S, const Two (&plastic)[6])
 {
     return {S.xx - 1.0 - plastic[0], S.yy - 1.0 - plastic[1], S.zz - 1.0 - plastic[2],
             S.xy - plastic[3],       S.xz - plastic[4],       S.yz - plastic[5]};
 }
 
-// Ṡ = A - W S with A = Rᵀ Ḟ. The spin W = [w]× = Rᵀ Ṙ follows because Ṡ is symmetric: (s δ - S) w =
-// axial(A - Aᵀ).
+// Ṡ = A - W S with A = Rᵀ Ḟ. The spin W = [w]× = Rᵀ Ṙ follows because Ṡ is symmetric:
+// (s δ - S) w = axial(A - Aᵀ), with s = Tr S and the unit matrix δ.
 [[gnu::always_inline]] inline Symmetric strain_rate(const Square3<Two>& A, const PolarPair& polar)
 {
     const auto& a = A.a;
@@ -129,7 +129,7 @@ struct PolarPair {
             a[0][2] - (w[1] * S.zz - w[2] * S.yz), a[1][2] - (w[2] * S.xz - w[0] * S.zz)};
 }
 
-// The axial vector of the skew-symmetric matrix σ S - S σ.
+// The axial vector c of the skew-symmetric matrix σ S - S σ, with the stress σ = p.
 [[gnu::always_inline]] inline void commutator(const Symmetric& p, const Symmetric& S, Two (&c)[3])
 {
     const Two zy = p.xz * S.xy + p.yz * S.yy + p.zz * S.yz,
@@ -143,8 +143,8 @@ struct PolarPair {
     c[2] = yx - xy;
 }
 
-// Adds the forces on the corners, (f₁ f₂ f₃) = -V R T Bᵀ with T = σ - [z]×, and f₀ = -(f₁ + f₂ +
-// f₃).
+// Adds the forces on the corners, (f₁ f₂ f₃) = -V R T Bᵀ and f₀ = -(f₁ + f₂ + f₃), with the volume
+// V of the element and T = σ - [z]×.
 [[gnu::always_inline]] inline void scatter(const ElementPair& pair, const Square3<Two>& R,
                                            const Square3<Two>& T, std::vector<Vector3d>& forces)
 {

@@ -36,19 +36,20 @@ public:
 
     int size() const { return size_; }
 
-    /// Adds to each node the elastic and the damping forces of its elements, -V P ∇N [N].
+    /// Adds to each node the elastic and the damping forces of its elements, -V P ∇N [N], with the
+    /// volume V of an element and the gradient ∇N of the node's shape function.
     ///
     /// P = R (σ - [z]×), where σ is the stress that an elastic strain ε - ε_p + β Ṡ would cause.
     /// With plastic strain or damping, σ and S do not commute. Then, with s = Tr S,
-    /// z = (s δ - S)⁻¹ axial(σ S - S σ) makes P the derivative of an energy that depends on S
-    /// alone, so that the forces of an element have no torque on it.
+    /// z = (s δ - S)⁻¹ axial(σ S - S σ) makes the power P : Ḟ equal to σ : Ṡ. A rotation has Ṡ = 0
+    /// and takes no power, so the forces of an element have no torque on it.
     void add_forces(std::span<const Vector3d> positions, std::span<const Vector3d> velocities,
                     std::vector<Vector3d>& forces) const;
 
     void add_elastic_forces(std::span<const Vector3d> positions,
                             std::vector<Vector3d>& forces) const;
 
-    /// R and ε - ε_p of each element at these positions.
+    /// The rotation R and the elastic strain ε - ε_p of each element at these positions.
     void strains(std::span<const Vector3d> positions, std::vector<ElementStrain>& strains) const;
 
     void set_plastic_strain(int element, const Matrix3d& strain);

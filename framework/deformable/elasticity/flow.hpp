@@ -7,16 +7,17 @@
 namespace rigor {
 
 /// How the elements of a solid yield and flow: by the formulas of topic `plasticity`, with two
-/// limits. ‖ε_p‖ stays at most 0.8, and an inverted element does not flow, so that its elastic
-/// stress can turn it back.
+/// limits. The norm ‖ε_p‖ of the plastic strain stays at most 0.8, and an inverted element does not
+/// flow, so that its elastic stress can turn it back.
 class FlowRule {
 public:
     FlowRule(const Deformable& solid, const Settings& settings);
 
-    /// The plastic strain after the flow of an element.
+    /// The plastic strain ε_p after the flow of an element.
     struct Flowed {
-        bool flows = false; // whether the element flows; if not, ε_p stays as it is
-        Matrix3d asked;     // the ε_p that `plastic_flow` returned
+        // Whether the element flows. If not, ε_p stays the same, and the matrices below stay unset.
+        bool flows = false;
+        Matrix3d asked; // the ε_p that `plastic_flow` returned
         double share = 1; // share of `asked` that is kept, below 1 if ‖`asked`‖ is above the limit
         Matrix3d plastic_strain; // ε_p after the flow, `share` times `asked`
     };
@@ -27,13 +28,14 @@ public:
 private:
     const Deformable* solid_;
     double lambda_, G_, yield_stress_;
-    // Whether the yield test compares the strain with `bound_` itself, and calls no formula.
+    // Whether this class makes the yield test, by comparing the strain with `bound_`, and calls no
+    // formula for it.
     bool is_optimised_;
     double bound_; // the yield strain, if `is_optimised_`
 };
 
-/// Plastic flow of each element that yields, by `plastic_flow`. For all other elements only the
-/// yield test is done.
+/// Plastic flow, by `plastic_flow`, of each element that yields and is not inverted. The other
+/// elements keep their plastic strain.
 ///
 /// @param work  contains the strains at the end of the step; this function updates their elastic
 ///              parts

@@ -21,7 +21,7 @@ int checked_face(int face);
 /// @param before  the mesh that was split
 SplitMesh checked_split(SplitMesh split, const TetrahedralMesh& before, const char* formula);
 
-/// The same for a split by `split_along_faces`, where the number of elements has to stay the same.
+/// Checks a split by `split_along_faces`, where the number of elements has to stay the same.
 SplitMesh checked_split_along_faces(SplitMesh split, const TetrahedralMesh& before);
 
 /// @param before  the mesh without cracks

@@ -15,8 +15,10 @@ namespace {
 
 constexpr std::array<std::array<int, 2>, 6> tetrahedron_edges = {
     {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
-constexpr double least_cosine = 0.5;   // cos 60°, the largest angle to the wanted normal
-constexpr double similar_cosine = 0.7; // about cos 45°; planes at a smaller angle are one crack
+// cos 60°. The normal of a crack is less than 60° from the wanted normal, which the stress gives.
+constexpr double least_cosine = 0.5;
+// About cos 45°. Two cracks of an element whose planes enclose a smaller angle count as the same.
+constexpr double similar_cosine = 0.7;
 // Least distance of a corner from the plane of a crack, divided by that of the farthest corner.
 // Between the plane and a nearer corner there would be almost no material.
 constexpr double least_corner_height = 1e-6;

@@ -17,12 +17,12 @@ public:
 
     /// A crack of an element that continues the cracks of its neighbours. Its plane passes through
     /// the points where these cracks cut edges of the element: through three, two or one of them,
-    /// as many as possible while its normal stays less than 60° from the wanted one. If there is no
-    /// such plane, it passes through the middle of the element with the wanted normal. Among planes
-    /// through the same number of points, it is the one whose normal is nearest to the wanted one.
+    /// as many as possible while its normal stays less than 60° from the wanted one and it has
+    /// corners with material on both sides. Among planes through the same number of points, it is
+    /// the one whose normal is nearest to the wanted one. If there is no such plane, the crack has
+    /// the wanted normal and passes through the mean of the corners with material.
     /// @param parent  the element of the uncracked mesh
-    /// @param real    for each corner, 1 if it has material; the crack has to separate these
-    ///                corners, at least two, into two groups
+    /// @param real    for each corner, 1 if it has material, as at least two corners must have
     /// @param normal  the wanted normal
     ElementCrack continued(int parent, const std::array<int, 4>& real,
                            const Vector3d& normal) const;

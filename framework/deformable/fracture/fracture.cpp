@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Opens cracks normal to the largest principal tension where it exceeds the strength (Rankine's
-// criterion). The mesh is then changed by one of three methods: along faces, by splitting elements,
-// or with virtual nodes (Molino, Bao and Fedkiw 2004). First a bound on the stresses excludes most
-// elements. Then the stresses are smoothed, and the elements whose stress exceeds the strength are
-// sorted. Last, the most stressed ones crack, within the limits of fracture.hpp.
+// criterion). If a bound shows that no stress exceeds the strength, nothing is done. Otherwise the
+// stresses are smoothed, and the elements whose smoothed stress exceeds the strength are sorted.
+// The most stressed of them crack, within the limits of fracture.hpp. Last, the mesh is changed by
+// one of three methods: along faces, by splitting elements, or with virtual nodes (Molino, Bao and
+// Fedkiw 2004).
 #include "deformable/fracture/fracture.hpp"
 
 #include "deformable/fracture/checked_answers.hpp"
@@ -34,7 +35,7 @@ double bound_of(const Matrix3d& stress)
     return stress.trace() / 3 + 2.0 / 3 * von_mises(stress);
 }
 
-// The same bound, for the stress that this elastic strain causes [Pa].
+// An upper bound of the eigenvalues of the stress that this elastic strain causes [Pa].
 double bound_of(const Matrix3d& strain, double lambda, double G)
 {
     const double trace = strain.trace();
@@ -128,7 +129,8 @@ int crack_faces(Deformable& solid, const ElementWorkspace& work,
         ++cracks;
     }
     if (cracks == 0) return 0;
-    // The faces of earlier cracks are passed again, because these cracks may still be closed.
+    // The faces of earlier cracks are passed again, because the two sides of an earlier crack may
+    // not be separated yet.
     remesh(solid, checked_split_along_faces(
                       split_along_faces(solid.rest, marked_faces(solid.crack_faces)), solid.rest));
     return cracks;
@@ -174,8 +176,8 @@ int crack_tip(const Deformable& solid, const std::vector<double>& pull, int elem
     return *std::max_element(t.begin(), t.end(), [&](int a, int b) { return pull[a] < pull[b]; });
 }
 
-// Cracks elements by splitting them. Each crack changes the mesh and may renumber its vertices and
-// elements, so the next one finds its vertex by its position at rest. @return the number of cracks
+// Cracks elements by splitting them. Each crack changes the mesh and may renumber the vertices, so
+// the vertex of the next crack is found by its position at rest. @return the number of cracks
 int crack_elements(Deformable& solid, const std::vector<Candidate>& found)
 {
     // The least height of an element after a cut, as a share of the least height in the mesh before
@@ -239,8 +241,8 @@ int crack_with_virtual_nodes(Deformable& solid, const std::vector<Candidate>& fo
         const bool is_divisible = std::accumulate(real.begin(), real.end(), 0) > 1;
         const auto& t = solid.rest.tetrahedra[c.element];
         if (!is_divisible || count[parent] >= most_in_element || taken.any(t)) continue;
-        // The element already has a crack within about 45° of this one. Once that has opened, the
-        // stress that asks for another one is gone.
+        // An element gets no second crack whose normal is within about 45° of that of an earlier
+        // one: once the earlier crack has opened, the stress that asks for the second one is gone.
         if (edges.has_similar(parent, c.normal)) continue;
         const bool goes_on = edges.meets(parent, real);
         if (one_goes_on && !goes_on) continue;

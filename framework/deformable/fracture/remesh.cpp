@@ -15,7 +15,8 @@ namespace rigor {
 
 namespace {
 
-// (1 - t) a + t b for a node between a and b; exactly a for a copy of a.
+// The value at a new node: (1 - t) a + t b if the node lies between two old nodes with the values a
+// and b, at the fraction t of the way; exactly a if the node is a copy of the first one.
 template <class T> T between(const std::vector<T>& old, const VertexOrigin& origin)
 {
     if (origin.first == origin.second) return old[origin.first];
@@ -195,8 +196,8 @@ void remesh(Deformable& solid, EmbeddedMesh embedded)
     for (int t = 0; t < old_count; ++t)
         copies[solid.embedded.parents.empty() ? t : solid.embedded.parents[t]].push_back(t);
 
-    // The parent of a new copy is the old copy in which the first real corner of the new copy was
-    // real too. Such an old copy exists, because cracks only divide material.
+    // The parent of a new copy is the old copy that already had material at the first corner where
+    // the new copy has material. Such an old copy exists, because cracks only divide material.
     std::vector<int> parents;
     std::vector<VertexOrigin> origins(embedded.mesh.vertices.size());
     std::vector<char> has_matter(embedded.mesh.vertices.size(), 0);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Moves the nodes of a solid by substeps of symplectic Euler. Each substep measures the contacts,
-// applies restitution, integrates the forces, applies contact impulses and moves the nodes. Last,
-// the positions of nodes inside bodies are corrected.
+// applies restitution, integrates the forces, applies contact impulses and moves the nodes. It then
+// corrects the positions of nodes inside bodies. Last, the elements flow plastically, unless the
+// solid flows only once after each step.
 #include "deformable/motion/explicit_motion.hpp"
 
 #include "deformable/contact/node_collisions.hpp"

@@ -37,9 +37,11 @@ void assemble_system(const NodeMotion& motion)
     work.velocity_system.assemble(solid, work, work.forces, motion.time_step);
 }
 
-// If the contacts of an open part reach a joined body, opens all other parts with such contacts,
-// because they may touch the same body and have to be solved for together.
-// @return whether the contacts of an open part reach a joined body
+// An open part is a connected piece of the solid that the next solve includes, and a joined body is
+// a rigid body that the system can include. If an open part has a contact with a joined body, opens
+// all other parts with such contacts, because parts that touch the same body have to be solved for
+// together.
+// @return whether an open part has a contact with a joined body
 bool open_coupled_parts(Workspace& work)
 {
     if (work.bodies.is_empty()) return false;
@@ -79,8 +81,8 @@ void note_impulses(Workspace& work)
             work.contact_set.set_impulse(k, impulses[contacts[k].node]);
 }
 
-// Revises the contacts of the parts that were solved for. A part stays open if one of its contacts
-// changed.
+// Revises the contacts of the parts that were solved for. If a contact of a part changed, the part
+// stays open, so it is solved for again.
 void revise_contacts(Workspace& work)
 {
     const VelocitySystem& s = work.velocity_system;

@@ -11,8 +11,8 @@ class JoinedBodies {
 public:
     /// Finds the bodies that join the system: dynamic bodies that touch the solid or may touch it
     /// in this step. Each starts with the velocity that gravity will give it in this step. A body
-    /// that sleeps or touches other rigid bodies does not join and counts as static here, because
-    /// it passes the impulses on to its supports.
+    /// that sleeps or touches other rigid bodies does not join: its velocity is taken as given,
+    /// because it passes the impulses on to its supports.
     void join(const RigidColliders& rigid, const std::vector<NodeContact>& contacts,
               double time_step);
 
@@ -26,7 +26,8 @@ public:
 
     /// Velocity of the point at r from the center of a body [m/s], before contacts act.
     Vector3d velocity_before(const RigidColliders& rigid, int body, const Vector3d& r) const;
-    /// The velocity of that point after the latest solve that contained the bodies [m/s].
+    /// Velocity of the point at r from the center of a body [m/s], after the latest solve that
+    /// contained the joined bodies.
     Vector3d velocity_after(const RigidColliders& rigid, int body, const Vector3d& r) const;
 
 private:

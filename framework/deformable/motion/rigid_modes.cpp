@@ -89,7 +89,8 @@ void move_by_matrix(const NodeMotion& motion)
     Deformable& solid = motion.solid;
     const double h = motion.time_step;
     const Modes modes = modes_of(motion);
-    // If x - X = R p, then (R + h ω* R) p = (δ + h ω*) (x - X). So R itself need not be known.
+    // The formula advances R to R + h ω* R, with the cross-product matrix ω*. If x - X = R p, then
+    // (R + h ω* R) p = (δ + h ω*) (x - X), so R itself need not be known.
     const Matrix3d turn = advance_matrix(Matrix3d::Identity(), modes.angular_velocity(), h);
     const Vector3d X = modes.X + h * modes.velocity();
     for (Vector3d& x : solid.positions)

@@ -13,8 +13,9 @@ namespace rigor {
 /// act; handles and contacts do not.
 void move_in_modes(const NodeMotion& motion);
 
-/// A step with the same u̇, but the nodes move by the formula `advance_matrix`. The matrix that
-/// this formula returns is not corrected to a rotation, so that the solid grows.
+/// A step in which the modes accelerate as in `move_in_modes`, but the nodes move by the formula
+/// `advance_matrix`. The matrix that this formula returns is not corrected to a rotation, so that
+/// the solid grows.
 void move_by_matrix(const NodeMotion& motion);
 
 } // namespace rigor

@@ -17,8 +17,8 @@ struct VelocitySystem {
     void assemble(const Deformable& solid, const ElementWorkspace& elements,
                   const std::vector<Vector3d>& forces, double time_step);
 
-    /// Restores the exact momentum of each part that neither handles nor contacts hold. Conjugate
-    /// gradients conserve it only up to their tolerance.
+    /// Restores the exact momentum of each part (connected piece of the solid) that neither handles
+    /// nor contacts hold. Conjugate gradients conserve it only up to their tolerance.
     ///
     /// @param tied_by  for each node, the contact that ties it, or -1 for none
     void restore_momentum(const Deformable& solid, const std::vector<HeldNode>& held,

@@ -33,7 +33,7 @@ public:
     /// xᵀ A x
     double quadratic_form(const std::vector<Vector3d>& x) const;
 
-    /// y ← A x for these nodes, which must form whole parts of the matrix.
+    /// y ← A x for these nodes, which must form whole parts (connected pieces of the solid).
     void multiply(const std::vector<int>& nodes, const std::vector<Vector3d>& x,
                   std::vector<Vector3d>& y) const;
 

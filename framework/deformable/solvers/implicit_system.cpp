@@ -72,7 +72,7 @@ void ImplicitSystem::reduce(Vectors& x) const
     }
 }
 
-// What the damping of a tie adds to A x: d (δ - N) (v - V - ω × r), see ties.hpp.
+// What the damping of a tie adds to A x: d (δ - N) (v - V - ω × r), with the letters of ties.hpp.
 Vector3d ImplicitSystem::damping_impulse(const TiedNode& t, const Vectors& x) const
 {
     Vector3d v = x[t.node];
@@ -92,8 +92,9 @@ void ImplicitSystem::add_damping(const Vectors& x, Vectors& y) const
     }
 }
 
-// Factorises A with the ties, P (A + d) P + s N, for the active nodes. For each node, P = δ - N, d
-// is the damping of its tie, and s the trace of its diagonal block of A.
+// Factorises A with the ties, P (A + d) P + s N, for the active nodes. N projects on the tied
+// directions of a node, and P = δ - N on the others, with the unit matrix δ. d is the damping of
+// the node's tie, and s the trace of the node's diagonal block of A.
 void ImplicitSystem::factorise()
 {
     for (const int i : *active_) {

@@ -38,11 +38,11 @@ public:
     }
     const BlockMatrix& matrix() const { return matrix_; }
 
-    /// Solves for the velocities of some parts by conjugate gradients, which start from the
-    /// velocities passed in. The relative error is 1e-7 in the norm of the preconditioner. If a
-    /// factorisation of A with its ties is cheap, it is the preconditioner; then one iteration is
-    /// enough, unless rounding errors or rigid bodies require more. Otherwise the preconditioner
-    /// consists of the diagonal blocks of A.
+    /// Solves for the velocities of some parts (connected pieces of the solid) by conjugate
+    /// gradients, which start from the velocities passed in. The relative error is 1e-7 in the norm
+    /// of the preconditioner. If a factorisation of A with its ties is cheap, it is the
+    /// preconditioner; then one iteration is enough, unless rounding errors or rigid bodies require
+    /// more. Otherwise the preconditioner consists of the diagonal blocks of A.
     /// @param nodes  all nodes of these parts, ascending; every part tied to one of `bodies` must
     ///               be solved for
     /// @param tied   the ties of these nodes
@@ -51,8 +51,9 @@ public:
               const std::vector<TiedNode>& tied, std::vector<SystemBody>& bodies,
               std::vector<Vector3d>& velocities);
 
-    /// A v - b for each of these nodes, after `solve`. The nodes must form whole parts. For a tied
-    /// node this is the impulse that its ties, with their damping, gave it [N s].
+    /// A v - b for each of these nodes, after `solve`. The nodes must form whole parts (connected
+    /// pieces of the solid). For a tied node the result is the impulse that its ties, with their
+    /// damping, gave it [N s].
     const std::vector<Vector3d>& residual(const std::vector<Vector3d>& b,
                                           const std::vector<int>& nodes,
                                           const std::vector<Vector3d>& velocities);

@@ -6,10 +6,10 @@
 
 namespace rigor {
 
-/// A node whose velocity is prescribed within a subspace: N v = N (c + V + ω × r). Here (V, ω) is
+/// A node whose velocity v is prescribed within a subspace: N v = N (c + V + ω × r). Here (V, ω) is
 /// the motion of a rigid body that the system solves for, or zero without a body. In the other
-/// directions the relative motion is damped by the impulse -d (δ - N) (v - c - V - ω × r), so that
-/// friction dissipates energy for any d.
+/// directions the relative motion is damped by the impulse -d (δ - N) (v - c - V - ω × r), with the
+/// unit matrix δ, so that friction dissipates energy for any d ≥ 0.
 struct TiedNode {
     int node = 0;
     // Projector on the tied directions: all directions, the contact normal, or some axes.
@@ -24,7 +24,7 @@ struct TiedNode {
 struct SystemBody {
     double mass = 0;                     // [kg]
     Matrix3d inertia = Matrix3d::Zero(); // in world space [kg m²]
-    // Velocity and angular velocity [m/s, rad/s]. A solve adds the effect of its contacts to them.
+    // Velocity and angular velocity [m/s, rad/s]. A solve adds the effect of the body's contacts.
     Vector3d V = Vector3d::Zero(), w = Vector3d::Zero();
 };
 

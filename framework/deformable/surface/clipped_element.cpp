@@ -140,7 +140,7 @@ std::vector<ClippedFace> clipped_element(const Deformable& solid, int element)
             face.weights.push_back(Weights::Unit(i));
         faces.push_back(face);
     }
-    // For each corner, whether no crack so far separates it from the first real corner.
+    // For each corner, whether no crack so far separates it from the first corner with material.
     std::array<bool, 4> is_together = {true, true, true, true};
     const auto first = std::find(real.begin(), real.end(), 1) - real.begin();
     for (const ElementCrack& crack : solid.cracks) {

@@ -14,7 +14,7 @@ struct ClippedFace {
 
 /// The faces that bound the material of a copy. They are the faces of its tetrahedron, clipped by
 /// one crack after the other, and the polygons that close the cuts. A crack counts if it separates
-/// the real corners from corners that earlier cracks left connected to them.
+/// the corners with material from corners that earlier cracks left connected to them.
 std::vector<ClippedFace> clipped_element(const Deformable& solid, int element);
 
 /// Cuts `polygon` into convex pieces and returns those that `cover` does not cover. Both are convex

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Writes the figures of all handouts, or of one handout: DIR/<handout>/figures/<name>.svg. Either
-// all of these files are written or none. With --check the program writes nothing and names each
-// file that differs from what it would write.
+// Writes the figures of all handouts, or of one handout: DIR/<handout>/figures/<name>.svg. No file
+// is replaced before all figures have been written to temporary files. With --check the program
+// writes nothing and names each file that differs from what it would write.
 #include "figures/figures.hpp"
 
 #include <cerrno>
@@ -52,7 +52,7 @@ std::vector<fs::path> missing_folders(const fs::path& file)
 
 // Writes each figure to a draft, a temporary file. When all drafts are on the disk, they are
 // renamed.
-// @return whether all figures were written; if not, no file is left behind, and a line says why
+// @return whether all figures were written; if not, no draft is left behind, and a line says why
 bool write(const std::vector<Drawn>& figures)
 {
     std::vector<fs::path> made;

@@ -8,7 +8,8 @@
 
 namespace rigor {
 
-/// An axis-aligned box. A default-constructed box is empty, and overlaps nothing.
+/// An axis-aligned box. A default-constructed box is empty, and overlaps no box with finite
+/// corners.
 struct Bounds {
     Vector3d low = Vector3d::Constant(std::numeric_limits<double>::infinity());   // [m]
     Vector3d high = Vector3d::Constant(-std::numeric_limits<double>::infinity()); // [m]

@@ -33,7 +33,7 @@ constexpr double gjk_tolerance = 1e-12;
 // A distance found by GJK is used only if it is above this; the direction of a shorter vector is
 // mostly rounding.
 constexpr double least_distance = 1e-6;
-// The same limit for shapes that `push_out` has moved apart by a margin.
+// The same as `least_distance`, for shapes that `push_out` has moved apart by a margin.
 constexpr double least_gjk_length = 1e-9;
 // The shapes count as touching if the origin is nearer to the simplex of GJK than this.
 constexpr double inside_tolerance = 1e-12;

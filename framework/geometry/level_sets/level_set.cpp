@@ -67,8 +67,9 @@ private:
     int last_ = 0; // index of the triangle nearest to the previous point
 };
 
-// A ray counts as hitting a triangle if it misses it by less than this times the distance along the
-// ray. Such a miss is a rounding error: a ray through an edge must not slip between two triangles.
+// A ray counts as hitting a triangle if it passes beside the triangle by less than this times the
+// distance along the ray. Such a gap is a rounding error: a ray through an edge must not slip
+// between two triangles.
 constexpr double on_edge = 1e-9;
 
 // The length of a ray from a face's middle, along the inward normal, to the opposite side of the

@@ -55,7 +55,8 @@ TetrahedralMesh cells_as_tetrahedra(const Vector3d& size, const std::array<int, 
                 int& n = number[node(x, y, z)];
                 if (n < 0) continue;
                 n = static_cast<int>(mesh.vertices.size());
-                // In half cells from the middle: p of opposite vertices differs in sign only.
+                // p counts half cells from the middle of the block, so that opposite vertices
+                // differ exactly in the sign of p.
                 const Vector3d p(2.0 * x - nx, 2.0 * y - ny, 2.0 * z - nz);
                 mesh.vertices.push_back(
                     p.cwiseQuotient(2 * Vector3d(nx, ny, nz)).cwiseProduct(size));

@@ -9,10 +9,10 @@
 
 namespace rigor {
 
-/// An error message of one line if a forbidden file is in the compiler's list of what it opened:
-/// any other file of this tree or of its build (by whatever path, macro or link it was included),
-/// or a file that does not exist any more. Empty if there is none.
-///
+/// An error message of one line if a forbidden file is in the compiler's list of what it opened;
+/// otherwise empty. Forbidden are all files of this tree and of its build, by whatever path, macro
+/// or link they were included, except those in `folder`, the contract (framework/formulas/) and its
+/// precompiled header. A file that does not exist any more is forbidden too.
 /// @param list    the compiler's list, `<topic>.d`
 /// @param folder  the compiler's working directory, where the solution's files are
 /// @throws std::runtime_error if there is no list

@@ -121,7 +121,7 @@ std::string first_errors(const std::vector<std::string>& lines)
     std::size_t first = 0;
     while (first < lines.size() && !speaks_of_an_error(lines[first]))
         ++first;
-    if (first == lines.size()) first = 0; // no line names an error: show all lines
+    if (first == lines.size()) first = 0; // no line names an error
     if (first > 0 && lines[first - 1].find(": In ") != std::string::npos)
         --first; // include the line "… In function …:"
     std::string result;

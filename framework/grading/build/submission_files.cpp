@@ -28,10 +28,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// The longest file of the reference has about 20 kB.
+// The longest file of the reference has about 10 kB.
 constexpr std::size_t longest_file = std::size_t{1} << 20; // [bytes]
 constexpr std::size_t most_files = 200;
-constexpr int deepest = 4; // levels of folders that are searched
+constexpr int deepest = 4; // levels of subfolders that are searched
 
 // The content of a file, or why there is none.
 struct Content {

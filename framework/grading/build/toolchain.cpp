@@ -120,7 +120,8 @@ void take_link(Toolchain& tools, const std::string& command)
             tools.link.push_back(words[i]);
         }
     }
-    // A name that is defined nowhere makes only those formulas fail that use it.
+    // With this option, a name that is defined nowhere does not make the link fail, but only the
+    // formulas that use it.
     tools.link.emplace_back("-Wl,--warn-unresolved-symbols");
 }
 

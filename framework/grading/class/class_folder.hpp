@@ -35,16 +35,17 @@ public:
     /// The content of result.json; empty if there is no such file, or if it is incomplete.
     std::optional<Row> row_of(const std::string& submission) const;
 
-    /// Whether there are results that no control has confirmed. This is so during a run, and after
-    /// a run that did not reach its end.
+    /// Whether there are results that no control (a submission whose points are known) has
+    /// confirmed. This is so during a run, and after a run that did not reach its end.
     bool has_unconfirmed() const;
-    /// Marks results with these fingerprints as unconfirmed, in addition to those that are
-    /// unconfirmed already.
+    /// Marks results with these fingerprints (hashes of all that they depend on) as unconfirmed, in
+    /// addition to those that are unconfirmed already.
     /// @param fingerprints  the fingerprint of each submission's result, by the submission's name
     void begin_unconfirmed(const std::map<std::string, std::string>& fingerprints) const;
     void confirm() const;
-    /// Removes the results that no control has confirmed. They are recognised by their fingerprints
-    /// and not by their times, because the clocks of machines may differ, and jump.
+    /// Removes the results that no control (a submission whose points are known) has confirmed.
+    /// They are recognised by their fingerprints and not by their times, because the clocks of
+    /// machines may differ, and jump.
     void drop_unconfirmed() const;
 
 private:

@@ -19,7 +19,8 @@
 
 namespace rigor {
 
-/// A class to grade. The number of a submission is its index in `submissions`.
+/// A class of students whose submissions are graded. The number of a submission is its index in
+/// `submissions`.
 struct ClassWork {
     Selection selection;
     GradingRun run;
@@ -41,9 +42,10 @@ class Engine {
 public:
     virtual ~Engine() = default;
 
-    /// Grades the submissions with these numbers, in this order, and grades the controls before and
-    /// after them. If a fault of the framework prevents the grading of a submission, the files
-    /// about it report the fault. An exception of `on_graded` ends the run.
+    /// Grades the submissions with these numbers, in this order. Before and after them it grades
+    /// the controls, submissions whose points are known. If a fault of the framework prevents the
+    /// grading of a submission, the files about it report the fault. An exception of `on_graded`
+    /// ends the run.
     /// @return what is wrong with a control; empty if nothing is
     virtual std::string grade(const ClassWork& work, const std::vector<std::size_t>& numbers,
                               const OnGraded& on_graded, const OnWait& on_wait) = 0;

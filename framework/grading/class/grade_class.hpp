@@ -29,8 +29,9 @@ struct ClassListener {
 struct ClassOutcome {
     std::vector<Row> rows;  // in the order of the submissions
     std::size_t graded = 0; // how many this run graded; the others keep an old result
-    /// What is wrong with a control; empty if nothing is. If a control is wrong, all unconfirmed
-    /// results have been removed, and `rows` is empty.
+    /// What is wrong with a control, a submission whose points are known; empty if nothing is. If a
+    /// control is wrong, the results that no control had confirmed have been removed, and `rows` is
+    /// empty.
     std::string control_fault;
 };
 

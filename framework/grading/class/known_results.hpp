@@ -11,7 +11,8 @@ namespace rigor {
 /// other submissions.
 class KnownResults : public Engine {
 public:
-    /// @param known  the folder with the results; no result is taken if some are unconfirmed
+    /// @param known  the folder with the results; if a control has not confirmed some of them yet
+    ///     (class_folder.hpp), no result is taken
     /// @param engine  grades the other submissions; nullptr: if there are any, InputError is thrown
     KnownResults(const ClassFolder& known, Engine* engine) : known_(known), engine_(engine) {}
 

@@ -14,7 +14,8 @@ namespace {
 
 // The time after which the grading of a submission is ended. The compiler, each call and each scene
 // have limits of their own, so that only a fault of the framework takes this long. The time that
-// the controls took tells how fast and how busy this machine is.
+// the controls (submissions whose points are known) took tells how fast and how busy this machine
+// is.
 std::chrono::duration<double> longest_grading(std::chrono::duration<double> controls)
 {
     constexpr double multiple = 100;

@@ -28,7 +28,7 @@ bool has_drive(std::string_view name)
 
 std::string Contents::add_name(std::string_view given)
 {
-    // Some programs on Windows write "student\\collision.cpp" into archives.
+    // Some programs on Windows write "student\collision.cpp" into archives.
     std::string raw(given);
     std::replace(raw.begin(), raw.end(), '\\', '/');
     if (++entries_ > limits_.entries)

@@ -10,7 +10,7 @@
 
 namespace rigor {
 
-/// The most that a submission may hold. A solution has a few files of about 20 kB; build folders
+/// The most that a submission may hold. A solution has a few files of about 10 kB; build folders
 /// and pictures beside it should not matter.
 struct IntakeLimits {
     std::size_t entries = 10'000;                       // number of files and folders
@@ -33,8 +33,8 @@ public:
     /// @throws Refused if the name leads out of the submission or cannot be shown, or if there are
     ///     too many files and folders
     std::string add_name(std::string_view given);
-    /// @throws Refused if there is another file of this name, or if it cannot be written to a disk
-    ///     together with the others
+    /// @throws Refused if there is another file of this name, if the file cannot be written to a
+    ///     disk together with the others, or if all sources together are too large
     void add_source(const std::string& name, std::string text);
     void add_other(const std::string& name);
 

@@ -153,9 +153,9 @@ public:
     }
 
 private:
-    // @throws InputError if a folder looks like a class but for the wanted file, which would make
-    // it a single submission: if submissions from Canvas or Moodle are in it, or at least two
-    // others. With a single other one it may be a student's folder, such as one with a backup.
+    // A folder with the wanted file is a single submission. @throws InputError if such a folder
+    // also looks like that of a whole class: if it has a submission from Canvas or Moodle, or at
+    // least two other submissions. A single other one may be the student's own backup.
     void require_one_or_many(const fs::path& path, const Listing& listing) const
     {
         if (!holds(path, wanted_)) return;

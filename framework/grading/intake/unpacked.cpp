@@ -83,7 +83,7 @@ template <class Limits> auto all_of(Limits& limits)
 Confinement walls_of_unpack()
 {
     using std::filesystem::perms;
-    std::error_code error; // if this is not allowed, the start of `unpack` reports it
+    std::error_code error; // ignored: if `unpack` cannot be read, it does not start
     fs::permissions(RIGOR_UNPACK, perms::others_read | perms::others_exec,
                     std::filesystem::perm_options::add, error);
 #ifdef RIGOR_SANITIZED // a sanitizer needs calls and memory that the sandbox forbids

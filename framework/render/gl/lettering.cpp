@@ -54,7 +54,8 @@ void Lettering::add_line(const Text& text, int size, float x, float y)
 {
     for (const char32_t letter : letters(text.text).substr(0, longest)) {
         const Glyph& glyph = font_.glyph(letter, size);
-        // Letters are placed at whole pixels, with one more pixel on each side for the rim.
+        // Letters are placed at whole pixels, with one more pixel on each side for the pale rim
+        // around the letter.
         const auto place = [&](int u, int v) {
             Corner corner{std::round(x) + static_cast<float>(glyph.left - 1 + u),
                           std::round(y) + static_cast<float>(glyph.top - 1 + v),

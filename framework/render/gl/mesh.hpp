@@ -16,7 +16,7 @@ std::vector<SurfaceVertex> cube_mesh();
 /// A ball of radius 1: an octahedron whose edges are halved `levels` times.
 std::vector<SurfaceVertex> ball_mesh(int levels);
 
-/// A cylinder or a cone of radius 1 about z, from 0 to 1, with its base.
+/// A closed cylinder or cone of radius 1 about z, from z = 0 to z = 1.
 std::vector<SurfaceVertex> rod_mesh(bool pointed);
 
 /// A mesh in the memory of the graphics library, drawn once for each instance.

@@ -15,7 +15,7 @@ namespace rigor {
 /// A file of points for a learning platform.
 struct GradeFile {
     std::string csv;
-    int submissions = 0; ///< how many of the class are in it
+    int submissions = 0; ///< how many submissions have a line in `csv`
 };
 
 /// For the import of grades in Canvas: the columns Student, ID, SIS User ID, SIS Login ID and

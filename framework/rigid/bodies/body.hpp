@@ -59,11 +59,12 @@ struct RigidBody {
     Matrix3d inertia = Matrix3d::Zero(); // I_body, about the center of mass [kg m²]
     BodyInertia inverse;                 // 1/M and I_body⁻¹, computed once; zero if static
     // The principal axes Q as columns and the inverse moments along them, I_body⁻¹ = Q diag(J) Qᵀ.
+    // Not used for a body with `only_axis`, whose I_body⁻¹ is another one.
     Matrix3d principal_axes = Matrix3d::Identity();
     Vector3d inverse_moments = Vector3d::Zero(); // J [1/(kg m²)]
     bool is_isotropic = false; // I_body = i δ (i: a number, δ: identity), so I(t)⁻¹ = I_body⁻¹
     // Symmetry axis a of a body of revolution: a unit vector in object space with I_body⁻¹ = i δ +
-    // k a aᵀ for two numbers i and k. Zero if the body has no such axis.
+    // k a aᵀ for two numbers i and k. Zero if the body has no such axis or is isotropic.
     Vector3d symmetry_axis = Vector3d::Zero();
     // The only axis about which the body turns: a unit vector in object space, or zero if the body
     // never turns. Without a value the body turns freely.

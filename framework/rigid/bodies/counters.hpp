@@ -6,7 +6,7 @@
 //
 // counter               switch in a scene     decided by
 // isotropic_shortcuts                         motion/free_flight, `fly`: ω is constant
-//  (not counted)                              step/single_body, `is_single_body`: no stages
+//  (not counted)                              step/single_body, `is_single_body`: no contacts
 // static_skipped                              motion/free_flight, `fly_all`
 // bodies_asleep         sleep                 step/sleep, `fall_asleep`
 // pairs_tested                                detection/broad_phase, out of `pairs_possible`

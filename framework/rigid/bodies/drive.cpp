@@ -17,7 +17,7 @@ double elapsed(const Drive& drive, double time)
     return std::clamp(time, drive.start, drive.end) - drive.start;
 }
 
-// The phase of the oscillation at the moving time s [rad].
+// The phase of the oscillation when the body has been moving for s seconds [rad].
 double phase_at(const Drive& drive, double s)
 {
     return 2 * std::numbers::pi * drive.frequency * s + drive.phase;

@@ -49,7 +49,8 @@ public:
     /// there.
     double operator()(double x) const { return (x + shift_) - shift_; }
 
-    /// The position of x relative to the corner with the least coordinates of all points.
+    /// The position of x relative to the corner of the points' bounding box where all coordinates
+    /// are least.
     Vector3d from_least(const Vector3d& x) const { return x - least_; }
 
 private:

@@ -10,9 +10,9 @@ namespace rigor {
 /// Mass properties of parts, each with its own density, in the frame in which their places are
 /// given.
 ///
-/// Calls the formula for each part's shape. There is no formula for cones and tori, so the engine's
-/// own closed form is used. `world_inertia` is called only for a part whose inertia changes with
-/// its rotation, and `combine` only for a capsule and for several parts.
+/// Calls the formula for each part's shape. There is no formula for cones, tori and the round ends
+/// of a capsule, so closed forms of the engine are used. `world_inertia` is called only for a part
+/// whose inertia changes with its rotation, and `combine` only for a capsule and for several parts.
 MassProperties mass_properties(const std::vector<Part>& parts);
 
 /// Whether I = i δ (i: a number, δ: identity) up to 64 times the machine epsilon. This holds for
@@ -23,14 +23,14 @@ bool is_isotropic(const Matrix3d& inertia);
 /// object space is the center of mass. The parts of a static body stay in place, and its mass is 0.
 ///
 /// @return  the center of mass in the frame in which the parts were given [m]
-/// @throws NonFiniteState if a formula returned a value that is not finite
+/// @throws NonFiniteState if the mass, center of mass, inertia, 1/M or I_body⁻¹ is not finite
 Vector3d set_mass_from_parts(RigidBody& body);
 
 /// Sets the mass of a body and its inertia about the center of mass, which is the origin of object
 /// space. Computes what follows from them: 1/M, I_body⁻¹ through the principal axes, and the
 /// symmetries of the inertia.
 ///
-/// @throws NonFiniteState if a formula returned a value that is not finite
+/// @throws NonFiniteState if the mass, the inertia, 1/M or I_body⁻¹ is not finite
 void set_mass(RigidBody& body, double mass, const Matrix3d& inertia);
 
 /// Lets a body turn about one axis a alone, by I_body⁻¹ = a aᵀ/(aᵀ I a). If the axis is zero, the
@@ -40,7 +40,8 @@ void set_mass(RigidBody& body, double mass, const Matrix3d& inertia);
 void let_turn_about(RigidBody& body, const Vector3d& axis);
 
 /// The angular momentum R I_body ω of a body's rotation. If the body can turn about one axis only,
-/// this is only a part of `state.angular_momentum`: the bearing of the axis takes up the rest.
+/// it may differ from `state.angular_momentum`: only the component of the latter along the axis
+/// turns the body, and the bearing of the axis takes up the rest.
 Vector3d own_angular_momentum(const RigidBody& body, const RigidState& state);
 
 } // namespace rigor

@@ -8,12 +8,12 @@
 
 namespace rigor {
 
-/// A body's state contains a value that is infinite or not a number. The message names the body,
-/// the quantity and the time.
+/// A body's state or mass properties contain a value that is infinite or not a number. The message
+/// names the body, the quantity and the time.
 struct NonFiniteState : std::runtime_error {
     NonFiniteState(std::string body_name, std::string quantity_name, double at_time);
 
-    std::string body, quantity; // for example "velocity V" or "inertia"
+    std::string body, quantity; // names; the quantity is for example "velocity V"
     double time = 0;            // [s]
 };
 

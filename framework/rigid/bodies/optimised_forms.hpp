@@ -15,8 +15,8 @@ namespace rigor::optimised {
            body2.angular_velocity.cross(x - body2.position);
 }
 
-/// Inlined form of `impulse_matrix`: δ/M + r*ᵀ I⁻¹ r* with r = x - X. Column i of the second term
-/// is (I⁻¹ (r × eᵢ)) × r.
+/// Inlined form of `impulse_matrix`: δ/M + r*ᵀ I⁻¹ r* with r = x - X (X: position of the body, δ:
+/// identity, r*: the matrix with r* a = r × a). Column i of the second term is (I⁻¹ (r × eᵢ)) × r.
 [[gnu::always_inline]] inline Matrix3d impulse_matrix(const Body& body, const Vector3d& x)
 {
     const Vector3d r = x - body.position;

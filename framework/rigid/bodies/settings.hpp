@@ -6,8 +6,8 @@
 
 namespace rigor {
 
-/// How free flight is integrated. CONTRIBUTING.md says in "An integrator of free flight" what one
-/// more needs.
+/// How free flight is integrated. The recipe "An integrator of free flight" in CONTRIBUTING.md says
+/// how to add another integrator.
 enum class Integrator {
     matrix, ///< Runge–Kutta 4 on (X, R, V, L) through `equations_of_motion`; R is made a rotation
             ///< again after each step
@@ -15,7 +15,8 @@ enum class Integrator {
     exponential,  ///< symplectic Euler with `advance_exact`
     buss,         ///< `step_buss`
     runge_kutta,  ///< fourth order on (X, q, V, L)
-    gram_schmidt, ///< symplectic Euler with `advance_matrix` and `gram_schmidt`; shows its bias
+    gram_schmidt, ///< symplectic Euler with `advance_matrix` and `gram_schmidt`; shows the bias of
+                  ///< Gram–Schmidt
     euler_angles, ///< symplectic Euler with `euler_rates`; shows how it fails at gimbal lock
     /// The default: a body that only gravity acts on flies exactly, by Jacobi's solution for the
     /// free rotor. A body that springs, forces or contacts act on takes `runge_kutta`. `exact` has

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Selects the contacts of an island that an impulse can change, and sets their target speeds.
-// Several threads visit ranges of pairs, and their lists are joined in the order of the pairs.
+// Selects the contacts of an island at which an impulse can change the relative velocity, and sets
+// their target speeds. Several threads visit ranges of pairs. The list of each range is joined to
+// the others in the order of the pairs.
 #include "rigid/contact/active_contacts.hpp"
 
 #include "rigid/contact/position_correction.hpp"

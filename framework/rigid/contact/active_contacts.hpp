@@ -5,8 +5,9 @@
 
 namespace rigor {
 
-/// The contacts of an island that an impulse can change, as indices in `problem.contacts`. They are
-/// in the order of the island's pairs and, within a pair, from the lowest up.
+/// The contacts of an island at which an impulse can change the relative velocity, as indices in
+/// `problem.contacts`. They are in the order of the island's pairs and, within a pair, from the
+/// lowest up.
 ///
 /// Also sets the target speed of each of these contacts. With a gap, it is -gap/h (h: time step),
 /// so that the bodies touch at the end of the step and not before. Without a gap, it is

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Division of a large island into blocks for several threads. First it sorts the moving bodies into
-// upright slabs along the island's longest horizontal extent; then it groups the pairs by the
+// Divides a large island into blocks for several threads. The code first sorts the moving bodies
+// into upright slabs along the island's longest horizontal extent. Then it groups the pairs by the
 // slabs of their bodies: within one slab, between two neighbouring slabs, or farther apart. Blocks
 // that share no moving body get the same color (graph coloring) and can be swept at the same time.
 #include "rigid/contact/blocks.hpp"

@@ -30,8 +30,9 @@ constexpr double same_normal = 1e-9; // normals n, n' count as equal if 1 - n·n
 // it is an approach slower than this share of |turning_speed|, because `turning_speed` is exact
 // only to first order in the rotation during the step.
 constexpr double negligible_share = 0.1;
-// Below this share of |turning_speed|, the rest is ignored even if gravity does not explain it. The
-// share is far above the rounding error of a speed and far below any speed that matters.
+// If v·n - turning_speed is an approach slower than this share of |turning_speed|, it is ignored
+// even if gravity does not explain it. The share is far above the rounding error of a speed and far
+// below any speed that matters.
 constexpr double rounding_share = negligible_share * 1e-9;
 
 // The points of a pair at which a collision may happen now.

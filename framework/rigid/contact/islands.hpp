@@ -11,7 +11,8 @@ namespace rigor {
 std::vector<ContactPair> pairs_of(std::span<const ContactConstraint> contacts);
 
 /// Sorts pairs by the height of their lowest contact, which is the first of each pair. The order
-/// does not depend on how the bodies are numbered.
+/// does not depend on how the bodies are numbered, except for contacts with equal sort keys
+/// (`HeightOrder::Key`).
 void sort_by_height(const ContactProblem& problem, std::vector<ContactPair>& pairs);
 
 /// The islands in which at least two bodies would penetrate in this step, in the order of their

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // A first estimate of the impulses of an island that rests on static bodies. The code finds for
 // each contact which of its bodies rests on the other. Then it visits the bodies from the highest
-// to the lowest. Each passes its own weight and the load on it to the contacts below it, in equal
-// parts.
+// to the lowest. Each body passes its own weight and the load on it to the contacts below it, in
+// equal parts.
 #include "rigid/contact/load_estimate.hpp"
 
 #include <algorithm>
@@ -35,7 +35,7 @@ std::vector<Support> supports_of(const ContactProblem& problem, std::span<const 
     return supports;
 }
 
-// Sets the initial impulse of the contact `by` so that the upper body gets the impulse `push`
+// Sets the initial impulse of the contact in `by` so that the upper body gets the impulse `push`
 // [N s]. If this impulse lies outside the friction cone, only its normal part is taken.
 void support(ContactProblem& problem, const Support& by, const Vector3d& push)
 {
@@ -64,7 +64,7 @@ void estimate_loads(ContactProblem& problem, const Island& island, std::span<con
         const double p = height(a.upper), q = height(b.upper);
         return p > q || (p == q && a.upper < b.upper);
     });
-    // Weight of each body and load on it, both times the time step [N s].
+    // The weight of each body plus the load on it, times the time step [N s].
     std::vector<double> loads(problem.bodies.size(), 0.0);
     for (int i : island.bodies)
         loads[i] = g * problem.time_step / problem.bodies[i].inverse_mass;

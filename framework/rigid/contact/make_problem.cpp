@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The contact problem of a step, made from the contact candidates. First it takes the bodies that
-// have contacts, then the contacts that may close in this step. It groups the contacts into
-// pairs of bodies and islands, while other threads set the warm-start impulses. Last, it computes
-// the impulse matrices of the contacts and splits large islands into blocks.
+// Makes the contact problem of a step from the contact candidates. The code first copies the bodies
+// that have contacts, then selects the contacts that may close in this step. It groups the contacts
+// into pairs of bodies and islands, while other threads set the warm-start impulses. Last, it
+// computes the impulse matrices of the contacts and splits large islands into blocks.
 #include "rigid/contact/make_problem.hpp"
 
 #include "rigid/bodies/orientation.hpp"
@@ -63,8 +63,8 @@ void take_bodies(const World& world, std::span<const RigidState> flown,
         });
 }
 
-// The rotation vector α (`turn`) moves the end of a lever arm r by α × r to first order. This is
-// the rest of the displacement, by Rodrigues' formula (1840):
+// The displacement of the end of a lever arm r by the rotation vector α (`turn`), without its
+// first-order part α × r. By Rodrigues' formula (1840) it is
 // (sin |α|/|α| - 1) α × r + (1 - cos |α|)/|α|² α × (α × r).
 Vector3d bend_of_path(const Vector3d& turn, const Vector3d& r)
 {
@@ -91,8 +91,8 @@ bool rolls(const RigidBody& body)
 
 // Finds the part of v·n with which the rotation of rolling bodies moves a point towards the other
 // body without closing the gap (`turning_speed`, `passes_by`). The solver moves a point along a
-// straight line. There the point may reach the other body, although its real path, an arc of a
-// circle, does not.
+// straight line. On this line the point may reach the other body, although its real path, an arc of
+// a circle, does not.
 void set_turning(const ContactProblem& problem, bool rolls1, bool rolls2, ContactConstraint& c)
 {
     // The real path of a point bends away from the straight line. The bend is computed for a fixed

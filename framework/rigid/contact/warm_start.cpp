@@ -25,8 +25,8 @@ template <class C> std::pair<int, int> bodies_of(const C& contact)
     return {contact.body1, contact.body2};
 }
 
-// The impulse projected onto the friction cone of c: its normal part, and its tangential part
-// shortened to the friction limit.
+// The impulse projected onto the friction cone of c: its tangential part is shortened to the
+// friction limit if it is longer. An impulse that pulls becomes zero.
 Vector3d projected_to_cone(const ContactConstraint& c, const Vector3d& impulse)
 {
     const Vector3d& n = c.normal;

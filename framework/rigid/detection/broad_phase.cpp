@@ -66,7 +66,7 @@ std::vector<BodyPair> overlapping(const OverlapTree& tree, std::size_t members, 
     constexpr std::size_t grain_size = 128; // least number of bodies in one parallel task
     const int ranges = pool.range_count(members, grain_size);
     if (ranges == 0) return {};
-    constexpr std::size_t parts_per_range = 4; // several small ones: their sizes differ
+    constexpr std::size_t parts_per_range = 4; // several, since parts differ in size
     const std::vector<OverlapTree::NodePair> parts =
         tree.parts(ranges < 2 ? 1 : parts_per_range * static_cast<std::size_t>(ranges));
     std::vector<std::vector<BodyPair>> found(ranges);

@@ -13,10 +13,10 @@ namespace rigor {
 inline constexpr double resting_overlap = 1e-4;
 
 /// A contact: a pair of close points of two shapes, or of two bodies of a world. Its point lies in
-/// the middle of the gap, except in two cases, in which it lies on the surface of shape 1: shape 2
-/// is a plane (plane_contact.hpp), or shape 1 is a sphere, a capsule or a torus that is tested by
-/// its core, the point or curve in its middle (core_contact.hpp, and a sphere on a box in
-/// narrow_phase.cpp).
+/// the middle of the gap, except in two cases. If one shape is a plane, the point lies on the
+/// surface of the other shape (plane_contact.hpp). If a sphere, a capsule or a torus is tested by
+/// its core, the point or curve in its middle, the point lies on the surface of this shape
+/// (core_contact.hpp, and a sphere on a box in narrow_phase.cpp).
 struct Contact {
     Vector3d point = Vector3d::Zero();   // [m]
     Vector3d normal = Vector3d::UnitY(); // unit, from shape 2 to shape 1

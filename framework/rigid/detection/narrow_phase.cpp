@@ -183,8 +183,8 @@ struct MovingPair {
     bool is_still1 = false, is_still2 = false;
     Vector3d move = Vector3d::Zero();
 
-    // Whether the search for contacts ahead is worth its time: a body moves over a concave shape
-    // that is still, or one of the shapes has a core, so that the search is cheap.
+    // Whether the search for contacts ahead is worth its time: one of the shapes is concave, and
+    // either its body is still, or the other shape has a core, so that the search is cheap.
     bool looks_ahead(const Shape& shape1, const Shape& shape2) const
     {
         if (is_concave(shape1) && (is_still1 || has_core(shape2))) return true;

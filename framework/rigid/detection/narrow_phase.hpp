@@ -40,7 +40,7 @@ void find_contacts(const World& world, const std::vector<Pose>& poses, int body1
                    double reach, std::vector<Contact>& contacts, Counters& counters,
                    double time_step = 0);
 
-/// As above, without counters and without looking ahead.
+/// Does the same as the other `find_contacts`, without counters and without looking ahead.
 void find_contacts(const World& world, const std::vector<Pose>& poses, int body1, int body2,
                    double reach, std::vector<Contact>& contacts);
 

@@ -20,13 +20,13 @@ Vector3d mean_angular_velocity(const Matrix3d& J, const Vector3d& L, const Vecto
     const auto J_dot = [&J](const Vector3d& spin, const Vector3d& x) -> Vector3d {
         return spin.cross(J * x) - J * spin.cross(x);
     };
-    // ω̇ = -J a  with  a = ω × L - τ.  Then the derivatives of a and of ω̇, by L̇ = τ.
+    // ω̇ = -J a  with  a = ω × L - τ.  The derivatives of a and of ω̇ follow from this by L̇ = τ.
     const Vector3d a = w.cross(L) - torque;
     const Vector3d w1 = -J * a;
     const Vector3d a1 = w1.cross(L) + w.cross(torque);
     const Vector3d w2 = -J_dot(w, a) - J * a1;
     const Vector3d a2 = w2.cross(L) + 2 * w1.cross(torque);
-    // J̈ = ω̇* J - J ω̇* + ω* J̇ - J̇ ω*
+    // J̈ = ω̇* J - J ω̇* + ω* J̇ - J̇ ω*, where ω* is the matrix with ω* x = ω × x
     const Vector3d J_ddot_a = J_dot(w1, a) + w.cross(J_dot(w, a)) - J_dot(w, w.cross(a));
     const Vector3d w3 = -J_ddot_a - 2 * J_dot(w, a1) - J * a2;
 
@@ -35,7 +35,7 @@ Vector3d mean_angular_velocity(const Matrix3d& J, const Vector3d& L, const Vecto
 }
 
 // The orientation of a body of revolution after a step without torque: a rotation about its axis
-// and one about L, exp(h i L) exp(h k (L·a) a) q (see the header).
+// and one about L, exp(h i L) exp(h k (L·a) a) q, see the .hpp file.
 Quaternion turned_symmetric(const RigidBody& body, const RigidState& state, double h)
 {
     const Matrix3d& J_body = body.inverse.inverse_inertia;

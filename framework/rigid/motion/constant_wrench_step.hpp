@@ -11,7 +11,8 @@ enum class FreeRotation { fourth_order, exact };
 
 /// A step of fourth order under a wrench that is constant over it: Buss's augmented fourth-order
 /// method (Buss 2000, "Accurate and efficient simulation of rigid-body rotations", J. Comput. Phys.
-/// 164). It extends `step_buss` (task A3.16) by two more derivatives of ω. With J = I(t)⁻¹:
+/// 164). It extends `step_buss` (task A3.16) by two more derivatives of ω. With J = I(t)⁻¹, and ω*
+/// the matrix with ω* x = ω × x:
 ///
 ///     ω = J L    ω̇ = J (τ - ω × L)    J̇ = ω* J - J ω*,  from which ω̈ and ω⃛ follow
 ///     Ω = ω + h/2 ω̇ + h²/6 ω̈ + h³/24 ω⃛ + h²/12 ω̇ × ω + h³/24 ω̈ × ω
@@ -29,7 +30,7 @@ enum class FreeRotation { fourth_order, exact };
 ///
 ///     q' = exp(h i L) exp(h k (L·a) a) q
 ///
-/// If FreeRotation is `exact`, any other body without torque takes the exact Ω of
+/// If `free_rotation` is `exact`, any other body without torque takes the exact Ω of
 /// free_rotation.hpp, which costs more than the series. Only if |I⁻¹| |L| h is below 1e-3 does it
 /// take the series, which is exact to rounding then.
 RigidState constant_wrench_step(const RigidBody& body, const RigidState& state,

@@ -29,7 +29,7 @@ struct EllipticFunctions {
 /// @param m1  the complementary parameter 1 - m, in (0, 1]
 EllipticFunctions elliptic_functions(double u, double m1);
 
-/// The functions of u + v from those of u and of v, by the addition theorem.
+/// sn, cn and dn of u + v from those of u and of v, by the addition theorem.
 EllipticFunctions at_sum(const EllipticFunctions& u, const EllipticFunctions& v, double m1);
 
 } // namespace rigor

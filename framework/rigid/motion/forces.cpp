@@ -36,7 +36,7 @@ SpringEnd spring_end(int body, const Vector3d& point, bool damps, std::span<cons
     return end;
 }
 
-// @param needs_omega  whether any force depends on the velocity of the body's points
+// @param needs_omega  whether any force depends on velocities; otherwise ω stays zero
 Motion motion_of(Integrator integrator, const RigidBody& body, const RigidState& state,
                  bool needs_omega)
 {
@@ -75,7 +75,8 @@ ForceRate fastest_force_rate(const World& world)
         const BodyInertia& inverse = world.bodies[body].inverse;
         return inverse.inverse_mass + r.squaredNorm() * inverse.inverse_inertia.norm();
     };
-    // Σ k K and Σ c K over the springs of each body, where K is the sum of both ends of a spring.
+    // Σ k K and Σ c K over the springs of each body (k: stiffness, c: damping, K: the sum of the
+    // compliances at both ends of a spring).
     std::vector<double> stiffness(world.bodies.size(), 0), damping = stiffness;
     for (const Spring& spring : world.springs) {
         const double K =
@@ -157,7 +158,8 @@ void AppliedWrenches::add_spring(const Spring& spring)
     push(spring.body2, -tension * u, end2.x);
 }
 
-// Multiplies force and torque by factor(t) sin(2π f t + φ), where f is the frequency.
+// Adds the force and the torque, multiplied by factor(t) sin(2π f t + φ). If the frequency f is 0,
+// the sine is left out; if there is no factor, the factor is 1.
 void AppliedWrenches::add_force(const AppliedForce& force, double now)
 {
     const Motion& m = motions_[force.body];

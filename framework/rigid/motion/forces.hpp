@@ -30,10 +30,11 @@ struct ForceRate {
 };
 
 /// A bound on the fastest rate at which springs, dampers and forces change the motion of a body:
-/// the highest angular frequency of a vibration or rate of a decay. Let K = 1/M + r² |I⁻¹| at each
-/// end of a spring. For the springs of one body, ω² is at most Σ k (K₁ + K₂), and the rate of a
-/// decay is at most Σ c (K₁ + K₂). An oscillating force has the rate 2π f, and a medium the rates
-/// (c + k |V|)/M and d |I⁻¹|. The result is the largest of all these.
+/// the highest angular frequency ω of a vibration or rate of a decay. Let K = 1/M + r² |I⁻¹| at
+/// each end of a spring, at the distance r from the center of mass. For the springs of one body,
+/// with stiffness k and damping c, ω² is at most Σ k (K₁ + K₂), and the rate of a decay is at most
+/// Σ c (K₁ + K₂). An oscillating force has the rate 2π f, and a medium the rates (c + k |V|)/M and
+/// d |I⁻¹| with c, k and d of `Drag`. The result is the largest of all these.
 ForceRate fastest_force_rate(const World& world);
 
 /// The wrench of gravity alone. For the integrator `matrix` it is a point force at the center of
@@ -56,9 +57,9 @@ public:
     /// are any.
     ///
     /// @param states  the states of all bodies of the world
-    /// @param middle  the time in the middle of the step [s]. A force that acts at this time counts
-    ///                as acting during the whole step. So a force that starts and ends together
-    ///                with steps gives its full impulse.
+    /// @param middle  the time in the middle of the substep [s]. A force that acts at this time
+    ///                counts as acting during the whole substep. So a force that starts and ends
+    ///                together with steps gives its full impulse.
     /// @param now     the time of these states [s]
     const std::vector<Wrench>& at(std::span<const RigidState> states, double middle, double now);
 

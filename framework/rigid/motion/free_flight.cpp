@@ -72,7 +72,9 @@ RigidState one_step(Integrator integrator, const RigidBody& body, const RigidSta
     throw std::logic_error("an integrator without a step");
 }
 
-// The number of equal substeps that rotate the body by at most a quarter turn each.
+// The number of equal substeps that rotate the body by at most a quarter turn each, at most
+// `most_substeps`. It is 1 for `matrix`, and for an isotropic body with any integrator but
+// `linear`.
 int substeps_for(Integrator integrator, const RigidBody& body, const RigidState& state, double h)
 {
     if (integrator == Integrator::matrix) return 1;
@@ -88,11 +90,11 @@ int substeps_for(Integrator integrator, const RigidBody& body, const RigidState&
     return static_cast<int>(std::clamp(std::ceil(h / limit), 1.0, most_substeps));
 }
 
-// The number of equal substeps h for the rates of all springs, dampers, drag and forces. Each rate
-// times h is at most 0.5: the angle by which a spring or an oscillating force advances, √(k/M) h or
-// 2π f h, and the exponent of a decay, c h/M. The splitting method then has an error of 1e-4 of the
-// amplitude after 30 oscillations; with dampers, where Runge–Kutta 4 replaces it, the error is
-// 4e-3.
+// The number of equal substeps of length s in a step h. Each rate of a spring, damper, drag or
+// force times s is at most 0.5: the angle by which a spring or an oscillating force advances,
+// √(k/M) s or 2π f s, and the exponent of a decay, c s/M. The splitting method then has an error of
+// 1e-4 of the amplitude after 30 oscillations; with dampers, where Runge–Kutta 4 replaces it, the
+// error is 4e-3.
 int substeps_for_forces(const World& world, double h)
 {
     const bool any_drags = std::any_of(world.bodies.begin(), world.bodies.end(),
@@ -161,7 +163,7 @@ void fly_by_runge_kutta(const World& world, AppliedWrenches& wrenches,
 }
 
 // The splitting method of Blanes and Moan (2002), in which impulses (kicks) and free flights
-// alternate; see the header. The coefficients are fractions of the step.
+// alternate; see free_flight.hpp. The coefficients are fractions of the step.
 void fly_by_splitting(const World& world, AppliedWrenches& wrenches, std::span<const int> together,
                       std::vector<RigidState>& states, double h, const StepTimes& times)
 {

@@ -78,9 +78,9 @@ void fly_in_parallel(ThreadPool& pool, std::size_t count, Counters& counters, co
         counters += part;
 }
 
-/// The states of all bodies after a time step without contacts. Bodies on which springs or applied
-/// forces pull or drag acts fly together, all others one by one. Static bodies keep their state,
-/// unless they are driven. Only the counters of the world are changed.
+/// The states of all bodies after a time step without contacts. Bodies on which springs, applied
+/// forces or drag act fly together, all others one by one. Sleeping bodies keep their state, and so
+/// do static ones unless they are driven. Only the counters of the world are changed.
 ///
 /// @param pulled  whether each body flies together with others; from `with_dragged_bodies`
 std::vector<RigidState> fly_all(World& world, const std::vector<bool>& pulled, double time_step,

@@ -19,8 +19,9 @@ namespace rigor {
 
 namespace {
 
-// The smallest 1 - m that is used. Smaller values make no difference: with this one, M passes the
-// unstable axis only after 115 units of u.
+// The smallest 1 - m that is used (m: parameter of the elliptic functions). Smaller values make no
+// difference: with this one, the momentum M passes the unstable axis only after the argument u has
+// grown by 115.
 constexpr double least_m1 = 1e-100;
 
 // The closed curve of the unit vector M/|M| in the body.
@@ -61,8 +62,8 @@ Path path_of(const Vector3d& J, const Vector3d& M)
     return path;
 }
 
-// Two quantities over the interval from the zero of cn nearest to u up to u: its signed length w,
-// and the integral G = ∫ cn²/(cn² + N sn²) du.
+// Two quantities of the interval that starts at the zero of cn nearest to u and ends at u: its
+// signed length w, and the integral G = ∫ cn²/(cn² + N sn²) du over it.
 struct Swept {
     double w = 0, G = 0;
 };
@@ -127,7 +128,7 @@ Vector3d mean_free_angular_velocity(const Vector3d& inverse_moments, const Vecto
     M_end[path.axis2] = path.A2 * end.sn;
     M_end[path.axis3] = path.A3 * end.dn;
 
-    // φ = |L| (J₂ h + (J₁ - J₂) ∫ M₁²/(M₁² + M₂²) dt)
+    // φ = |L| (J₂ h + (J₁ - J₂) ∫ M₁²/(M₁² + M₂²) dt), with h = `time`
     const double phi =
         path.J2 * L * time + (path.J1 - path.J2) / path.rate * integral(path, start, end, v);
     const Matrix3d B = frame_of(M, path.axis3);

@@ -99,7 +99,7 @@ public:
     struct Range {
         std::size_t first = 0, last = 0;
     };
-    /// Range k of `ranges` equal ranges that cover [0, count).
+    /// Range k if [0, count) is divided into `ranges` ranges, whose lengths differ by at most one.
     static Range range(std::size_t count, int ranges, int k);
 
 private:

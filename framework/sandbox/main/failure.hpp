@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How the launcher ends if a wall cannot be put up: it never goes on with fewer walls.
+// How the launcher ends if a part of the sandbox (a wall) cannot be put up: it never goes on with
+// fewer walls.
 #pragma once
 
 #include <string>
@@ -19,8 +20,8 @@ template <class Result> Result must(Result result, const char* action)
     return result;
 }
 
-/// Reports that the walls are up, and attaches the listener of blocked calls if there is one
-/// (>= 0). If the grader has died, this process ends.
+/// Reports that the sandbox is up, and attaches the listener of blocked calls, unless `listener` is
+/// negative. If the grader has died, this process ends.
 void report_ready(int listener);
 
 } // namespace rigor::confine

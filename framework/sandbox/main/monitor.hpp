@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The monitor is the process that stays outside the walls while the program runs inside. Nothing
-// that the program starts outlives it.
+// The monitor is the process that stays outside the sandbox while the program runs inside. Nothing
+// that the program starts outlives the monitor.
 #pragma once
 
 #include <sys/types.h>

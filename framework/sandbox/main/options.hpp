@@ -19,7 +19,7 @@ struct ResourceLimit {
 };
 
 struct Options {
-    bool probe = false; // only find out which walls are possible
+    bool probe = false; // only find out which parts of the sandbox are possible
     int report = -1;    // descriptor of the socket to the grader; the program gets all lower ones
     bool is_compiler = false;    // whether the profile is `compiler`; otherwise it is `worker`
     bool namespaces = false;     // whether to make new mounts, processes, network, IPC, host name

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Each wall is really put up, in a child process, since it cannot be taken down again. So a wall
-// that exists but does not work is noticed too, such as a call that a container forbids.
+// Each wall, that is, each part of the sandbox, is really put up, in a child process, since it
+// cannot be taken down again. So a wall that exists but does not work is noticed too, such as a
+// call that a container forbids.
 #include "sandbox/main/probe.hpp"
 
 #include "sandbox/main/landlock.hpp"
@@ -17,7 +18,7 @@ namespace rigor::confine {
 
 namespace {
 
-/// Whether a wall can be put up. This is tried in a child process.
+/// Whether a wall (a part of the sandbox) can be put up. This is tried in a child process.
 template <class Wall> bool works(Wall put_up)
 {
     const pid_t child = fork();

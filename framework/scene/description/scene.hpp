@@ -109,7 +109,7 @@ struct Scene {
     std::vector<BodyDescription> bodies;
     std::vector<SolidDescription> solids;
     std::vector<Spring> springs;             // points in the bodies' frames, as in the file
-    std::vector<AppliedForce> forces;        // points in the bodies' frames, as in the file
+    std::vector<AppliedForce> forces;        // points in the bodies' frames, but see `world_forces`
     std::vector<int> world_forces;           // indices of `forces` with points in world space
     std::vector<PairLaw> pairs;              // for pairs of bodies, sorted by the indices
     Settings settings = settings_on_earth(); // the settings of the world

@@ -216,8 +216,9 @@ Matrix3d read_inertia(const Value& value)
     if ((I - I.transpose()).norm() > rounding)
         throw Mistake{value.line, "expected a symmetric inertia, found rows that differ from the "
                                   "columns"};
-    // D = ∫ x xᵀ dm = ½ tr(I) δ - I must have no negative eigenvalue. Then no principal moment is
-    // negative, and none is larger than the sum of the other two.
+    // D = ½ tr(I) 1 - I, the sum of x xᵀ dm over the mass dm at the points x, must have no negative
+    // eigenvalue. Then no principal moment is negative, and none is larger than the sum of the
+    // other two.
     const Matrix3d D = 0.5 * I.trace() * Matrix3d::Identity() - I;
     Eigen::SelfAdjointEigenSolver<Matrix3d> eigen;
     eigen.compute(D, Eigen::EigenvaluesOnly);

@@ -31,8 +31,8 @@ private:
 
 /// Reads an expression of t. It has numbers, `t`, `pi`, + - * / ^, parentheses, and the functions
 /// sin, cos, tan, exp, log, sqrt, abs, step (0 if its argument is negative, otherwise 1), min and
-/// max. A power has the highest precedence and is evaluated from the right; a sign comes after it:
-/// -t^2 is -(t^2).
+/// max. A power has the highest precedence and is evaluated from the right. A sign before a power
+/// applies to the whole power: -t^2 is -(t^2).
 ///
 /// @throws Mistake  with the place in the text
 Expression expression(const Value& value);

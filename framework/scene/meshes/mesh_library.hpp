@@ -30,7 +30,8 @@ public:
     /// @throws Mistake
     SharedMesh from_file(const Value& file, const Vector3d& scale, double depth, int cells);
 
-    /// The tetrahedral mesh of a file, read and scaled in the same way.
+    /// The tetrahedral mesh of a file, read from its text in "meshes" and multiplied by `scale`
+    /// along x, y and z.
     /// @throws Mistake
     std::shared_ptr<const TetrahedralMesh> tetrahedra(const Value& file, const Vector3d& scale);
 

@@ -44,7 +44,8 @@ void find_files(const Value& value, bool in_solids, std::vector<NamedFile>& file
     }
 }
 
-// A short text of the same mesh, without what is not needed, after the mesh was checked.
+// Checks a mesh and writes it again as a short text, which has only its vertices and its triangles
+// or tetrahedra.
 std::string checked_text(std::string_view text, const NamedFile& file)
 {
     if (file.is_solid) {

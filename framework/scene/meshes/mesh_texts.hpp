@@ -7,8 +7,8 @@
 namespace rigor {
 
 /// The text of a scene, with the texts of all mesh files that it names added under "meshes". The
-/// scene is then complete wherever it is sent. Lines keep their numbers. A text that names no file
-/// is returned unchanged.
+/// scene is then complete wherever it is sent. Lines keep their numbers. A text that names no file,
+/// or has the key "meshes" already, is returned unchanged.
 ///
 /// @param scene_file  file of the scene; the paths of the mesh files are relative to its folder
 /// @throws Mistake at the line that names a missing file

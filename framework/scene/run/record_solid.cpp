@@ -27,8 +27,8 @@ std::shared_ptr<const SolidTopology> topology_of(const Deformable& solid)
     return topology;
 }
 
-// The stress is computed without formulas of the assignments, so that the error of a wrong formula
-// stays visible.
+// The von Mises stress of a stress tensor [Pa], without formulas of the assignments. The tensor
+// comes from the formula `isotropic_stress`, so an error of that formula stays visible.
 double von_mises_stress(const Matrix3d& stress)
 {
     // √(3/2) ‖dev σ‖

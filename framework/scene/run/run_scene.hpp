@@ -12,9 +12,9 @@ namespace rigor {
 /// The steps after which a run records its state: those of the frames, or every step.
 enum class Record { frames, every_step };
 
-/// Runs a scene and passes the bytes of its trajectory to `write`, one record at a time. Frame k is
-/// the state after the step whose end is nearest to the time k / frames_per_second; frame 0 is the
-/// initial state.
+/// Runs a scene and passes the bytes of its trajectory to `write`, one record at a time. With
+/// `Record::frames`, frame k is the state after the step whose end is nearest to the time
+/// k/frames_per_second; frame 0 is the initial state.
 void run_scene(const Scene& scene, Record record, const ByteSink& write,
                const RunSettings& settings = {});
 

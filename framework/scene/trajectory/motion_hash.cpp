@@ -16,7 +16,7 @@ void MotionHash::take(std::span<const std::byte> bytes)
 
 void MotionHash::take(const std::vector<RecordedBody>& bodies)
 {
-    take(encode_start({}, bodies)); // an empty scene: its name and text are not hashed
+    take(encode_start({}, bodies)); // an empty scene, since name and text are not hashed
 }
 
 void MotionHash::take(const Frame& frame)

@@ -37,7 +37,7 @@ private:
 
     Channel& channel_;
     bool is_reference_;
-    wire::Bytes answer_; // to the current request; its memory is kept for the next one
+    wire::Bytes answer_; // the current answer; its memory is kept for the next one
     // The number of bytes that the scene has streamed, and this number when the client was last
     // woken.
     std::uint32_t streamed_ = 0, announced_ = 0;

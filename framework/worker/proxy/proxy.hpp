@@ -47,10 +47,12 @@ struct FormulaCall {
 };
 
 /// The last call of a formula of the worker under test since `renew_worker`, if there was one.
+/// Within a scene, only a call that failed is kept.
 const std::optional<FormulaCall>& last_call();
 
 /// The last calls of the worker under test since `renew_worker`: up to 64 calls, in any order.
-/// Calls whose arguments take more than 16 kB are left out.
+/// Calls whose arguments take more than 16 kB are left out, and within a scene all calls that did
+/// not fail.
 std::span<const FormulaCall> recent_calls();
 
 /// The reference failed, which is never the fault of the implementation under test.

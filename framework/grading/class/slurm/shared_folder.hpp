@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A folder inside the results' folder, through whose files the machine that grades a class and the
-// nodes of a cluster talk. Every file is written whole, so a reader finds all of it or nothing:
+// nodes of a cluster talk. The controls are submissions whose points are known. Every file but the
+// logs is written whole, so a reader finds all of the file or nothing:
 //
 //     plan_1.json     what the tasks of the first job are to grade, and how
 //     job             the number of the job that runs now
@@ -38,8 +39,8 @@ public:
     /// @param out  the results' folder, absolute
     explicit SharedFolder(const std::filesystem::path& out);
 
-    /// Makes the folder and its script. What an earlier run left is removed, except for `graded`.
-    /// @throws InputError if it cannot be written
+    /// Makes the folder and its script. Removes what the tasks of an earlier run left in it, except
+    /// for `graded`. @throws InputError if the folder cannot be written
     void make() const;
     void remove() const;
 
@@ -58,7 +59,8 @@ public:
     void remove_graded(const std::string& fingerprint) const;
 
     void write_ended(unsigned round, std::size_t task) const;
-    /// The tasks of a job that have ended and whose controls were right.
+    /// The tasks of a job that have ended and whose controls (submissions with known points) were
+    /// right.
     std::set<std::size_t> ended(unsigned round) const;
 
     void write_control_fault(const std::string& fault) const;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The engine submits a job array and follows it: it takes each result as soon as its file is there,
-// and asks Slurm from time to time whether the tasks still wait or run. A task whose controls were
-// right writes a file at its end. The round is over when all tasks have written this file, or when
-// Slurm knows of no task that waits or runs. The submissions that are still missing make the next
-// round.
+// and asks Slurm from time to time whether the tasks still wait or run. A task grades the controls
+// too, which are submissions with known points; if these were right, it writes a file at its end.
+// The round is over when all tasks have written this file, or when Slurm knows of no task that
+// waits or runs. The submissions that are still missing make the next round.
 #include "grading/class/slurm/slurm_engine.hpp"
 
 #include "errors/input_error.hpp"
@@ -29,7 +29,8 @@ constexpr unsigned most_rounds = 3;
 constexpr std::size_t most_tasks = 1000; // Slurm's own limit of a job array is 1001
 constexpr std::chrono::milliseconds look_every(250);
 constexpr std::chrono::seconds ask_every(2);
-// How long Slurm may not answer. Its daemons are restarted now and then; the tasks go on meanwhile.
+// The longest time that Slurm may leave questions without an answer. Its daemons are restarted now
+// and then; the tasks go on meanwhile.
 constexpr std::chrono::minutes longest_silence(10);
 // How long to look for more files after the end of a job. NFS caches the list of files in a folder
 // for some seconds, so files of another machine appear late.
@@ -84,7 +85,8 @@ public:
                 note(fmt::format("{} of {} tasks of Slurm's job were lost{}", lost,
                                  plan.chunks.size(), reason));
                 if (round_ >= most_rounds && !missing_.empty()) give_up_missing(reason);
-                // After `most_rounds` rounds, one more follows, which grades only the controls.
+                // After `most_rounds` rounds, one more follows, which grades only the controls, the
+                // submissions with known points.
                 if (round_ <= most_rounds) continue;
                 fault = "control after the last submission could not be graded" + reason;
             }
@@ -126,8 +128,8 @@ private:
         });
     }
 
-    // The plan of the next job. If no submission is missing, the job has one task, which grades the
-    // controls only.
+    // The plan of the next job. If no submission is missing, the job has one task, which grades
+    // only the controls, the submissions with known points.
     slurm::Plan next_plan() const
     {
         slurm::Plan plan;
@@ -183,7 +185,7 @@ private:
     }
 
     // Returns when all tasks have ended well, when no task waits or runs any more, or when a
-    // control was wrong.
+    // control (a submission with known points) was wrong.
     slurm::TaskCounts follow(RunningJob& job, const slurm::Plan& plan,
                              const Interruption& interruption)
     {

@@ -14,10 +14,11 @@ struct SlurmOptions {
 };
 
 /// Grades on a cluster, by job arrays of Slurm. Each task grades a chunk of the submissions by a
-/// LocalEngine, with the controls before and after it, and writes the results into a shared folder
-/// inside the results' folder. All nodes must see this folder, the submissions and this tree. Slurm
-/// runs the tasks of a lost node again. Submissions without a result at the end of a job go into a
-/// new job, up to three jobs in all.
+/// LocalEngine, with the controls (submissions with known points) before and after it, and writes
+/// the results into a shared folder inside the results' folder. All nodes must see this folder, the
+/// submissions and this tree. Slurm runs the tasks of a lost node again. Submissions without a
+/// result at the end of a job go into a new job, at most twice. If the controls of the third job
+/// are lost, a last job grades these alone.
 ///
 /// @throws InputError if Slurm takes no job or does not answer, if the nodes do not see the folder,
 ///     or if somebody has cancelled the job. SIGINT and SIGTERM cancel the job, and then end this

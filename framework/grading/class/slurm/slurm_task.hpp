@@ -10,8 +10,9 @@ namespace rigor {
 /// shared folder. @param task  the number of the chunk
 /// @param work  the assignment, the run and the reference of this node, without submissions
 /// @throws InputError if the node has another tree, other programs or another sandbox than the
-///     machine that made the plan. A submission that has changed since then is reported as a fault
-/// @return what is wrong with a control, which is also written to the folder; empty if nothing is
+///     machine that made the plan. A submission that has changed since then is reported as a fault.
+/// @return what is wrong with a control, a submission with known points; empty if nothing is. It is
+///     also written to the folder.
 std::string run_slurm_task(const slurm::Plan& plan, std::size_t task, ClassWork work);
 
 } // namespace rigor

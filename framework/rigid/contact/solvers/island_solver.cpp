@@ -25,7 +25,7 @@ namespace {
 // may follow.
 constexpr int few_contacts = 16;
 
-// The solution of a larger island ends after a limited amount of work, and the remaining error is
+// The sweeps of a larger island end after a limited amount of work, and the remaining error is
 // corrected in the next steps. A pile at rest gets more work; otherwise the remaining error would
 // let the pile creep, and it would never fall asleep. The numbers were chosen by trial; `bench
 // pile` shows the run time and the overlap to which they lead.
@@ -34,10 +34,10 @@ constexpr int times_at_rest = 3;  // a pile at rest gets this many times the wor
 constexpr int fewest_sweeps = 5, most_sweeps = 50;
 constexpr int last_sweeps = 20; // most sweeps after Newton's method, which check its result
 
-// The sweeps end when they change velocities by less than one of these fractions of the fastest
-// approach speed. Larger values save sweeps, but let piles creep. The first value is a few hundred
-// times the rounding error of a double; the other values were chosen by trial, and `bench pile`
-// shows their effect.
+// The sweeps end when they change velocities by less than a fraction of the fastest approach speed.
+// `plan_for` chooses one of these fractions. Larger values save sweeps, but let piles creep. The
+// first value is a few hundred times the rounding error of a double; the other values were chosen
+// by trial, and `bench pile` shows their effect.
 constexpr double to_rounding = 1e-13, for_newton = 1e-8, for_piles_at_rest = 1e-4,
                  for_moving_piles = 1e-3;
 // The sweeps of a stack have ended far from the solution if its heaviest body has more than

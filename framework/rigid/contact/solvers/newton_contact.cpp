@@ -41,8 +41,8 @@ constexpr int most_rounds = 14, most_steps = 40, most_bisections = 30;
 // 1/(M · 1 m²) takes the place of |J|, where M is its mass.
 constexpr double singular_determinant = 1e-12, least_inverse_inertia = 1e-9;
 // The 1 m² in 1/(M · 1 m²), which gives 1/M the unit of an inverse inertia. It is so large that a
-// point mass hardly turns: for a contact with a lever arm of 100 m, rotation adds only 1e-5 to the
-// compliance 1/M.
+// point mass hardly turns: for a contact with a lever arm of 100 m, rotation adds only 1e-5/M to
+// the compliance 1/M.
 constexpr double point_area = 1;  // [m²]
 constexpr double settled = 1e-13; // the rounds end at this relative change of the impulses
 // A round must reduce the change of the impulses to this share of the change in the round before;
@@ -53,12 +53,13 @@ constexpr double gain = 0.5;
 constexpr double flat = 0.1;
 // Newton's method ends at a step of at most this size, relative to the largest velocities.
 constexpr double converged = 1e-13;
-// Rounding error of a velocity, relative to the highest speed. In j - ρ u this error is multiplied
-// by ρ, and so by the weight of the penalty.
+// Rounding error of a velocity, relative to the highest speed. In j - ρ u (j: impulse, u: velocity
+// error of a contact) it is multiplied by the penalty ρ, and so by the weight of the penalty.
 constexpr double u_rounding = 1e-15;
 
 // Indices in `island.bodies`, sorted by the height of the bodies from the lowest up. The order does
-// not depend on how the bodies are numbered, except for bodies at the same place.
+// not depend on how the bodies are numbered, except for bodies with equal sort keys
+// (`HeightOrder::Key`).
 std::vector<int> from_the_lowest(const ContactProblem& problem, const Island& island)
 {
     std::vector<int> indices(island.bodies.size());
@@ -176,7 +177,8 @@ private:
         return most_mass * most_K;
     }
 
-    // The change of all velocities by the current impulses j of the rows: M⁻¹ Jᵀ j.
+    // The change of all velocities by the current impulses j of the rows: M⁻¹ Jᵀ j, where M is the
+    // mass matrix and J v are the relative velocities at the contacts.
     VectorXd momentum_change() const
     {
         VectorXd change = VectorXd::Zero(v_free_.size());
@@ -331,7 +333,7 @@ private:
     std::vector<const Body*> bodies_;
     std::vector<Matrix3d> inertias_; // inertia tensors in world space, none of them infinite
     std::vector<NewtonRow> rows_;
-    VectorXd v_free_, v_; // V and ω of each body: without impulses; in this iteration
+    VectorXd v_free_, v_; // V and ω of each body; v_free_: without impulses, v_: in this iteration
     double last_weight_ = least_last_weight;
     Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> solver_;
     bool is_analysed_ = false;

@@ -33,7 +33,8 @@ inline Split split(const NewtonRow& row, const Vector3d& y)
     return {normal, y - normal * row.n};
 }
 
-// Velocity of the point of a body at the end of the lever arm r [m/s], with the unknowns v.
+// Velocity of the point of a body at the end of the lever arm r [m/s]. The unknowns v are V and ω
+// of each body that can move; the velocity of a static body, with index -1, counts as zero here.
 inline Vector3d velocity(const Eigen::VectorXd& v, int body, const Vector3d& r)
 {
     if (body < 0) return Vector3d::Zero();
@@ -41,7 +42,8 @@ inline Vector3d velocity(const Eigen::VectorXd& v, int body, const Vector3d& r)
     return V + w.cross(r);
 }
 
-// The velocity error u = J v - s of a contact.
+// The velocity error u = J v - s of a contact, where J v is the relative velocity of the two bodies
+// at the contact and s the target velocity.
 inline Vector3d u(const NewtonRow& row, const Eigen::VectorXd& v, const Vector3d& s)
 {
     return velocity(v, row.body1, row.r1) - velocity(v, row.body2, row.r2) - s;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Sweeps that are accelerated by nonsmooth nonlinear conjugate gradients (Silcowitz-Hansen, Niebe
 // and Erleben 2010). After each sweep, β times the previous search direction is also added to the
-// impulses. The next search direction is the sum of this and of the change by the sweep.
+// impulses. β is `SweepProgress::squared` of this sweep, divided by that of the previous sweep. The
+// next search direction is the change of the impulses by the sweep plus β times the previous one.
 #include "rigid/contact/solvers/run_sweeps.hpp"
 
 #include <algorithm>

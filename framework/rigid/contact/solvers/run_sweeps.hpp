@@ -6,8 +6,8 @@
 
 namespace rigor {
 
-/// A run of sweeps ends after this many sweeps, or when a sweep changes no velocity by more than
-/// `negligible_change` (and a rounding error).
+/// A run of sweeps ends after `most_sweeps` sweeps, or when a sweep changes no velocity by more
+/// than `negligible_change` plus a rounding error.
 struct SweepLimits {
     int most_sweeps = 0;
     double negligible_change = 0; // [m/s]
@@ -31,7 +31,9 @@ struct Residuals {
 /// Sweeps until the changes are negligible or the number of sweeps reaches its limit. After each
 /// sweep the impulses also move on in the direction of the previous sweeps, as long as the changes
 /// do not grow (nonlinear conjugate gradients). If `steps` are the changes of the impulses by the
-/// sweep, then impulses += β directions, and after that directions = steps + β directions.
+/// sweep, then impulses += β directions, and after that directions = steps + β directions. Here β
+/// is `SweepProgress::squared` of this sweep, divided by that of the previous sweep. Islands with
+/// more than 1000 contacts are swept without this acceleration.
 ///
 /// @param count  number of active contacts
 Residuals run_sweeps(ContactProblem& problem, Sweeps& sweeps, std::size_t count,

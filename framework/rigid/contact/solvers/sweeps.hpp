@@ -10,8 +10,9 @@
 
 namespace rigor {
 
-/// What a sweep changed, where Δj is the change of a contact's impulse j. `change` is the largest
-/// nᵀKn |Δj| and `total` the largest nᵀKn |j|, both [m/s]; `squared` is the sum of nᵀKn |Δj|² [J].
+/// What a sweep changed. Δj is the change of a contact's impulse j, n its normal, and K its impulse
+/// matrix. `change` is the largest nᵀKn |Δj| and `total` the largest nᵀKn |j|, both [m/s];
+/// `squared` is the sum of nᵀKn |Δj|² [J].
 struct SweepProgress {
     double change = 0, total = 0, squared = 0;
 };

@@ -150,8 +150,8 @@ struct FaceAhead {
     return best;
 }
 
-// A polygon with at most 8 vertices, in the frame of the reference face. The face is |x| ≤ half x,
-// |y| ≤ half y, and z is the height above it.
+// A polygon with at most 8 vertices, in the frame of the reference face. The face is |x| ≤ a,
+// |y| ≤ b with its half edges a and b, and z is the height above it.
 struct Polygon {
     std::array<Vector3d, 8> vertices; // the first `size` are set
     int size = 0;
@@ -162,7 +162,7 @@ struct Polygon {
     }
 };
 
-// Clips the polygon to sign x[axis] ≤ limit (Sutherland and Hodgman 1974). A vertex on the border
+// Clips the polygon to sign v[axis] ≤ limit (Sutherland and Hodgman 1974). A vertex v on the border
 // up to rounding counts as inside; otherwise rounding would add vertices where boxes are aligned.
 void clip(Polygon& polygon, int axis, double sign, double limit)
 {

@@ -12,8 +12,9 @@ namespace rigor {
 /// `reach`.
 ///
 /// Such a shape is a core (a point, a segment, a circle) with a radius around it. It touches where
-/// the other shape's distance from the core is least, and at samples along the core where the gap
-/// is below `reach`. A contact lies on the shape's own surface (for a ball on a torus: in the
+/// the other shape's distance from the core is least. Where the gap is below `reach`, a capsule
+/// also touches at samples along its segment, and a torus at four or eight points spread evenly
+/// around its circle. A contact lies on the shape's own surface (for a ball on a torus: in the
 /// middle of the gap), and its normal passes through the core. A ball touches a mesh at each local
 /// minimum of the distance. For a capsule or a torus against a mesh, the points of the mesh are
 /// tested too, so that a peg in a hole has contacts on all sides.

@@ -35,12 +35,13 @@ public:
     /// The distance of `ball` without its normal.
     double ball_distance(const Vector3d& center, double radius) const;
 
-    /// The result of `ball`, but with a given point `target` of the surface, which the center
-    /// faces, in place of the nearest one.
+    /// The result of `ball` as for a center outside the grid, but with a given point `target` of
+    /// the surface, which the center faces, in place of the nearest one.
     SurfaceDistance ball_towards(const Vector3d& center, double radius,
                                  const Vector3d& target) const;
 
-    /// A lower bound of the distance to the surface, computed without a formula.
+    /// A lower bound of the distance, computed without a formula: for a mesh the distance to its
+    /// bounds. Inside the bounds it is 0, although `distance` may be negative there.
     double at_least(const Vector3d& p) const;
     /// An error bound of the distance where its gradient changes direction within a cell [m].
     double uncertainty() const { return grid_ ? grid_->cell_size : 0; }

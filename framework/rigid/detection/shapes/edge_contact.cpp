@@ -18,9 +18,9 @@ namespace {
 // far if a body rotates a little. Chosen by trial.
 constexpr double parallel = 0.05;
 constexpr double rounding = 1e-6; // relative rounding error of a direction
-// Deepest overlap that makes a contact of edges, relative to the longest side of the mesh's bounds.
-// Deeper overlaps are left to the surface points, where the level set gives the nearest way out.
-// Chosen by trial.
+// Deepest overlap that makes a contact of edges, relative to the longest side of the bounds of the
+// mesh's edges. Deeper overlaps are left to the surface points, where the level set gives the
+// nearest way out. Chosen by trial.
 constexpr double deepest_share = 0.05;
 
 std::vector<SharpEdge> box_edges(const Box& box)

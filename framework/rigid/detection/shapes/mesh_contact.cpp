@@ -189,7 +189,7 @@ DeepestPoint add_points(const Shape& shape1, const Pose& from_1, const SolidMesh
 bool is_ahead_on_face(const Contact& point, const Shape& shape1, const Pose& pose1,
                       std::span<const Contact> others, double share)
 {
-    constexpr double same = 1e-6;  // 1 - cosine of the angle between two directions
+    constexpr double same = 1e-6;  // largest 1 - cosine of the angle of equal directions
     constexpr double level = 1e-6; // largest height above the face, relative to the distance
     if (point.gap <= 0) return false;
     const Vector3d x = point.point - point.gap / 2 * point.normal; // on the face

@@ -16,9 +16,9 @@ namespace rigor {
 ///
 /// The surface points of each shape are looked up in the signed distance of the other shape
 /// (Guendelman, Bridson and Fedkiw 2003, "Nonconvex rigid bodies with stacking"): a mesh has its
-/// level set, any other shape its exact distance. The normal is the gradient of the distance if it
-/// lies in the cone of the point's own normals, otherwise the direction in this cone that is
-/// closest to the gradient. So a point inside a face pushes along the normal of the face, also at
+/// level set, any other shape its exact distance. The contact normal is opposite to one of the
+/// outward normals of the point's own surface there: the one that is nearest to the negative
+/// gradient of the distance. So a point inside a face pushes along the normal of the face, also at
 /// an edge of the other shape. Points ahead of a rolling mesh wheel are left out. Edges are tested
 /// against edges exactly, so that crossing bars touch although no point of one bar lies inside the
 /// other.
