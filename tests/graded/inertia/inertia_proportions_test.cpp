@@ -78,4 +78,22 @@ TEST_CASE("inertia: cylinders of all proportions", "[A2.8][inertia]")
     });
 }
 
+TEST_CASE("inertia: spheres of all sizes", "[A2.6][inertia]")
+{
+    for_all_sizes([](const Vector3d& a) {
+        const double density = a.x(), r = a.y(), m = density * 4 * pi / 3 * r * r * r;
+        CAPTURE(density, r);
+        check_solid(solid_sphere(density, r), m, 2 * m / 5 * r * r * Vector3d(1, 1, 1));
+    });
+}
+
+TEST_CASE("inertia: rods of all lengths", "[A2.10][inertia]")
+{
+    for_all_sizes([](const Vector3d& a) {
+        const double line_density = a.x(), l = a.y(), m = line_density * l, across = m / 12 * l * l;
+        CAPTURE(line_density, l);
+        check_solid(thin_rod(line_density, l), m, {across, 0, across});
+    });
+}
+
 } // namespace inertia_proportions_test
