@@ -127,7 +127,12 @@ std::string shown_errors(const std::string& output)
     replace_all(text, places().source.string() + "/", "");
     replace_all(text, "{standard input}: Assembler messages:\n", "");
     replace_all(text, "{standard input}", "the assembler, line of its input");
-    return text;
+    // A message may hold text of the student, and line breaks. With a bar before each line nobody
+    // takes it for a verdict.
+    std::string barred;
+    for (const std::string& line : lines_of(text))
+        barred += "| " + line + "\n";
+    return barred;
 }
 
 fs::path CompiledFolder::place_of(const fs::path& folder)

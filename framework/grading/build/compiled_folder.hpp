@@ -39,7 +39,7 @@ struct CompiledTopic {
 };
 
 /// The first errors in what a tool printed, without control characters and without the paths of
-/// this machine.
+/// this machine, each line after a bar.
 std::string shown_errors(const std::string& output);
 
 class CompiledFolder {
