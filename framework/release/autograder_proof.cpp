@@ -134,10 +134,10 @@ std::string prove_autograder(const fs::path& zip, const fs::path& layout,
     const std::string file = assignment.topic + ".cpp";
     lay_out(zip, layout);
     const LayoutUser user(layout);
-    on_step("setup.sh builds the autograder");
+    on_step("building the autograder by its setup.sh");
     user.run_script(layout / "source/setup.sh");
 
-    on_step("run_autograder gives a solved submission every point");
+    on_step("checking that run_autograder gives a solved submission every point");
     const std::string solved = results_json_after(
         solved_submission(source / "reference", layout.string() + ".solved", file), layout, user);
     const nlohmann::json json = nlohmann::json::parse(solved, nullptr, false);
@@ -152,7 +152,7 @@ std::string prove_autograder(const fs::path& zip, const fs::path& layout,
         {"a file without formulas", {{file, "// nothing yet\n", false}}},
         {"an empty submission", {}}};
     for (const auto& [what, submission] : worthless) {
-        on_step(fmt::format("run_autograder gives {} no point", what));
+        on_step(fmt::format("checking that run_autograder gives {} no point", what));
         const std::string fault =
             fault_of_results(results_json_after(submission, layout, user), 0, most);
         if (!fault.empty())

@@ -94,8 +94,8 @@ TreeProof prove_students_tree(const fs::path& tree, const fs::path& reference,
     const fs::path solved_files = tree.string() + ".solved";
     write_solved_files(reference, solved_files);
     for (const bool solved : {false, true}) {
-        on_step(solved ? "the reference in the students' tree gets every visible point"
-                       : "the students' tree is built, and its stubs get no point");
+        on_step(solved ? "checking that the reference gets every visible point there"
+                       : "building the students' tree and checking that its stubs get no point");
         const std::vector<std::string> options =
             solved ? std::vector<std::string>{"--with", solved_files.string()}
                    : std::vector<std::string>{};

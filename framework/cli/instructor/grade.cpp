@@ -208,9 +208,13 @@ private:
                    "folder with its report.txt\n",
                    outcome.graded, outcome.rows.size() - outcome.graded, options_.out,
                    gradebook_file);
-        fmt::print("submissions in {}: {} (names that Canvas has not given are taken for logins), "
-                   "in {}: {} (only those that Moodle has named)\n",
-                   canvas_file, canvas.submissions, moodle_file, moodle.submissions);
+        const std::string logins =
+            canvas.logins > 0
+                ? fmt::format(" ({} without a name from Canvas count as logins)", canvas.logins)
+                : std::string();
+        fmt::print("submissions in {}: {}{}, in {}, which takes only those that Moodle has named: "
+                   "{}\n",
+                   canvas_file, canvas.submissions, logins, moodle_file, moodle.submissions);
         std::fflush(stdout);
         if (const std::string warning = warning_about_stubs(selection_.assignment.topic);
             !warning.empty())

@@ -81,22 +81,44 @@ std::string listed_name(const Row& row)
     return name ? name->student() : row.submission;
 }
 
-// Who failed each task: the first names, and the number of the others.
+// Names in lines of at most 100 columns. The first line follows a tag of 8 columns, and the others
+// begin below it.
+std::string wrapped(const std::vector<std::string>& names)
+{
+    constexpr std::size_t width = 100, indent = 10;
+    std::string text;
+    std::size_t column = indent;
+    for (const std::string& name : names) {
+        const bool is_first = text.empty();
+        const bool is_too_long = !is_first && column + 2 + name.size() > width;
+        text += is_first ? "" : is_too_long ? ",\n" + std::string(indent, ' ') : ", ";
+        column = (is_too_long ? indent : column + (is_first ? 0 : 2)) + name.size();
+        text += name;
+    }
+    return text;
+}
+
+// Who failed each task.
 std::string failed_by_task(const std::vector<const Row*>& rows)
 {
-    constexpr std::size_t most_names = 8;
     std::string text;
     for (std::size_t t = 0; t < rows.front()->tasks.size(); ++t) {
         std::vector<std::string> names;
         for (const Row* row : rows)
             if (fate_of(row->tasks[t]) == Fate::failed) names.push_back(listed_name(*row));
-        if (names.empty()) continue;
-        const std::size_t others = names.size() - std::min(names.size(), most_names);
-        names.resize(names.size() - others);
-        text += fmt::format("  {:<8}{}{}\n", rows.front()->tasks[t].tag, fmt::join(names, ", "),
-                            others > 0 ? fmt::format(", and {} more", others) : "");
+        if (!names.empty())
+            text += fmt::format("  {:<8}{}\n", rows.front()->tasks[t].tag, wrapped(names));
     }
     return text.empty() ? "" : "\nfailed:\n" + text;
+}
+
+// Who was judged and has no points.
+std::string without_points(const std::vector<const Row*>& rows)
+{
+    std::vector<std::string> names;
+    for (const Row* row : rows)
+        if (row->points == 0) names.push_back(listed_name(*row));
+    return names.empty() ? "" : "\n0 points:\n  " + wrapped(names) + "\n";
 }
 
 std::string distribution(const std::vector<const Row*>& rows)
@@ -187,8 +209,8 @@ std::string class_summary(const std::vector<Row>& rows)
                     rows.size() == 1 ? "submission" : "submissions", counts_of_statuses(rows));
     const std::vector<const Row*> all = judged(rows);
     if (!all.empty())
-        text += "\n" + tasks_table(all) + "\n" + distribution(all) + failed_by_task(all) +
-                common_mistakes(all);
+        text += "\n" + tasks_table(all) + "\n" + distribution(all) + without_points(all) +
+                failed_by_task(all) + common_mistakes(all);
     return text + not_tested(rows);
 }
 

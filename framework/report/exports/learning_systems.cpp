@@ -75,6 +75,7 @@ GradeFile canvas_grades(const std::vector<Row>& rows, const std::string& assignm
         file.csv += csv_line({name ? name->name : row.submission, name ? name->number : "", "",
                               name ? "" : row.submission, "", csv_number(row.points)});
         ++file.submissions;
+        if (!name) ++file.logins;
     }
     return file;
 }

@@ -16,6 +16,7 @@ namespace rigor {
 struct GradeFile {
     std::string csv;
     int submissions = 0; ///< how many submissions have a line in `csv`
+    int logins = 0;      ///< how many of these have no name from the platform, but a login
 };
 
 /// For the import of grades in Canvas: the columns Student, ID, SIS User ID, SIS Login ID and

@@ -4,6 +4,9 @@
 #include "rows.hpp"
 #include "support/catch.hpp"
 
+#include <sstream>
+#include <string>
+
 namespace rigor::testing {
 
 namespace {
@@ -39,6 +42,7 @@ TEST_CASE("gradebook: the summary counts tasks and points and names who has no g
                    "A2.2    turn                                  1      0      1            1"));
     CHECK(contains(text, "out of 5: lowest 0, median 2, mean 2.333, highest 5"));
     CHECK(!contains(text, "\nfailed:\n"));
+    CHECK(contains(text, "\n0 points:\n  zed\n"));
     CHECK(contains(text, "  mallory: rejected: expected inertia.cpp, found no file\n"));
     CHECK(contains(text, "  eve: internal_error: the test program died\n"));
     CHECK(contains(text, "  zed: compile_error\n"));
@@ -54,6 +58,23 @@ TEST_CASE("gradebook: the summary lists students by what Canvas and Moodle call 
     const std::string text = class_summary(rows);
     CAPTURE(text);
     CHECK(contains(text, "failed:\n  A2.1    Doe, Jane_17, doejohn_4711, doejohn_4712, eve\n"));
+}
+
+TEST_CASE("gradebook: the summary lists everybody, in lines of 100 columns", "[report]")
+{
+    std::vector<Row> rows;
+    for (int i = 0; i < 60; ++i)
+        rows.push_back(row_of("student" + std::to_string(i), "graded", 0, 3));
+    const std::string text = class_summary(rows);
+    std::istringstream lines(text);
+    int names = 0;
+    for (std::string line; std::getline(lines, line);) {
+        CHECK(line.size() <= 100);
+        for (std::size_t at = 0; (at = line.find("student", at)) != std::string::npos; ++at)
+            ++names;
+    }
+    CAPTURE(text);
+    CHECK(names == 60);
 }
 
 TEST_CASE("gradebook: the summary names the mistakes of several submissions", "[report]")
