@@ -47,8 +47,10 @@ std::string counts_of_statuses(const std::vector<Row>& rows)
 // What became of a task, as a column of the table.
 enum class Fate { passed, failed, stub, not_defined, not_run };
 
-Fate fate_of(const TaskPoints& task)
+Fate fate_of(const Row& row, std::size_t t)
 {
+    if (row.status == "compile_error") return Fate::not_defined; // none of its tasks is defined
+    const TaskPoints& task = row.tasks.at(t);
     if (task.status == "passed") return Fate::passed;
     if (task.status == "not_implemented") return Fate::stub;
     if (task.status == "compile_error") return Fate::not_defined;
@@ -65,7 +67,7 @@ std::string tasks_table(const std::vector<const Row*>& rows)
     for (std::size_t t = 0; t < rows.front()->tasks.size(); ++t) {
         std::map<Fate, int> n;
         for (const Row* row : rows)
-            ++n[fate_of(row->tasks.at(t))];
+            ++n[fate_of(*row, t)];
         const TaskPoints& task = rows.front()->tasks[t];
         text += fmt::format(fmt::runtime(table_row), task.tag, task.name, n[Fate::passed],
                             n[Fate::failed], n[Fate::stub], n[Fate::not_defined], n[Fate::not_run]);
@@ -105,7 +107,7 @@ std::string failed_by_task(const std::vector<const Row*>& rows)
     for (std::size_t t = 0; t < rows.front()->tasks.size(); ++t) {
         std::vector<std::string> names;
         for (const Row* row : rows)
-            if (fate_of(row->tasks[t]) == Fate::failed) names.push_back(listed_name(*row));
+            if (fate_of(*row, t) == Fate::failed) names.push_back(listed_name(*row));
         if (!names.empty())
             text += fmt::format("  {:<8}{}\n", rows.front()->tasks[t].tag, wrapped(names));
     }

@@ -30,7 +30,7 @@ inline std::vector<Row> some_class()
     rows[2].message = "the test program died";
     rows[3].message = "expected inertia.cpp, found no file";
     for (TaskPoints& task : rows[4].tasks)
-        task.status = "compile_error";
+        task.status = "skipped"; // nothing of it could be tested
     return rows;
 }
 
