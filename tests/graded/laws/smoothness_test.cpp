@@ -49,7 +49,8 @@ template <FormulaIndex f, auto& formula> void check_smoothness()
         const Arguments<formula> arguments = special_arguments<f, formula>(random);
         const Random path(static_cast<unsigned>(random.bits()));
         const auto at = [&](double t) { return result_at<formula>(t, arguments, of, path); };
-        for (const auto& [T, share] : {Far{0x1p-10, 0.5}, Far{0x1p-13, 0x1p-4}}) {
+        for (const Far& far : {Far{0x1p-10, 0.5}, Far{0x1p-13, 0x1p-4}}) {
+            const double T = far.T; // a lambda cannot capture a structured binding
             auto far_change = at(T);
             each_pair(far_change, at(-T), of.result, false,
                       [](auto& a, const auto& b, const Quantity&) { a -= b; });
@@ -62,7 +63,7 @@ template <FormulaIndex f, auto& formula> void check_smoothness()
                                  "result changes by {:.1g} of what it changes for arguments that "
                                  "change by {:.1g}; the expected value is found in this way",
                                  name_of(f), 2 * t, t / T, 2 * T));
-                REQUIRE_THAT(at(t), IsClose(expected, Order(share * t + 0x1p-45)));
+                REQUIRE_THAT(at(t), IsClose(expected, Order(far.share * t + 0x1p-45)));
             }
         }
     }
