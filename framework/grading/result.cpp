@@ -142,4 +142,30 @@ double Result::max_score() const
     return sum;
 }
 
+bool failed_at_random(const TestCase& test)
+{
+    return test.status == Status::failed && test.seed.has_value();
+}
+
+std::vector<std::string> forgive_faults_of_tests(const std::vector<TestCase>& of_reference,
+                                                 TaskResult& task)
+{
+    std::vector<std::string> laws;
+    for (TestCase& test : task.tests) {
+        if (!failed_at_random(test)) continue;
+        const auto reference =
+            std::find_if(of_reference.begin(), of_reference.end(),
+                         [&](const TestCase& other) { return other.name == test.name; });
+        if (reference == of_reference.end() || reference->status != Status::failed) continue;
+        test = *reference;
+        test.status = Status::passed;
+        laws.push_back(test.name);
+    }
+    if (laws.empty()) return laws;
+    const bool follow_through = task.follow_through;
+    task = score_task(task.task, task.tests);
+    task.follow_through = follow_through;
+    return laws;
+}
+
 } // namespace rigor

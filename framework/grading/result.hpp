@@ -103,4 +103,14 @@ Result ungraded(const Assignment& assignment, const std::vector<std::string>& ta
 /// does not disclose is left out.
 TaskResult score_task(const Task& task, std::vector<TestCase> tests);
 
+/// Whether a test case failed in a random case, whose seed it names.
+bool failed_at_random(const TestCase& test);
+
+/// Counts each test case as passed that failed in a random case in which the reference fails too:
+/// this is a fault of the test. Scores the task again if there is one.
+/// @param of_reference  the verdicts on the reference, with the same random cases
+/// @return the names of these test cases
+std::vector<std::string> forgive_faults_of_tests(const std::vector<TestCase>& of_reference,
+                                                 TaskResult& task);
+
 } // namespace rigor

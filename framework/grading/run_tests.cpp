@@ -206,22 +206,17 @@ void follow_through(const GradingRun& run, const Implementation& implementation,
     }
 }
 
-bool has_failed_at_random(const TestCase& test)
-{
-    return test.status == Status::failed && test.seed.has_value();
-}
-
 // Runs the tests of tasks that failed in a random case once more, with the same cases and the
 // reference in place of the submission. A test case that the reference fails too is a fault of the
 // tests: it counts as passed, and a note says so.
-void forgive_faults_of_tests(const GradingRun& run, const Implementation& implementation,
-                             Result& result)
+void judge_again_with_reference(const GradingRun& run, const Implementation& implementation,
+                                Result& result)
 {
     std::vector<std::string> tags;
     for (const TaskResult& task : result.tasks)
-        if (std::any_of(task.tests.begin(), task.tests.end(), has_failed_at_random))
+        if (std::any_of(task.tests.begin(), task.tests.end(), failed_at_random))
             tags.push_back(task.task.tag);
-    if (!run.oracle || tags.empty()) return;
+    if (!run.oracle || implementation.worker == *run.oracle || tags.empty()) return;
     Implementation reference;
     reference.name = "reference";
     reference.worker = *run.oracle;
@@ -241,27 +236,6 @@ void forgive_faults_of_tests(const GradingRun& run, const Implementation& implem
 }
 
 } // namespace
-
-std::vector<std::string> forgive_faults_of_tests(const std::vector<TestCase>& of_reference,
-                                                 TaskResult& task)
-{
-    std::vector<std::string> laws;
-    for (TestCase& test : task.tests) {
-        if (!has_failed_at_random(test)) continue;
-        const auto reference =
-            std::find_if(of_reference.begin(), of_reference.end(),
-                         [&](const TestCase& other) { return other.name == test.name; });
-        if (reference == of_reference.end() || reference->status != Status::failed) continue;
-        test = *reference;
-        test.status = Status::passed;
-        laws.push_back(test.name);
-    }
-    if (laws.empty()) return laws;
-    const bool follow_through = task.follow_through;
-    task = score_task(task.task, task.tests);
-    task.follow_through = follow_through;
-    return laws;
-}
 
 Result ungraded(const Selection& selection, const GradingRun& run, SubmissionStatus status,
                 const std::string& message)
@@ -322,7 +296,7 @@ Result grade(const Selection& selection, const Implementation& implementation,
     }
     if (!verdicts.cost().empty()) result.notes.push_back("the time budget: " + verdicts.cost());
     follow_through(run, implementation, verdicts, result);
-    if (implementation.name != "reference") forgive_faults_of_tests(run, implementation, result);
+    judge_again_with_reference(run, implementation, result);
     return result;
 }
 

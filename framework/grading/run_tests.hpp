@@ -45,11 +45,4 @@ Result ungraded(const Selection& selection, const GradingRun& run, SubmissionSta
 /// they are out of date.
 GradingRun own_grading_run(const OnBuildStep& on_step = {});
 
-/// Counts each test case as passed that failed in a random case in which the reference fails too:
-/// this is a fault of the test. Scores the task again if there is one.
-/// @param of_reference  the verdicts on the reference, with the same random cases
-/// @return the names of these test cases
-std::vector<std::string> forgive_faults_of_tests(const std::vector<TestCase>& of_reference,
-                                                 TaskResult& task);
-
 } // namespace rigor
