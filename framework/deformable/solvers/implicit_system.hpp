@@ -39,8 +39,8 @@ public:
     const BlockMatrix& matrix() const { return matrix_; }
 
     /// Solves for the velocities of some parts (connected pieces of the solid) by conjugate
-    /// gradients, which start from the velocities passed in. The relative error is 1e-7 in the norm
-    /// of the preconditioner. If a factorisation of A with its ties is cheap, it is the
+    /// gradients, which start from the velocities passed in. The relative error is 1e-7 in the
+    /// norm of the preconditioner. If a factorisation of A with its ties is cheap, it is the
     /// preconditioner; then one iteration is enough, unless rounding errors or rigid bodies require
     /// more. Otherwise the preconditioner consists of the diagonal blocks of A.
     /// @param nodes  all nodes of these parts, ascending; every part tied to one of `bodies` must

@@ -10,9 +10,10 @@ namespace rigor {
 /// Mass properties of parts, each with its own density, in the frame in which their places are
 /// given.
 ///
-/// Calls the formula for each part's shape. There is no formula for cones, tori and the round ends
-/// of a capsule, so closed forms of the engine are used. `world_inertia` is called only for a part
-/// whose inertia changes with its rotation, and `combine` only for a capsule and for several parts.
+/// Calls the formula for each part's shape. There is no formula for cones, tori and the round
+/// ends of a capsule, so closed forms of the engine are used. `world_inertia` is called only for a
+/// part whose inertia changes with its rotation, and `combine` only for a capsule and for several
+/// parts.
 MassProperties mass_properties(const std::vector<Part>& parts);
 
 /// Whether I = i δ (i: a number, δ: identity) up to 64 times the machine epsilon. This holds for

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Signed distance from a shape: for a mesh by its level set, for other shapes exact. For a ball,
 // the level set is sampled at the center if this lies inside the grid. Otherwise it is sampled on
-// the way from the center to the nearest triangle, about a cell before the surface, and the length
-// of the way up to there is added.
+// the way from the center to the nearest triangle, about a cell before the surface, and the
+// length of the way up to there is added.
 #include "rigid/detection/shapes/distance_field.hpp"
 
 #include "formulas/collision.hpp"
