@@ -40,13 +40,13 @@ struct Drag {
 struct Rest {
     double duration = 0; // time for which the body has stayed at `place` [s]
     RigidState place;
-    int group = -1; // number of the group that fell asleep together; -1: the body is awake
+    int group = -1; // id of the group of bodies that fell asleep together; -1: the body is awake
 
     bool is_asleep() const { return group >= 0; }
 };
 
-/// A rigid body. Its object space has the origin at the center of mass, and the axes in which the
-/// scene file describes the body.
+/// A rigid body. Its object space has the axes in which the scene file describes the body. The
+/// origin is the center of mass or, for a static body, the origin of the scene file's description.
 struct RigidBody {
     std::string name;
     std::vector<Part> parts; // in object space
@@ -59,7 +59,7 @@ struct RigidBody {
     Matrix3d inertia = Matrix3d::Zero(); // I_body, about the center of mass [kg m²]
     BodyInertia inverse;                 // 1/M and I_body⁻¹, computed once; zero if static
     // The principal axes Q as columns and the inverse moments along them, I_body⁻¹ = Q diag(J) Qᵀ.
-    // Not used for a body with `only_axis`, whose I_body⁻¹ is another one.
+    // Not used for a body with `only_axis`, whose I_body⁻¹ comes from `let_turn_about` (mass.hpp).
     Matrix3d principal_axes = Matrix3d::Identity();
     Vector3d inverse_moments = Vector3d::Zero(); // J [1/(kg m²)]
     bool is_isotropic = false; // I_body = i δ (i: a number, δ: identity), so I(t)⁻¹ = I_body⁻¹
@@ -71,6 +71,12 @@ struct RigidBody {
     std::optional<Vector3d> only_axis;
     RigidState state;
     Rest rest;
+
+    /// Whether the body is a ball, which occupies the same space in every orientation.
+    bool is_ball() const
+    {
+        return parts.size() == 1 && std::holds_alternative<Sphere>(parts[0].shape);
+    }
 
     bool is_body_of_revolution() const { return !symmetry_axis.isZero(0); }
 

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: MIT
-// Counters of a run. The table lists all work that is left out because a scene does not need it;
-// messages and benchmarks call this "skips". A switch is the key of a scene file that turns a skip
-// off. `rigor bench skips` measures how much time each skip saves. "Decided by" names the source
-// file below framework/rigid (for deformable/: below framework), then the function or the reason.
+// Counters of a run. The table lists most skips: kinds of work that are left out where a scene does
+// not need them. Some counters count what was left out, others what was done (`islands`,
+// `warm_starts`, `level_sets_built`, and `pairs_tested` out of `pairs_possible`). A switch is the
+// key of a scene file that turns a skip off. `rigor bench skips` measures how much time skips save.
+// "Decided by" names the source file below framework/rigid (for deformable/: below framework), then
+// the function or the reason.
 //
 // counter               switch in a scene     decided by
-// isotropic_shortcuts                         motion/free_flight, `fly`: ω is constant
+// isotropic_shortcuts                         motion/free_flight, `fly` and `fly_all`: constant I
 //  (not counted)                              step/single_body, `is_single_body`: no contacts
 // static_skipped                              motion/free_flight, `fly_all`
 // bodies_asleep         sleep                 step/sleep, `fall_asleep`
-// pairs_tested                                detection/broad_phase, out of `pairs_possible`
+// pairs_tested                                detection/contact_candidates, `run_narrow_phase`
 // pair_searches_saved                         detection/broad_phase, `is_valid`: fat bounds
 // islands               islands               contact/islands, `islands_of`
 // warm_starts           warm_start            contact/make_problem, `find_islands`
@@ -31,7 +33,7 @@ namespace rigor {
 /// because the scene did not need it.
 struct Counters {
     std::uint64_t steps = 0;
-    std::uint64_t substeps = 0; // substeps of free flight; step/adaptive_substeps is not counted
+    std::uint64_t substeps = 0; // substeps of free flight, without those of step/adaptive_substeps
     std::uint64_t pairs_possible = 0, pairs_tested = 0, pair_searches_saved = 0, contacts = 0;
     std::uint64_t collision_impulses = 0, contact_impulses = 0;
     std::uint64_t isotropic_shortcuts = 0, free_flights = 0, static_skipped = 0;

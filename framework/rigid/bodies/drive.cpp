@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Places and velocities of driven bodies, in closed form: a steady motion, an oscillation along a
-// line, and a steady rotation. Each place follows from the time alone and not from the place
+// Poses and velocities of driven bodies, in closed form: a steady motion, an oscillation along a
+// line, and a steady rotation. Each pose follows from the time alone and not from the pose one step
 // before, so errors do not add up.
 #include "rigid/bodies/drive.hpp"
 

@@ -12,8 +12,9 @@ namespace rigor {
 ///
 ///     X(t) = X₀ + s V + (sin(2π f s + φ) - sin φ) A,   q(t) = exp(s ω) q₀
 ///
-/// The body turns about the origin of its frame. If the drive is a belt, only the surface moves:
-/// contacts use the velocities of the motion, but the body stays where it is.
+/// exp(s ω) is the rotation by the rotation vector s ω in world space. The body turns about the
+/// origin of its object space. If the drive is a belt, only the surface moves: contacts use the
+/// velocities of the motion, but the body stays where it is.
 struct Drive {
     Vector3d velocity = Vector3d::Zero();         // V [m/s]
     Vector3d angular_velocity = Vector3d::Zero(); // ω, world space [rad/s]
@@ -34,8 +35,8 @@ struct DriveVelocity {
 /// The velocity at a time: the derivative of the path; zero before `start` and from `end` on.
 DriveVelocity drive_velocity(const Drive& drive, double time);
 
-/// The mean velocity over a step: with it the body moves from its place at the start of the step
-/// exactly to its place at the end.
+/// The mean velocity over a step: with it the body moves from its pose at the start of the step
+/// exactly to its pose at the end.
 DriveVelocity mean_drive_velocity(const Drive& drive, double time, double time_step);
 
 /// The state of a driven body at a time. Its angular momentum is zero, since a driven body is

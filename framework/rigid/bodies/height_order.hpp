@@ -45,8 +45,8 @@ public:
     /// (the largest difference of two coordinates). Adding and subtracting the shift
     /// 1.5 · 2^(e + 16) does so, because a double of this size has no smaller digits. Far from the
     /// origin, coordinates are less exact than that. So the unit is at least 2^(f - 46), where 2^f
-    /// is the largest power of two up to the largest coordinate: 64 times the spacing of doubles
-    /// there.
+    /// is the largest power of two up to the largest coordinate: 64 times the spacing of doubles of
+    /// this size.
     double operator()(double x) const { return (x + shift_) - shift_; }
 
     /// The position of x relative to the corner of the points' bounding box where all coordinates
@@ -64,17 +64,18 @@ private:
     double shift_;
 };
 
-/// Makes sort keys of points: by height, lowest first, then by x, then by z.
+/// Makes sort keys of points: by height, lowest first, then by x, z and y.
 class HeightOrder {
 public:
     struct Key {
-        double height, x, z;
+        double height, x, z, y;
 
         bool operator==(const Key&) const = default;
         bool operator<(const Key& other) const
         {
             if (height != other.height) return height < other.height;
-            return x != other.x ? x < other.x : z < other.z;
+            if (x != other.x) return x < other.x;
+            return z != other.z ? z < other.z : y < other.y;
         }
     };
 
@@ -87,7 +88,7 @@ public:
     Key operator()(const Vector3d& x) const
     {
         const Vector3d r = rounded_.from_least(x);
-        return {rounded_(up_.dot(r)), rounded_(r.x()), rounded_(r.z())};
+        return {rounded_(up_.dot(r)), rounded_(r.x()), rounded_(r.z()), rounded_(r.y())};
     }
 
 private:

@@ -114,8 +114,9 @@ Vector3d symmetry_axis_of(const PrincipalAxes& axes)
     return Vector3d::Zero();
 }
 
-// I_body⁻¹ = Q diag(1/m) Qᵀ, by `principal_axes` and `invert_moments`. The inverse of an isotropic
-// inertia i δ is δ/i, for which no formula is called.
+// I_body⁻¹ = Q diag(1/m) Qᵀ (Q: principal axes as columns, m: principal moments), by the formulas
+// `principal_axes` and `invert_moments`. The inverse of an isotropic inertia i δ (i: a number, δ:
+// identity) is δ/i, for which no formula is called.
 void invert_inertia(RigidBody& body)
 {
     body.is_isotropic = is_isotropic(body.inertia);

@@ -7,7 +7,7 @@
 
 namespace rigor {
 
-/// Mass properties of parts, each with its own density, in the frame in which their places are
+/// Mass properties of parts, each with its own density, in the frame in which the parts' poses are
 /// given.
 ///
 /// Calls the formula for each part's shape. There is no formula for cones, tori and the round
@@ -16,12 +16,14 @@ namespace rigor {
 /// parts.
 MassProperties mass_properties(const std::vector<Part>& parts);
 
-/// Whether I = i δ (i: a number, δ: identity) up to 64 times the machine epsilon. This holds for
-/// spheres and cubes in any orientation, and for a zero matrix.
+/// Whether I = i δ (i: a number, δ: identity), where each element may differ by up to 64 times the
+/// machine epsilon, relative to i. This holds for spheres and cubes in any orientation, and for a
+/// zero matrix.
 bool is_isotropic(const Matrix3d& inertia);
 
-/// Sets the mass of a body from its parts' densities, and moves the parts so that the origin of
-/// object space is the center of mass. The parts of a static body stay in place, and its mass is 0.
+/// Sets the mass and the inertia of a body from its parts' densities, and moves the parts so that
+/// the origin of object space is the center of mass. The parts of a static body stay in place, and
+/// its mass is 0.
 ///
 /// @return  the center of mass in the frame in which the parts were given [m]
 /// @throws NonFiniteState if the mass, center of mass, inertia, 1/M or I_body⁻¹ is not finite
@@ -29,7 +31,8 @@ Vector3d set_mass_from_parts(RigidBody& body);
 
 /// Sets the mass of a body and its inertia about the center of mass, which is the origin of object
 /// space. Computes what follows from them: 1/M, I_body⁻¹ through the principal axes, and the
-/// symmetries of the inertia.
+/// symmetries of the inertia. For a static body, the mass, the inertia and their inverses become 0,
+/// whatever the arguments are.
 ///
 /// @throws NonFiniteState if the mass, the inertia, 1/M or I_body⁻¹ is not finite
 void set_mass(RigidBody& body, double mass, const Matrix3d& inertia);
@@ -41,8 +44,9 @@ void set_mass(RigidBody& body, double mass, const Matrix3d& inertia);
 void let_turn_about(RigidBody& body, const Vector3d& axis);
 
 /// The angular momentum R I_body ω of a body's rotation. If the body can turn about one axis only,
-/// it may differ from `state.angular_momentum`: only the component of the latter along the axis
-/// turns the body, and the bearing of the axis takes up the rest.
+/// this result may differ from `state.angular_momentum`: only the component of
+/// `state.angular_momentum` along the axis turns the body, and the bearing of the axis takes up the
+/// rest.
 Vector3d own_angular_momentum(const RigidBody& body, const RigidState& state);
 
 } // namespace rigor

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Quantities that follow from a body's orientation: rotation matrix and inertia in world space.
+// Quantities that follow from a body's orientation: rotation matrix, inverse inertia and angular
+// velocity in world space.
 #pragma once
 
 #include "rigid/bodies/body.hpp"

@@ -18,9 +18,9 @@ struct BodyPair {
 };
 
 /// The pairs of bodies that may come near each other during the next steps. Each body has fat
-/// bounds: its bounds enlarged by a margin. As long as every body stays within its fat bounds, only
-/// pairs whose fat bounds overlap can meet (Verlet 1967, "Computer \"experiments\" on classical
-/// fluids", Phys. Rev. 159).
+/// bounds: its bounds, for a moving body enlarged by a margin. As long as every body stays within
+/// its fat bounds, only pairs whose fat bounds overlap can meet (Verlet 1967, "Computer
+/// \"experiments\" on classical fluids", Phys. Rev. 159).
 struct PairCache {
     enum class Kind : char {
         moving,
@@ -30,7 +30,8 @@ struct PairCache {
 
     std::vector<Bounds> fat_bounds; // one for each body; empty if the cache is empty
     std::vector<Kind> kinds;        // one for each body, as it was when the fat bounds were made
-    std::vector<BodyPair> pairs;    // pairs with overlapping fat bounds, in ascending order
+    // The pairs whose fat bounds overlap, sorted by `body1`, then `body2`.
+    std::vector<BodyPair> pairs;
 };
 
 } // namespace rigor

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Finds the law of two bodies in a sorted list by bisection. A contact has the restitution and
 // friction of the law. A value that the law does not set is combined from the materials of the two
-// bodies; if there is no law, both values are.
+// bodies. Without a law, both values are combined from the materials.
 #include "rigid/bodies/pair_laws.hpp"
 
 #include <algorithm>

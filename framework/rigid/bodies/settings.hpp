@@ -11,16 +11,16 @@ namespace rigor {
 enum class Integrator {
     matrix, ///< Runge–Kutta 4 on (X, R, V, L) through `equations_of_motion`; R is made a rotation
             ///< again after each step
-    linear, ///< `step_symplectic_euler`
+    linear, ///< by the formula `step_symplectic_euler`
     exponential,  ///< symplectic Euler with `advance_exact`
-    buss,         ///< `step_buss`
+    buss,         ///< by the formula `step_buss`
     runge_kutta,  ///< fourth order on (X, q, V, L)
     gram_schmidt, ///< symplectic Euler with `advance_matrix` and `gram_schmidt`; shows the bias of
                   ///< Gram–Schmidt
     euler_angles, ///< symplectic Euler with `euler_rates`; shows how it fails at gimbal lock
     /// The default: a body that only gravity acts on flies exactly, by Jacobi's solution for the
-    /// free rotor. A body that springs, forces or contacts act on takes `runge_kutta`. `exact` has
-    /// to stay the last value, because checks take the number of integrators from it.
+    /// free rotor. A body that springs, forces, drag or contacts act on takes `runge_kutta`. The
+    /// value `exact` has to stay the last, because checks take the number of integrators from it.
     exact,
 };
 
@@ -29,19 +29,20 @@ enum class ContactMethod {
     /// The default: all contacts of an island (a group of touching bodies) at once, by sweeps with
     /// the law of `collision_impulse`, and by Newton's method where the sweeps do not converge.
     built_in,
-    one_at_a_time,     ///< `resolve_contacts`
-    shock_propagation, ///< `resolve_contacts`, then `shock_propagation`
+    one_at_a_time,     ///< by the formula `resolve_contacts`
+    shock_propagation, ///< by the formulas `resolve_contacts` and then `shock_propagation`
     simultaneous,      ///< as `built_in`, with the sweeps of `resolve_simultaneously`
 };
 
 /// Optimisations that leave out work that a scene does not need. Each is used if true. It can be
-/// turned off, to check that the result stays the same and to measure the time that it saves.
-/// counters.hpp lists all work that is left out, with or without a switch here.
+/// turned off, to measure the time that it saves, and to check that the result stays the same, or
+/// the same within a bound that a test states. counters.hpp lists most work that is left out, with
+/// or without a switch here.
 struct Optimisations {
     bool islands = true;      ///< solves each group of touching bodies on its own
     bool sleep = true;        ///< skips bodies that have come to rest
     bool warm_start = true;   ///< starts from the impulses of the previous step
-    bool early_exit = true;   ///< ends the sweeps as soon as the impulses no longer change
+    bool early_exit = true;   ///< ends the sweeps as soon as their changes are negligible
     bool stress_bound = true; ///< skips eigenvalues of a stress that is too low for a crack
     /// Runs faster forms of the formulas of the reference implementation, which give the same
     /// results. Formulas of other implementations are always called as they are written.
@@ -55,7 +56,7 @@ struct Settings {
     Optimisations optimisations;
     bool formulas_are_reference = false; // whether the reference implementation is linked
 
-    /// The integrator of a body that springs, forces or contacts act on.
+    /// The integrator of a body that springs, forces, drag or contacts act on.
     Integrator integrator_under_forces() const
     {
         return integrator == Integrator::exact ? Integrator::runge_kutta : integrator;

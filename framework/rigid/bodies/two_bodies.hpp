@@ -79,7 +79,7 @@ struct TwoMasses {
     }
 };
 
-/// I⁻¹ t for each body.
+/// I₁⁻¹ t₁ for body 1 and -I₂⁻¹ t₂ for body 2, with the signs of `TwoMasses`.
 [[gnu::always_inline]] inline TwoVectors inverse_inertia_times(const TwoMasses& of,
                                                                const TwoVectors& t)
 {

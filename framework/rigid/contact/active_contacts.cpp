@@ -8,8 +8,28 @@
 
 namespace rigor {
 
+namespace {
+
+// A contact of a pile counts as closed if its gap is at most this fraction of the contact's radius
+// (`ContactConstraint::radius`): as much as the overlap that `position_corrections` leaves alone.
+// Where two faces rest on each other, the gaps at their corners differ by micrometers. If each
+// contact had to close its own gap in this step, no motion would suit all of them. The sweeps would
+// pass the load from corner to corner without end, and the pile would creep and never fall asleep.
+constexpr double closed_gap = 2 * resting_overlap;
+
+// The least velocity v·n that the contact must have after the contact stage [m/s], if it has no
+// `passes_by`. Across a gap, the bodies may approach until they touch at the end of the step.
+double target_speed_of(const ContactProblem& problem, const ContactConstraint& c, bool is_in_pile)
+{
+    if (c.gap <= 0) return correction_speed(problem, c);
+    return is_in_pile && c.gap <= closed_gap * c.radius ? 0 : -c.gap / problem.time_step;
+}
+
+} // namespace
+
 UninitializedVector<int> activate_contacts(ContactProblem& problem, const Island& island)
 {
+    const bool is_in_pile = is_pile(island);
     const auto activate = [&](std::span<const ContactPair> pairs) {
         UninitializedVector<int> active;
         active.reserve(contact_count(pairs));
@@ -17,8 +37,7 @@ UninitializedVector<int> activate_contacts(ContactProblem& problem, const Island
             for (int i = pair.first; i < pair.last; ++i) {
                 ContactConstraint& c = problem.contacts[i];
                 if (!(c.normal_K > 0) || !(c.tangential_K > 0)) continue; // neither body can move
-                c.target_speed =
-                    c.gap > 0 ? -c.gap / problem.time_step : correction_speed(problem, c);
+                c.target_speed = target_speed_of(problem, c, is_in_pile);
                 if (c.passes_by != 0) c.target_speed -= c.passes_by / problem.time_step;
                 active.push_back(i);
             }

@@ -16,13 +16,13 @@ namespace {
 
 // A large island is divided into 3 or 7 slabs with the same number of bodies, and one slab at each
 // end with half of that number. Together the two end slabs count as one slab, so two or four
-// threads get equal shares of the bodies. There are 4 or 8 borders between slabs. Threads first
-// share the pairs across every second border, then those across the remaining ones, so they get
-// equal numbers of borders too.
+// threads get equal shares of the bodies. There are 4 or 8 borders between slabs. After the slabs,
+// threads share the pairs across every second border, then those across the remaining ones, so they
+// get equal numbers of borders too.
 //
-// The least number of bodies in a slab. Smaller slabs would let threads share smaller islands, but
-// more pairs would lie between two slabs. Chosen by trial; `bench pile` shows what a second thread
-// gains.
+// The least number of bodies in a slab, if the two end slabs count as one. Smaller slabs would let
+// threads share smaller islands, but more pairs would lie between two slabs. Chosen by trial;
+// `bench pile` shows what a second thread gains.
 constexpr std::size_t bodies_of_a_slab = 48;
 // The largest number of slabs, divided by four, where the two end slabs count as one. Eight slabs
 // are enough for four threads; with more slabs, more pairs would lie between two slabs.
@@ -46,7 +46,7 @@ public:
         divide(0, halves_);
     }
 
-    // The slab of a body; -1 if the body does not move.
+    // The slab of a body of the island, counted from 0; -1 if the body does not move.
     int of(int body) const { return slab_of_[body]; }
 
 private:

@@ -25,13 +25,14 @@ constexpr int most_rounds = 4;
 // one, a tilted box would bounce as if it were level.
 constexpr double equally_deep = 0.9;
 constexpr double same_normal = 1e-9; // normals n, n' count as equal if 1 - n·n' is smaller
-// The front point of a rolling wheel moves towards the ground by rotation without reaching it in
-// this step; `turning_speed` is this part of v·n. The rest of v·n may be ignored (`only_turns`) if
-// it is an approach slower than this share of |turning_speed|, because `turning_speed` is exact
-// only to first order in the rotation during the step.
+// At the front of a rolling wheel, rotation moves a point towards the ground (`turning_speed`, a
+// part of v·n), but the point does not reach the ground in this step. `only_turns` leaves out such
+// a contact only if the rest of v·n, v·n - turning_speed, is no approach or one slower than this
+// share of |turning_speed|. The share is not 0, because `turning_speed` is exact only to first
+// order in the rotation during the step.
 constexpr double negligible_share = 0.1;
-// If v·n - turning_speed is an approach slower than this share of |turning_speed|, it is ignored
-// even if gravity does not explain it. The share is far above the rounding error of a speed and far
+// If v·n - turning_speed is an approach slower than half this share of |turning_speed|,
+// `only_turns` counts it as zero. This limit is far above the rounding error of a speed and far
 // below any speed that matters.
 constexpr double rounding_share = negligible_share * 1e-9;
 
@@ -43,9 +44,13 @@ struct Candidates {
 };
 
 // Whether a contact approaches only by a rotation that does not close it, as at the front of a
-// rolling wheel. `others` is v·n without this rotation. If gravity alone causes `others`, a bounce
-// with this speed would end within the step (2 others ≥ force_speed, see `is_over_in_the_step` in
-// `collect`), so the contact is left to the contact stage.
+// rolling wheel. Such a contact is left to the contact stage. `others` is v·n without this
+// rotation. All of these have to hold:
+// 1. Rotation moves the point towards the other body.
+// 2. `others` is no approach faster than `negligible_share` of |turning_speed|.
+// 3. A bounce with the speed `others` would end within this step, 2 others ≥ force_speed (see
+//    `is_over_in_the_step` in `collect`), as where gravity alone causes `others`. Or `others` is
+//    only a rounding error (`rounding_share`).
 bool only_turns(const ContactConstraint& c, double v_n)
 {
     const double others = v_n - c.turning_speed;
@@ -90,9 +95,9 @@ int checked(int index, std::size_t size)
     return index;
 }
 
-// The impulse, scaled down if it would increase the energy. With restitution and friction together,
-// Newton's law of restitution may increase the energy (Kane and Levinson 1985, "Dynamics: theory
-// and applications"): ΔE = j·v + ½ jᵀKj.
+// The impulse j, scaled down if it would increase the energy, ΔE = j·v + ½ jᵀKj > 0. With
+// restitution and friction together, Newton's law of restitution may do so (Kane and Levinson 1985,
+// "Dynamics: theory and applications").
 Vector3d without_energy_gain(const Matrix3d& K, const Vector3d& v, const Vector3d& j)
 {
     const double work = j.dot(v), stored = j.dot(optimised::product(K, j)) / 2;

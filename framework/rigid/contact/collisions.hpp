@@ -10,15 +10,22 @@ namespace rigor {
 /// that resting bodies do not bounce because of their own weight.
 ///
 /// The stage visits islands one after the other. In an island it sweeps over the pairs of bodies
-/// until no pair bounces, at most ten times. A sweep goes from the lowest pair up; if the island
-/// was split into blocks (blocks.hpp), it does so in each block. In a pair, the deepest point that
-/// still approaches is handled first (`deepest_approaching_point`); depths are those at the end of
-/// the step if nothing bounces. If the depths of points differ by at most 10 % of the larger depth,
-/// the points count as touching at the same time, and one impulse acts at their mean point, so that
-/// a box that lands flat does not start to spin. If the forces would bring the bodies together
-/// again within the step, their bounce is left to the contact stage. No bounce may increase the
-/// energy: with restitution and friction together, an impulse that would increase the energy is
-/// scaled down.
+/// until no pair bounces, at most ten times. A sweep visits the pairs by the height of their lowest
+/// contact, lowest first; if the island was split into blocks (blocks.hpp), it does so in each
+/// block.
+///
+/// In a pair, the deepest point that still approaches is handled first
+/// (`deepest_approaching_point`); depths are those at the end of the step if nothing bounces. Other
+/// points of the pair count as touching at the same time if they approach along the same normal and
+/// their depth differs from this depth by at most 10 % of the larger one. One impulse acts at the
+/// mean of all these points, so that a box that lands flat does not start to spin.
+///
+/// No bounce may increase the energy: with restitution and friction together, an impulse that would
+/// increase it is scaled down. These bounces are left to the contact stage:
+/// - Those after which the forces would bring the bodies together again within the step.
+/// - Those of points that only rotation moves towards the other body, without reaching it in this
+///   step (the front of a rolling wheel).
+/// - With the contact method `simultaneous`, those with ε = 0.
 void process_collisions(ContactProblem& problem);
 
 } // namespace rigor

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Computes quantities that several stages of contact need. The quantities of islands come first,
-// then the impulse matrices of contacts and the velocities of driven bodies, and last the change of
-// the velocities by an impulse.
+// then the velocities and impulse matrices of contacts, then the velocities of driven bodies, and
+// last the change of the velocities by an impulse.
 #include "rigid/contact/contact_problem.hpp"
 
 #include "rigid/bodies/height_order.hpp"
@@ -30,7 +30,7 @@ double tangential_eigenvalue(const Matrix3d& K, const Vector3d& n)
 }
 
 // What touches a driven body in an island: the mean velocity of the touching bodies, and the mean
-// normal of their contacts. Each contact counts once.
+// normal of their contacts. A body with several contacts counts once for each of them.
 struct Touching {
     Vector3d velocity = Vector3d::Zero(); // [m/s]
     Vector3d normal = Vector3d::Zero();   // away from the driven body; zero if nothing touches it

@@ -19,13 +19,18 @@ namespace rigor {
 struct ContactConstraint : Contact {
     double restitution = 0, friction = 0;
     double radius = 0; // radius of the body that can move, or of the smaller one if both can [m]
-    // The front of a rolling wheel moves down, but also forward, so that it does not reach the
-    // ground in this step. `turning_speed` is the part of v·n with which rotation moves such a
-    // point towards the other body, ≤ 0 [m/s]. `passes_by` is the depth that the point would reach
-    // on a straight line, or 0 if it would not reach the other body on a straight line either [m].
-    // If `gap` belongs to the orientation at the end of the step (`ContactCandidates::turned`), it
-    // already includes the rotation. Then `passes_by` is -h times the part of v·n by rotation, so
-    // that the predicted gap does not count the rotation twice (h: time step).
+    // `turning_speed` is the part of v·n by which rotation moves a point towards the other body
+    // without reaching it in this step, ≤ 0 [m/s]. `passes_by` [m] is added to gap + h v·n, the gap
+    // that the speed predicts for the end of the step (`predicted_gap`; h: time step). It is not 0
+    // in these cases:
+    // 1. The front of a rolling wheel moves down, but also forward, so that it does not reach the
+    //    ground. `passes_by` is the depth that the rotation alone would reach on a straight line.
+    // 2. Two balls fly past each other. `passes_by` is how much larger their gap really is.
+    // 3. `gap` belongs to the orientation at the end of the step (`ContactCandidates::turned`), so
+    //    it already includes the rotation. `passes_by` is -h times the part of v·n by rotation, so
+    //    that the rotation does not count twice.
+    // 4. The contact was solved in the middle of the step (step/midpoint_contact). Then h v·n +
+    //    passes_by is h times the mean of v·n over the step, where v is the velocity at its end.
     double turning_speed = 0, passes_by = 0;
     double force_speed = 0;        // change of v·n by the forces in this step [m/s]
     double free_speed = 0;         // v·n after the forces without any impulse [m/s]
@@ -47,7 +52,7 @@ inline constexpr double touching_gap = 1e-10;
 /// ended before it converged: the solver of the last step, or the search for the time of an impact.
 inline constexpr double nearly_touching_gap = 1e-6;
 
-/// The contacts [first, last) of one pair of bodies, from the lowest up.
+/// The contacts [first, last) of one pair of bodies, sorted by height, lowest first.
 struct ContactPair {
     int first = 0, last = 0;
 
@@ -62,7 +67,8 @@ struct IndexRange {
 /// Bodies that are not static and that contacts connect, directly or through other such bodies.
 struct Island {
     std::vector<int> bodies;
-    std::vector<ContactPair> pairs; // sorted by blocks, and within a block from the lowest up
+    // Sorted by blocks, and within a block by the height of each pair's lowest contact.
+    std::vector<ContactPair> pairs;
     // A large island is split into blocks for several threads (`split_into_blocks` in blocks.hpp).
     // A smaller island has a single block. Before `split_into_blocks` there are no blocks.
     std::vector<IndexRange> blocks; // ranges of `pairs`
@@ -140,10 +146,11 @@ struct ContactProblem {
     /// Computes K, `normal_K` and `tangential_K` of a contact.
     void set_impulse_matrix(ContactConstraint& contact) const;
     /// Sets the velocities of the driven bodies that an island touches, for the contact stage of
-    /// this island. Let V be the mean velocity of the bodies that touch a driven body, and V_d and
-    /// ω the velocity and angular velocity of the driven body. In a step h, the contact points move
-    /// over its surface by h (V - V_d). So the velocity of the surface at these points changes by
-    /// h ω × (V - V_d).
+    /// this island. Along the mean normal of its contacts, a driven body keeps its mean velocity.
+    /// Along the surface it gets V_d + h ω × (V - V_d), where V_d is its velocity at the end of the
+    /// step, ω its mean angular velocity, h the time step, and V the mean velocity of the bodies
+    /// that touch it. The reason: in the step, the contact points move over its surface by
+    /// h (V - V_d), so the velocity of the surface at these points changes by h ω × (V - V_d).
     void set_drives(const Island& island);
     /// Gives all driven bodies their mean velocities again.
     void reset_drives();

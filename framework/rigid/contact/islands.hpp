@@ -6,8 +6,8 @@
 
 namespace rigor {
 
-/// Groups the contacts by pairs of bodies. The contacts of a pair must follow each other in the
-/// list.
+/// Groups the contacts by pairs of bodies. The contacts of a pair have to follow each other in the
+/// list; otherwise they make several pairs.
 std::vector<ContactPair> pairs_of(std::span<const ContactConstraint> contacts);
 
 /// Sorts pairs by the height of their lowest contact, which is the first of each pair. The order

@@ -7,7 +7,7 @@
 namespace rigor {
 
 /// An island as input for the formulas of topic `contact`: a list of bodies, and the contacts
-/// between them. The contacts refer to the bodies by their places in this list.
+/// between them. The contacts refer to the bodies by their indices in this list.
 struct LocalIsland {
     std::vector<int> indices; // for each of `bodies`, its index in the world
     std::vector<Body> bodies; // all bodies that an active contact touches, static ones too
@@ -21,14 +21,16 @@ LocalIsland local_island(const ContactProblem& problem, std::span<const int> act
 /// Stores the result of a formula in the problem.
 ///
 /// @param formula  the name of the formula, for the error message
-/// @throws std::out_of_range if the result does not have one body and one impulse for each body and
-///                           contact of `local`
+/// @throws std::out_of_range if the result does not have one body for each body of `local` and one
+///                           impulse for each contact
 void take_result(ContactProblem& problem, const LocalIsland& local, std::span<const int> active,
                  const ContactResult& result, const char* formula);
 
+/// Checks the size of the result of a formula.
+///
 /// @param formula  the name of the formula, for the error message
-/// @throws std::out_of_range if the result does not have one body and one impulse for each body and
-///                           contact of `local`
+/// @throws std::out_of_range if the result does not have one body for each body of `local` and one
+///                           impulse for each contact
 void check_size(const LocalIsland& local, const ContactResult& result, const char* formula);
 
 } // namespace rigor

@@ -75,8 +75,9 @@ Vector3d bend_of_path(const Vector3d& turn, const Vector3d& r)
     return (std::sin(angle) / angle - 1) * line + 2 * half * half * turn.cross(line);
 }
 
-// Whether all of a body's shapes have a curved side or rim, on which it may roll. Spheres do not
-// count, because rotation of a ball about its center moves none of its contacts along the normal.
+// Whether a body can move and all its shapes have a curved side or rim, on which it may roll.
+// Spheres do not count, because rotation of a ball about its center moves none of its contacts
+// along the normal.
 bool rolls(const RigidBody& body)
 {
     return !body.is_static && !body.parts.empty() &&
@@ -87,6 +88,15 @@ bool rolls(const RigidBody& body)
                       std::holds_alternative<Cone>(part.shape) ||
                       std::holds_alternative<Ellipsoid>(part.shape);
            });
+}
+
+// The sum of the radii of two balls; 0 if one of the bodies is no ball [m].
+double sum_of_radii(const RigidBody& body1, const RigidBody& body2)
+{
+    const auto radius = [](const RigidBody& ball) {
+        return std::get<Sphere>(ball.parts[0].shape).radius;
+    };
+    return body1.is_ball() && body2.is_ball() ? radius(body1) + radius(body2) : 0;
 }
 
 // Finds the part of v·n with which the rotation of rolling bodies moves a point towards the other
@@ -127,7 +137,9 @@ struct PairValues {
     // Sum of both bodies' margins, and the radius as in `ContactConstraint` [m].
     double margin = 0, radius = 0;
     bool rolls1 = false, rolls2 = false;
-    // Whether the gaps belong to the body's orientation at the end of free flight.
+    double both_radii = 0; // if both bodies are balls: the sum of their radii, otherwise 0 [m]
+    // For each of the two bodies, whether the gaps belong to its orientation at the end of free
+    // flight.
     bool turned1 = false, turned2 = false;
     Material material;
 
@@ -136,6 +148,22 @@ struct PairValues {
         return contact.body1 == body1 && contact.body2 == body2;
     }
 };
+
+// If two balls are apart and only pass by each other in free flight, sets `passes_by`. They would
+// seem to meet if the distance of their centers went on falling as fast as at the start of the
+// step. But in a straight flight it falls more and more slowly.
+// @param displacement  of ball 1 relative to ball 2 in the step [m]
+void set_passing(const Vector3d& displacement, const PairValues& pair, ContactConstraint& c)
+{
+    const double apart = nearly_touching_gap * pair.radius;
+    if (c.gap <= apart) return;
+    const Vector3d d = (pair.both_radii + c.gap) * c.normal; // from center 2 to center 1
+    const double length = displacement.norm();
+    const double nearest = std::clamp(-d.dot(displacement) / (length * length), 0.0, 1.0);
+    if ((d + nearest * displacement).norm() - pair.both_radii <= apart) return;
+    const double end_gap = (d + displacement).norm() - pair.both_radii;
+    c.passes_by = end_gap - (c.gap + displacement.dot(c.normal));
+}
 
 // Decides which candidates become contacts of the problem.
 struct Filter {
@@ -153,6 +181,7 @@ struct Filter {
                 r1 > 0 && r2 > 0 ? std::min(r1, r2) : std::max(r1, r2),
                 rolls(world.bodies[body1]),
                 rolls(world.bodies[body2]),
+                sum_of_radii(world.bodies[body1], world.bodies[body2]),
                 has_turned(body1),
                 has_turned(body2),
                 material_between(world.pair_laws, world.bodies, body1, body2)};
@@ -191,6 +220,9 @@ struct Filter {
             c.passes_by = -problem.time_step * turning;
         } else if (pair.rolls1 || pair.rolls2) {
             set_turning(problem, pair.rolls1, pair.rolls2, c);
+        } else if (pair.both_radii > 0 && end_gap < 0) {
+            const Vector3d v = after_forces[c.body1].velocity - after_forces[c.body2].velocity;
+            set_passing(problem.time_step * v, pair, c);
         }
         c.free_speed = free_speed;
         c.force_speed = free_speed - problem.velocity_at(c, x).dot(n);
@@ -199,8 +231,8 @@ struct Filter {
         c.radius = pair.radius;
     }
 
-    // Those of `contacts` that may close in this step. In `contacts`, the contacts of a pair of
-    // bodies must follow each other.
+    // Those of `contacts` that may close in this step. If the contacts of a pair of bodies did not
+    // follow each other in `contacts`, the values of the pair would be computed more than once.
     UninitializedVector<ContactConstraint> take(std::span<const Contact> contacts) const
     {
         UninitializedVector<ContactConstraint> taken;
@@ -224,7 +256,8 @@ void take_contacts(const Filter& filter, ContactProblem& problem)
         });
 }
 
-// Finds the islands, while other threads find the impulses from which iterative methods start.
+// Finds the islands, while other threads find the impulses from which the sweeps start. The methods
+// `one_at_a_time` and `shock_propagation` have no such impulses.
 void find_islands(const World& world, const ContactCandidates& candidates, ContactProblem& problem)
 {
     const std::vector<ContactPair> pairs = pairs_of(problem.contacts);

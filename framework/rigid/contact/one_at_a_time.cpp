@@ -38,7 +38,8 @@ std::vector<std::vector<int>> supports(const ContactProblem& problem, const Loca
     return rests_on;
 }
 
-// The highest remaining approach speed of all contacts [m/s].
+// The largest difference by which v·n of a contact is below its `separation_speed`, at least 0
+// [m/s].
 double fastest_approach(const std::vector<Body>& bodies, const std::vector<BodyContact>& contacts)
 {
     double fastest = 0;
@@ -65,7 +66,7 @@ void resolve_one_at_a_time(ContactProblem& problem, std::span<const int> active,
 {
     const LocalIsland local = local_island(problem, active);
     ContactResult result = resolved(problem, local, iterations);
-    if (shock) { // shock propagation would lose load that has not reached the ground
+    if (shock) { // shock propagation loses load that has not reached the ground yet
         const double enough = enough_share * fastest_approach(local.bodies, local.contacts);
         const int most = most_visits / static_cast<int>(active.size());
         for (int n = growth * iterations;

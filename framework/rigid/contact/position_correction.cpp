@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Position correction by pseudo velocities (Catto 2009; also known as split impulses): projected
-// Gauss–Seidel on displacements, with the impulse matrices of the step. In each island it makes a
-// row (`CorrectionRow`) for each contact that penetrates, or that the corrections could make
-// penetrate. It then sweeps over the rows as the contact solver does, with displacements in
+// Position correction by pseudo velocities (Catto 2014; also known as split impulses): projected
+// Gauss–Seidel on displacements, with the impulse matrices of the step. In each island the code
+// makes a row (`CorrectionRow`) for each contact that penetrates, or that the corrections could
+// make penetrate. It then sweeps over the rows as the contact solver does, with displacements in
 // place of velocities. In a world without gravity, the contact stage corrects penetration instead,
 // by a target speed (`correction_speed`, Baumgarte 1972).
 #include "rigid/contact/position_correction.hpp"
@@ -19,16 +19,18 @@ namespace rigor {
 namespace {
 
 // `corrected_fraction` is the share of the overlap above the slop that a step removes.
-// `correction_rate` limits the speed of this correction, in radii of the smaller body per second
-// [1/s]. Larger values remove penetration sooner, but piles jitter and bodies that overlap deeply
-// jump apart. A fifth is the usual share in engines (0.2 in Box2D, Bullet and ODE); the rate was
-// chosen by trial.
+// `correction_rate` is the highest speed of this correction, divided by the contact's radius [1/s].
+// Larger values remove penetration sooner, but piles jitter and bodies that overlap deeply jump
+// apart. A fifth is the usual share in engines (0.2 in Box2D, Bullet and ODE); the rate was chosen
+// by trial.
 constexpr double corrected_fraction = 0.2;
 constexpr double correction_rate = 1;
-// The slop: overlap that is left uncorrected, as a fraction of the radius of the smaller body. In a
-// stack it is only as large as numerical errors; a pile would not come to rest without `pile_slop`.
+// The slop: overlap that is left uncorrected, as a fraction of the contact's radius. In a stack it
+// is only as large as numerical errors; a pile would not come to rest without `pile_slop`.
 constexpr double stack_slop = 1e-6, pile_slop = resting_overlap;
-constexpr double weightless_slop = 1e-3; // in worlds without gravity, where corrections add energy
+// The slop in worlds without gravity, also as a fraction of the radius. It is larger than the other
+// two because corrections add energy in such worlds.
+constexpr double weightless_slop = 1e-3;
 // All sweeps over an island together visit about `most_visits` rows, but there are always at least
 // `fewest_sweeps` and at most `most_sweeps` sweeps. More sweeps take more time; fewer leave more
 // overlap of a large island to the next steps. Chosen by trial; `bench pile` shows the time and the
@@ -42,10 +44,10 @@ using namespace optimised;
 struct CorrectionRow {
     int body1 = 0, body2 = 0;
     Vector3d n;
-    Two inverse_mass;
-    TwoVectors torque;           // r × n
-    TwoVectors turn;             // I⁻¹ (r × n)
-    double inverse_normal_K = 0; // 1/(nᵀKn)
+    Two inverse_mass;            // 1/M₁ and -1/M₂ [1/kg]
+    TwoVectors torque;           // r₁ × n and r₂ × n [m]
+    TwoVectors turn;             // I₁⁻¹ (r₁ × n) and -I₂⁻¹ (r₂ × n) [1/(kg m)]
+    double inverse_normal_K = 0; // 1/(nᵀKn) [kg]
     double distance = 0;         // the gap must grow by this, or may shrink by -distance [m]
     double correction = 0;       // sum of the corrections so far, ≥ 0 [kg m]
 };

@@ -15,10 +15,11 @@ struct Displacement {
 
 /// Displacements that reduce the penetration of bodies without changing their velocities. In each
 /// step they remove a fifth of the penetration above the slop, no faster than one radius of the
-/// smaller body per second, and without making other contacts penetrate. The method is projected
-/// Gauss–Seidel on pseudo velocities along the contacts' normals (Catto 2009, "Modeling and solving
-/// constraints", Game Developers Conference), also known as split impulses. Since the velocities
-/// stay the same, the correction adds no kinetic energy and bodies do not jump.
+/// contact (`ContactConstraint::radius`) per second, and without making other contacts penetrate.
+/// The method is projected Gauss–Seidel on pseudo velocities along the contacts' normals (Catto
+/// 2014, "Understanding constraints", Game Developers Conference), also known as split impulses.
+/// Since the velocities stay the same, the correction adds no kinetic energy and bodies do not
+/// jump.
 ///
 /// The slop is an overlap that remains, and overlap below twice the slop is not corrected at all.
 /// In a stack, the slop is tiny (1e-6 of the radius); otherwise the errors of the contacts would
@@ -34,8 +35,8 @@ std::vector<Displacement> position_corrections(const ContactProblem& problem);
 /// The velocity v·n that corrects the penetration of a contact in a world without gravity [m/s],
 /// known as Baumgarte stabilisation (Baumgarte 1972, "Stabilization of constraints and integrals of
 /// motion in dynamical systems", Comput. Methods Appl. Mech. Eng. 1). A slop of a thousandth of the
-/// radius of the smaller body remains, since the correction adds energy. In each step a fifth of
-/// the penetration above the slop is removed, no faster than one radius per second. Momentum and
+/// contact's radius remains, since the correction adds energy. In each step a fifth of the
+/// penetration above the slop is removed, no faster than one radius per second. Momentum and
 /// angular momentum are conserved. In a world with gravity the velocity is 0.
 double correction_speed(const ContactProblem& problem, const ContactConstraint& contact);
 

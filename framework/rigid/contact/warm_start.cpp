@@ -15,9 +15,9 @@ namespace rigor {
 
 namespace {
 
-// Largest distance between an old and a new contact that are matched, in radii of the smaller body.
-// A larger value would match different contacts, a smaller one would lose the impulses of contacts
-// that move over a surface.
+// Largest distance between an old and a new contact that are matched, divided by the radius of the
+// new one (`ContactConstraint::radius`). A larger value would match different contacts, a smaller
+// one would lose the impulses of contacts that move over a surface.
 constexpr double near_fraction = 0.1;
 
 template <class C> std::pair<int, int> bodies_of(const C& contact)
@@ -38,8 +38,9 @@ Vector3d projected_to_cone(const ContactConstraint& c, const Vector3d& impulse)
     return j_n * n + j_T;
 }
 
-// The warm contacts of the previous step, which are sorted by their pairs of bodies. The calls of
-// `between_bodies_of` must ask for the pairs in ascending order.
+// The warm contacts of the previous step, sorted by `body1`, then `body2`. The calls of
+// `between_bodies_of` have to ask for the pairs in the same order, because each call starts where
+// the previous call ended and never goes back.
 class WarmPairs {
 public:
     explicit WarmPairs(std::span<const WarmContact> all) : rest_(all) {}
@@ -136,6 +137,13 @@ std::vector<WarmContact> warm_contacts(const std::vector<Pose>& poses,
                         c.contact_impulse / time_step});
     }
     return warm;
+}
+
+void sort_by_bodies(std::vector<WarmContact>& contacts)
+{
+    std::stable_sort(
+        contacts.begin(), contacts.end(),
+        [](const WarmContact& a, const WarmContact& b) { return bodies_of(a) < bodies_of(b); });
 }
 
 } // namespace rigor

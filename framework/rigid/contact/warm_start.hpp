@@ -7,14 +7,15 @@
 
 namespace rigor {
 
-/// Gives contacts the impulses of the previous step as initial impulses. A contact takes the
-/// impulse of the nearest old contact of the same two bodies, at a distance of at most a tenth of
-/// the smaller body's radius. The tangential part of the impulse is shortened to the friction
-/// cone of the new contact, and an impulse that would pull becomes zero.
+/// Gives contacts initial impulses: the mean forces of the contacts of the previous step, times the
+/// new time step. Old and new contacts of the same two bodies are matched one to one, the nearest
+/// first, at a distance of at most a tenth of the new contact's radius. The tangential part of the
+/// impulse is shortened to the friction cone of the new contact, and an impulse that would pull
+/// becomes zero.
 ///
 /// @param before  the contacts of the previous step, sorted by `body1`, then `body2`
 /// @param poses   the poses of all bodies at the start of the step
-/// @param pairs   pairs of bodies, each with its range of contacts, in ascending order
+/// @param pairs   the ranges of contacts of pairs of bodies, sorted by `body1`, then `body2`
 /// @return the number of contacts that got an impulse
 std::uint64_t start_warm(std::span<const WarmContact> before, const std::vector<Pose>& poses,
                          double time_step, std::span<const ContactPair> pairs,
@@ -24,9 +25,12 @@ std::uint64_t start_warm(std::span<const WarmContact> before, const std::vector<
 /// can start. The list is empty if the time step is 0. `collect_contacts` calls this function, and
 /// `finish_step` stores the result in `StepMemory::warm_contacts` (both in step/step_result.hpp).
 ///
-/// @param contacts  grouped by pairs of bodies, in ascending order
+/// @param contacts  the contacts of this step, sorted by `body1`, then `body2`
 std::vector<WarmContact> warm_contacts(const std::vector<Pose>& poses,
                                        std::span<const ContactConstraint> contacts,
                                        double time_step);
+
+/// Sorts by `body1`, then `body2`. The contacts of two bodies keep their order.
+void sort_by_bodies(std::vector<WarmContact>& contacts);
 
 } // namespace rigor

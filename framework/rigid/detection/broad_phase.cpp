@@ -28,8 +28,9 @@ bool reaches(const RigidBody& unbounded, const Pose& pose, const Bounds& bounds)
     });
 }
 
-// Up to this many bodies or pairs, comparing all of them is faster than a tree or a counting sort.
-// The value changes no result; it was chosen by trial.
+// Up to this many moving bodies are compared pair by pair, without a tree, and up to this many
+// pairs are sorted without a counting sort, because that is faster. The value changes no result; it
+// was chosen by trial.
 constexpr std::size_t few = 12;
 
 BodyPair pair_of(int i, int j)
@@ -37,7 +38,8 @@ BodyPair pair_of(int i, int j)
     return {std::min(i, j), std::max(i, j)};
 }
 
-// Sorts the pairs in ascending order, by a counting sort on body 1.
+// Sorts the pairs by `body1`, then `body2`. If there are many, a counting sort on `body1` comes
+// first.
 std::vector<BodyPair> in_order(std::vector<BodyPair> pairs, std::size_t bodies)
 {
     if (pairs.size() <= few) {

@@ -8,10 +8,10 @@
 
 namespace rigor {
 
-/// Pairs of bodies whose bounds overlap and of which at least one moves, in ascending order, found
-/// by a search among all bodies. A tree of the moving bodies' bounds (overlap_tree.hpp) makes the
-/// cost n log n. Bodies with a plane have no finite bounds; for them it is tested whether the plane
-/// reaches the bounds of each moving body.
+/// Pairs of bodies whose bounds overlap and of which at least one moves, sorted by `body1`, then
+/// `body2`, found by a search among all bodies. With a tree of the moving bodies' bounds
+/// (overlap_tree.hpp), the cost for n bodies grows as n log n. Bodies with a plane have no finite
+/// bounds; for them it is tested whether any of their parts reaches the bounds of each moving body.
 ///
 /// @param poses   the poses of all bodies
 /// @param bounds  the bounds of all bodies over the step; infinite for bodies with a plane

@@ -6,17 +6,22 @@
 namespace rigor {
 
 /// Penetration slop: the overlap that the position correction leaves uncorrected in piles, relative
-/// to the radius of the smaller body. Where detection looks ahead to the end of the step, bodies
-/// that overlap by less than this, relative to the smaller shape, count as separated. With a much
-/// smaller slop a pile would never come to rest, see `position_corrections`
-/// (position_correction.hpp).
+/// to the radius of the smaller body. Where detection looks ahead to the end of the step, shapes
+/// that overlap by less than this fraction of a length count as separated. The length is the radius
+/// for a sphere and a box, the smallest half edge for two boxes, and otherwise half the diagonal of
+/// the smaller shape's bounds. With a much smaller slop a pile would never come to rest, see
+/// `position_corrections` (position_correction.hpp).
 inline constexpr double resting_overlap = 1e-4;
 
 /// A contact: a pair of close points of two shapes, or of two bodies of a world. Its point lies in
-/// the middle of the gap, except in two cases. If one shape is a plane, the point lies on the
-/// surface of the other shape (plane_contact.hpp). If a sphere, a capsule or a torus is tested by
-/// its core, the point or curve in its middle, the point lies on the surface of this shape
-/// (core_contact.hpp, and a sphere on a box in narrow_phase.cpp).
+/// the middle of the gap, except in these cases:
+///
+///   1. A shape and a plane (plane_contact.hpp): on the surface of the shape.
+///   2. A sphere and a box (narrow_phase.cpp): on the surface of the sphere.
+///   3. A sphere, a capsule or a torus that is tested by its core, the point or curve in its middle
+///      (core_contact.hpp says which contacts these are): on the surface of this shape.
+///   4. A part of a concave shape that lies ahead (`find_contacts_ahead` in narrow_phase.cpp): the
+///      point that the contact would have after the move, moved back with the bodies.
 struct Contact {
     Vector3d point = Vector3d::Zero();   // [m]
     Vector3d normal = Vector3d::UnitY(); // unit, from shape 2 to shape 1

@@ -16,10 +16,20 @@
 #include "rigid/detection/travel.hpp"
 
 #include <algorithm>
+#include <numbers>
 #include <numeric>
 #include <utility>
 
 namespace rigor {
+
+bool never_collide(const World& world, int i, int j)
+{
+    if (world.bodies[i].is_static && world.bodies[j].is_static) return true; // static: never pushed
+    const int group = world.bodies[i].group;
+    if (group != 0 && group == world.bodies[j].group) return true;
+    const PairLaw* law = law_of(world.pair_laws, i, j);
+    return law && !law->collides;
+}
 
 namespace {
 
@@ -62,10 +72,11 @@ double speed_transfer(const ImpulseBody& i, const ImpulseBody& j)
     return std::min(1.0, (1 + restitution) * j.mass / (i.mass + j.mass));
 }
 
-// Whether a body turns by so large a part of a facet in the step that it rolls like a round body.
-// If its contacts were found in the orientation at the start of the step, the vertex on which it
-// stands at the end would lie ahead of it and brake it. A body that turns less meets the ground
-// with one vertex after the other, which only the orientation at the start shows.
+// Whether a body turns in the step by so large a part of the angle between two facets that it rolls
+// like a round body. In the orientation at the start of the step, the vertex on which such a body
+// will stand at the end lies ahead of the body, and a contact there would brake it. A body that
+// turns less meets the ground with one vertex after the other, which only the orientation at the
+// start shows.
 bool turns_over_facets(const RigidBody& body, const RigidState& flown)
 {
     // The least turn in a step by which a body counts as turning over its facets, as a fraction of
@@ -86,7 +97,7 @@ struct ContactSearch {
     const World& world;
     std::vector<Travel> motions; // one for each body
     std::vector<Bounds> bounds;  // one for each body, swept over the step, see `frame_of_bounds`
-    // Largest path of each body relative to one of the motions that `frames_of` returns [m].
+    // For each body, the largest of its paths relative to the motions of `frames_of` [m].
     std::vector<double> travels;
     ContactCandidates candidates; // filled in this order: poses and radii, margins, contacts
     std::vector<Pose> turned;     // poses in which contacts are sought; empty: `candidates.poses`
@@ -102,11 +113,11 @@ bool come_near(const ContactSearch& search, const BodyPair& pair, double reach)
 }
 
 // The margin of body i if impulses may move it by `farthest`. The limit, chosen by trial, keeps one
-// fast body from giving all others margins as large as its own path. If an impulse moves a body
-// farther than its margin, the contacts beyond the margin are found in the next step.
+// fast body from giving all others margins as large as its own path. If a collision moves a body
+// farther than its margin, step/missed_contacts looks for what lies beyond the margin.
 double margin(const ContactSearch& search, int i, double farthest)
 {
-    constexpr double most = 0.5; // largest margin, in radii of the body
+    constexpr double most = 0.5; // largest margin, divided by the radius of the body
     return std::min(farthest, most * search.candidates.radii[i]);
 }
 
@@ -229,15 +240,6 @@ struct NarrowPhaseResult {
     Counters counters;
 };
 
-bool never_collide(const World& world, int i, int j)
-{
-    if (world.bodies[i].is_static && world.bodies[j].is_static) return true; // static: never pushed
-    const int group = world.bodies[i].group;
-    if (group != 0 && group == world.bodies[j].group) return true;
-    const PairLaw* law = law_of(world.pair_laws, i, j);
-    return law && !law->collides;
-}
-
 NarrowPhaseResult run_narrow_phase(const ContactSearch& search, std::span<const BodyPair> pairs)
 {
     NarrowPhaseResult found;
@@ -256,7 +258,7 @@ NarrowPhaseResult run_narrow_phase(const ContactSearch& search, std::span<const 
         found.any_may_meet |= may_meet;
         for (int sleeping : {i, j}) {
             if (!search.world.bodies[sleeping].rest.is_asleep()) continue;
-            if (may_meet && path > 0) found.disturbed.push_back(sleeping); // one of them moves
+            if (may_meet && path > 0) found.disturbed.push_back(sleeping); // path > 0: a body moves
             found.contacts.resize(first);
         }
     }
@@ -302,7 +304,11 @@ ContactSearch start_search(const World& world, std::span<const RigidState> flown
             end.X -= frame;
             search.bounds[i].include(body_bounds(body, end));
             const double radius = body.is_static ? body_radius(body) : search.candidates.radii[i];
-            search.motions[i] = travel_of(body.state, flown[i], radius, time_step);
+            const double angle = angle_turned(world, body, body.state, time_step);
+            if (angle > std::numbers::pi / 2) // it may reach farther in between
+                for (const Vector3d& X : {search.candidates.poses[i].X, end.X})
+                    search.bounds[i].include({X.array() - radius, X.array() + radius});
+            search.motions[i] = travel_of(body.state, flown[i], angle, radius, time_step);
             for (const Travel& given : frames)
                 search.travels[i] =
                     std::max(search.travels[i], path_between(search.motions[i], given));

@@ -23,6 +23,9 @@ struct ContactCandidates {
     std::vector<int> disturbed; // sleeping bodies that wake, since another body may touch them
 };
 
+/// Whether two bodies never collide: both are static, or of one group, or a pair law says so.
+bool never_collide(const World& world, int i, int j);
+
 /// Finds contact candidates in three stages: the broad phase finds pairs of bodies, the margin of
 /// each body grows by the motion that impulses may add, and the narrow phase finds the contacts.
 ///

@@ -37,7 +37,7 @@ void find_sphere_contacts(const PlacedSphere& a, const PlacedSphere& b, double r
     const double distance = d.norm();
     const double gap = distance - a.radius - b.radius;
     if (gap >= reach) return;
-    // If both centers are equal, the y axis is taken.
+    // If both centers are equal, the normal is the y axis.
     const Vector3d n = distance > 0 ? Vector3d(d / distance) : Vector3d::UnitY();
     contacts.push_back({b.center + (b.radius + gap / 2) * n, n, gap});
 }
@@ -69,20 +69,20 @@ SphereBoxGap sphere_box_gap(const Vector3d& half, const Vector3d& c, double radi
     return out;
 }
 
-// A normal along which a sphere and a box are apart, and their distance along it, now and after the
-// move of the sphere.
-struct SeparatingNormal {
+// A normal between a sphere and a box, and their distance along it now and after the move of the
+// sphere. Negative distances are overlaps.
+struct NormalAhead {
     Vector3d n;
     double now, then;
 };
 
 // Finds the normal along which the sphere at c and the box overlap least after the move d of the
-// sphere, among the normals along which they are apart now. Candidates are the normals of the faces
-// and, if the shapes do not overlap after the move, their contact normal after the move. So a
-// sphere that rolls over the joint between two boxes, or falls onto it, does not run into the
-// edge of the second box.
+// sphere, among the normals along which they are apart now or overlap by less than the slop.
+// Candidates are the normals of the faces and, if the shapes overlap by less than the slop after
+// the move, their contact normal there. So a sphere that rolls over the joint between two boxes, or
+// falls onto it, does not run into the edge of the second box.
 void improve_by_looking_ahead(const Vector3d& half, const Vector3d& c, const Vector3d& d,
-                              double radius, SeparatingNormal& best)
+                              double radius, NormalAhead& best)
 {
     const double slop = resting_overlap * radius;
     const auto consider = [&](const Vector3d& n) {
@@ -103,7 +103,7 @@ void find_sphere_contacts(const PlacedSphere& sphere, const Box& box, const Pose
     const SphereBoxGap out = sphere_box_gap(half, c, sphere.radius);
     if (out.gap >= reach) return;
     const Vector3d d = pose.R.transpose() * move;
-    SeparatingNormal best{out.n, out.gap, out.gap + d.dot(out.n)};
+    NormalAhead best{out.n, out.gap, out.gap + d.dot(out.n)};
     if (!out.is_inside && best.then < 0) improve_by_looking_ahead(half, c, d, sphere.radius, best);
     const Vector3d n = pose.R * best.n;
     contacts.push_back({sphere.center - sphere.radius * n, n, best.now});
@@ -208,7 +208,7 @@ void find_contacts_ahead(const Shape& shape1, const Pose& pose1, const Shape& sh
                          std::size_t first, Contacts& contacts)
 {
     constexpr double overlapping = 0;    // reach of the search
-    constexpr double same_normal = 1e-4; // largest length of the difference of equal normals
+    constexpr double same_normal = 1e-4; // normals are the same if their difference is shorter
     const double way = pair.move.norm();
     const auto any_known = [&](const auto& is_such) {
         return std::any_of(contacts.begin() + static_cast<std::ptrdiff_t>(first), contacts.end(),

@@ -6,17 +6,31 @@
 #include "rigid/bodies/orientation.hpp"
 
 #include <algorithm>
+#include <numbers>
 
 namespace rigor {
 
-Travel travel_of(const RigidState& from, const RigidState& to, double radius, double time_step)
+double angle_turned(const World& world, const RigidBody& body, const RigidState& state,
+                    double time_step)
+{
+    if (body.is_static)
+        return time_step * mean_drive_velocity(*body.drive, world.time, time_step).angular.norm();
+    const Quaternion& q = state.orientation;
+    const Vector3d L = Eigen::Quaterniond(q.s, -q.v.x(), -q.v.y(), -q.v.z()) *
+                       state.angular_momentum; // in object space
+    return time_step * (body.inverse.inverse_inertia * L).norm();
+}
+
+Travel travel_of(const RigidState& from, const RigidState& to, double angle, double radius,
+                 double time_step)
 {
     // A rotation by the angle α changes the quaternion by about α/2. The factor 2.5 instead of 2
     // allows for a quarter more than α, which covers the approximation and an axis that changes its
     // direction.
     constexpr double angle_per_distance = 2.5;
-    return {to.position - from.position, time_step * to.velocity,
-            angle_per_distance * orientation_distance(from.orientation, to.orientation) * radius};
+    double turned = angle_per_distance * orientation_distance(from.orientation, to.orientation);
+    if (angle > std::numbers::pi) turned = std::max(turned, 2.0); // a point comes to the other side
+    return {to.position - from.position, time_step * to.velocity, turned * radius};
 }
 
 double path_between(const Travel& a, const Travel& b)
@@ -34,7 +48,7 @@ std::vector<Travel> frames_of(const World& world, std::span<const RigidState> fl
     for (std::size_t i = 0; i < world.bodies.size(); ++i) {
         const RigidBody& body = world.bodies[i];
         Travel motion;
-        if (!body.is_still()) motion = travel_of(body.state, flown[i], 0, time_step);
+        if (!body.is_still()) motion = travel_of(body.state, flown[i], 0, 0, time_step);
         if (!body.is_static && !body.is_still()) {
             mass += body.mass;
             center.moved += body.mass * motion.moved;

@@ -8,6 +8,11 @@
 
 namespace rigor {
 
+/// The angle by which a body that is not still turns in a step, if it keeps the angular velocity of
+/// a state [rad]. No formula is called for this estimate.
+double angle_turned(const World& world, const RigidBody& body, const RigidState& state,
+                    double time_step);
+
 /// How a body moves in free flight during the step [m]: the displacement of its center, the
 /// displacement that its velocity at the end of the flight would give over the whole step, and how
 /// far rotation moves its other points in addition.
@@ -17,10 +22,14 @@ struct Travel {
 };
 
 /// @param from, to  states at the start and at the end of the flight
-/// @param radius    of the body about its center of mass [m]
-Travel travel_of(const RigidState& from, const RigidState& to, double radius, double time_step);
+/// @param angle     by how much the body turns in between, since the states do not tell one
+///                  revolution from several [rad]
+/// @param radius    the body's radius about its center of mass [m]
+Travel travel_of(const RigidState& from, const RigidState& to, double angle, double radius,
+                 double time_step);
 
-/// The largest distance that a point of one body moves relative to a point of the other body [m].
+/// An upper estimate of the distance that a point of one body moves relative to a point of the
+/// other [m].
 double path_between(const Travel& a, const Travel& b);
 
 /// The motions relative to which the travel of bodies is measured: those of still and of driven

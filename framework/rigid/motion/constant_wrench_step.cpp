@@ -35,7 +35,7 @@ Vector3d mean_angular_velocity(const Matrix3d& J, const Vector3d& L, const Vecto
 }
 
 // The orientation of a body of revolution after a step without torque: a rotation about its axis
-// and one about L, exp(h i L) exp(h k (L·a) a) q, see the .hpp file.
+// and one about L, exp(h i L) exp(h k (L·a) a) q, see constant_wrench_step.hpp.
 Quaternion turned_symmetric(const RigidBody& body, const RigidState& state, double h)
 {
     const Matrix3d& J_body = body.inverse.inverse_inertia;

@@ -19,11 +19,11 @@ enum class FreeRotation { fourth_order, exact };
 ///     q' = advance_exact(q, Ω, h)    L' = L + h τ    V' = V + h F/M    X' = X + h V + h²/2 F/M
 ///
 /// The cross products appear because rotations do not commute (Magnus 1954, "On the exponential
-/// solution of differential equations for a linear operator", Comm. Pure Appl. Math. 7). A step
-/// calls `to_matrix`, `world_inverse_inertia` and `advance_exact` once each. Of all measured
-/// methods it has the smallest error for a given run time: a third of the error of Munthe-Kaas's
-/// method, at 0.4 of its cost (`bench spin`). An isotropic body without torque rotates exactly, by
-/// any angle, without a matrix.
+/// solution of differential equations for a linear operator", Comm. Pure Appl. Math. 7). In
+/// general, a step calls `to_matrix`, `world_inverse_inertia` and `advance_exact` once each. In a
+/// measurement it had a third of the error of Munthe-Kaas's method (free_flight.hpp), at 0.4 of its
+/// cost. `bench spin` compares it with the other integrators. An isotropic body without torque
+/// rotates exactly, by any angle, without a matrix.
 ///
 /// A body of revolution about the axis a, without torque, rotates exactly too: the body rotates
 /// about a while a rotates about L. With J = i δ + k a aᵀ and a in world space:
@@ -31,8 +31,8 @@ enum class FreeRotation { fourth_order, exact };
 ///     q' = exp(h i L) exp(h k (L·a) a) q
 ///
 /// If `free_rotation` is `exact`, any other body without torque takes the exact Ω of
-/// free_rotation.hpp, which costs more than the series. Only if |I⁻¹| |L| h is below 1e-3 does it
-/// take the series, which is exact to rounding then.
+/// free_rotation.hpp, which costs more than the series for Ω above. If |I⁻¹| |L| h is below 1e-3,
+/// the body takes the series even then, since the series is exact to rounding.
 RigidState constant_wrench_step(const RigidBody& body, const RigidState& state,
                                 const Wrench& wrench, double time_step,
                                 FreeRotation free_rotation = FreeRotation::fourth_order);

@@ -22,10 +22,12 @@ const double spread_left = std::pow(std::numeric_limits<double>::epsilon() / 4, 
 // The arithmetic and the geometric mean converge quadratically. If they differ by less than this
 // fraction, half their sum equals their common limit except for rounding.
 constexpr double means_differ = 1e-8;
-constexpr int most_means = 20; // a limit for the loop; m1 = 1e-300 needs 11 rounds
+// A limit for the rounds in which the two means approach each other. Even the complementary
+// parameter m1 = 1e-300 needs only 11 rounds.
+constexpr int most_means = 20;
 
-// A limit for the loop. Arguments as far apart as 1 and 1e-300 need at most 13 rounds, unless p of
-// R_J is far larger than x, y and z, which does not occur here.
+// A limit for the rounds of the duplication. Arguments as far apart as 1 and 1e-300 need at most 13
+// rounds, unless p of R_J is far larger than x, y and z, which does not occur in free_rotation.cpp.
 constexpr int most_duplications = 100;
 
 // R_C(1, 1 + e) = arctan(√e) / √e, which is artanh(√-e) / √-e for e < 0.

@@ -82,7 +82,7 @@ ForceRate fastest_force_rate(const World& world)
         const double K =
             compliance(spring.body1, spring.point1) + compliance(spring.body2, spring.point2);
         for (int body : {spring.body1, spring.body2}) {
-            if (body < 0) continue;
+            if (body < 0 || world.bodies[body].is_static) continue;
             stiffness[body] += std::abs(spring.stiffness) * K;
             damping[body] += std::abs(spring.damping) * K;
         }

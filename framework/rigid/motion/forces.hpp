@@ -16,8 +16,8 @@ struct Motion {
     Vector3d omega = Vector3d::Zero(); // [rad/s]
 };
 
-/// For each body, whether springs or applied forces pull on it at some time in [time, time + step].
-/// False for static bodies.
+/// For each body, whether a spring is attached to it, or an applied force acts on it at some time
+/// in [time, time + step]. False for static bodies.
 std::vector<bool> pulled_bodies(const World& world, double time_step);
 
 /// The list of `pulled_bodies`, where each awake body with drag that is not static is also true.
@@ -29,12 +29,15 @@ struct ForceRate {
     int body = -1;
 };
 
-/// A bound on the fastest rate at which springs, dampers and forces change the motion of a body:
-/// the highest angular frequency ω of a vibration or rate of a decay. Let K = 1/M + r² |I⁻¹| at
-/// each end of a spring, at the distance r from the center of mass. For the springs of one body,
-/// with stiffness k and damping c, ω² is at most Σ k (K₁ + K₂), and the rate of a decay is at most
-/// Σ c (K₁ + K₂). An oscillating force has the rate 2π f, and a medium the rates (c + k |V|)/M and
-/// d |I⁻¹| with c, k and d of `Drag`. The result is the largest of all these.
+/// A bound on the fastest rate at which springs, applied forces and drag change the motion of a
+/// body: the largest of the following rates of all bodies.
+///
+///   * The springs of a body, with stiffness k and damping c: the angular frequency of a vibration
+///     is at most √(Σ k (K₁ + K₂)), and the rate of a decay at most Σ c (K₁ + K₂). Here K₁ and K₂
+///     belong to the two ends of a spring: K = 1/M + r² |I⁻¹| at the distance r from the center of
+///     mass of a body that can move, and K = 0 at any other end.
+///   * An oscillating force: 2π f.
+///   * A medium: (c + k |V|)/M and d |I⁻¹|, with c, k and d of `Drag`.
 ForceRate fastest_force_rate(const World& world);
 
 /// The wrench of gravity alone. For the integrator `matrix` it is a point force at the center of
@@ -52,7 +55,7 @@ public:
 
     /// Net force and torque on each body of the list `bodies` of the constructor, in its order.
     ///
-    /// The points of attachment are computed by `world_point` and, if any spring damps, their
+    /// The points of attachment are computed by `world_point` and, for a spring that damps, their
     /// velocities by `point_velocity`. `net_wrench` adds up the point forces on a body, if there
     /// are any.
     ///
@@ -60,7 +63,7 @@ public:
     /// @param middle  the time in the middle of the substep [s]. A force that acts at this time
     ///                counts as acting during the whole substep. So a force that starts and ends
     ///                together with steps gives its full impulse.
-    /// @param now     the time of these states [s]
+    /// @param now     the time to which `states` belong [s]
     const std::vector<Wrench>& at(std::span<const RigidState> states, double middle, double now);
 
     /// Whether any spring damps or a medium brakes a body. If not, the wrenches depend only on the

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The states after a free flight: of one body, by the integrator's own step, and of all bodies of a
-// world. Bodies that fly alone come first. Then all bodies on which springs or forces pull advance
-// together, stage by stage, since the force of a spring depends on both its bodies. The header
-// names the methods.
+// world. Bodies that fly alone come first. Then all bodies on which springs, forces or drag act
+// advance together, stage by stage, since the force of a spring depends on both its bodies.
+// free_flight.hpp names the methods.
 #include "rigid/motion/free_flight.hpp"
 
 #include "formulas/rotation.hpp"
@@ -25,9 +25,9 @@ namespace rigor {
 namespace {
 
 constexpr double quarter_turn = std::numbers::pi / 2;
-// A body that spins so fast that it needs more substeps makes over 250 rotations in a step. No
-// result is useful then, and the limit keeps the step from taking very long. If springs or forces
-// need more, the step is refused.
+// The largest number of substeps of a step. A body whose rotation needs more makes over 250
+// rotations in a step. No result is useful then, and the limit keeps the step from taking very
+// long. If springs, forces or drag need more, `substeps_for_forces` throws.
 constexpr double most_substeps = 1000;
 
 using Turn = Quaternion (*)(const Quaternion& q, const Vector3d& omega, double time_step);
@@ -80,7 +80,7 @@ int substeps_for(Integrator integrator, const RigidBody& body, const RigidState&
     if (integrator == Integrator::matrix) return 1;
     if (body.is_isotropic && integrator != Integrator::linear) return 1;
     // The bound |ω| ≤ |I⁻¹| |L| shows without computing ω that most bodies are slow enough. A NaN
-    // passes here and is reported with its quantity at the end of the step.
+    // passes this test. Later in the step, `require_finite` reports it.
     const double bound = body.inverse.inverse_inertia.norm() * state.angular_momentum.norm();
     if (!(bound * h > quarter_turn)) return 1;
     const double limit = max_time_step(angular_velocity(integrator, body, state));
@@ -90,11 +90,12 @@ int substeps_for(Integrator integrator, const RigidBody& body, const RigidState&
     return static_cast<int>(std::clamp(std::ceil(h / limit), 1.0, most_substeps));
 }
 
-// The number of equal substeps of length s in a step h. Each rate of a spring, damper, drag or
-// force times s is at most 0.5: the angle by which a spring or an oscillating force advances,
-// √(k/M) s or 2π f s, and the exponent of a decay, c s/M. The splitting method then has an error of
-// 1e-4 of the amplitude after 30 oscillations; with dampers, where Runge–Kutta 4 replaces it, the
-// error is 4e-3.
+// The least number of equal substeps for which `fastest_force_rate` times the length of a substep
+// is at most 0.5. It is 1 if the integrator under forces is not `runge_kutta`. At 0.5, the
+// splitting method has an error of 2e-4 of the amplitude after 30 oscillations of a spring.
+// Runge–Kutta 4, which replaces it where a spring damps or a medium brakes a body, has an error of
+// 4e-3 at a twentieth of the critical damping, and up to 0.1 if the damping is very weak.
+// @throws std::domain_error if more than `most_substeps` are needed
 int substeps_for_forces(const World& world, double h)
 {
     const bool any_drags = std::any_of(world.bodies.begin(), world.bodies.end(),
@@ -107,14 +108,13 @@ int substeps_for_forces(const World& world, double h)
     if (needed > most_substeps) {
         std::ostringstream text;
         text << "body '" << world.bodies[body].name
-             << "': a spring or damper is too stiff or a force too fast for the step: expected "
-                "sqrt(k K) h, c K h and 2 pi f h, where K = 1/M + r^2/I at the point that is "
-                "pulled, "
-                "up to "
+             << "': a spring or damper is too stiff, or a force or the drag too fast, for the "
+                "step: expected sqrt(k K) h, c K h and 2 pi f h, where K is 1/M + r^2/I of both "
+                "ends and k K and c K are summed over the springs of the body, up to "
              << most_substeps * most_change << ", found " << std::setprecision(4) << rate * h;
         throw std::domain_error(text.str());
     }
-    return needed > 1 ? static_cast<int>(needed) : 1; // a NaN is reported at the end of the step
+    return needed > 1 ? static_cast<int>(needed) : 1;
 }
 
 // Gives the quaternion length 1 again, since the rounding of many rotations adds up. The

@@ -4,12 +4,24 @@
 // The default integrator, `exact`, is exact for a body that gravity alone acts on: a parabola and
 // the free rotor of free_rotation.hpp. All other bodies take `runge_kutta`.
 //
-// The integrator `runge_kutta` has three methods of fourth order, for three kinds of bodies. A body
-// that gravity alone acts on takes the method of constant_wrench_step.hpp.
+// The integrator `runge_kutta` has three methods of fourth order. "Pulled" bodies are those on
+// which springs, applied forces or drag act:
 //
-// For bodies on which springs or applied forces pull, kicks (impulses) and free flights alternate:
-// the symplectic Runge–Kutta–Nyström method SRKN6b of Blanes and Moan (2002, "Practical symplectic
-// partitioned Runge–Kutta and Runge–Kutta–Nyström methods", J. Comput. Appl. Math. 142).
+//   1. A body that gravity alone acts on, or that contacts hold, takes the method of
+//      constant_wrench_step.hpp.
+//   2. Pulled bodies take SRKN6b, if no force depends on velocities.
+//   3. If any spring damps or a medium brakes a body, all pulled bodies take the method of
+//      Munthe-Kaas.
+//
+// Methods 2 and 3 advance all pulled bodies together, in equal substeps h. The number of substeps
+// is so large that it suffices for the rotation of each of these bodies (`substeps_for` in
+// free_flight.cpp) and that `fastest_force_rate` times h is at most 0.5. The integrators other than
+// `exact` and `runge_kutta` do not divide the step for forces, so that students can watch where
+// springs make them unstable.
+//
+// SRKN6b, in which kicks (impulses) and free flights alternate, is a symplectic
+// Runge–Kutta–Nyström method of Blanes and Moan (2002, "Practical symplectic partitioned
+// Runge–Kutta and Runge–Kutta–Nyström methods", J. Comput. Appl. Math. 142).
 //
 //     kick by bᵢ:    V += bᵢ h F/M,  L += bᵢ h τ
 //     flight by aᵢ:  the free flight without a wrench that takes aᵢ h
@@ -17,20 +29,13 @@
 //
 // On a pendulum this method is as accurate as Runge–Kutta 4 with steps a sixth as long, and its
 // energy does not drift with the number of swings. On a spring it is stable up to √(k/M) h = 5,
-// Runge–Kutta 4 only up to 2.8. SRKN6b needs forces that do not depend on velocities.
+// Runge–Kutta 4 only up to 2.8.
 //
-// If a spring, damper, force or drag is too fast for the step, the step of all pulled bodies is
-// divided into substeps h, so short that h times each rate is at most 0.5. The rates are √(k/M) of
-// a spring, c/M of a damper, 2π f of a force and those of the drag (`fastest_force_rate`). The
-// other integrators do not divide the step for springs, so that students can watch where they
-// become unstable.
-//
-// If any spring damps or a medium brakes a body, all pulled bodies take the Runge–Kutta method of
-// Munthe-Kaas (1999, "High order Runge–Kutta methods on manifolds", Appl. Numer. Math. 29) with the
-// two commutators of Munthe-Kaas and Owren (1999, "Computations in a free Lie algebra", Phil.
-// Trans. R. Soc. A 357).
-// The orientation changes by `advance_exact` alone, so it stays a rotation, and a steady spin is
-// exact. With ωᵢ at stage i and exp(u) = advance_exact(q, u, h):
+// Method 3 is the Runge–Kutta method of Munthe-Kaas (1999, "High order Runge–Kutta methods on
+// manifolds", Appl. Numer. Math. 29) with the two commutators of Munthe-Kaas and Owren (1999,
+// "Computations in a free Lie algebra", Phil. Trans. R. Soc. A 357). The orientation changes by
+// `advance_exact` alone, so it stays a rotation, and a steady spin is exact. With ωᵢ at stage i and
+// exp(u) = advance_exact(q, u, h):
 //
 //     stage 2 at exp(½ω₁)   stage 3 at exp(½ω₂ - ⅛h ω₁×ω₂)   stage 4 at exp(ω₃)
 //     q' = exp((ω₁ + 2ω₂ + 2ω₃ + ω₄)/6 - h/12 ω₁×ω₄)
@@ -47,18 +52,22 @@ enum class Gravity { acts, left_out };
 /// The state of one body after a time step in which gravity alone or nothing acts on it.
 ///
 /// If a body would rotate by more than a quarter turn, the step is divided into equal substeps of
-/// at most a quarter turn (`max_time_step`). Four kinds of flight need no substeps: any body with
-/// the integrator `exact`, an isotropic body with any integrator but `linear`, a body of revolution
-/// with `runge_kutta`, and any body with `matrix`, because assignment A1 uses `matrix` and
-/// `max_time_step` belongs to A3.
+/// at most a quarter turn (`max_time_step`), but into at most 1000. Four kinds of flight are never
+/// divided:
 ///
-/// @param gravity  `left_out` for a body that contacts hold, which moves by
-///                 `Settings::integrator_under_forces`
+///   1. any body by `exact`
+///   2. an isotropic body by any integrator but `linear`
+///   3. a body of revolution by `runge_kutta`
+///   4. any body by `matrix`, because assignment A1 uses `matrix` and `max_time_step` belongs to A3
+///
+/// @param gravity  `left_out` for a body that contacts hold. It moves by
+///                 `Settings::integrator_under_forces`, so never by `exact`.
 RigidState fly(const Settings& settings, const RigidBody& body, RigidState state, double time_step,
                Counters& counters, Gravity gravity = Gravity::acts);
 
-/// How far gravity moves a body in one step of free flight, as a multiple of h² g: ½ on a parabola,
-/// and 1 by symplectic Euler, which moves the body with its velocity at the end of the step.
+/// How far gravity moves a body in a step h of free flight without substeps, as a multiple of h² g:
+/// ½ on a parabola, and 1 by symplectic Euler, which moves the body with its velocity at the end of
+/// the step.
 double fall_in_step(Integrator integrator);
 
 /// Calls work(first, last, counters) for ranges that cover [0, count), shared by the threads of the
@@ -80,7 +89,7 @@ void fly_in_parallel(ThreadPool& pool, std::size_t count, Counters& counters, co
 
 /// The states of all bodies after a time step without contacts. Bodies on which springs, applied
 /// forces or drag act fly together, all others one by one. Sleeping bodies keep their state, and so
-/// do static ones unless they are driven. Only the counters of the world are changed.
+/// do static ones unless a drive moves or turns them. Only the counters of the world are changed.
 ///
 /// @param pulled  whether each body flies together with others; from `with_dragged_bodies`
 std::vector<RigidState> fly_all(World& world, const std::vector<bool>& pulled, double time_step,

@@ -3,8 +3,9 @@
 // circles in the body, the elliptic functions at the end of the step by the addition theorem, the
 // angle about the fixed momentum by Carlson's integrals, and the rotation of the body. For the last
 // one, axis 3 and the momentum span a frame at the start of the step and another one at its end.
-// Every difference of squares is written as a sum of positive terms, so that nothing cancels near
-// the unstable axis or where two moments are nearly equal.
+// Differences of squares are written as sums of positive terms, so that nothing cancels near the
+// unstable axis or where two moments are nearly equal. The exception is `s` of `path_of`. There the
+// rounding of the arguments causes an error as large as the cancellation.
 #include "rigid/motion/free_rotation.hpp"
 
 #include "rigid/motion/elliptic_functions.hpp"
@@ -19,9 +20,9 @@ namespace rigor {
 
 namespace {
 
-// The smallest 1 - m that is used (m: parameter of the elliptic functions). Smaller values make no
-// difference: with this one, the momentum M passes the unstable axis only after the argument u has
-// grown by 115.
+// The smallest 1 - m that is used (m: parameter of the elliptic functions). Smaller values would
+// make no difference: even with this one, the argument u has to grow by about 115 before the
+// momentum M passes the unstable axis.
 constexpr double least_m1 = 1e-100;
 
 // The closed curve of the unit vector M/|M| in the body.
@@ -30,7 +31,7 @@ struct Path {
     double J1 = 0, J2 = 0, J3 = 0;
     double A1 = 0, A2 = 0, A3 = 0; // M₁ = A₁ cn u, M₂ = A₂ sn u, M₃ = A₃ dn u
     double N = 1;                  // (A₂/A₁)²
-    double m1 = 1;                 // 1 - m
+    double m1 = 1;                 // 1 - m (m: parameter of the elliptic functions)
     double rate = 0;               // u̇/|M| [1/(kg m²)]
 
     // Whether M moves in the body. It does not if it lies along a principal axis or if all moments
@@ -76,7 +77,7 @@ Swept swept(const Path& path, const EllipticFunctions& u)
             c * c2 * m1 / (3 * path.N) * carlson_rj(m1 * s2, m1, d2, m1 * (s2 + c2 / path.N))};
 }
 
-// ∫ cn²/(cn² + N sn²) du over a step of u by v.
+// ∫ cn²/(cn² + N sn²) du over a step in which u grows by v, from `start` to `end`.
 double integral(const Path& path, const EllipticFunctions& start, const EllipticFunctions& end,
                 double v)
 {
@@ -114,7 +115,7 @@ Vector3d rotation_vector(const Matrix3d& R)
 Vector3d mean_free_angular_velocity(const Vector3d& inverse_moments, const Vector3d& momentum,
                                     double time)
 {
-    const double L = momentum.stableNorm(); // |M|, without squares that underflow
+    const double L = momentum.stableNorm(); // the length, without squares that underflow
     const Vector3d M = momentum / L;
     const Path path = path_of(inverse_moments, M);
     if (!path.is_moving()) return inverse_moments.cwiseProduct(momentum);

@@ -16,9 +16,10 @@ namespace rigor {
 ///     M₁ = A₁ cn u    M₂ = A₂ sn u    M₃ = A₃ dn u    u̇ = ±√((J₂ - J₃) r)
 ///
 /// with amplitudes A that the energy and |M| give, and r = (J₁ - J₂) M₂² + (J₁ - J₃) M₃², which
-/// stays the same. The body turns about the fixed L by the angle φ that axis 3 sweeps out (van Zon
-/// and Schofield 2007, "Numerical implementation of the exact dynamics of free rigid bodies", J.
-/// Comput. Phys. 225; they compute φ by a theta series, this function by an integral of Carlson's):
+/// stays the same. The body turns about L, the angular momentum in world space, which does not
+/// change, by the angle φ that axis 3 sweeps out (van Zon and Schofield 2007, "Numerical
+/// implementation of the exact dynamics of free rigid bodies", J. Comput. Phys. 225; they compute φ
+/// by a theta series, this function by an integral of Carlson's):
 ///
 ///     φ̇ = |L| (J₂ + (J₁ - J₂) M₁² / (M₁² + M₂²))
 ///

@@ -27,7 +27,8 @@ template <class Scheme> struct BodyStages {
     std::array<typename Scheme::Rate, 4> rates; // one for each stage so far
 };
 
-/// Advances all bodies by h together, since they may pull on each other.
+/// Advances all bodies by h together, since they may pull on each other. Afterwards, `stage` of
+/// each body is its state at the end of the step.
 ///
 /// @param update_wrenches  called at each stage; sets the wrenches of the bodies if these change
 ///                         from stage to stage

@@ -13,8 +13,8 @@ void keep_freed_memory()
 {
 #ifdef __GLIBC__
     constexpr int kept = 1 << 30; // freed memory that the process keeps [bytes]
-    // Blocks above this size are given back as soon as they are freed [bytes]. mallopt accepts no
-    // larger value.
+    // Blocks of at least this size are given back as soon as they are freed [bytes]. mallopt
+    // accepts no larger value.
     constexpr int largest_block = 32 << 20;
     mallopt(M_TRIM_THRESHOLD, kept);
     mallopt(M_MMAP_THRESHOLD, largest_block);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The pool hands out task numbers through one atomic word, without a lock. The caller takes tasks
+// The pool hands out task indices through one atomic word, without a lock. The caller takes tasks
 // from the first one upwards, the workers from the last one downwards. So a task that is repeated,
 // as in the sweeps of a step, finds most of its data in the cache of the same processor. A thread
-// without work checks for new work for a few microseconds before it sleeps.
+// without work checks several thousand times for new work before it sleeps (`wait_for`).
 #include "rigid/parallel/thread_pool.hpp"
 
 #include <algorithm>
@@ -24,7 +24,7 @@ namespace {
 // run between the checks, and only then sleeps.
 template <class T, class IsWanted> T wait_for(std::atomic<T>& value, const IsWanted& is_wanted)
 {
-    constexpr int spins = 1000, yields = 4000; // checks without and then with a yield
+    constexpr int spins = 1000, yields = 4000; // number of checks without, then with a yield
     for (int i = 0; i < spins + yields; ++i) {
         const T now = value.load();
         if (is_wanted(now)) return now;
@@ -39,8 +39,10 @@ template <class T, class IsWanted> T wait_for(std::atomic<T>& value, const IsWan
 
 } // namespace
 
-// `work` is a number that changes with each call of `run`. `from_first` counts how many tasks of
-// this call were taken from the first one upwards, `from_last` from the last one downwards.
+// Which tasks of the current call of `run` the threads have taken. `from_first` counts those taken
+// from the first task upwards, `from_last` those from the last task downwards. `work` changes with
+// each call of `run`, so that a late worker cannot take a task with the values that it has read in
+// an earlier call.
 struct alignas(std::uint64_t) TakenTasks {
     std::uint32_t work = 0;
     std::uint16_t from_first = 0, from_last = 0;
@@ -68,7 +70,7 @@ private:
     std::atomic<bool> is_over_ = false;    // true: the workers have to end
     std::atomic<int> done_ = 0;            // number of finished tasks in this call of `run`
     std::mutex mutex_;                     // guards the two members below
-    int thrown_by_ = 0;                    // number of the lowest task that threw
+    int thrown_by_ = 0;                    // lowest index of a task that threw
     std::exception_ptr thrown_;
 };
 

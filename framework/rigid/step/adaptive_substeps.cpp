@@ -1,26 +1,31 @@
 // SPDX-License-Identifier: MIT
 // Adaptive substeps of single islands. "New overlap" is the increase of the overlap of two bodies
-// in this step. For each pair of bodies, a bound of it is computed first, from the bodies' rotation
-// and from the remaining approach speed; contacts are searched again only where the bound is too
-// large. An island with too much new overlap is copied into a separate world, with the static
-// bodies near it, and takes two steps of half the length. An island in which two balls meet takes
-// one step up to the impact and one after it.
+// in this step. For each pair of bodies, the code first computes a bound of the new overlap, from
+// the bodies' rotation and from the remaining approach speed. It searches for contacts again only
+// where this bound is too large. An island with too much new overlap is copied into a separate
+// world, with the static bodies near it, and takes two steps of half the length. An island in which
+// two balls meet, or a small one with several bounces, takes one step up to the first impact and
+// one after it.
 #include "rigid/step/adaptive_substeps.hpp"
 
 #include "geometry/bounds/bounds.hpp"
 #include "geometry/shapes/shape_bounds.hpp"
+#include "rigid/motion/free_flight.hpp"
+#include "rigid/step/impact.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <map>
+#include <span>
 
 namespace rigor {
 
 namespace {
 
-// Largest island that may be refined [bodies]; larger ones cost too much. Chosen by trial.
+// The largest number of bodies of an island that may be refined; larger islands cost too much.
+// Chosen by trial.
 constexpr std::size_t most_bodies = 32;
 // Allowed increase of the overlap in a step, as a fraction of the thinner body's thickness. The
 // first value applies where bodies rotate into each other, the second where only the solver left
@@ -44,19 +49,13 @@ double thickness(const RigidBody& body)
     return least;
 }
 
-// Whether a body is a ball, which occupies the same space in every orientation.
-bool is_ball(const RigidBody& body)
-{
-    return body.parts.size() == 1 && std::holds_alternative<Sphere>(body.parts[0].shape);
-}
-
 // The largest distance by which the rotation of a body in this step may move its points out of the
 // tangent planes of its contacts [m].
 double deviation_by_rotation(const World& world, const ContactProblem& problem, int i,
                              double radius)
 {
     const RigidBody& body = world.bodies[i];
-    if (body.is_still() || is_ball(body)) return 0;
+    if (body.is_still() || body.is_ball()) return 0;
     const double angle = problem.time_step * problem.bodies[i].angular_velocity.norm();
     return angle * angle / 2 * radius;
 }
@@ -158,41 +157,71 @@ private:
     std::vector<Pose> poses_; // poses after the step, set only for the pair that is checked
 };
 
-// The time from the start of the step to the first bounce of two moving balls; 0 if there is none.
-// Bounces that `bounce_at_impacts` has already moved to their time of impact do not count. The
-// exact time matters, as in billiards: balls part along the line of centers that they have at the
-// impact. On straight paths the distance of two balls is a convex function of time, so the
-// predicted time is never late. The later part of the step predicts the time again and may be
-// divided again. This iteration converges quadratically.
-double first_impact(const World& world, const ContactProblem& problem, const Island& island)
+// Whether all bodies of the pair that can move are balls.
+bool moves_only_balls(const World& world, const ContactConstraint& c)
+{
+    const RigidBody &body1 = world.bodies[c.body1], &body2 = world.bodies[c.body2];
+    return (body1.is_static || body1.is_ball()) && (body2.is_static || body2.is_ball());
+}
+
+// Where the step of an island is divided in two parts.
+struct Division {
+    double time = 0;      // since the start of the step; 0 if the step is not divided [s]
+    bool is_free = false; // whether the bodies fly freely until then
+};
+
+// The first bounce that divides the step. Bounces with ε > 0 of these pairs count:
+// 1. Two moving balls.
+// 2. A ball and a static body, in an island of at most `few_bodies` bodies where several pairs
+//    bounced and no contact carried a load. (The mean force of such a contact, from which the next
+//    step starts, would come from a very short part of a step.)
+//
+// A bounce that `bounce_at_impacts` has moved to its time of impact does not count. The exact time
+// matters, as in billiards: balls part along the line of centers that they have at the impact. The
+// later part of the step predicts the time again and may be divided again. This iteration converges
+// quadratically.
+Division first_impact(const World& world, const ContactProblem& problem, const Island& island)
 {
     constexpr double just_before = 1 - 1e-9; // so that the bounce happens in the later part
+    // A bounce at the start of the step changes the times of the other bounces, so it gets this
+    // share of the step for itself.
+    constexpr double alone = 1e-9;
+    const auto count = [&](bool (*holds)(const ContactProblem&, const ContactPair&)) {
+        return std::count_if(island.pairs.begin(), island.pairs.end(),
+                             [&](const ContactPair& pair) { return holds(problem, pair); });
+    };
+    const std::ptrdiff_t bounces = count(bounced);
+    const bool is_loaded = count(carries_load) > 0;
+    const bool is_small = island.bodies.size() <= few_bodies && bounces > 1 && !is_loaded;
+
     double first = problem.time_step;
+    std::ptrdiff_t at_start = 0, later = 0;
     for (const ContactPair& pair : island.pairs) {
         const ContactConstraint& c = problem.contacts[pair.first];
-        const RigidBody &body1 = world.bodies[c.body1], &body2 = world.bodies[c.body2];
-        const bool are_balls = is_ball(body1) && is_ball(body2);
-        const bool bounces =
-            c.restitution > 0 && !c.collision_impulse.isZero(0) && c.gap > touching_gap * c.radius;
-        if (!are_balls || !bounces || body1.is_static || body2.is_static) continue;
-        const double approach = -(body1.state.velocity - body2.state.velocity).dot(c.normal);
-        if (approach * first > c.gap) first = just_before * c.gap / approach;
+        if (!bounced(problem, pair) || c.restitution == 0 || !moves_only_balls(world, c)) continue;
+        const bool has_static = world.bodies[c.body1].is_static || world.bodies[c.body2].is_static;
+        if (has_static && !is_small) continue;
+        const double time = just_before * time_of_impact(world, problem, pair);
+        ++(time > 0 ? later : at_start);
+        if (time > 0) first = std::min(first, time);
     }
-    return first < problem.time_step ? first : 0;
+    if (at_start > 0 && later > 0 && !is_loaded) return {alone * problem.time_step, false};
+    if (first < problem.time_step) return {first, !is_loaded && later == bounces};
+    return {};
 }
 
-// The number of pairs of an island that bounced in the step before it is repeated in parts. The
-// counters already include these bounces.
-std::uint64_t bounced_pairs(const ContactProblem& problem, const Island& island)
+// Moves the bodies of a world by free flight.
+void fly_freely(World& world, double time)
 {
-    return std::count_if(island.pairs.begin(), island.pairs.end(), [&](const ContactPair& pair) {
-        return std::any_of(
-            problem.contacts.begin() + pair.first, problem.contacts.begin() + pair.last,
-            [](const ContactConstraint& c) { return !c.collision_impulse.isZero(0); });
-    });
+    ThreadPool alone;
+    const std::vector<bool> pulled(world.bodies.size(), false);
+    const std::vector<RigidState> flown = fly_all(world, pulled, time, alone);
+    for (std::size_t i = 0; i < flown.size(); ++i)
+        world.bodies[i].state = flown[i];
+    world.time += time;
 }
 
-void take_substeps(IslandWorld& part, const Step& step, std::array<double, 2> times,
+void take_substeps(IslandWorld& part, const Step& step, std::span<const double> times,
                    Refinement& refined)
 {
     for (const double time : times)
@@ -221,14 +250,19 @@ Refinement refine_by_substeps(World& world, ContactProblem& problem,
         if (std::any_of(island.bodies.begin(), island.bodies.end(),
                         [&](int i) { return pulled[i]; }))
             continue;
-        const double h = problem.time_step, impact = first_impact(world, problem, island);
+        const double h = problem.time_step;
+        const auto [impact, is_free] = first_impact(world, problem, island);
         const bool is_halved = impact == 0 && std::any_of(island.pairs.begin(), island.pairs.end(),
                                                           std::ref(overlaps_anew));
         if (impact == 0 && !is_halved) continue;
         IslandWorld part = part_of(world, island, candidates.contacts);
-        take_substeps(part, step,
-                      is_halved ? std::array{h / 2, h / 2} : std::array{impact, h - impact},
-                      refined);
+        if (is_free) {
+            fly_freely(part.world, impact);
+            take_substeps(part, step, std::array{h - impact}, refined);
+        } else {
+            const double first = is_halved ? h / 2 : impact;
+            take_substeps(part, step, std::array{first, h - first}, refined);
+        }
         for (std::size_t k = 0; k < part.bodies.size(); ++k)
             if (!part.world.bodies[k].is_static)
                 states[part.bodies[k]] = part.world.bodies[k].state;
@@ -238,7 +272,10 @@ Refinement refine_by_substeps(World& world, ContactProblem& problem,
         // attempt and of the halves.
         const std::uint64_t steps = world.counters.steps;
         world.counters = part.world.counters;
-        if (!is_halved) world.counters.collision_impulses -= bounced_pairs(problem, island);
+        if (!is_halved)
+            world.counters.collision_impulses -=
+                std::count_if(island.pairs.begin(), island.pairs.end(),
+                              [&](const ContactPair& pair) { return bounced(problem, pair); });
         world.counters.steps = steps;
         for (const ContactPair& pair : island.pairs)
             for (int i = pair.first; i < pair.last; ++i) {

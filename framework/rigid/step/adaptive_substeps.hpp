@@ -24,19 +24,19 @@ using Step = std::function<std::vector<ContactRecord>(World& world, double time_
 /// step.
 inline constexpr int most_divisions = 10;
 
-/// Repeats the step of an island in two parts if the step has made two bodies overlap too much, or
-/// if two moving balls bounce.
+/// Repeats the step of an island in two parts, in these cases:
+/// 1. The overlap of two bodies has grown too much. The step is divided in the middle. During a
+///    step, a contact acts along one fixed normal. Sliding in the plane of the contact does no
+///    harm, but the points of a body that rotates by θ move out of this plane by up to θ² r/2 (r:
+///    its radius), and sweeps that ended early leave some approach speed. The overlap may grow by
+///    1/200 of the thinner body's thickness if the rotation could exceed this, otherwise by 1/20.
+/// 2. Two moving balls bounce off each other. The step is divided at the time of impact, because
+///    the balls part along the line of their centers at that time.
+/// 3. In an island of at most `few_bodies` bodies, several pairs bounce, among them a ball off a
+///    static body, and no contact carries a load. The step is divided at the first impact.
 ///
-/// During a step, a contact acts along one fixed normal. Bodies may slide any distance in the
-/// plane of the contact. But the points of a body that rotates by θ move out of this plane by up to
-/// θ² r/2 (r: its radius), and sweeps that ended early leave some approach speed. If the overlap of
-/// two bodies grows too much because of this, the step of their island is repeated. The limit of
-/// the growth is 1/200 of the thinner body's thickness if rotation may exceed it, otherwise 1/20.
-///
-/// A step in which two moving balls meet and bounce is divided at the time of impact, because the
-/// balls part along the line of their centers at that time. (Most bounces of two bodies that
-/// nothing else touches were already moved to their time of impact by `bounce_at_impacts`, see
-/// impact.hpp.)
+/// In cases 2 and 3, a bounce of two bodies that get no other impulse does not count:
+/// `bounce_at_impacts` (impact.hpp) has already moved it to its time of impact.
 ///
 /// An island is refined only if it has at most 32 bodies and none of them is `pulled`.
 ///

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The time of impact of two bodies that only bounce off each other, by the secant method on the
-// gap. Its start is a quadratic prediction from the gap, speed and acceleration of that contact
-// which closes first. The collision stage then runs at that time, in a world of these two bodies
-// alone.
+// gap. The method starts from a prediction: the time when the first contact closes, if its
+// acceleration stays the same. The collision stage then runs at the time of impact, in a world of
+// these two bodies alone.
 #include "rigid/step/impact.hpp"
 
 #include "geometry/shapes/pose.hpp"
@@ -15,6 +15,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <optional>
 
 namespace rigor {
@@ -23,7 +24,7 @@ namespace {
 
 constexpr int most_iterations = 8; // limit of secant steps; three or four are usually enough
 
-// A world of the two bodies alone, at a time during the step.
+// A separate world of two bodies that bounce off each other, at a time during the step.
 struct PairWorld {
     World world;
     double time = 0; // since the start of the step [s]
@@ -48,9 +49,12 @@ struct Approach {
     }
 };
 
-Approach first_to_close(const World& world, const ContactProblem& problem, const ContactPair& pair)
+// The contact of a pair that closes first.
+// @return nothing if none of the contacts closes
+std::optional<Approach> first_to_close(const World& world, const ContactProblem& problem,
+                                       const ContactPair& pair)
 {
-    Approach first;
+    std::optional<Approach> first;
     double earliest = std::numeric_limits<double>::infinity();
     for (int i = pair.first; i < pair.last; ++i) {
         const ContactConstraint& c = problem.contacts[i];
@@ -110,7 +114,8 @@ void fly_past(const World& world, const ContactConstraint& c, double time_step,
             states[i] = fly(world.settings, body, body.state, time_step, uncounted);
 }
 
-// The two bodies at the time when their gap closes, by the secant method from the predicted time.
+// The two bodies of the contact c at the time when their gap closes, by the secant method from the
+// predicted time.
 // @return nothing if the iteration does not converge
 std::optional<PairWorld> pair_at_impact(const World& world, const ContactConstraint& c,
                                         const Approach& approach, double time_step)
@@ -186,6 +191,21 @@ void fly_on(PairWorld& pair, const ContactProblem& impact, const ContactConstrai
     }
 }
 
+// Whether contacts on different sides of the pair got an impulse: a ball in the corner of a room
+// that is one body. These impacts have different times.
+bool bounced_on_two_sides(const ContactProblem& problem, const ContactPair& pair)
+{
+    constexpr double same_side = 0.5; // least cosine of the angle between two normals
+    const ContactConstraint* first = nullptr;
+    for (int i = pair.first; i < pair.last; ++i) {
+        const ContactConstraint& c = problem.contacts[i];
+        if (c.collision_impulse.isZero(0)) continue;
+        if (first && c.normal.dot(first->normal) < same_side) return true;
+        if (!first) first = &c;
+    }
+    return false;
+}
+
 // Lets the pair bounce at its impact. Changes the states of the pair unless it returns nothing.
 // @return the contacts with their impulses; an empty list if the computed time of impact is after
 //         the end of this step; or nothing if the impact is not a single bounce within the step
@@ -194,17 +214,19 @@ std::optional<std::vector<ContactRecord>> bounce_at_impact(const World& world,
                                                            const ContactPair& contacts,
                                                            std::vector<RigidState>& states)
 {
+    if (bounced_on_two_sides(problem, contacts)) return std::nullopt;
     const double h = problem.time_step;
     const ContactConstraint& c = problem.contacts[contacts.first];
-    const Approach approach = first_to_close(world, problem, contacts);
-    const double predicted = approach.closes();
+    const std::optional<Approach> approach = first_to_close(world, problem, contacts);
+    if (!approach) return std::nullopt;
+    const double predicted = approach->closes();
     if (!(predicted > 0)) return std::nullopt;
     if (predicted >= h) { // in free flight they do not meet in this step
         fly_past(world, c, h, states);
         return std::vector<ContactRecord>();
     }
 
-    std::optional<PairWorld> pair = pair_at_impact(world, c, approach, h);
+    std::optional<PairWorld> pair = pair_at_impact(world, c, *approach, h);
     if (!pair) return std::nullopt;
     const double rest = h - pair->time;
     ContactProblem impact = problem_at_impact(*pair, c.radius, rest);
@@ -216,23 +238,63 @@ std::optional<std::vector<ContactRecord>> bounce_at_impact(const World& world,
     return records;
 }
 
-// The only pair of an island that bounced; null if no pair or several pairs bounced, or if any
-// contact of the island got an impulse in the contact stage.
-const ContactPair* single_bounce(const ContactProblem& problem, const Island& island)
+// The pairs of an island that only bounced, and whose bodies that can move got no impulse from
+// other bodies. If other pairs of the island got an impulse, a pair is kept only if its bodies that
+// can move are balls: between bodies with corners, the contact at the impact magnifies the rounding
+// errors that other bodies have caused in the states of the two.
+std::vector<const ContactPair*> lone_bounces(const World& world, const ContactProblem& problem,
+                                             const Island& island)
 {
-    const ContactPair* single = nullptr;
-    for (const ContactPair& pair : island.pairs)
-        for (int i = pair.first; i < pair.last; ++i) {
-            const ContactConstraint& c = problem.contacts[i];
-            if (!c.contact_impulse.isZero(0)) return nullptr;
-            if (c.collision_impulse.isZero(0)) continue;
-            if (single && single != &pair) return nullptr;
-            single = &pair;
-        }
-    return single;
+    std::vector<const ContactPair*> lone;
+    int pairs = 0; // how many pairs got an impulse
+    for (const ContactPair& pair : island.pairs) {
+        const bool is_loaded = carries_load(problem, pair);
+        if (!is_loaded && !bounced(problem, pair)) continue;
+        ++pairs;
+        if (!is_loaded) lone.push_back(&pair);
+    }
+    if (pairs <= 1) return lone;
+    const auto keep_if_both = [&](const auto& condition) { // static bodies always fulfil it
+        std::erase_if(lone, [&](const ContactPair* pair) {
+            const ContactConstraint& c = problem.contacts[pair->first];
+            const auto fails = [&](int i) {
+                return !problem.bodies[i].is_static() && !condition(i);
+            };
+            return fails(c.body1) || fails(c.body2);
+        });
+    };
+    keep_if_both([&](int i) { return world.bodies[i].is_ball(); });
+    if (lone.empty()) return lone; // as in most piles
+    std::map<int, int> pairs_of;   // for each body, how many pairs gave it an impulse
+    for (const ContactPair& pair : island.pairs) {
+        if (!bounced(problem, pair) && !carries_load(problem, pair)) continue;
+        ++pairs_of[problem.contacts[pair.first].body1];
+        ++pairs_of[problem.contacts[pair.first].body2];
+    }
+    keep_if_both([&](int i) { return pairs_of[i] == 1; });
+    return lone;
 }
 
 } // namespace
+
+bool bounced(const ContactProblem& problem, const ContactPair& pair)
+{
+    return std::any_of(problem.contacts.begin() + pair.first, problem.contacts.begin() + pair.last,
+                       [](const ContactConstraint& c) { return !c.collision_impulse.isZero(0); });
+}
+
+bool carries_load(const ContactProblem& problem, const ContactPair& pair)
+{
+    return std::any_of(problem.contacts.begin() + pair.first, problem.contacts.begin() + pair.last,
+                       [](const ContactConstraint& c) { return !c.contact_impulse.isZero(0); });
+}
+
+double time_of_impact(const World& world, const ContactProblem& problem, const ContactPair& pair)
+{
+    const std::optional<Approach> first = first_to_close(world, problem, pair);
+    if (!first) return std::numeric_limits<double>::infinity();
+    return first->gap > touching_gap * problem.contacts[pair.first].radius ? first->closes() : 0;
+}
 
 std::vector<ContactRecord> bounce_at_impacts(const World& world, ContactProblem& problem,
                                              const std::vector<bool>& pulled,
@@ -240,20 +302,19 @@ std::vector<ContactRecord> bounce_at_impacts(const World& world, ContactProblem&
                                              std::vector<RigidState>& states)
 {
     std::vector<ContactRecord> records;
-    for (const Island& island : problem.islands) {
-        const ContactPair* pair = single_bounce(problem, island);
-        if (!pair) continue;
-        const ContactConstraint& c = problem.contacts[pair->first];
-        const auto moves_otherwise = [&](int i) {
-            return pulled[i] || (!displacements.empty() && !displacements[i].is_zero());
-        };
-        if (moves_otherwise(c.body1) || moves_otherwise(c.body2)) continue;
-        const auto found = bounce_at_impact(world, problem, *pair, states);
-        if (!found) continue;
-        records.insert(records.end(), found->begin(), found->end());
-        for (int i = pair->first; i < pair->last; ++i)
-            problem.contacts[i].collision_impulse.setZero();
-    }
+    for (const Island& island : problem.islands)
+        for (const ContactPair* pair : lone_bounces(world, problem, island)) {
+            const ContactConstraint& c = problem.contacts[pair->first];
+            const auto moves_otherwise = [&](int i) {
+                return pulled[i] || (!displacements.empty() && !displacements[i].is_zero());
+            };
+            if (moves_otherwise(c.body1) || moves_otherwise(c.body2)) continue;
+            const auto found = bounce_at_impact(world, problem, *pair, states);
+            if (!found) continue;
+            records.insert(records.end(), found->begin(), found->end());
+            for (int i = pair->first; i < pair->last; ++i)
+                problem.contacts[i].collision_impulse.setZero();
+        }
     return records;
 }
 

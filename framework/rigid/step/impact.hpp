@@ -7,14 +7,30 @@
 
 namespace rigor {
 
-/// For two bodies that only bounced off each other in this step, moves the bounce to the time of
-/// impact: they fly until they meet, bounce there, and fly on for the rest of the step. Such a
-/// bounce has the order of accuracy of free flight and conserves the energy if ε = 1.
+/// Whether a contact of the pair got an impulse in the collision stage of this step.
+bool bounced(const ContactProblem& problem, const ContactPair& pair);
+
+/// Whether a contact of the pair got an impulse in the contact stage of this step.
+bool carries_load(const ContactProblem& problem, const ContactPair& pair);
+
+/// The time from the start of the step until the first contact of the pair closes, predicted from
+/// its gap, speed and acceleration [s]: infinity if none closes, 0 if one is closed already.
+double time_of_impact(const World& world, const ContactProblem& problem, const ContactPair& pair);
+
+/// Moves bounces to their times of impact: the two bodies fly until they meet, bounce there, and
+/// fly on for the rest of the step. Such a bounce has the order of accuracy of free flight and
+/// conserves the energy if ε = 1. If the two bodies turn out not to meet in this step, they only
+/// fly. This is done for a pair of bodies if all of these are true:
+/// 1. The pair bounced in this step, and its contacts carry no load.
+/// 2. No other body gave an impulse to one of the two bodies, unless that one is static.
+/// 3. No other pair of the island got an impulse, or those of the two bodies that can move are
+///    balls.
+/// 4. The bodies did not touch at the start of the step, met on one side only, and do not meet
+///    again within the step.
+/// 5. No spring, applied force, drag or position correction moves one of them.
 ///
 /// The secant method finds the time of impact from the gap at several times of the flight, starting
-/// from a prediction. The bounce stays as it was if the bodies would meet again within the step, if
-/// they touched at the start of the step, or if springs, applied forces, drag or a position
-/// correction move one of them.
+/// from a prediction. If it does not converge, the bounce stays as it was.
 ///
 /// @param pulled         for each body, whether springs, applied forces or drag act on it
 /// @param displacements  the position corrections, one for each body, or an empty list

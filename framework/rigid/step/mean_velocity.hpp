@@ -16,7 +16,7 @@ namespace rigor {
 /// @param flown             the states after free flight
 /// @param poses             of all bodies at the start of the step
 /// @param problem           after the contact stage
-/// @return a value for each island
+/// @return for each island, whether its bodies move with this mean
 std::vector<char> moves_by_mean_velocity(const World& world,
                                          const std::vector<Body>& after_collisions,
                                          const std::vector<RigidState>& flown,

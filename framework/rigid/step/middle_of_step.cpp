@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The middle of a step, for contacts that move along a curve. With the means of the velocities at
 // the start and after the contact stage, the bodies of an island move for half of the step. There
-// the narrow phase finds their contacts, and each contact with an impulse is paired with one of
-// them. The contacts move along a curve if their v·n has changed.
+// the narrow phase finds their contacts again, and each contact with an impulse is paired with
+// one of those that it finds. The contacts move along a curve if their v·n has changed.
 #include "rigid/step/middle_of_step.hpp"
 
 #include "rigid/bodies/orientation.hpp"
@@ -17,13 +17,14 @@ namespace rigor {
 
 namespace {
 
-// Islands with more contacts, or with more than `few_bodies` bodies, are left out: to find and
-// solve their contacts twice would cost too much.
+// Islands with more contacts than this, or with more than `few_bodies` bodies, are left out: to
+// find and solve their contacts twice would cost too much.
 constexpr std::size_t most_contacts = 32;
-// A contact moves along a curve if its v·n changes by more than this share of its speed. The limit
-// `opens` in mean_velocity.cpp is the same.
+// A contact moves along a curve if its v·n changes by more than this share of `speed_at`. The value
+// is that of `opens` in mean_velocity.cpp; a smaller change is only an error of the sweeps.
 constexpr double least_change = 1e-6;
-// The contact in the middle of the step is another one if its normal differs by more than 60°.
+// Least cosine between the normals of a contact at the start and in the middle of the step, 60°. At
+// a larger angle, the two count as different contacts.
 constexpr double same_side = 0.5;
 
 bool has_mesh(const RigidBody& body)
@@ -32,7 +33,7 @@ bool has_mesh(const RigidBody& body)
                        [](const Part& part) { return std::holds_alternative<Mesh>(part.shape); });
 }
 
-// Whether a body is driven otherwise than along a line at a constant velocity.
+// Whether a body is a belt, or is driven otherwise than along a line at a constant velocity.
 bool is_driven_unevenly(const RigidBody& body, double time, double time_step)
 {
     if (!body.drive) return false;
@@ -71,7 +72,8 @@ double speed_at(const Contact& c, const Body& body1, const Body& body2)
            body2.angular_velocity.norm() * (c.point - body2.position).norm();
 }
 
-// The contacts with an impulse; none if they do not move far enough for a curve to be seen.
+// The contacts with an impulse. The list is empty if each of them moves by at most `least_change`
+// times its radius in this step, too little for a curve to be seen.
 std::vector<HeldContact> held_contacts(const ContactProblem& problem, const Island& island,
                                        const std::vector<Body>& first)
 {
@@ -94,6 +96,8 @@ std::vector<HeldContact> held_contacts(const ContactProblem& problem, const Isla
 
 // Sets the poses of the island's bodies, and of driven bodies that it touches, to those in the
 // middle of the step.
+// @return the bodies of the island in these poses with their velocities of the start, by their
+//         indices in the world
 std::map<int, Body> moved_to_the_middle(const World& world, const ContactProblem& problem,
                                         const Island& island, const std::vector<Body>& first,
                                         std::vector<Pose>& poses)
@@ -123,9 +127,11 @@ std::map<int, Body> moved_to_the_middle(const World& world, const ContactProblem
     return moved;
 }
 
-// Takes from `found` the contact nearest to `point`, a contact point at the start of the step that
-// was carried along.
-// @return whether there is one within `reach` that is on the same side
+// Takes from `found` the contact nearest to `point`, if it lies within `reach` and its normal
+// differs from `normal` by at most 60°.
+// @param point  the point of a contact at the start of the step, moved for half of the step with
+//               the mean velocity of the two bodies at this point
+// @return whether a contact was taken
 bool take_nearest(const Vector3d& point, const Vector3d& normal, double reach,
                   std::vector<Contact>& found, Contact& nearest)
 {
@@ -141,8 +147,9 @@ bool take_nearest(const Vector3d& point, const Vector3d& normal, double reach,
     return true;
 }
 
-// Finds the contacts [begin, end) of one pair of bodies in the middle of the step.
-// @return whether all of them were found
+// Sets `middle` of the held contacts of one pair of bodies to the contacts that are found in the
+// middle of the step.
+// @return whether each contact was found again
 bool find_middle(const World& world, const ContactProblem& problem, const std::vector<Body>& first,
                  const std::vector<Pose>& poses, std::span<HeldContact> contacts)
 {
@@ -154,7 +161,8 @@ bool find_middle(const World& world, const ContactProblem& problem, const std::v
     Counters uncounted;
     find_contacts(world, poses, lowest.body1, lowest.body2, std::abs(lowest.gap) + path, found,
                   uncounted, h / 2);
-    // A single contact may move farther than any point of the bodies, as below a flat pebble.
+    // The only contact of two bodies may move farther than any point of the bodies, as below a flat
+    // pebble that rocks.
     const bool is_single = contacts.size() == 1 && found.size() == 1;
     const double reach = is_single ? std::numeric_limits<double>::infinity() : path;
     for (HeldContact& contact : contacts) {

@@ -12,9 +12,11 @@ namespace rigor {
 
 /// A contact that got an impulse in the contact stage, at the start and in the middle of the step.
 struct HeldContact {
-    int index = 0;                        // in `ContactProblem::contacts`
-    Contact middle = {};                  // in the middle of the step
-    Vector3d v_start = {}, v_middle = {}; // v₁ - v₂ there, with the velocities of the start
+    int index = 0;       // in `ContactProblem::contacts`
+    Contact middle = {}; // in the middle of the step
+    // v₁ - v₂ at the contact point at the start and at the one in the middle of the step, both with
+    // the bodies' velocities at the start [m/s].
+    Vector3d v_start = {}, v_middle = {};
     // By how much v·n changes from the start to the middle of the step, with the velocities of the
     // start or with those after the contact stage, whichever changes more [m/s].
     double change = 0;
@@ -29,13 +31,14 @@ struct MiddleOfStep {
 };
 
 /// The middle of the step of an island whose held contacts move along a curve. Islands are left out
-/// that are large, that touch no static body, that have a mesh, or that touch a body which is
-/// driven otherwise than along a line at a constant velocity.
+/// that are large, that touch no static body, that have or touch a mesh, or that touch a belt or a
+/// body which is driven otherwise than along a line at a constant velocity. So are all islands
+/// under the methods `one_at_a_time` and `shock_propagation`.
 ///
 /// @param first    the bodies after the collision stage, before the forces
 /// @param problem  after the contact stage
-/// @param poses    of all bodies at the start of the step; those of the island's bodies may be
-///                 changed
+/// @param poses    poses of all bodies at the start of the step; those of the island's bodies and
+///                 those of driven bodies that touch them may be changed
 /// @return nothing if the island is left out, if no contact moves along a curve, or if a contact is
 ///         not found again in the middle of the step
 std::optional<MiddleOfStep> middle_of_step(const World& world, const ContactProblem& problem,

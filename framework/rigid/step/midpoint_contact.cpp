@@ -4,7 +4,7 @@
 // with the contacts at the start of the step. Now the island is solved with the contacts in the
 // middle of the step, and the mean of the velocities at the start and at the end obeys the law of
 // contact: it has no part along the normal, and none along the surface where a contact sticks. So
-// the impulses do no work, but for the errors that earlier steps have left, which are removed.
+// only the friction of sliding contacts does work. Errors that earlier steps have left are removed.
 #include "rigid/step/midpoint_contact.hpp"
 
 #include "rigid/contact/blocks.hpp"
@@ -21,21 +21,25 @@ namespace rigor {
 
 namespace {
 
-// If the last step was solved with the contacts of its start, it has left a v·n of twice the change
-// from start to middle, and where contacts stick a slip of this size. A v·n or slip of more than
-// this many changes is therefore a hit, or the beginning of sticking. Chosen by trial between 2 and
-// 4; tests/classics has the bodies that roll.
+// v·n of a contact changes by `HeldContact::change` from the start to the middle of a step. If the
+// last step was solved with the contacts of its start, it has left a v·n of twice this change, and
+// where contacts stick a slip of this size. A v·n or slip above this multiple of the change is
+// therefore a hit, or the beginning of sticking. Chosen by trial between 2 and 4; tests/classics
+// has bodies that roll.
 constexpr double most_changes = 3;
-// Nor is it a hit below this share of the speed that the forces add in a step: where a body turns
-// back, the change is small, but the error is not. Chosen by trial, with the same tests.
+// A v·n below this share of the speed that the forces add in a step is no hit either: where a body
+// turns back, v·n hardly changes from the start to the middle of the step, but the error that the
+// last step has left is not small. Chosen by trial, with the same tests as `most_changes`.
 constexpr double negligible_share = 0.1;
-// The share of an open gap that a step closes. With all of it, the gap and v·n of a contact that
-// stays would swing without end: their changes from step to step have the eigenvalues λ with
-// λ² - (1 - β) λ + β = 0 for the share β. They are equal, and small, for (1 - β)² = 4 β.
+// The share β of an open gap that a step closes. With β = 1, the gap and v·n of a contact that
+// stays for many steps would swing without end: their changes from step to step have the
+// eigenvalues λ with λ² - (1 - β) λ + β = 0. The two eigenvalues are equal, and small, for
+// (1 - β)² = 4 β.
 constexpr double closed_share = 0.1716;
 
-// The part of a contact's v at the start of the step that the law of contact would not leave, moved
-// to the middle: v·n, and the slip of a contact that sticks. It is the error of the last step.
+// The part of a contact's v at the start of the step that the law of contact does not allow: v·n,
+// and the slip of a contact that sticks. This part is the error of the last step. It is returned
+// with the normal in the middle of the step.
 // @return nothing if the contact has just closed, or has just begun to stick
 std::optional<Vector3d> error_of(const ContactProblem& problem, const HeldContact& contact)
 {
@@ -57,7 +61,8 @@ std::optional<Vector3d> error_of(const ContactProblem& problem, const HeldContac
 // the end of the step, so the solver finds impulses with which these sums obey the law of contact.
 struct MidpointProblem {
     ContactProblem problem;
-    std::map<int, int> places; // in `problem.bodies`, by the index of a body that moves
+    // For each moving body, by its index in the world: its index in `problem.bodies`.
+    std::map<int, int> places;
     // One for each contact. An error at the start must not come back at the end with the other
     // sign, so the sum has to keep it. Therefore each contact with a static body has a copy of this
     // body that moves with the error.
@@ -153,8 +158,8 @@ Vector3d at_start(const Vector3d& x, const Contact& c, const MiddleOfStep& middl
     return x - moved / count;
 }
 
-// Whether a contact of the island without an impulse would close: the next of several boxes that a
-// ball slides over, for example, takes the ball from the edge of the last one.
+// Whether a contact of the island that has no impulse would close. For example, when a ball slides
+// over several boxes, the next box takes over the ball from the edge of the box before it.
 bool any_other_closes(const MidpointProblem& mid, const Island& island,
                       const std::vector<Body>& first, const ContactProblem& problem)
 {
@@ -196,7 +201,7 @@ void take_results(const MidpointProblem& mid, const MiddleOfStep& middle, const 
         c.contact_impulse = solved.contact_impulse;
         c.point = at_start(solved.point, c, middle, first);
         c.normal = solved.normal;
-        // The predicted gap is gap + h times the mean of v·n.
+        // With this value, `predicted_gap` returns gap + h times the mean of v·n.
         const double mean = mid.sum_at(k).dot(c.normal) / 2;
         c.passes_by = problem.time_step * (mean - problem.velocity_at(c, c.point).dot(c.normal));
     }

@@ -23,7 +23,8 @@ enum class MidpointResult {
 ///
 /// @param first  the bodies after the collision stage, before the forces
 /// @param flown  the states after free flight
-/// @param poses  of all bodies at the start of the step; those of the island may be changed
+/// @param poses  poses of all bodies at the start of the step; those of the island's bodies and
+///               those of driven bodies that touch them may be changed
 /// @return what was done; unless it is `solved`, `problem` has not changed
 MidpointResult solve_at_midpoint(const World& world, const std::vector<Body>& first,
                                  const std::vector<RigidState>& flown, const Island& island,

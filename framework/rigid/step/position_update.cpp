@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The position update. Each body that got an impulse flies once more, by the integrator of free
-// flight, with its velocity after the contact stage or the mean of its velocities before and after
-// the step. A body that only bounced and that no spring, force or drag pulls takes its velocity
-// after the collision stage, and this flight adds gravity. The displacements of the position
-// correction are added last.
+// flight, with its velocity after the contact stage or, in some islands (`by_mean`), with the mean
+// of this velocity and that after the collision stage. A body that only bounced and that no spring,
+// force or drag pulls takes its velocity after the collision stage, and this flight adds gravity.
+// The displacements of the position correction are added last.
 #include "rigid/step/position_update.hpp"
 
 #include "formulas/rotation.hpp"

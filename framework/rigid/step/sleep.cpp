@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Sleep of islands at rest. For each body of an island it adds up how long the body has stayed in
-// its place. If all bodies of the island have stayed for long enough, they become a sleeping group
+// Sleep of islands at rest. The code adds up how long each body of an island has stayed in its
+// place. If all bodies of the island have stayed for long enough, they become a sleeping group
 // without velocity, and their contacts are stored in the world. A group wakes as a whole.
 #include "rigid/step/sleep.hpp"
 
 #include "rigid/bodies/orientation.hpp"
+#include "rigid/contact/warm_start.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 namespace rigor {
 
@@ -75,30 +77,38 @@ bool is_driven(const World& world, const ContactProblem& problem, const Island& 
     });
 }
 
+template <class T, class Condition>
+void copy_if(const std::vector<T>& from, const Condition& condition, std::vector<T>& to)
+{
+    std::copy_if(from.begin(), from.end(), std::back_inserter(to), condition);
+}
+
 } // namespace
 
 void fall_asleep(World& world, const ContactProblem& problem, const std::vector<double>& radii,
-                 const std::vector<bool>& forced, std::vector<RigidState>& states,
-                 const std::vector<ContactRecord>& records)
+                 const std::vector<bool>& forced, StepResult& result)
 {
     if (!world.settings.optimisations.sleep || world.settings.gravity.isZero(0)) return;
     std::vector<bool> fell; // for each body, whether it falls asleep now; empty if none does
     for (const Island& island : problem.islands) {
-        add_rest_times(world, island, radii, states, problem.time_step);
+        add_rest_times(world, island, radii, result.states, problem.time_step);
         if (!has_rested(world, island, forced) || is_driven(world, problem, island)) continue;
         fell.resize(world.bodies.size());
         const int group = *std::min_element(island.bodies.begin(), island.bodies.end());
         for (int i : island.bodies) {
             world.bodies[i].rest.group = group;
-            states[i].velocity.setZero();
-            states[i].angular_momentum.setZero();
+            result.states[i].velocity.setZero();
+            result.states[i].angular_momentum.setZero();
             fell[i] = true;
         }
     }
     if (fell.empty()) return;
-    for (const ContactRecord& record : records)
-        if (fell[record.body1] || fell[record.body2])
-            world.memory.sleeping_contacts.push_back(record);
+    const auto holds_sleeper = [&](const auto& contact) {
+        return fell[contact.body1] || fell[contact.body2];
+    };
+    copy_if(result.records, holds_sleeper, world.memory.sleeping_contacts);
+    copy_if(result.warm_contacts, holds_sleeper, world.memory.sleeping_warm_contacts);
+    std::erase_if(result.warm_contacts, holds_sleeper);
 }
 
 void wake(World& world, const std::vector<int>& bodies)
@@ -110,9 +120,14 @@ void wake(World& world, const std::vector<int>& bodies)
         const Rest& rest = world.bodies[i].rest;
         return rest.is_asleep() && wakes[rest.group];
     };
-    std::erase_if(world.memory.sleeping_contacts, [&](const ContactRecord& record) {
-        return is_woken(record.body1) || is_woken(record.body2);
-    });
+    const auto holds_woken = [&](const auto& contact) {
+        return is_woken(contact.body1) || is_woken(contact.body2);
+    };
+    StepMemory& memory = world.memory;
+    std::erase_if(memory.sleeping_contacts, holds_woken);
+    copy_if(memory.sleeping_warm_contacts, holds_woken, memory.warm_contacts);
+    std::erase_if(memory.sleeping_warm_contacts, holds_woken);
+    sort_by_bodies(memory.warm_contacts);
     for (RigidBody& body : world.bodies)
         if (body.rest.is_asleep() && wakes[body.rest.group]) body.rest = {};
 }

@@ -4,26 +4,26 @@
 
 #include "rigid/bodies/world.hpp"
 #include "rigid/contact/contact_problem.hpp"
+#include "rigid/step/step_result.hpp"
 
 namespace rigor {
 
 /// Puts to sleep every island that stayed in its place, in a world with gravity: for half a second,
 /// each body has moved by at most 1e-4 of its radius and rotated by at most 1e-4 radians (less for
-/// a body that is larger than a free fall in this time, see `rest_fraction` in sleep.cpp). The
-/// bodies lose their remaining velocity and keep their place. An island on a driven body that moves
-/// stays awake.
+/// a body whose radius exceeds the distance of a free fall in this time, see `rest_fraction` in
+/// sleep.cpp). The bodies lose their remaining velocity and keep their place. An island on a driven
+/// body that moves stays awake.
 ///
 /// @param radii    radius of each body [m]
 /// @param forced   for each body, whether springs or applied forces pull on it; such a body stays
 ///                 awake, and its island with it
-/// @param states   the states of all bodies after the step
-/// @param records  the contacts of the step; those of islands that fall asleep are kept in the
-///                 memory of the world
+/// @param result   the result of the step: the bodies that fall asleep lose their velocities, and
+///                 the memory of the world keeps their contacts
 void fall_asleep(World& world, const ContactProblem& problem, const std::vector<double>& radii,
-                 const std::vector<bool>& forced, std::vector<RigidState>& states,
-                 const std::vector<ContactRecord>& records);
+                 const std::vector<bool>& forced, StepResult& result);
 
 /// Wakes these bodies, which have to be asleep, and all bodies that fell asleep together with them.
+/// Their contacts start the next step with the impulses that they had before the sleep.
 void wake(World& world, const std::vector<int>& bodies);
 
 /// Wakes the sleeping bodies on which springs or applied forces pull.

@@ -2,9 +2,11 @@
 // Advances a world by one time step in the order of Guendelman, Bridson and Fedkiw (2003):
 // collisions, velocities, contact, positions. Free flight and the search for contacts come first.
 // An island whose contacts move along a curve is solved again with the contacts of the middle of
-// the step. Last, single bounces are computed at their exact times. The step of an island with too
-// much new overlap is repeated in two halves; that of an island in which two balls meet is repeated
-// up to the impact and then after it. Islands at rest fall asleep.
+// the step. After the positions, single bounces are computed at their exact times. Then the step of
+// an island with too much new overlap is repeated in two halves; that of an island in which two
+// balls meet is repeated up to the impact and then after it. If a body has got into another one
+// where the search for contacts has not looked, the step of the whole world is repeated in two
+// halves. Last, islands at rest fall asleep.
 #include "rigid/step/step.hpp"
 
 #include "rigid/bodies/non_finite.hpp"
@@ -17,6 +19,7 @@
 #include "rigid/step/adaptive_substeps.hpp"
 #include "rigid/step/impact.hpp"
 #include "rigid/step/mean_velocity.hpp"
+#include "rigid/step/missed_contacts.hpp"
 #include "rigid/step/position_update.hpp"
 #include "rigid/step/single_body.hpp"
 #include "rigid/step/sleep.hpp"
@@ -56,21 +59,43 @@ Step step_of_parts(int divisions)
         [divisions](World& part, double time_step) { return step(part, time_step, divisions + 1); };
 }
 
+// The step of the whole world in two halves.
+std::vector<ContactRecord> step_in_halves(World& world, double time_step, int divisions)
+{
+    const Step half = step_of_parts(divisions);
+    std::vector<ContactRecord> records = half(world, time_step / 2);
+    std::erase_if(records, [&](const ContactRecord& r) { // the second half lists them too
+        return world.bodies[r.body1].rest.is_asleep() || world.bodies[r.body2].rest.is_asleep();
+    });
+    const std::vector<ContactRecord> second = half(world, time_step / 2);
+    records.insert(records.end(), second.begin(), second.end());
+    --world.counters.steps; // the halves do not count as steps
+    return records;
+}
+
+// Free flight, and the contacts that may matter in the step.
+struct Flight {
+    std::vector<bool> pulled;      // for each body, whether a spring, a force or drag acts on it
+    std::vector<RigidState> flown; // the states after free flight
+    ContactCandidates candidates;
+};
+
 // Free flight, and the search for contacts that may matter in this step. A sleeping body that
 // another body may touch wakes up and then moves too. So flight and search are repeated until no
 // further body wakes.
-// @param flown  receives the states after free flight
-ContactCandidates fly_and_find_contacts(World& world, const std::vector<bool>& pulled,
-                                        double time_step, ThreadPool& pool,
-                                        std::vector<RigidState>& flown)
+// @param forced  for each body, whether springs or applied forces pull on it
+Flight fly_and_find_contacts(World& world, const std::vector<bool>& forced, double time_step,
+                             ThreadPool& pool)
 {
     const Counters before = world.counters;
     for (;;) {
-        flown = free_flight(world, pulled, time_step, pool);
-        if (world.bodies.size() < 2) return {};
-        ContactCandidates candidates = contact_candidates(world, flown, time_step, pool);
-        if (candidates.disturbed.empty()) return candidates;
-        wake(world, candidates.disturbed);
+        Flight flight;
+        flight.pulled = with_dragged_bodies(forced, world);
+        flight.flown = free_flight(world, flight.pulled, time_step, pool);
+        if (world.bodies.size() < 2) return flight;
+        flight.candidates = contact_candidates(world, flight.flown, time_step, pool);
+        if (flight.candidates.disturbed.empty()) return flight;
+        wake(world, flight.candidates.disturbed);
         world.counters = before; // only the last repetition counts
     }
 }
@@ -78,17 +103,14 @@ ContactCandidates fly_and_find_contacts(World& world, const std::vector<bool>& p
 // @param divisions  how often the original step was divided to get this one
 std::vector<ContactRecord> step(World& world, double time_step, int divisions)
 {
-    // Of the implementations of the formulas, only the reference is known to be thread-safe. With
-    // any other, the step runs on one thread.
+    // Only the reference's formulas are known to be thread-safe. With any other implementation, the
+    // step runs on one thread.
     ThreadPool alone;
     ThreadPool& pool = world.settings.formulas_are_reference ? world.pool : alone;
     const std::vector<bool> forced = pulled_bodies(world, time_step);
     wake_pulled(world, forced);
 
-    const std::vector<bool> pulled = with_dragged_bodies(forced, world);
-    std::vector<RigidState> flown;
-    const ContactCandidates candidates =
-        fly_and_find_contacts(world, pulled, time_step, pool, flown);
+    auto [pulled, flown, candidates] = fly_and_find_contacts(world, forced, time_step, pool);
     if (candidates.contacts.empty())
         return finish_step(world, time_step, {std::move(flown), {}, {}});
 
@@ -101,7 +123,7 @@ std::vector<ContactRecord> step(World& world, double time_step, int divisions)
         moves_by_mean_velocity(world, after_collisions, flown, candidates.poses, problem);
     const std::vector<Displacement> displacements = position_corrections(problem);
 
-    StepResult result{std::move(flown), {}, {}};
+    StepResult result{flown, {}, {}};
     update_positions(world, problem, pulled, after_collisions, by_mean, displacements,
                      result.states);
     result.records = bounce_at_impacts(world, problem, pulled, displacements, result.states);
@@ -109,8 +131,11 @@ std::vector<ContactRecord> step(World& world, double time_step, int divisions)
     if (divisions < most_divisions)
         refined = refine_by_substeps(world, problem, pulled, candidates, result.states,
                                      step_of_parts(divisions));
+    if (divisions < most_divisions &&
+        has_missed_contact(world, problem, candidates, flown, result.states))
+        return step_in_halves(world, time_step, divisions);
     collect_contacts(world, problem, candidates, refined, result);
-    fall_asleep(world, problem, candidates.radii, forced, result.states, result.records);
+    fall_asleep(world, problem, candidates.radii, forced, result);
     return finish_step(world, time_step, std::move(result));
 }
 

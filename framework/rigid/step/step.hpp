@@ -11,26 +11,35 @@
 //                                                                      `with_dragged_bodies`
 // 1 free flight         states, forces            flown states         motion/free_flight
 // 2 find contacts       states, flown states      contact candidates   detection/contact_candidates
-//   broad, narrow phase bounds, then shapes       pairs, then points   detection/broad_phase,
-//                                                                      detection/narrow_phase
+//   broad phase         bounds                    pairs of bodies      detection/broad_phase
+//   margins, turn ahead flown states, masses      margins, poses       `margins_of`, `turn_ahead`
+//                                                                      in contact_candidates
+//   narrow phase        shapes, poses, margins    candidates           detection/narrow_phase
 //   wake up             candidates                sleeping bodies      step/sleep, `wake`; if any
 //                                                                      wakes, 1 and 2 run again
 //   no candidates: the states after free flight are final, and the step ends here
-//   make the problem    candidates                contacts in islands  contact/make_problem
+//   make the problem    candidates                contacts in islands, contact/make_problem
+//                                                 impulse matrices
 //   warm start          memory                    initial impulses     contact/warm_start
+//   blocks              large islands             blocks, colors       contact/blocks
 // 3 collisions          velocities before forces  velocities           contact/collisions
 // 4 velocities          flown states              velocities           step/step, `apply_forces`
 // 5 contact, friction   velocities, gaps          velocities, impulses contact/resting_contact
+//   set drives          drives                    velocities of drives contact/contact_problem,
+//                                                                      `set_drives`
 //   choose contacts     gaps, impulse matrices    target speeds        contact/active_contacts
 //   load estimate       weights (no warm start)   initial impulses     contact/load_estimate
 //   solve               initial impulses          velocities, impulses contact/solvers/ or
 //                                                                      contact/one_at_a_time
-//   solve again         contacts in the middle     velocities, impulses step/mean_velocity,
-//                       of the step                                     step/midpoint_contact
+//   solve again         contacts in the middle    velocities, impulses step/mean_velocity,
+//                       of the step                                    step/midpoint_contact
 // 6 position correction gaps, velocities          displacements        contact/position_correction
 // 7 positions           velocities, displacements states               step/position_update
 // 8 refine              states, contacts          states, records      step/impact,
 //                                                                      step/adaptive_substeps
+//   missed contacts     flown states, states,     none                 step/missed_contacts; if
+//                       margins                                        there is one, the whole step
+//                                                                      runs again in two halves
 //   collect contacts    impulses                  records, memory      step/step_result
 // 9 sleep               states, islands           memory, states       step/sleep
 //   finish the step     states, records           world                step/step_result
@@ -38,21 +47,44 @@
 // "Memory" is what the world keeps for its next step (`StepMemory` in bodies/step_memory.hpp). A
 // "record" is a contact with its impulse, for the trajectory (`ContactRecord`).
 //
-// The normal and the friction part of an impulse are found together, so friction has no separate
-// file. The law of friction is in contact/solvers/: `contact_law` in optimised_sweeps and `correct`
-// in collision_law_sweeps for one contact, `projected` in newton_row for Newton's method;
-// simultaneous_sweeps and contact/one_at_a_time call the formulas of topic `contact`. Stage 3 has
-// friction in the formula `collision_impulse`. The nodes of deformable solids have friction too:
-// deformable/contact/node_collisions calls `collision_impulse`, and deformable/motion/contact_set
-// has the law of friction for the implicit step.
+// Friction has no file of its own, because the normal and the friction part of an impulse are found
+// together. `sweeps_of` in contact/solvers/island_solver chooses the law of stage 5:
 //
-// Papers of the stages, by the numbers above: 1 Jacobi (1849) and van Zon and Schofield (2007), see
-// free_rotation.hpp, Buss (2000), see constant_wrench_step.hpp, Blanes and Moan (2002) and
-// Munthe-Kaas (1999), see free_flight.hpp; 2 Verlet (1967) for the pair cache, Gottschalk et al.
-// (1996) for boxes, Guendelman et al. (2003) for level sets; 3 Guendelman et al.; 5 Guendelman et
-// al., Jean (1999), Moreau (1999), Erleben (2007), Silcowitz-Hansen et al. (2010), Alart and
-// Curnier (1991); 6 Catto (2009), and Baumgarte (1972) without gravity. Stages 7 to 9 were made for
-// Rigor, this engine.
+// contact method        with the reference                 with any other implementation
+// default (`built_in`)  `contact_law` in optimised_sweeps  the formula `collision_impulse`, which
+//                                                          collision_law_sweeps calls
+// simultaneous          the same `contact_law`             the formula `resolve_simultaneously`,
+//                                                          which simultaneous_sweeps calls
+//
+// Where these sweeps do not converge, Newton's method continues, with its own law (`projected` in
+// newton_row). If a scene turns the optimisation `optimised_formulas` off, the reference is treated
+// as any other implementation. The contact methods `one_at_a_time` and `shock_propagation` always
+// call formulas of topic `contact`, from contact/one_at_a_time, and stage 3 always calls
+// `collision_impulse`. The impulses from which sweeps start are put into the friction cone where
+// they are made: in contact/warm_start and contact/load_estimate.
+//
+// In a world with deformable solids, deformable/step/step.cpp moves the solids first and then calls
+// this step. Their nodes have friction and position correction of their own: `collide_nodes` and
+// `correct_node_positions` in deformable/contact/node_collisions, and the law of friction of the
+// implicit step in deformable/motion/contact_set.
+//
+// Papers of the stages, by the numbers above (7 to 9 were made for Rigor, this engine):
+//
+// 1 Jacobi (1849), van Zon and Schofield (2007)      motion/free_rotation
+//   Buss (2000)                                      motion/constant_wrench_step
+//   Blanes and Moan (2002), Munthe-Kaas (1999)       motion/free_flight
+// 2 Verlet (1967)                                    the pair cache, bodies/pair_cache
+//   Gottschalk, Lin and Manocha (1996)               boxes, detection/shapes/box_box
+//   Guendelman, Bridson and Fedkiw (2003)            level sets, detection/shapes/mesh_contact
+// 3 Guendelman, Bridson and Fedkiw (2003)            contact/collisions
+// 5 Guendelman, Bridson and Fedkiw (2003)            contact/one_at_a_time
+//   Jean (1999), Erleben (2007)                      sweeps, contact/solvers/optimised_sweeps
+//   Silcowitz-Hansen, Niebe and Erleben (2010)       their acceleration, contact/solvers/run_sweeps
+//   Alart and Curnier (1991)                         contact/solvers/newton_contact
+//   Moreau (1999)                                    solve again, step/midpoint_contact
+//   Baumgarte (1972), only without gravity           `correction_speed`, which `activate_contacts`
+//                                                    calls; contact/position_correction
+// 6 Catto (2014)                                     contact/position_correction
 #pragma once
 
 #include "rigid/bodies/world.hpp"

@@ -30,14 +30,6 @@ template <class T> void append(std::vector<T>& list, const std::vector<T>& more)
     list.insert(list.end(), more.begin(), more.end());
 }
 
-void sort_by_bodies(std::vector<WarmContact>& contacts)
-{
-    std::stable_sort(contacts.begin(), contacts.end(),
-                     [](const WarmContact& a, const WarmContact& b) {
-                         return std::pair(a.body1, a.body2) < std::pair(b.body1, b.body2);
-                     });
-}
-
 } // namespace
 
 void collect_contacts(World& world, const ContactProblem& problem,
@@ -45,7 +37,8 @@ void collect_contacts(World& world, const ContactProblem& problem,
                       StepResult& result)
 {
     std::vector<ContactRecord> records;
-    constexpr std::size_t grain_size = 512; // two threads from twice this many contacts on
+    // Two threads share this work if there are at least twice this many contacts.
+    constexpr std::size_t grain_size = 512;
     problem.pool->run_both(
         problem.contacts.size(), grain_size,
         [&] {

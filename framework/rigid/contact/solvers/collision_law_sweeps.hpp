@@ -11,8 +11,8 @@ namespace rigor {
 /// larger eigenvalue of K in the tangent plane. Unlike K, the matrix K̃ never couples the normal
 /// and the tangential direction. For a sticking contact, the sweeps converge to the same impulse
 /// with K̃ as with K. For a sliding contact, friction is opposite to the velocity at the end of the
-/// step, so a block on an incline (θ: its angle, μ: friction coefficient) slides with g (sin θ - μ
-/// cos θ) up to rounding and does not turn.
+/// step. So a block on an incline (θ: its angle, μ: friction coefficient) slides with the
+/// acceleration g (sin θ - μ cos θ) up to rounding and does not turn.
 std::unique_ptr<Sweeps> collision_law_sweeps(ContactProblem& problem, std::span<const int> active);
 
 } // namespace rigor

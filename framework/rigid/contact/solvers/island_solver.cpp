@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The solver of an island: accelerated projected Gauss–Seidel sweeps (Silcowitz-Hansen, Niebe and
-// Erleben 2010), and Newton's method where the sweeps do not converge. First it derives the
-// tolerance from the island's size and speed, then it sweeps. If the sweeps of a stack at rest,
-// or of bodies with very different masses, have not converged, Newton's method continues, and a few
-// more sweeps check its result.
+// Erleben 2010), and Newton's method where the sweeps do not converge. First the code derives the
+// tolerance from the island's size and speed, then it sweeps. If the sweeps have not converged,
+// Newton's method continues in the cases that the header lists, and a few more sweeps check its
+// result.
 #include "rigid/contact/solvers/island_solver.hpp"
 
 #include "rigid/contact/solvers/collision_law_sweeps.hpp"
@@ -20,9 +20,8 @@ namespace rigor {
 
 namespace {
 
-// Islands with at most this many contacts are solved up to rounding, since their sweeps take little
-// time. Islands with at most `few_bodies` bodies are solved up to rounding too if Newton's method
-// may follow.
+// Islands with at most this many contacts have the tolerance `to_rounding`, since their sweeps take
+// little time. Islands with at most `few_bodies` bodies have it too if Newton's method may follow.
 constexpr int few_contacts = 16;
 
 // The sweeps of a larger island end after a limited amount of work, and the remaining error is
@@ -112,7 +111,8 @@ double mass_ratio(const ContactProblem& problem, const Island& island)
     return most / least;
 }
 
-// The kind of sweeps that the world's contact method asks for.
+// The sweeps of the island: by the engine's faster form of the reference's formulas, if it may be
+// used (`Settings::uses_optimised_formulas`), otherwise by the formula of the contact method.
 std::unique_ptr<Sweeps> sweeps_of(ContactProblem& problem, const Island& island,
                                   std::span<const int> active)
 {
@@ -126,7 +126,9 @@ std::unique_ptr<Sweeps> sweeps_of(ContactProblem& problem, const Island& island,
 // body in one step.
 bool is_at_rest(const ContactProblem& problem, double fastest)
 {
-    constexpr double speed_at_rest = 2; // in units of |g| h
+    // Divided by |g| h. The forces of this step have already been applied, so gravity has given a
+    // body at rest the speed |g| h. The factor 2 allows for errors of earlier steps.
+    constexpr double speed_at_rest = 2;
     return fastest <= speed_at_rest * problem.settings.gravity.norm() * problem.time_step;
 }
 
@@ -156,7 +158,8 @@ std::vector<Vector3d> initial_impulses(const ContactProblem& problem, std::span<
     return impulses;
 }
 
-// Whether the impulses would add kinetic energy to the bodies of the island.
+// Whether the impulses would add kinetic energy to the bodies of the island, as seen from the
+// first of its grounds (`ContactProblem::grounds_of`).
 // @param bodies  the bodies before these impulses, in the order of the island
 bool adds_energy(const ContactProblem& problem, const Island& island, std::span<const int> active,
                  std::vector<Body> bodies, const std::vector<Vector3d>& impulses)
@@ -177,7 +180,7 @@ bool adds_energy(const ContactProblem& problem, const Island& island, std::span<
 
 // The start of Newton's method, and the condition under which its result is accepted.
 struct NewtonStart {
-    const std::vector<Body>& free; // the island's bodies before any impulse
+    const std::vector<Body>& free; // the island's bodies before the contact stage
     const std::vector<Vector3d>& impulses;
     double allowed = 0; // the first sweep after Newton may change velocities by this [m/s]
 };
@@ -241,12 +244,16 @@ bool is_far_off(const ContactProblem& problem, const Island& island, const Solve
            swept.missing() > far_off * plan.approach;
 }
 
-// Continues by Newton's method if the sweeps have not converged. The method starts from the
-// impulses after the sweeps, or from the initial ones if the sweeps made the residual larger. After
-// the impact of a heavy body (`is_far_off`) both may be far from the solution; if Newton's method
-// fails then, it starts again from zero impulses. If it fails in the end, sweeps continue from the
-// impulses of its first start. If their result may add energy after such an impact, sweeps start a
-// last time from zero impulses; from there they never add energy.
+// Continues where sweeps have not converged (`swept`: their residuals). The function makes these
+// attempts and returns after the first that succeeds:
+// 1. Newton's method from the impulses of the sweeps, or from the initial impulses if the last
+//    sweep changed more than the first.
+// 2. If `is_far_off`, Newton's method from zero impulses, since both starts of attempt 1 may be far
+//    from the solution.
+// 3. Up to `last_sweeps` sweeps from the start of attempt 1. If `is_far_off`, their result is kept
+//    only for one or two bodies whose energy has not grown.
+// 4. Sweeps from zero impulses, as many as `plan.limits` allows. Sweeps that start there dissipate
+//    energy.
 void continue_by_newton(ContactProblem& problem, const Island& island, std::span<const int> active,
                         const SolvePlan& plan, const Residuals& swept, Sweeps& sweeps)
 {

@@ -25,12 +25,12 @@ using Eigen::VectorXd;
 
 // The penalty ρ of a contact is a weight divided by nᵀKn. A round reduces a velocity error to about
 // 1/weight of it. But with a large weight, Newton's method finds which contacts touch and which
-// slide only if it starts close to the solution. So the weight is multiplied by `growth` after each
-// round, up to a last weight of at least `least_last_weight`.
+// slide only if it starts close to the solution. So the weight is `first_weight` in the first round
+// and is multiplied by `growth` after each round, up to a last weight of at least
+// `least_last_weight`.
 constexpr double first_weight = 1000, least_last_weight = 1e6, growth = 10;
-// A heavy body that rests on a light one feels only a small part of the penalty. The last weight is
-// therefore larger if the largest mass of a body exceeds 1/light times the smallest effective mass
-// 1/(nᵀKn) of a contact; above that it is proportional to this ratio.
+// A heavy body that rests on a light one feels only a small part of the penalty. Therefore the last
+// weight is multiplied by `light` times `largest_ratio()`, if this product is above 1.
 constexpr double light = 1e-3;
 // Limits that bound the run time; islands that can be solved need fewer rounds and steps. After 30
 // bisections the step length t, which lies in [0, 1], is known to 1e-9.
@@ -45,16 +45,19 @@ constexpr double singular_determinant = 1e-12, least_inverse_inertia = 1e-9;
 // the compliance 1/M.
 constexpr double point_area = 1;  // [m²]
 constexpr double settled = 1e-13; // the rounds end at this relative change of the impulses
-// A round must reduce the change of the impulses to this share of the change in the round before;
-// otherwise more rounds do not help.
+// Once the penalty weight has its last value, a round must reduce the change of the impulses to at
+// most this share of the change in the round before. Otherwise more rounds do not help, and the
+// method ends.
 constexpr double gain = 0.5;
 // A line search ends where the slope has fallen to this share of the slope at its start. A smaller
 // share takes more bisections, a larger one more steps of Newton's method.
 constexpr double flat = 0.1;
 // Newton's method ends at a step of at most this size, relative to the largest velocities.
 constexpr double converged = 1e-13;
-// Rounding error of a velocity, relative to the highest speed. In j - ρ u (j: impulse, u: velocity
-// error of a contact) it is multiplied by the penalty ρ, and so by the weight of the penalty.
+// Rounding error of a velocity, relative to the highest speed. A round computes j - ρ u (j:
+// impulse, u: velocity error of a contact), where ρ = weight/(nᵀKn) multiplies this error. So the
+// rounds end where the impulses change velocities by no more than weight times this error
+// (`rounding` in `solve`).
 constexpr double u_rounding = 1e-15;
 
 // Indices in `island.bodies`, sorted by the height of the bodies from the lowest up. The order does
@@ -130,7 +133,7 @@ public:
             row.j = impulses[k];
             rows_.push_back(row);
         }
-        v_ = v_free_ + momentum_change();
+        v_ = v_free_ + velocity_change();
         last_weight_ = least_last_weight * std::max(1.0, light * largest_ratio());
     }
 
@@ -179,7 +182,7 @@ private:
 
     // The change of all velocities by the current impulses j of the rows: M⁻¹ Jᵀ j, where M is the
     // mass matrix and J v are the relative velocities at the contacts.
-    VectorXd momentum_change() const
+    VectorXd velocity_change() const
     {
         VectorXd change = VectorXd::Zero(v_free_.size());
         for (const NewtonRow& row : rows_) {
@@ -291,7 +294,7 @@ private:
     }
 
     // sum += Jᵀ(r) D J(q), where J(r) = (δ, -r*) maps (V, ω) to the velocity at the end of the
-    // lever arm r, and r* is the matrix with r* a = r × a.
+    // lever arm r. Here δ is the identity, and r* is the matrix with r* a = r × a.
     static void add_product(const Vector3d& r, const Matrix3d& D, const Vector3d& q, Matrix6d& sum)
     {
         Matrix3d Dq; // D q*
@@ -333,7 +336,8 @@ private:
     std::vector<const Body*> bodies_;
     std::vector<Matrix3d> inertias_; // inertia tensors in world space, none of them infinite
     std::vector<NewtonRow> rows_;
-    VectorXd v_free_, v_; // V and ω of each body; v_free_: without impulses, v_: in this iteration
+    // V and ω of each body; v_free_: before the contact stage, v_: in this iteration.
+    VectorXd v_free_, v_;
     double last_weight_ = least_last_weight;
     Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> solver_;
     bool is_analysed_ = false;

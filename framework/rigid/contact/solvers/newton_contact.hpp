@@ -14,12 +14,14 @@ namespace rigor {
 ///
 ///     j ← P(j - ρ u(v))   where   M (v - v_free) = Jᵀ P(j - ρ u(v))
 ///
-/// where M is the mass matrix. P makes the normal part non-negative and shortens the tangential
-/// part to the friction limit μ jₙ if it is longer. As long as the friction limit is held fixed,
-/// the solution v of the second equation is the minimum of a convex function, which Newton's method
-/// with a line search finds. Its linear system is sparse with 6 unknowns for each body; long
-/// chains of bodies and large mass ratios do not make it harder to solve. The caller checks the
-/// result by further sweeps (island_solver.hpp).
+/// where M is the mass matrix and v_free are the velocities before the contact stage. P makes the
+/// normal part non-negative and shortens the tangential part to the friction limit μ jₙ if it is
+/// longer. As long as the friction limit is held fixed, the solution v of the second equation is
+/// the minimum of a convex function, which Newton's method with a line search finds. Its linear
+/// system is sparse, with 6 unknowns for each body, and is solved by a Cholesky factorisation. The
+/// time of this solution depends on which bodies touch, not on their masses. A very large mass
+/// ratio only needs a few more rounds, because the penalty has to grow further. The caller checks
+/// the result by further sweeps (island_solver.hpp).
 ///
 /// @param free      the bodies of the island before the contact stage gives them an impulse, in the
 ///                  order of `island.bodies`

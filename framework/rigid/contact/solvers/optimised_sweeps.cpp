@@ -34,8 +34,11 @@ struct PairRows {
     TwoMasses masses;
 };
 
-// The new impulse of a contact: jₙ ← max(0, jₙ - (v·n - s)/(nᵀKn)), j_T ← j_T - v_T/λ, shortened to
-// |j_T| = μ jₙ if it is longer. λ is the larger eigenvalue of K in the tangent plane.
+// The new impulse of a contact, by the law of `resolve_simultaneously`:
+//
+//     jₙ ← max(0, jₙ - (v·n - s)/(nᵀKn)),   j_T ← j_T - v_T/λ, shortened to |j_T| = μ jₙ if longer
+//
+// where λ is the larger eigenvalue of K in the tangent plane.
 // @return the change of the impulse
 [[gnu::always_inline]] inline Vector3d contact_law(const SweepRow& row, const Vector3d& v)
 {

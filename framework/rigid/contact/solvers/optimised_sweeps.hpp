@@ -6,9 +6,11 @@
 namespace rigor {
 
 /// Sweeps for the contact methods `built_in` and `simultaneous` that do not call any formula. They
-/// give the same result as sweeps that call the formulas of the reference implementation.
+/// give the same result as sweeps that call the formulas of the reference implementation. The
+/// students' tree has another source of this name, which calls the formulas.
 ///
-/// @param island  must already be split into blocks; the threads of `problem.pool` share the blocks
+/// @param island  has to be split into blocks, since only pairs in blocks are swept; the threads in
+///                `problem.pool` share the blocks
 std::unique_ptr<Sweeps> optimised_sweeps(ContactProblem& problem, const Island& island,
                                          std::span<const int> active);
 

@@ -6,8 +6,8 @@
 
 namespace rigor {
 
-/// A run of sweeps ends after `most_sweeps` sweeps, or when a sweep changes no velocity by more
-/// than `negligible_change` plus a rounding error.
+/// A run of sweeps ends after `most_sweeps` sweeps or, with the optimisation `early_exit`, when a
+/// sweep changes no velocity by more than `negligible_change` plus a rounding error.
 struct SweepLimits {
     int most_sweeps = 0;
     double negligible_change = 0; // [m/s]
@@ -29,11 +29,14 @@ struct Residuals {
 };
 
 /// Sweeps until the changes are negligible or the number of sweeps reaches its limit. After each
-/// sweep the impulses also move on in the direction of the previous sweeps, as long as the changes
-/// do not grow (nonlinear conjugate gradients). If `steps` are the changes of the impulses by the
-/// sweep, then impulses += β directions, and after that directions = steps + β directions. Here β
-/// is `SweepProgress::squared` of this sweep, divided by that of the previous sweep. Islands with
-/// more than 1000 contacts are swept without this acceleration.
+/// sweep the impulses also move on in the direction of the previous sweeps (nonlinear conjugate
+/// gradients). If `steps` are the changes of the impulses by the sweep:
+///
+///     impulses += β directions   and then   directions = steps + β directions
+///
+/// Here β is `SweepProgress::squared` of this sweep, divided by that of the previous sweep. It is 0
+/// after the first sweep, after a sweep in which `squared` grew, and in all sweeps after the
+/// acceleration diverged. Islands with more than 1000 contacts are swept without this acceleration.
 ///
 /// @param count  number of active contacts
 Residuals run_sweeps(ContactProblem& problem, Sweeps& sweeps, std::size_t count,

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Contacts of two boxes by the separating axis test of Gottschalk, Lin and Manocha (1996). First it
-// finds the best of the six faces and the nine pairs of edges; then, if the boxes are about to
-// meet, it looks for a face that separates them better at the end of the step. Last, it clips the
-// nearest face of the other box against the chosen face (Sutherland and Hodgman 1974), or takes the
-// closest points of the two edges.
+// Contacts of two boxes by the separating axis test of Gottschalk, Lin and Manocha (1996). Of the
+// six face normals and the nine cross products of edges, it takes the axis with the largest
+// separation; of nearly equal ones, a face rather than edges. If the boxes are apart along this
+// axis now but overlap at the end of the step, it prefers a face that separates them now and along
+// whose normal they will overlap less. Last, it clips the nearest face of the other box against the
+// chosen face (Sutherland and Hodgman 1974), or takes the closest points of the two edges.
 #include "rigid/detection/shapes/box_box.hpp"
 
 #include "rigid/bodies/inlined_product.hpp"
@@ -17,8 +18,8 @@ namespace rigor {
 
 namespace {
 
-// Squared sine of the angle below which two edges count as parallel, 0.06°. Their cross product is
-// then mostly rounding, and a face separates the boxes as well as the edges do.
+// Squared sine of the angle below which two edges count as parallel, 0.06°. A face then separates
+// the boxes as well as the edges do.
 constexpr double parallel_squared = 1e-6;
 // Distance from a border that counts as rounding, relative to half the width of the face.
 constexpr double border_rounding = 1e-9;
@@ -138,7 +139,8 @@ struct FaceAhead {
     for (const bool is_of_first : {true, false})
         for (int i = 0; i < 3; ++i) {
             const PlacedBox& box = is_of_first ? a : b;
-            const double d = is_of_first ? of.d_a[i] : -of.d_b[i]; // towards the other box
+            // Component of the vector from the center of `box` to that of the other box.
+            const double d = is_of_first ? of.d_a[i] : -of.d_b[i];
             const double reach =
                 is_of_first ? of.C_abs.row(i).dot(b.half) : of.C_abs.col(i).dot(a.half);
             const double now = std::abs(d) - box.half[i] - reach;
@@ -209,10 +211,11 @@ Polygon incident_face(const PlacedBox& box, const Matrix3d& R, const Vector3d& o
 }
 
 // Clips the incident face of `other` against the face of `reference` that `axis` names. The
-// reference face is first extended towards the side that `other` comes from, by the length of the
-// move.
+// reference face is first extended towards the side that `other` comes from, along each of its
+// edges by the component of the move.
 // @param normal  contact normal, from box 2 to box 1
-// @param move    displacement of `other` relative to `reference` in this step
+// @param move    displacement of `other` relative to `reference` in this step, or zero: then the
+//                face is not extended
 void find_face_contacts(const PlacedBox& reference, const PlacedBox& other, const Axis& axis,
                         const Vector3d& normal, const Vector3d& move, double reach,
                         std::vector<Contact>& contacts)

@@ -15,7 +15,8 @@ namespace rigor {
 /// other box is clipped against this face, and the up to 8 corners of the polygon are the contacts.
 /// If it belongs to two edges, their closest points make the contact. A face is preferred to a
 /// pair of edges, and the larger of two faces to the smaller one, unless the other axis is clearly
-/// better. No corner is left out. So a box at rest keeps its contacts from step to step.
+/// better. No corner closer than `reach` is left out. So a box at rest keeps its contacts from step
+/// to step.
 ///
 /// The boxes may be apart now but overlap along that axis at the end of the step. If another face
 /// separates them now and they would overlap less along its normal, that face is used instead. So a

@@ -23,12 +23,13 @@ using Eigen::Vector2d;
 
 // Distance from a clipping line that counts as rounding, relative to the length of the line.
 constexpr double line_rounding = 1e-9;
-// Sine of the angle above which two segments cross in one point, about 6°. Segments at a smaller
-// angle make a contact at each end of their common part, so that a body that rests on an edge does
-// not rock.
+// Sine of the angle, about 6°, above which two segments count as crossing in one point. Segments at
+// a smaller angle make a contact at each end of their common part, so that a body that rests on an
+// edge does not rock.
 constexpr double crossing_sine = 0.1;
-// A corner is as deep as the closest points if their gaps differ by less than this, relative to the
-// size of shape 1. This is the error of the search for the closest points.
+// If the gap of the deepest corner is larger than that of the closest points by at most this,
+// relative to the distance of the closest point from the origin of shape 1, the closest points make
+// no contact, because so small a difference may be an error of the search for them.
 constexpr double gap_tolerance = 1e-6;
 
 // A feature projected along the contact normal: places in the tangent plane, and heights along the
@@ -84,7 +85,7 @@ Outline outline(const Feature& feature, const Matrix3d& frame, const Vector3d& o
     return o;
 }
 
-// The height at a place of the plane through an outline, or of the line through a segment.
+// At a place, the height of the plane through an outline, or of the line through a segment.
 double height_at(const Outline& o, const Vector2d& place)
 {
     const Vector2d p = place - o.places[0];

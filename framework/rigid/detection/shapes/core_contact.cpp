@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Contacts of shapes that are a core (a point, a segment or a circle) with a radius around it:
 // spheres, capsules and tori; other engines call such shapes rounded. The distance of the other
-// shape is sampled along the core, and each minimum is refined by golden section search (Kiefer
-// 1953). Balls on a torus or a mesh have methods of their own. For a capsule or a torus on
-// a mesh, contacts at the points of the mesh are added.
+// shape is sampled along the core, and each minimum of the samples is refined by golden section
+// search (Kiefer 1953). Balls on a torus or a mesh have methods of their own. For a capsule or a
+// torus on a mesh, contacts at the points of the mesh are added.
 #include "rigid/detection/shapes/core_contact.hpp"
 
 #include "geometry/shapes/solid_mesh.hpp"
@@ -22,13 +22,14 @@ namespace rigor {
 namespace {
 
 // Number of samples along a segment (the ends of 16 equal intervals) and around a circle (7.5°
-// apart). A minimum is found if no other minimum is nearer than the distance of two samples. More
-// samples take more time; the numbers were chosen by trial.
+// apart). A local minimum is found if a sample near it is lower than the two samples beside it. A
+// dip that is narrower than the spacing may be missed. More samples take more time; the numbers
+// were chosen by trial.
 constexpr int segment_samples = 17, circle_samples = 48;
 constexpr int golden_steps = 42; // they shorten an interval to 0.618⁴² = 2e-9 of its length
 // A minimum between two samples becomes another contact only if its gap is smaller than the gap at
-// the sample by more than this fraction of the core's length. A smaller difference may be an error
-// of the search.
+// the sample by more than this fraction of the core's length. A smaller difference may be a search
+// error.
 constexpr double least_improvement = 1e-9;
 
 // A core curve with a radius around it, in the frame of the other shape.
@@ -141,7 +142,8 @@ private:
     // @return the parameter of the nearest point
     double add_around_lowest(const std::vector<double>& gaps, double step)
     {
-        constexpr double flat = 1e-6; // largest difference of equal gaps, in lengths of the core
+        // Gaps count as equal if they differ by less than this fraction of the core's length.
+        constexpr double flat = 1e-6;
         const auto [low, high] = std::minmax_element(gaps.begin(), gaps.end());
         const bool is_flat = *high - *low < flat * core_.meters();
         const int i = is_flat ? 0 : static_cast<int>(low - gaps.begin()), points = is_flat ? 8 : 4;
@@ -242,7 +244,7 @@ void find_core_contacts(const Shape& shape1, const Pose& pose1, const Shape& sha
     if (!mesh) return;
     std::vector<Contact> points;
     find_point_contacts(shape1, pose1, *mesh->solid, pose2, reach, counters, points);
-    constexpr double all = 1; // the points of `contacts` are a whole gap away from the mesh
+    constexpr double all = 1; // `share`: contacts of the core lie on shape 1, the whole gap away
     remove_points_ahead(points, shape1, pose1, std::span(contacts).subspan(first), all);
     contacts.insert(contacts.end(), points.begin(), points.end());
     reduce_contacts(contacts, first, reach);

@@ -11,13 +11,20 @@ namespace rigor {
 /// Appends the contacts of a sphere, a capsule or a torus with another shape that is closer than
 /// `reach`.
 ///
-/// Such a shape is a core (a point, a segment, a circle) with a radius around it. It touches where
-/// the other shape's distance from the core is least. Where the gap is below `reach`, a capsule
-/// also touches at samples along its segment, and a torus at four or eight points spread evenly
-/// around its circle. A contact lies on the shape's own surface (for a ball on a torus: in the
-/// middle of the gap), and its normal passes through the core. A ball touches a mesh at each local
-/// minimum of the distance. For a capsule or a torus against a mesh, the points of the mesh are
-/// tested too, so that a peg in a hole has contacts on all sides.
+/// Shape 1 is a core (a point, a segment, a circle) with a radius around it. Its contacts are
+/// these, where their gap is below `reach`. If there are many, they are reduced to a few
+/// (reduce_contacts.hpp).
+///
+///   * A sphere: where the other shape is nearest. With a mesh, at each local minimum of the
+///     distance. With a torus, at three points of the torus, one of them the nearest.
+///   * A capsule: at samples along its segment, and at local minima between the samples.
+///   * A torus: at four or eight points spread evenly around its circle, and at other local minima.
+///   * A capsule or a torus with a mesh: also at points of the mesh, so that a peg in a hole has
+///     contacts on all sides.
+///
+/// A contact lies on the surface of shape 1, and its normal passes through the core. There are two
+/// exceptions. The contacts of a sphere with a torus lie in the middle of the gap. So do contacts
+/// at points of a mesh, whose normal is one of the mesh (mesh_contact.hpp).
 ///
 /// @param shape1  a sphere, a capsule or a torus
 /// @param shape2  anything but a plane

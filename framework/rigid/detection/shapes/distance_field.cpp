@@ -17,8 +17,8 @@ namespace {
 // Below this cosine of the angle between the gradient and the way to the surface, the gradient
 // points backward: the angle is more than 120°. Then the exact direction replaces the gradient.
 constexpr double points_back = -0.5;
-// Largest error of a correct `sample_level_set`, about a cell before the surface [cells]. Linear
-// interpolation of a distance is off by less, even at an edge or a vertex.
+// Largest error of a correct `sample_level_set` about a cell before the surface, divided by the
+// size of a cell. Linear interpolation of a distance is off by less, even at an edge or a vertex.
 constexpr double grid_error = 0.5;
 constexpr double no_bound = -1e300; // a lower bound of every distance [m]
 
@@ -55,7 +55,8 @@ bool DistanceField::is_in_grid(const Vector3d& p) const
     return true;
 }
 
-// The length of the way to a point one cell before the surface, where the grid is most accurate.
+// The length of the way from a point at the distance `away` from the surface to one cell before the
+// surface. The end of the way lies in the grid, which extends two cells beyond the mesh.
 double DistanceField::way_to_grid(double away) const
 {
     return std::max(away - grid_->cell_size, 0.0);
@@ -77,7 +78,8 @@ SurfaceDistance DistanceField::ball_towards(const Vector3d& center, double radiu
     const double phi = distance(p);
     // Values of the formulas that are correct up to the error of the grid are replaced by the exact
     // direction and distance. A ball that rolls over triangles with the normal of one surface and
-    // the distance from another would gain energy. Wrong values of the formulas are kept.
+    // the distance from another would gain energy. Wrong values of the formulas are kept, so that
+    // the simulation shows the mistake.
     const bool is_right_direction = gradient.dot(d) < points_back;
     const bool is_right_distance = std::abs(phi - (away - way)) < grid_error * grid_->cell_size;
     return {(is_right_direction && is_right_distance ? away : phi + way) - radius,

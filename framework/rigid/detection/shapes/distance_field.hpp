@@ -25,12 +25,12 @@ public:
     /// The outward unit normal.
     /// @throws NonFiniteLevelSet if the formula's result is not finite
     Vector3d normal(const Vector3d& p) const;
-    /// For a ball near the surface: the distance of the ball's own surface from the other surface,
-    /// and the normal there, which passes through the ball's center.
+    /// For a ball near the surface of the shape: the distance between the two surfaces, and the
+    /// outward normal of the shape on the line through the ball's center.
     ///
-    /// If the center is inside the grid, the level set is sampled there. Outside, the level set
-    /// gives little more than the distance to the grid. So it is sampled on the way from the center
-    /// to the nearest triangle.
+    /// If the center is inside the grid of a mesh, the level set is sampled there. Outside, the
+    /// level set gives little more than the distance to the grid. So it is sampled on the way from
+    /// the center to the nearest triangle.
     SurfaceDistance ball(const Vector3d& center, double radius) const;
     /// The distance of `ball` without its normal.
     double ball_distance(const Vector3d& center, double radius) const;
@@ -40,8 +40,9 @@ public:
     SurfaceDistance ball_towards(const Vector3d& center, double radius,
                                  const Vector3d& target) const;
 
-    /// A lower bound of the distance, computed without a formula: for a mesh the distance to its
-    /// bounds. Inside the bounds it is 0, although `distance` may be negative there.
+    /// For a mesh, the distance to its bounds, computed without a formula: outside the bounds a
+    /// lower bound of `distance`, inside them 0, although `distance` may be negative there. For any
+    /// other shape, a number below every distance.
     double at_least(const Vector3d& p) const;
     /// An error bound of the distance where its gradient changes direction within a cell [m].
     double uncertainty() const { return grid_ ? grid_->cell_size : 0; }

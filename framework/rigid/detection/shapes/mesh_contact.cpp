@@ -22,13 +22,13 @@ namespace rigor {
 
 namespace {
 
-// If a node of the tree is farther from the shape than this many radii of the node, only one of its
-// points is tested. A smaller value tests fewer points, but then a point that is not tested may be
-// nearer than the tested one by more.
+// If the distance of a node of the tree from the shape is larger than this multiple of the node's
+// radius, only one of its points is tested. With a smaller value fewer points are tested, but the
+// points that are not tested may be much nearer than the tested one.
 constexpr double far = 6;
-// Both are multiples of the spacing of the surface points. A node with a radius below `small_node`
-// has one contact, at its nearest point. Two points are equally near if their distances differ by
-// less than `equally_near`.
+// Two lengths, divided by the spacing of the surface points. A node of the tree with a radius below
+// `small_node` has one contact, at its nearest point. Two points are equally near if their
+// distances differ by less than `equally_near`.
 constexpr double small_node = 1.5, equally_near = 1e-3;
 // Two gradients belong to one flat face if their difference is shorter than this.
 constexpr double same_face = 1e-3;
@@ -54,9 +54,13 @@ public:
     }
 
 private:
-    // All points of a node have about the same distance as its middle. If this distance is large
-    // for the size of the node, only one of the points is tested. In a node with the size of one or
-    // two spacings, only the nearest point makes a contact.
+    // Tests the points of a node of the tree:
+    //   1. none of them, if the node is found to be farther away than the reach
+    //   2. one of them, if the node is no leaf and the distance of its middle is larger than `far`
+    //      times its radius: all points then have about this distance
+    //   3. all of them, if the node is a leaf or its radius is below `small_node` spacings. Only
+    //      the nearest one makes a contact.
+    //   4. otherwise those of its two children, in the same way
     void descend(int index, std::vector<Contact>& contacts)
     {
         const BoundingTree::Node& node = surface_.point_tree().nodes()[index];
@@ -82,8 +86,8 @@ private:
         for (int i = first; i < last; ++i) {
             const int number = surface_.point_tree().order()[i];
             const double gap = field_.distance(pose_ * surface_.points()[number].point);
-            // Of points that are equally near, the lowest number wins: vertices before edges before
-            // faces.
+            // Of points that are equally near, the one with the lowest index is taken: a vertex
+            // rather than a point on an edge, and a point on an edge rather than one on a face.
             const bool is_nearer = nearest < 0        ? gap < reach_
                                    : number < nearest ? gap < least + as_near
                                                       : gap < least - as_near;
@@ -107,12 +111,17 @@ private:
         gradients_.push_back(gradient);
     }
 
-    // Removes contacts of a round mesh that have a gap and whose normal differs from the gradient
-    // by more than the angle of a facet, if a nearer point faces the same flat face. Such points
-    // lie on the front of a rolling wheel, and the wheel turns them away before they touch.
+    // Removes those contacts of a round mesh for which all of this holds:
+    //   1. The contact has a gap.
+    //   2. Its normal differs from the gradient by more than the angle of a facet.
+    //   3. Another contact at the same flat face has a smaller gap, and a normal that differs from
+    //      the gradient by at most the angle of a facet.
+    // The points of such contacts lie on the front of a rolling wheel, and the wheel turns them
+    // away before they touch.
     void remove_points_ahead_of_round(std::vector<Contact>& contacts, std::size_t first) const
     {
-        const auto faces = [&](std::size_t i) { // whether the normal differs by at most a facet
+        // Whether the normal and the gradient differ by at most the angle of a facet.
+        const auto faces = [&](std::size_t i) {
             return contacts[i].normal.dot(gradients_[i - first]) >= facet_cosine_;
         };
         std::vector<std::size_t> facing;
@@ -168,7 +177,8 @@ bool any_overlaps(const std::vector<Contact>& contacts)
                        [](const Contact& c) { return c.gap < 0; });
 }
 
-// Appends the points of mesh 2 near shape 1, in the frame of the mesh, with normals from 2 to 1.
+// Appends the contacts of surface points of mesh 2 with shape 1, in the frame of the mesh, with
+// normals from 2 to 1.
 // @param from_1  pose of shape 1 in the frame of the mesh
 // @return the deepest point that was looked at, in the frame of shape 1
 DeepestPoint add_points(const Shape& shape1, const Pose& from_1, const SolidMesh& mesh2,
@@ -183,14 +193,15 @@ DeepestPoint add_points(const Shape& shape1, const Pose& from_1, const SolidMesh
     return deepest;
 }
 
-// Whether a contact of a mesh point lies ahead of a rolling shape 1: it has a gap, its point is not
-// the point of its flat face that is nearest to shape 1, and another contact with the same face has
-// a smaller gap.
+// Whether a contact of a mesh point lies ahead of a rolling shape 1, so that `remove_points_ahead`
+// removes it (mesh_contact.hpp lists the conditions).
 bool is_ahead_on_face(const Contact& point, const Shape& shape1, const Pose& pose1,
                       std::span<const Contact> others, double share)
 {
-    constexpr double same = 1e-6;  // largest 1 - cosine of the angle of equal directions
-    constexpr double level = 1e-6; // largest height above the face, relative to the distance
+    constexpr double same = 1e-6; // directions are equal if 1 - cosine of their angle is smaller
+    // Two points lie on one flat face if their heights above it differ by at most this share of
+    // their distance.
+    constexpr double level = 1e-6;
     if (point.gap <= 0) return false;
     const Vector3d x = point.point - point.gap / 2 * point.normal; // on the face
     const Vector3d away =

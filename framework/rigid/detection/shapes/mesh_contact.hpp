@@ -18,10 +18,10 @@ namespace rigor {
 /// (Guendelman, Bridson and Fedkiw 2003, "Nonconvex rigid bodies with stacking"): a mesh has its
 /// level set, any other shape its exact distance. The contact normal is opposite to one of the
 /// outward normals of the point's own surface there: the one that is nearest to the negative
-/// gradient of the distance. So a point inside a face pushes along the normal of the face, also at
-/// an edge of the other shape. Points ahead of a rolling mesh wheel are left out. Edges are tested
-/// against edges exactly, so that crossing bars touch although no point of one bar lies inside the
-/// other.
+/// gradient of the distance. So a point in the middle of a face pushes along the normal of the
+/// face, also at an edge of the other shape. Points ahead of a rolling wheel are left out. Edges
+/// are tested against edges exactly, so that crossing bars touch although no point of one bar lies
+/// inside the other.
 ///
 /// @param shape1  a mesh, a box, a cylinder, a cone or an ellipsoid
 /// @param shape2  a mesh
@@ -35,10 +35,12 @@ void find_point_contacts(const Shape& shape1, const Pose& pose1, const SolidMesh
                          const Pose& pose2, double reach, Counters& counters,
                          std::vector<Contact>& contacts);
 
-/// Removes contacts of points of flat faces that have a gap and are not nearest to shape 1, if
-/// another contact with the same face is nearer. Such points lie ahead of a rolling wheel, which
-/// passes them without touching. If the wheel turned a little more in the step, contacts at these
-/// points would stop it.
+/// Removes those contacts at points of flat faces of a mesh for which all of this holds:
+///   1. The contact has a gap.
+///   2. Its point is not the point of the face that is nearest to shape 1.
+///   3. Another contact with the same face has a smaller gap.
+/// Such points lie ahead of a rolling wheel, which passes over them without touching them. Contacts
+/// there could stop the wheel.
 ///
 /// @param points  contacts of a mesh's surface points with shape 1, which is no mesh
 /// @param others  contacts of points of shape 1 with the mesh

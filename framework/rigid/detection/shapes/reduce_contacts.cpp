@@ -2,7 +2,7 @@
 // Reduction of many contacts to a few that are spread over the contact region. It starts with the
 // outermost of the deepest contacts and then repeatedly adds the contact that is farthest from
 // those already chosen, weighted by depth. Last, each chosen contact is replaced by the deepest of
-// the contacts that are nearest to it.
+// the contacts that are nearer to it than to any other chosen contact.
 #include "rigid/detection/shapes/reduce_contacts.hpp"
 
 #include "geometry/bounds/bounds.hpp"
@@ -20,9 +20,9 @@ constexpr double as_deep = 1e-5;
 // Two distances are equal if they differ by less than this fraction. Then the first contact is
 // taken, so that rounding does not decide.
 constexpr double equal_distance = 1e-9;
-// Weight of the squared difference of two normals. The squared distance of two points, relative
-// to the extent of the region, has weight 1. So opposite normals count as much as points at
-// opposite ends of the region.
+// Weight of the squared difference of two normals, in the squared distance of two contacts. The
+// squared distance of their points, divided by the square of the extent of all contact points, has
+// weight 1. So opposite normals count as much as points at opposite ends of the contact region.
 constexpr double normal_weight = 0.25;
 constexpr double least_extent = 1e-300; // avoids 0/0 if all points are equal [m]
 constexpr double not_chosen = 1e300;    // the distance to the chosen contacts if there are none
@@ -73,7 +73,8 @@ private:
         return range > 0 ? (reach_ - contacts_[i].gap) / range : 1;
     }
 
-    // The distance of two contacts by place, relative to the extent, and by normal.
+    // The distance of two contacts. It grows with the distance of their points, divided by the
+    // extent, and with the difference of their normals.
     double difference(int i, int j) const
     {
         const Contact &a = contacts_[i], &b = contacts_[j];
@@ -120,8 +121,9 @@ private:
     double reach_, deepest_ = 0, extent_ = 0;
     Vector3d middle_ = Vector3d::Zero();
     std::vector<int> chosen_;
-    std::vector<int> nearest_chosen_; // for each contact, the place of the nearest in `chosen_`
-    std::vector<double> distance_;    // for each contact, the distance to that nearest one
+    // For each contact, the chosen contact nearest to it: its index in `chosen_`, and its distance.
+    std::vector<int> nearest_chosen_;
+    std::vector<double> distance_;
 };
 
 } // namespace

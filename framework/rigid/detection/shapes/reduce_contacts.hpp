@@ -5,16 +5,17 @@
 
 namespace rigor {
 
-/// The largest number of contacts of two shapes. More would take more time in the solver, fewer
-/// would represent a large contact region worse.
+/// The number of contacts to which `reduce_contacts` reduces the contacts of two shapes. More would
+/// take more time in the solver, fewer would represent a large contact region worse.
 inline constexpr std::size_t most_contacts = 8;
 
 /// Keeps at most `most` of the contacts from index `first` on, spread over the region of contact.
 ///
 /// The first contact that is kept is the outermost of the deepest contacts. Each next one is the
-/// contact that is farthest from those already kept, by place and normal, where a contact with a
+/// contact that is farthest from those already kept, by position and normal, where a contact with a
 /// gap counts less than one that touches. So a ring on a peg keeps contacts on all sides. Last,
-/// each kept contact is replaced by the deepest of the contacts that are nearest to it.
+/// each kept contact is replaced by the deepest of the contacts that are nearer to it than to any
+/// other kept contact.
 ///
 /// @param reach  distance up to which the contacts were searched; a contact with this gap has no
 ///               weight [m]

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double alike = 0.98; // least cosine of directions that count as the same, 11°
 constexpr int most_steps = 4;  // limits an iteration whose gradient goes on turning
-// Largest 1 - cosine of two gradients between which the iteration has converged.
+// An iteration has converged if 1 - cosine of the angle between its last two gradients is smaller.
 constexpr double converged = 1e-12;
 constexpr double zero_length = 1e-9; // a shorter sum of parts of unit vectors is rounding
 
@@ -32,8 +32,8 @@ struct NormalAt {
     static constexpr double rounding = 1e-9;
     static constexpr double on_it = 1 - rounding;
 
-    // The sum of the parts of d along the orthogonal normals, as a unit vector; the first normal if
-    // the sum is zero.
+    // The sum of the parts of d along orthogonal normals, without the parts that are opposite to a
+    // normal, as a unit vector; the first normal if the sum is zero.
     static Vector3d sum(std::initializer_list<Vector3d> normals, const Vector3d& d)
     {
         Vector3d n = Vector3d::Zero();
@@ -91,7 +91,7 @@ struct NormalAt {
     template <class Other> Vector3d operator()(const Other&) const { return d; }
 };
 
-// Points spread over the surface. For each of 26 directions it is the middle of the face, edge or
+// Points spread over the surface, one for each of 26 directions: the middle of the face, edge or
 // point that is turned towards this direction.
 std::vector<Vector3d> seeds(const Shape& shape)
 {

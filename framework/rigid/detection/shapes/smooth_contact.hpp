@@ -17,8 +17,8 @@ inline constexpr double least_opposition = 0.3;
 ///
 /// The iteration starts from points spread over the surface. Each step goes to the point of the
 /// surface (or the ends of the face or line) that lies farthest against the field's gradient, until
-/// the gradient there has the same direction. These points are the local minima of the field on the
-/// surface.
+/// the direction of the gradient no longer changes. The points where it ends are local minima of
+/// the field on the surface.
 ///
 /// @param shape  a box, a cylinder, a cone or an ellipsoid
 /// @param pose   pose of the shape in the frame of the field; the contacts are in this frame too,

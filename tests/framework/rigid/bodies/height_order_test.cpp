@@ -62,3 +62,22 @@ TEST_CASE("height order: it is the same wherever the points are", "[rigid]")
                         (there(moved[i]) < there(moved[j])));
     }
 }
+
+TEST_CASE("height order: different points have different keys in any direction of gravity",
+          "[rigid]")
+{
+    std::vector<Vector3d> corners;
+    for (double x : {0, 1})
+        for (double y : {0, 1})
+            for (double z : {0, 1})
+                corners.emplace_back(x, y, z);
+    for (const Vector3d& gravity : {Vector3d(9.81, 0, 0), Vector3d(0, -9.81, 0),
+                                    Vector3d(0, 0, 9.81), Vector3d(-5, 5, 0), Vector3d(1, 2, 3)}) {
+        CAPTURE(gravity.transpose());
+        const HeightOrder key_of = order_of(corners, gravity);
+        for (std::size_t i = 0; i < corners.size(); ++i)
+            for (std::size_t j = 0; j < i; ++j)
+                CHECK((key_of(corners[i]) < key_of(corners[j])) !=
+                      (key_of(corners[j]) < key_of(corners[i])));
+    }
+}

@@ -11,7 +11,7 @@ using namespace rigor::testing;
 TEST_CASE("travel: a path is at least as long as that of any point", "[rigid]")
 {
     Random random(11);
-    for (const double angle : {0., 1e-6, 0.1, 1., 3.})
+    for (const double angle : {0., 1e-6, 0.1, 1., 3., 4., 6.28, 7., 9.42, 100.})
         for (int i = 0; i < 20; ++i) {
             CAPTURE(angle, i);
             const double radius = 2, h = 0.1;
@@ -23,7 +23,7 @@ TEST_CASE("travel: a path is at least as long as that of any point", "[rigid]")
             const Vector3d p = radius * random.unit_vector(); // on the surface
             const Vector3d moved = to.position + rotation_matrix(to.orientation) * p -
                                    rotation_matrix(from.orientation) * p;
-            check_at_least(path_between(travel_of(from, to, radius, h), {}), moved.norm(),
+            check_at_least(path_between(travel_of(from, to, angle, radius, h), {}), moved.norm(),
                            "path [m]");
         }
 }

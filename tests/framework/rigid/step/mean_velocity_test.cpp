@@ -104,8 +104,9 @@ TEST_CASE("mean velocity: a ball that hits a curve moves by its last velocity", 
 TEST_CASE("mean velocity: integrators of the first order have none", "[rigid]")
 {
     World world = sliding_over(Sphere{1}, 1);
-    world.settings.integrator = GENERATE(Integrator::linear, Integrator::exponential,
-                                         Integrator::buss, Integrator::gram_schmidt);
+    world.settings.integrator =
+        GENERATE(Integrator::linear, Integrator::exponential, Integrator::buss,
+                 Integrator::gram_schmidt, Integrator::euler_angles);
     Solved solved(world);
     CHECK(solved.by_mean == std::vector<char>{false});
 }

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+// Looks for contacts that a step has missed. The search for contacts covers the motion of free
+// flight and, around it, a margin for each body (contact_candidates.hpp). So only bodies that end
+// farther from their free flight than their margin can meet something else. Each of them is tested
+// against the swept bounds of all other bodies, and where these overlap, by its contacts. A body
+// that turns far may also pass through a contact that was found; its center is then on the other
+// side.
+#include "rigid/step/missed_contacts.hpp"
+
+#include "geometry/shapes/shape_bounds.hpp"
+#include "rigid/bodies/orientation.hpp"
+#include "rigid/detection/travel.hpp"
+
+#include <algorithm>
+
+namespace rigor {
+
+namespace {
+
+// The motion of a body in a step.
+struct Path {
+    Vector3d X = Vector3d::Zero();     // center of mass at the start of the step [m]
+    Vector3d moved = Vector3d::Zero(); // displacement of the center [m]
+    double angle = 0;                  // by how much the body turns [rad]
+    double radius = 0;                 // largest distance of a point that turns from X [m]
+    Bounds swept;                      // bounds of the body over the step
+
+    double length() const { return moved.norm() + radius * std::min(angle, 2.0); }
+
+    // How far the body at least recedes along n from another one that is at a distance `gap` from
+    // its point x. Whatever the body turns, its points stay within the radius.
+    double recedes(const Vector3d& x, const Vector3d& n, double gap) const
+    {
+        const double height = n.dot(X - x) - gap / 2; // height of the center above the surface
+        return n.dot(moved) - std::min(std::max(radius - height, 0.0), radius * angle);
+    }
+};
+
+class MissedContacts {
+public:
+    MissedContacts(const World& world, const ContactProblem& problem,
+                   const ContactCandidates& candidates, const std::vector<RigidState>& flown,
+                   const std::vector<RigidState>& states)
+        : world_(world), problem_(problem), candidates_(candidates), flown_(flown), states_(states)
+    {
+    }
+
+    bool any()
+    {
+        if (std::any_of(candidates_.contacts.begin(), candidates_.contacts.end(),
+                        [&](const Contact& c) { return is_passed(c); }))
+            return true;
+        const std::vector<int> far = far_bodies();
+        if (far.empty()) return false;
+        find_paths();
+        return std::any_of(far.begin(), far.end(), [&](int i) {
+            for (int j = 0; j < static_cast<int>(paths_.size()); ++j)
+                if (j != i && paths_[i].swept.overlaps(paths_[j].swept) &&
+                    !never_collide(world_, i, j) && would_meet(std::min(i, j), std::max(i, j)))
+                    return true;
+            return false;
+        });
+    }
+
+private:
+    Vector3d moved(int i) const { return states_[i].position - world_.bodies[i].state.position; }
+
+    // Whether a body turns so far that the paths of its points are not nearly straight.
+    bool turns_far(int i) const
+    {
+        constexpr double far = 0.5; // [rad]; a chord is then 1 % shorter than its arc
+        const RigidBody& body = world_.bodies[i];
+        return !body.is_still() && !body.is_ball() &&
+               angle_turned(world_, body, body.state, problem_.time_step) > far;
+    }
+
+    // Whether a body turns far and the center of a body comes to the other side of their contact.
+    bool is_passed(const Contact& c) const
+    {
+        const double n_moved = c.normal.dot(moved(c.body1) - moved(c.body2));
+        if (n_moved >= 0) return false;
+        // @param height  height of the center above the middle of the gap
+        const auto passes = [&](int i, double height) {
+            return height > 0 && height + c.gap / 2 + n_moved < 0 && !world_.bodies[i].is_static;
+        };
+        return (passes(c.body1, c.normal.dot(candidates_.poses[c.body1].X - c.point)) ||
+                passes(c.body2, c.normal.dot(c.point - candidates_.poses[c.body2].X))) &&
+               (turns_far(c.body1) || turns_far(c.body2));
+    }
+
+    // The bodies that end farther from their free flight than their margin.
+    std::vector<int> far_bodies() const
+    {
+        std::vector<int> far;
+        for (int i = 0; i < static_cast<int>(states_.size()); ++i) {
+            if (world_.bodies[i].is_static) continue;
+            const Travel missed = travel_of(flown_[i], states_[i], 0, candidates_.radii[i], 0);
+            if (path_between(missed, {}) > candidates_.margins[i]) far.push_back(i);
+        }
+        return far;
+    }
+
+    // Fills in `paths_` and `pairs_`.
+    void find_paths()
+    {
+        for (int k = 0; k < static_cast<int>(problem_.contacts.size()); ++k)
+            pairs_.push_back({{problem_.contacts[k].body1, problem_.contacts[k].body2}, k});
+        std::sort(pairs_.begin(), pairs_.end());
+        paths_.reserve(world_.bodies.size());
+        for (int i = 0; i < static_cast<int>(world_.bodies.size()); ++i)
+            paths_.push_back(path_of(i));
+    }
+
+    Path path_of(int i) const
+    {
+        const RigidBody& body = world_.bodies[i];
+        const double h = problem_.time_step;
+        Path path;
+        path.X = body.state.position;
+        for (const Part& part : body.parts)
+            path.swept.include(bounds_of(part.shape, part_pose(candidates_.poses[i], part)));
+        if (body.is_still()) return path;
+        path.moved = moved(i);
+        path.angle = std::max(angle_turned(world_, body, body.state, h),
+                              angle_turned(world_, body, states_[i], h));
+        path.radius = body.is_static // driven
+                          ? (path.swept.high - path.X).cwiseMax(path.X - path.swept.low).norm()
+                          : candidates_.radii[i];
+        Bounds end = path.swept;
+        end.low += path.moved;
+        end.high += path.moved;
+        path.swept.include(end);
+        path.swept.grow(path.radius * std::min(path.angle, 1.0)); // at most to a ball
+        return path;
+    }
+
+    // Whether a contact of bodies i < j closes that the problem does not have.
+    bool would_meet(int i, int j) const
+    {
+        const Path &path1 = paths_[i], &path2 = paths_[j];
+        const double reach = path1.length() + path2.length();
+        std::vector<Contact> contacts;
+        find_contacts(world_, candidates_.poses, i, j, reach, contacts);
+        return std::any_of(contacts.begin(), contacts.end(), [&](const Contact& c) {
+            const double end_gap = c.gap + path1.recedes(c.point, c.normal, c.gap) +
+                                   path2.recedes(c.point, -c.normal, c.gap);
+            return end_gap < 0 && !is_in_problem({i, j}, c.normal);
+        });
+    }
+
+    // Whether the problem has a contact of the pair on the same side, which keeps the bodies apart
+    // there. A body that is a whole room has other sides.
+    bool is_in_problem(const BodyPair& pair, const Vector3d& normal) const
+    {
+        constexpr double same_side = 0.5; // least cosine of the angle between two normals
+        for (auto at = std::lower_bound(pairs_.begin(), pairs_.end(), std::pair(pair, 0));
+             at != pairs_.end() && at->first == pair; ++at)
+            if (problem_.contacts[at->second].normal.dot(normal) > same_side) return true;
+        return false;
+    }
+
+    const World& world_;
+    const ContactProblem& problem_;
+    const ContactCandidates& candidates_;
+    const std::vector<RigidState>&flown_, &states_;
+    std::vector<Path> paths_;                     // one for each body
+    std::vector<std::pair<BodyPair, int>> pairs_; // the pair of each contact, and its index; sorted
+};
+
+} // namespace
+
+bool has_missed_contact(const World& world, const ContactProblem& problem,
+                        const ContactCandidates& candidates, const std::vector<RigidState>& flown,
+                        const std::vector<RigidState>& states)
+{
+    return MissedContacts(world, problem, candidates, flown, states).any();
+}
+
+} // namespace rigor
