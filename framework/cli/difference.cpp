@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
 // The differences between two runs of a scene. A difference is reported if it exceeds a tolerance
-// times the scale of the quantity. For states, stresses and strains, the scale is the largest value
-// in the expected run; for mass and inertia it is the body's own value; for the center of mass it
-// is the distance from the origin, but at least 1 m; for orientations it is 1 rad. Rigid bodies are
-// compared first by their mass properties, then by their states in each frame. Deformable solids
-// are compared by their meshes, then by the nodes and the elements that differ most.
+// times the scale of the quantity. The scale is
+// - for orientations 1 rad,
+// - for other states, stresses and strains the largest value in the expected run,
+// - for mass and inertia the body's own value,
+// - for the center of mass its distance from the origin, but at least 1 m.
+//
+// Rigid bodies are compared first by their mass properties, then by their states in each frame.
+// Deformable solids are compared by their meshes, then by the nodes and the elements that differ
+// most.
 #include "cli/difference.hpp"
 
 #include <algorithm>

@@ -15,15 +15,15 @@ struct Difference {
     std::string body;
     std::string quantity; // with its unit, such as "X [m]"
     std::string expected, actual;
-    // |expected - actual|; for orientations the angle between them [rad]; for meshes that cracked
-    // differently the difference between their numbers of elements.
+    // |expected - actual|. For orientations it is the angle between them [rad], and for meshes that
+    // cracked differently the difference between their numbers of elements.
     double size = 0;
     double allowed = 0; // the largest size that counts as equal; `size` is larger
 };
 
-/// Tolerance, relative to the scale of a quantity, which for most quantities is the largest value
-/// in the expected run (difference.cpp). Rounding errors stay below it even after many steps; the
-/// error of a wrong formula does not.
+/// Tolerance, relative to the scale of a quantity; difference.cpp says which scale it has. Rounding
+/// errors stay below it even after many steps, and the error of a wrong formula does not. Stresses
+/// and strains have a larger tolerance, since they are recorded as floats.
 inline constexpr double same_within = 1e-9;
 
 /// Compares a run with an expected one, frame by frame.

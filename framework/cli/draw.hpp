@@ -34,7 +34,7 @@ public:
     Film(const std::string& folder, const Scene& scene, const DrawOptions& options);
     ~Film();
 
-    /// Sets the scene and its bodies. Call it before the first frame.
+    /// Sets the scene and its bodies, which `add` draws. So it has to be called before `add`.
     void start(const Scene& scene, const std::vector<RecordedBody>& bodies);
     void add(const Frame& frame);
     /// Adds a frame, with the frame of another run drawn translucent (as a ghost) in the same
@@ -56,7 +56,7 @@ private:
 };
 
 /// Tells after which time steps of a scene a frame is drawn. `picks` must be called with steps in
-/// increasing order.
+/// increasing order: for a step below that of an earlier call it returns false.
 class FramePicker {
 public:
     explicit FramePicker(const Scene& scene) : scene_(scene) {}
@@ -77,7 +77,7 @@ private:
 int render_scene(const Scene& scene, const Implementation& implementation,
                  const std::string& folder, const DrawOptions& options);
 
-/// Draws two runs of a scene. Each picture shows both runs at the same time, up to the end of the
+/// Draws two runs of a scene. Each picture shows both runs at one moment, up to the end of the
 /// shorter run.
 void draw_comparison(const Trajectory& expected, const Trajectory& actual, const std::string& name,
                      const std::string& folder, const DrawOptions& options);

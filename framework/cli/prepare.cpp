@@ -86,8 +86,8 @@ void require_folder(const std::string& out, const std::string& content)
     if (out.empty()) throw InputError("expected --out DIR, the folder for " + content);
     std::error_code error;
     fs::create_directories(out, error);
-    if (!fs::is_directory(out, error)) // `error`: no exception if the name is too long
-        throw InputError("--out: expected a folder, found " + out);
+    // With `error` as an argument, is_directory throws nothing, even if the name is too long.
+    if (!fs::is_directory(out, error)) throw InputError("--out: expected a folder, found " + out);
     if (access(out.c_str(), W_OK) != 0)
         throw InputError("--out: expected a folder that can be written, found " + out);
 }

@@ -25,13 +25,20 @@ struct Malformed : std::runtime_error {
 RunOutcome run_in_worker(const Implementation& implementation, const Scene& scene,
                          const SceneRun& run)
 {
-    TrajectoryReader::Handlers handlers;
-    handlers.on_start =
-        run.on_start ? run.on_start : [](const Scene&, const std::vector<RecordedBody>&) {};
-    handlers.on_frame = [&](const Frame& frame) {
-        if (run.on_frame) run.on_frame(frame);
+    // What these handlers throw is not the worker's fault, such as a picture that cannot be drawn.
+    bool in_handler = false;
+    const auto handler = [&in_handler](auto handle) {
+        return [&in_handler, handle](const auto&... record) {
+            if (!handle) return;
+            in_handler = true;
+            handle(record...);
+            in_handler = false;
+        };
     };
-    handlers.on_end = run.on_end ? run.on_end : [](const Counters&) {};
+    TrajectoryReader::Handlers handlers;
+    handlers.on_start = handler(run.on_start);
+    handlers.on_frame = handler(run.on_frame);
+    handlers.on_end = handler(run.on_end);
     TrajectoryReader reader(handlers);
     RunOutcome outcome;
     const auto start = std::chrono::steady_clock::now();
@@ -46,6 +53,7 @@ RunOutcome run_in_worker(const Implementation& implementation, const Scene& scen
                 try {
                     reader.feed(bytes);
                 } catch (const InputError& error) {
+                    if (in_handler) throw;
                     throw Malformed(error.what());
                 }
                 if (run.on_bytes) run.on_bytes(bytes);
@@ -55,6 +63,9 @@ RunOutcome run_in_worker(const Implementation& implementation, const Scene& scen
     } catch (const NotImplemented& stub) {
         outcome.failure = describe(stub);
         outcome.not_implemented = true;
+    } catch (const FormulaMissing& missing) {
+        outcome.failure = missing.what();
+        outcome.missing = true;
     } catch (const WorkerFailure& failure) {
         outcome.failure = failure.what();
     } catch (const NotFinite& failure) {
@@ -71,7 +82,7 @@ int report_outcome(const RunOutcome& outcome, const Implementation& implementati
 {
     if (outcome.failure.empty()) return exit_done;
     std::fprintf(stderr, "rigor: %s: %s\n", implementation.name.c_str(), outcome.failure.c_str());
-    return exit_wrong;
+    return outcome.missing ? exit_input : exit_wrong;
 }
 
 } // namespace rigor

@@ -16,7 +16,7 @@ namespace rigor {
 struct SceneRun {
     Record record = Record::frames;
     int threads = 1; // number of threads of the reference; student code uses one thread
-    /// Takes the bytes of the trajectory after the reader has accepted them.
+    /// Takes the bytes of the trajectory after the `TrajectoryReader` has accepted them.
     std::function<void(std::span<const std::byte>)> on_bytes;
     std::function<void(const Scene&, const std::vector<RecordedBody>&)> on_start;
     std::function<void(const Frame&)> on_frame;
@@ -26,6 +26,7 @@ struct SceneRun {
 struct RunOutcome {
     std::string failure;          // why the run stopped early; empty if the run is complete
     bool not_implemented = false; // whether a formula was called that is still a stub
+    bool missing = false;         // whether a formula was called that is not defined
     double seconds = 0;           // how long the run took, by the wall clock
 };
 

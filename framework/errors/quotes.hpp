@@ -6,8 +6,8 @@
 
 namespace rigor {
 
-/// A text in quotes, in one short line: control characters are escaped, and what follows the first
-/// 40 bytes is cut off.
+/// A text in quotes, in one short line: quotes, control characters and bytes that are not UTF-8 are
+/// escaped, and an ellipsis replaces what follows the first 40 bytes.
 std::string in_quotes(std::string_view text);
 
 } // namespace rigor

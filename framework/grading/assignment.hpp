@@ -12,7 +12,7 @@ namespace rigor {
 /// What a student is told about a test that failed. The law of a test is the statement that it
 /// checks.
 enum class Disclosure {
-    all,    // the law, the case and the numbers
+    all,    // the law, the case and the numbers that were compared
     law,    // the law, and a status such as `crashed`
     nothing // only a status such as `crashed`
 };
@@ -25,11 +25,12 @@ struct PartOfPoints {
 };
 
 struct Task {
-    std::string tag;     // "A2.14"
-    std::string formula; // "combine"; empty if the task has a `title`
+    std::string tag;     // such as "A2.14"
+    std::string formula; // such as "combine"; empty if the task has a `title`
     std::string title;   // the task's name if it has no `formula`
     double points = 0;   // for the whole task, including `parts`
-    /// The sum of the parts is below `points`. The rest is earned only if all laws hold.
+    /// The points of the parts add up to less than `points`. The difference is earned only if all
+    /// laws hold.
     std::vector<PartOfPoints> parts;
     bool is_hidden = false;             // whether its tests are hidden; they need the reference
     std::string hint;                   // shown to a student whose solution fails
@@ -41,22 +42,22 @@ struct Task {
 };
 
 struct Assignment {
-    std::string name;                // "a2-inertia", the name of the folder
-    std::string title;               // "Inertia tensors"
-    std::string topic;               // "inertia"
+    std::string name;                // the name of the folder, such as "a2-inertia"
+    std::string title;               // such as "Inertia tensors"
+    std::string topic;               // such as "inertia"
     std::vector<std::string> submit; // the files a student hands in
     std::vector<Task> tasks;         // in the order of assignment.json
     std::vector<std::string> scenes; // files in scenes/ that a student can watch
     std::filesystem::path folder;
 
-    std::string label() const { return name.substr(0, name.find('-')); } // "a2"
+    std::string label() const { return name.substr(0, name.find('-')); } // such as "a2"
     const Task* task(std::string_view tag) const;
     double points() const;
 };
 
 /// Reads one assignment.json and checks it against the table of formulas: each formula of the topic
 /// has exactly one task, with the same tag.
-/// @throws InputError that names the file, the place in it, what was expected and what was found
+/// @throws InputError that names the file, the line, what was expected and what was found
 Assignment load_assignment(const std::filesystem::path& file);
 
 /// Reads all assignments, `folder`/*/assignment.json, sorted by name. @throws InputError if a file

@@ -16,8 +16,8 @@ namespace rigor {
 /// worst of its test cases.
 ///
 /// A crash is worse than a wrong value, since it hides failures that later checks would find.
-/// `failed` is worse than `not_implemented`, since a task that fails on its own is not excused by a
-/// stub that it calls as well.
+/// `failed` is worse than `not_implemented`: a task with a wrong answer of its own has failed, even
+/// if another of its cases ends in a stub.
 enum class Status {
     passed,
     skipped,
@@ -35,7 +35,7 @@ std::optional<Status> status_of(std::string_view text);
 
 /// A test case's verdict, as the test program sent it.
 struct TestCase {
-    std::string name; // "inertia: the union of two hemispheres is a sphere"
+    std::string name; // such as "inertia: the union of two hemispheres is a sphere"
     Status status = Status::passed;
     std::string message, hint; // in the words of the test program
     std::string mistake; // why the answers are wrong, in one sentence; empty if it is not known
@@ -51,7 +51,7 @@ struct TestCase {
 struct TaskResult {
     Task task;
     Status status = Status::skipped;
-    double score = 0, max_score = 0; // a task that this run cannot judge: 0 of 0
+    double score = 0, max_score = 0; // both 0 if this run cannot judge the task
     std::vector<TestCase> tests;
     /// Whether the points were earned with the reference in place of the formulas that the task
     /// builds on. So an error in one formula costs the points of one task only.
@@ -72,7 +72,7 @@ std::string_view to_string(SubmissionStatus status);
 
 struct Result {
     Assignment assignment;
-    std::string submission; // "student", "reference" or a folder
+    std::string submission; // "student", "reference", a folder, or a name in a class
     SubmissionStatus status = SubmissionStatus::graded;
     std::string message; // explains a status other than `graded`
     std::uint32_t seed = 0;
@@ -106,8 +106,8 @@ TaskResult score_task(const Task& task, std::vector<TestCase> tests);
 /// Whether a test case failed in a random case, whose seed it names.
 bool failed_at_random(const TestCase& test);
 
-/// Counts each test case as passed that failed in a random case in which the reference fails too:
-/// this is a fault of the test. Scores the task again if there is one.
+/// If a test case failed in a random case, and the reference fails in it too, this is a fault of
+/// the test. Counts each such test case as passed, and scores the task again if there is one.
 /// @param of_reference  the verdicts on the reference, with the same random cases
 /// @return the names of these test cases
 std::vector<std::string> forgive_faults_of_tests(const std::vector<TestCase>& of_reference,

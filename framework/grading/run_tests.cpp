@@ -167,10 +167,12 @@ Ended run_tests(
 constexpr const char* not_followed = "not judged with the reference's other formulas: ";
 
 // Judges the tasks that did not get all points a second time, now with the reference in place of
-// the formulas of other tasks that they call. Each task keeps the better of its two results. A task
-// whose formula did not return is left out. If the reference itself fails in a test case, because
-// the answers of the submission give it work without end, the test case counts as failed, and a
-// note says so.
+// the formulas of other tasks that they call. Each task keeps the result with more points or, for
+// the same points, the one that tells the student more. A task whose formula took too long is left
+// out. If the reference itself fails in a test case, the test case counts as failed, and a note
+// says so. There is no note if the time for the reference was over, because the answers of the
+// submission give it work without end or the machine is busy: then nobody is to blame. After a
+// failure of the reference, a task keeps its first result unless the second one has more points.
 void follow_through(const GradingRun& run, const Implementation& implementation,
                     const Verdicts& before, Result& result)
 {
@@ -190,7 +192,7 @@ void follow_through(const GradingRun& run, const Implementation& implementation,
     }
     std::set<std::string> failed; // only tags: a message may tell what must stay hidden
     for (const auto& [tag, what] : verdicts.own_failures())
-        if (failed.insert(tag).second)
+        if (failed.insert(tag).second && !verdicts.was_reference_late(tag))
             result.notes.push_back(not_followed + ("the reference failed in a test of " + tag));
     for (TaskResult& task : result.tasks) {
         TaskResult followed = score_task(task.task, verdicts.of(task.task.tag));
@@ -220,7 +222,7 @@ void judge_again_with_reference(const GradingRun& run, const Implementation& imp
     Implementation reference;
     reference.name = "reference";
     reference.worker = *run.oracle;
-    reference.digest = implementation.digest; // draws the same cases
+    reference.digest = implementation.digest; // so that the same random cases are drawn
     Verdicts verdicts;
     const Ended ended =
         run_tests(run, reference, tags, Others::submission, "", verdicts, [](std::string_view) {});
@@ -292,6 +294,9 @@ Result grade(const Selection& selection, const Implementation& implementation,
     if (!fault.empty()) {
         result.status = SubmissionStatus::internal_error;
         result.message = fault + (last_words.empty() ? "" : "; its last words: " + last_words);
+        // Points of the tests that ran would look like a grade.
+        result.tasks =
+            ungraded(selection, run, SubmissionStatus::internal_error, result.message).tasks;
         return result;
     }
     if (!verdicts.cost().empty()) result.notes.push_back("the time budget: " + verdicts.cost());

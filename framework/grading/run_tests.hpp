@@ -30,8 +30,8 @@ struct GradingRun {
 /// Runs the tests of the selected tasks against an implementation and scores them.
 ///
 /// A fault of the test program (it dies, matches no test, checks nothing, prints a line that cannot
-/// be parsed) makes the result `internal_error`, never zero points and never a pass. If the topic's
-/// file did not compile, the result is `compile_error`.
+/// be parsed) makes the result `internal_error`, never a pass: it has no points and no tests, and
+/// stands for no grade. If the topic's file did not compile, the result is `compile_error`.
 Result grade(const Selection& selection, const Implementation& implementation,
              const GradingRun& run);
 

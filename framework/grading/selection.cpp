@@ -69,7 +69,7 @@ std::string suggestion_for(const std::string& word, const std::vector<Assignment
     if (const std::string tags = tags_there_are(word, assignments); !tags.empty()) return tags;
     std::vector<std::string> known;
     for (const Assignment& assignment : assignments) {
-        const std::string& name = assignment.name; // "a4-collision"
+        const std::string& name = assignment.name; // such as "a4-collision"
         known.insert(known.end(), {assignment.topic, name, name.substr(0, name.find('-'))});
         for (const Task& task : assignment.tasks) {
             known.push_back(lower(task.tag));

@@ -6,6 +6,7 @@
 #include "grading/result.hpp"
 
 #include <map>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,8 +26,8 @@ public:
     const std::string& open() const { return open_; }
     /// Whether the last line was the one that the test program prints after all test cases.
     bool is_complete() const { return is_complete_; }
-    /// The first error: a line that could not be parsed or a test case that checked nothing. Empty
-    /// if there is none.
+    /// The first error: a line that could not be parsed, a test case that checked nothing, or one
+    /// that stalled twice. Empty if there is none.
     const std::string& fault() const { return fault_; }
     /// The test cases in which the framework or the reference failed, not the submission: pairs of
     /// the tag of the task and a sentence. Such a test case counts as failed.
@@ -34,16 +35,19 @@ public:
     {
         return own_failures_;
     }
+    /// Whether the reference failed in a test of this task because the time for it was over. This
+    /// is one of the failures in `own_failures`.
+    bool was_reference_late(const std::string& tag) const { return late_.count(tag) > 0; }
     /// The time budget that the run has used, and the tags of the formulas that are not called any
     /// more. A later run with the same worker gets this text as its `--spent`.
     const std::string& spent() const { return spent_; }
-    /// The time budget that the run has used, in words. Empty if the run stayed within the free
-    /// time, in which calls get their full time limits (worker/time_budget.hpp).
+    /// The formulas that are not called any more and the time budgets that are used up, in words.
+    /// Empty if there are none (worker/time_budget.hpp).
     const std::string& cost() const { return cost_; }
     /// The test cases after which the test program ended itself, because the submission's answers
     /// made it compute without end. The test cases that follow have to run in a new test program.
     const std::vector<std::string>& stalled() const { return stalled_; }
-    /// Whether the formula with this tag is not called any more, because it did not return.
+    /// Whether the formula with this tag is not called any more, because it took too long.
     bool is_given_up(std::string_view tag) const;
 
 private:
@@ -54,6 +58,7 @@ private:
     std::string tag_, open_, fault_, spent_, cost_;
     std::vector<std::string> stalled_;
     std::vector<std::pair<std::string, std::string>> own_failures_;
+    std::set<std::string> late_;
     bool is_complete_ = false;
 };
 

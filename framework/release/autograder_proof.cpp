@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Gradescope unpacks the zip to /autograder/source, copies run_autograder beside it, runs setup.sh
-// once, and for each submission fills /autograder/submission and runs /autograder/run_autograder.
+// Does with an autograder what Gradescope does, in another folder than /autograder. Gradescope
+// unpacks the zip to /autograder/source, copies run_autograder beside it, runs setup.sh once, and
+// for each submission fills /autograder/submission and runs /autograder/run_autograder.
 #include "release/autograder_proof.hpp"
 
 #include "grading/process.hpp"

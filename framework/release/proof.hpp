@@ -32,7 +32,7 @@ inline constexpr int steps_of_tree_proof = 2;
 /// @param solved  true: every point of the visible tasks is expected; false: none is
 std::string fault_of_tree(const std::string& json, bool solved, TreeProof& proof);
 
-/// Writes the reference as a student would hand it in: one file for each topic.
+/// Writes the reference as a student would hand it in: one source for each topic, and the headers.
 void write_solved_files(const std::filesystem::path& reference,
                         const std::filesystem::path& folder);
 

@@ -10,7 +10,7 @@
 
 namespace rigor {
 
-/// Writes the files to a folder, and a repository with one commit that has all of them.
+/// Writes the files to a folder, and in it a git repository with one commit that has all of them.
 /// @param folder  a new folder
 /// @return the commit, 40 hexadecimal digits
 /// @throws InputError if git is not installed or a file cannot be written

@@ -10,7 +10,7 @@ namespace rigor {
 
 /// A file as it is handed out.
 struct ReleasedFile {
-    std::string path; // "framework/formulas/inertia.hpp"
+    std::string path; // in the tree, such as "framework/formulas/inertia.hpp"
     std::string content;
     bool is_executable = false;
 };
@@ -18,7 +18,7 @@ struct ReleasedFile {
 using ReleasedTree = std::vector<ReleasedFile>; // sorted by path
 
 /// The students' tree: framework, stubs, handouts, scenes and visible tests. It lacks the
-/// reference, hidden tests, mistakes, alternatives, attacks, the instructor's page and what gives
+/// reference, hidden tests, mistakes, alternatives, attacks, the instructor's pages and what gives
 /// an answer away (withheld.hpp). In a git repository only tracked files are taken, with the
 /// content that they have in the folder now.
 /// @throws InputError if a formula in student/ is not the untouched stub

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Which files of the engine give away the answer of a formula. A file does so if a student could
-// get the points of a task by copying lines of the file. Lines that are also in the header of the
-// contract do not count. A file that gives an answer away is replaced in the students' tree by one
-// that calls the formula.
+// get the points of a task by copying lines of the file. Lines that are also in the headers of
+// framework/formulas do not count. A file that gives an answer away is replaced in the students'
+// tree by one that calls the formula.
 #pragma once
 
 #include <span>

@@ -91,7 +91,8 @@ std::string declaration_of(const std::string& topic, const std::string& formula)
 
 // The longest value that a row shows in full [bytes]. Of a longer value, the beginning is enough.
 constexpr std::size_t longest = 400;
-// The longest case [bytes]: its call of the formula, which students paste, must not be cut.
+// The longest case that a row shows in full [bytes]. It has the call of the formula, which students
+// copy into their own programs, so it is not cut as early as a value.
 constexpr std::size_t longest_case = 4000;
 
 std::string shortened(const std::string& text, std::size_t limit = longest)
@@ -192,14 +193,14 @@ std::string failure_text(const Result& result, const TaskResult& task,
     return text + row("to read", handout(result, task));
 }
 
-constexpr std::size_t longest_tag = 6; // "A10.12"
+constexpr std::size_t longest_tag = 6; // [bytes], the length of "A10.12"
 
 // Tag of the stub that a task's test called, from a message such as "A1.9 equations_of_motion is
 // not implemented yet (…)"; empty if the test called no stub.
 std::string stub_of(const TaskResult& task)
 {
     if (task.status != Status::not_implemented) return "";
-    // The rest of the message may be the student's own words.
+    // A student's code may throw NotImplemented with any text, so the first word may be no tag.
     const std::string& message = task.first_failure()->message;
     const std::string tag = message.substr(0, message.find(' '));
     const bool is_tag = tag.size() <= longest_tag && tag.starts_with("A") &&

@@ -12,8 +12,8 @@ enum class Color { none, bold, dim, green, yellow, red };
 /// Whether this descriptor is a terminal.
 bool is_terminal(int descriptor);
 
-/// Whether output to this descriptor is colored: if it is a terminal, NO_COLOR is not set, and
-/// TERM is not "dumb".
+/// Whether output to this descriptor is colored: if it is a terminal, NO_COLOR is empty or not set,
+/// and TERM is set to anything but "dumb".
 bool wants_color(int descriptor);
 
 /// The text in a color, or unchanged if no color is wanted.

@@ -33,7 +33,8 @@ const Purpose purposes[] = {
      }},
     {"look into another process",
      {SYS_ptrace, SYS_process_vm_readv, SYS_process_vm_writev, SYS_process_madvise, SYS_pidfd_open,
-      SYS_pidfd_getfd, SYS_kcmp, SYS_getppid}},
+      SYS_pidfd_getfd, SYS_kcmp}},
+    {"ask which process started it", {SYS_getppid}},
     {"ask for signals by a clock",
      {
          SYS_timer_create,

@@ -214,7 +214,7 @@ bool ends_within(pid_t child, int milliseconds)
     if (handle < 0) return false;
     pollfd ended = {handle, POLLIN, 0};
     int result;
-    while ((result = poll(&ended, 1, milliseconds)) < 0 && errno == EINTR) { // interrupted
+    while ((result = poll(&ended, 1, milliseconds)) < 0 && errno == EINTR) { // by a signal: again
     }
     close(handle);
     return result > 0;

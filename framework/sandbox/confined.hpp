@@ -4,9 +4,10 @@
 //
 // The grader starts the launcher `confine`. The launcher stays outside the walls as the monitor.
 // Its child puts up the walls around itself and becomes the program. The monitor ends in the way in
-// which the program ends, and nothing that the program started outlives the monitor. A system call
-// that is not allowed waits for the grader, who learns from the kernel which call it is. The
-// program never gets an answer.
+// which the program ends, and nothing that the program started outlives the monitor. If the grader
+// has a listener, a system call that is not allowed waits for the grader, who learns from the
+// kernel which call it is. The program never gets an answer. Without a listener, such a call ends
+// the process that makes it.
 #pragma once
 
 #include "sandbox/descriptor.hpp"
@@ -47,9 +48,10 @@ struct Confinement {
     Profile profile;
     Tier tier; // usual_tier() for programs that students wrote
     /// For a compiler: the paths from which it may read and start programs, and the paths that it
-    /// may change. It reaches no other paths, besides those of the system, unless it has limits on
-    /// resources only (tier C). If it runs as another user, that user becomes the owner of the
-    /// writable paths, and the readable paths must be readable for everybody.
+    /// may change. Namespaces or Landlock keep it from all other paths, besides those of the
+    /// system. In a sandbox with neither of the two it reaches every path that its user reaches. If
+    /// it runs as another user, that user becomes the owner of the writable paths, and the readable
+    /// paths must be readable for everybody.
     std::vector<std::filesystem::path> readable = {}, writable = {};
     std::filesystem::path folder = "/";        // its working directory
     std::vector<std::string> environment = {}; // "NAME=value" for each variable
@@ -79,16 +81,16 @@ public:
     Confined(const Confined&) = delete;
     Confined& operator=(const Confined&) = delete;
 
-    /// Waits until the program runs. With a listener of blocked calls it does not start before this
-    /// call: until then its launcher has put up the sandbox, and waits to be told to go on.
+    /// Waits until the program runs. With a listener of blocked calls, a worker does not start
+    /// before this call: its launcher puts up the sandbox and then waits for permission to go on.
     /// @throws std::system_error if the program cannot be started in this sandbox
     void await_start();
 
-    /// The process number of the monitor, the process that watches the program from outside. The
+    /// The process id of the monitor, the process that watches the program from outside. The
     /// monitor ends in the same way as the program, and stops when the program stops.
     pid_t monitor() const { return monitor_; }
 
-    /// The process number of the program. Use it only to look at what the program does, in `/proc`
+    /// The process id of the program. Use it only to look at what the program does, in `/proc`
     /// or by its clock.
     pid_t program() const { return program_; }
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The launcher itself tries each wall, that is, each part of the sandbox (sandbox/main/probe.cpp),
-// and prints which ones work. A tier is a set of walls that together can be relied on. Without a
-// filter of system calls there is only tier C, limits on resources. The same is true if there is a
-// filter but neither a listener in the grader nor Landlock, because then a program could start
-// other programs.
+// Finds out which tier is possible. The launcher tries each wall, that is, each part of the sandbox
+// (sandbox/main/probe.cpp), and prints which ones work. A tier is a set of walls that together can
+// be relied on (`is_possible`). Without a filter of system calls there is only tier C, limits on
+// resources. The same is true if there is a filter but neither a listener in the grader nor
+// Landlock, because then a program could start other programs.
 #include "sandbox/tier.hpp"
 
 #include "errors/input_error.hpp"
@@ -82,19 +82,33 @@ const Walls& possible_walls()
     return walls;
 }
 
+bool is_possible(Tier tier, const Walls& walls)
+{
+    switch (tier) {
+    case Tier::a:
+        return walls.filter && (walls.landlock || walls.listener) &&
+               walls.namespaces != Walls::Namespaces::none;
+    case Tier::b: // only Landlock keeps the compiler of a submission from other files
+        return walls.filter && walls.landlock;
+    case Tier::c:
+        return true;
+    }
+    return false;
+}
+
 Tier strongest(const Walls& walls)
 {
-    if (!walls.filter || !(walls.landlock || walls.listener)) return Tier::c;
-    return walls.namespaces == Walls::Namespaces::none ? Tier::b : Tier::a;
+    return is_possible(Tier::a, walls) ? Tier::a : is_possible(Tier::b, walls) ? Tier::b : Tier::c;
 }
 
 Tier usual_tier()
 {
-    const Tier possible = strongest(possible_walls());
-    const Tier tier = wanted_tier().value_or(possible);
-    if (tier < possible)
-        throw InputError(fmt::format("RIGOR_TIER: this machine and user allow no more than {}",
-                                     description(possible)));
+    const Tier possible = strongest(possible_walls()), tier = wanted_tier().value_or(possible);
+    if (!is_possible(tier, possible_walls()))
+        throw InputError(
+            tier < possible ? fmt::format("RIGOR_TIER: this machine and user allow no more than {}",
+                                          description(possible))
+                            : "RIGOR_TIER: tier B needs Landlock, which this machine lacks");
     return tier;
 }
 
@@ -124,8 +138,8 @@ std::string description(Tier tier)
 
 unsigned unused_user()
 {
-    // Debian and systemd keep both ranges of user numbers free. The second one is for containers
-    // that have only 65536 numbers.
+    // Debian and systemd keep both ranges of user ids free. The second one is for containers that
+    // have only 65536 user ids.
     constexpr unsigned first = 0x70000000, count = 1u << 24;
     constexpr unsigned first_in_container = 60706, count_in_container = 478;
     std::ifstream map("/proc/self/uid_map");

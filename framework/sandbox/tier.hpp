@@ -8,6 +8,10 @@
 // | B    | filter of system calls, Landlock, for root also another user               |
 // | C    | limits on resources only                                                   |
 //
+// On a machine without Landlock, tier A does without it if the grader can learn which call was
+// blocked. Tier B does not, because nothing else would keep the compiler of a submission from
+// reading the reference or the hidden tests.
+//
 // All tiers have limits on resources, and in all tiers nothing that the program starts outlives it.
 // The results of the grading name the tier. A tier below the strongest possible one is used only if
 // the environment variable RIGOR_TIER names it.
@@ -33,6 +37,9 @@ struct Walls {
 /// trying each. @throws std::system_error
 const Walls& possible_walls();
 
+/// Whether these walls (parts of the sandbox) are enough for this tier.
+bool is_possible(Tier tier, const Walls& walls);
+
 /// The strongest tier for which these walls (parts of the sandbox) are enough.
 Tier strongest(const Walls& walls);
 
@@ -53,7 +60,7 @@ Walls walls_of(Tier tier);
 /// no Landlock`.
 std::string description(Tier tier);
 
-/// A user number that nobody has, drawn at random from a range that systems give to nobody.
+/// A user id that nobody has, drawn at random from a range that systems assign to nobody.
 unsigned unused_user();
 
 } // namespace rigor

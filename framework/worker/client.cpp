@@ -65,22 +65,31 @@ void Worker::start()
     if (session_) return;
     if (failed_starts_ >= 2) throw *start_failure_; // the program would fail to start again
     session_ = spare_ ? std::move(spare_) : std::make_unique<Session>(executable_, limits_);
+    Allowance allowance{budget_.limit_of_start()};
     try {
-        session_->await_greeting();
+        session_->await_greeting(allowance);
+        budget_.started(allowance.waited);
         failed_starts_ = 0;
         if (ending_) spare_ = std::make_unique<Session>(executable_, limits_);
     } catch (const std::system_error&) {
         session_.reset();
         throw;
     } catch (const Broken& broken) {
-        subject_ = "the start of the program";
-        try {
-            fail(broken, nullptr);
-        } catch (const WorkerFailure& failure) {
-            ++failed_starts_;
-            start_failure_ = failure;
-            throw;
-        }
+        budget_.started(allowance.waited);
+        fail_to_start(broken, allowance.limit);
+    }
+}
+
+void Worker::fail_to_start(Broken broken, Seconds limit)
+{
+    subject_ = "the start of the program";
+    if (broken.cause == WorkerFailure::timed_out) broken.text = budget_.why_start_ended(limit);
+    try {
+        fail(broken, nullptr);
+    } catch (const WorkerFailure& failure) {
+        ++failed_starts_;
+        start_failure_ = failure;
+        throw;
     }
 }
 
@@ -164,12 +173,32 @@ void Worker::refuse(const Reply& reply)
     fail({WorkerFailure::threw, "threw " + text_of(reply.payload)}, nullptr);
 }
 
+/// As long as this object lives, the time that this worker computes does not count as time of its
+/// own calls. The worker is then asked as the oracle, to tell how long another worker may take.
+class Worker::Uncounted {
+public:
+    explicit Uncounted(Worker& worker) : worker_(worker), before_(worker.ran()) {}
+    ~Uncounted() { worker_.ended_ran_ -= worker_.ran() - before_; }
+    Uncounted(const Uncounted&) = delete;
+    Uncounted& operator=(const Uncounted&) = delete;
+
+private:
+    Worker& worker_;
+    Seconds before_;
+};
+
+Worker::Seconds Worker::ran() const
+{
+    return ended_ran_ + (session_ ? session_->on_processor() : Seconds(0));
+}
+
 Worker::Seconds Worker::duration(Question question)
 {
     static const ByteSink nobody = [](std::span<const std::byte>) {};
     if (question.sink) question.sink = &nobody;
     subject_ = "the oracle";
     Allowance allowance{limits_.oracle};
+    const Uncounted measurement(*this);
     try {
         const Reply& reply = exchange(question, allowance);
         return reply.status == ReplyStatus::done ? allowance.waited : Seconds(0);
@@ -183,6 +212,7 @@ Pace Worker::pace(const Question& question)
 {
     subject_ = "the oracle";
     Pace pace;
+    const Uncounted measurement(*this);
     try {
         start();
         session_->begin(question);
@@ -210,13 +240,14 @@ const Bytes& Worker::call(FormulaIndex formula, std::span<const std::byte> argum
         throw WorkerFailure(WorkerFailure::timed_out, subject_, budget_.why_given_up(formula));
     const Question question{Request::call, static_cast<std::uint32_t>(formula), arguments, largest};
     Allowance allowance{budget_.floor_of_call()};
+    start(); // a failure of the start is not one of the formula
     try {
         const Bytes& result = ask(question, allowance);
         budget_.returned(formula, allowance.waited);
         if (budget_.is_compared(formula)) {
             budget_.compare(formula, allowance.waited,
                             oracle_ ? oracle_->duration(question) : Seconds(0));
-            budget_.ran(ended_ran_ + session_->on_processor());
+            budget_.ran(ran());
         }
         return result;
     } catch (const WorkerFailure& failure) {

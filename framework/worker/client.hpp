@@ -21,9 +21,9 @@ struct Pace {
     std::size_t size = 0; // the size of all answers together [bytes]
 };
 
-/// One implementation of the formulas, which several processes may run one after the other. A
-/// request that fails ends its process, and the next request gets a fresh one. Every request
-/// returns in bounded time.
+/// One implementation of the formulas, which several processes may run one after the other. If a
+/// process gives no answer to a request (`WorkerFailure`), it is ended, and the next request gets a
+/// fresh one. Every request returns in bounded time.
 ///
 /// A worker must be used from one thread only: a process dies with the thread that started it.
 class Worker {
@@ -80,11 +80,14 @@ private:
     const Bytes& ask(const Question& question, Allowance& allowance);
     [[noreturn]] void refuse(const Reply& reply);
     const Reply& exchange(const Question& question, Allowance& allowance);
+    class Uncounted;
+    Seconds ran() const;
     Seconds duration(Question question);
     Pace pace(const Question& question);
     States advance_some(const std::string& scene_text, const std::string& scene_name,
                         std::span<const Start> starts, int steps);
     [[noreturn]] void fail(const Broken& broken, const ByteSink* sink);
+    [[noreturn]] void fail_to_start(Broken broken, Seconds limit);
 
     std::filesystem::path executable_;
     Limits limits_;
@@ -99,8 +102,9 @@ private:
     int failed_starts_ = 0;
     std::optional<WorkerFailure> start_failure_;
     TimeBudget budget_;
-    /// The time on a processor of the processes that have ended, minus what the running process had
-    /// used when the budget began again; so it may be negative [s].
+    /// The time on a processor of the processes that have ended, minus the time that does not count
+    /// (`Uncounted`), and minus what the running process had used when the budget began again. So
+    /// it may be negative [s].
     Seconds ended_ran_{};
 };
 

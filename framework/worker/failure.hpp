@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The ways in which an implementation can fail to give a valid answer. These and `NotImplemented`
-// are all exceptions that a student's code can cause in a call through a worker. Any other
-// exception is a fault of the framework.
+// are all exceptions that a student's code can cause in a call of a `Worker`; a call through the
+// proxy also throws std::out_of_range (proxy/answer_sizes.hpp). Any other exception is a fault of
+// the framework.
 #pragma once
 
 #include <stdexcept>
@@ -35,8 +36,17 @@ struct WorkerFailure : std::runtime_error {
     std::string output;  // the beginning of what the implementation printed
 };
 
-/// A formula that the implementation does not define, or defines with another signature:
-/// `A4.10 apply_impulse is not defined`.
+/// The test itself, or one of its scenes, takes too long. So it is no failure of the formula that
+/// is being called.
+struct OwnTimeOver : WorkerFailure {
+    OwnTimeOver(const std::string& about, const std::string& what_happened)
+        : WorkerFailure(timed_out, about, what_happened)
+    {
+    }
+};
+
+/// A formula that the implementation does not define, or defines with another signature. what()
+/// is, for example, `A4.10 apply_impulse is not defined`.
 struct FormulaMissing : std::runtime_error {
     /// @param asked    the formula that was called, maybe with the scene that called it
     /// @param missing  the formula that is not defined: the same one, or one that `asked` calls
@@ -48,7 +58,8 @@ struct FormulaMissing : std::runtime_error {
     }
 };
 
-/// An answer that contains NaN or infinity: `A4.10 apply_impulse: angular_momentum.y is NaN`.
+/// An answer that contains NaN or infinity. what() is, for example,
+/// `A4.10 apply_impulse: angular_momentum.y is NaN`.
 struct NotFinite : std::runtime_error {
     NotFinite(const std::string& about, const std::string& which)
         : std::runtime_error(about + ": " + which), subject(about), quantity(which)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Starts and ends a worker process. The launcher starts it with only a null input, a pipe for its
 // output and the shared memory, and with limits on its resources. Its output is read without
-// waiting, and its monitor ends it and all that it started.
+// waiting. The monitor of its sandbox ends it and all that it started.
 #include "worker/process.hpp"
 
 #include "sandbox/blocked_calls.hpp"

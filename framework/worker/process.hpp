@@ -19,21 +19,24 @@ inline constexpr bool is_sanitized = true;
 #else
 inline constexpr bool is_sanitized = false;
 #endif
-/// Time limits are multiplied by this factor. It is larger than the slowdown of a scene by a
-/// sanitizer.
+/// Most time limits are multiplied by this factor, see `Limits`. It is larger than the slowdown of
+/// a scene by a sanitizer.
 inline constexpr double sanitizer_factor = is_sanitized ? 20 : 1;
 
 /// Whose formulas a worker runs. This decides which walls the sandbox puts around the worker.
 enum class Trust {
-    ours,     // the reference, or code that its own author runs: limits on resources only
-    students, // formulas that are graded: the sandbox of `usual_tier`; the worker must be static
+    // The reference, or code that its own author runs: limits on resources only.
+    ours,
+    // Formulas that are graded: the sandbox of `usual_tier`. In tiers A and B a worker that is not
+    // linked statically does not start, since it cannot open its libraries.
+    students,
 };
 
 /// The limits of an implementation. The oracle is a second worker, which runs the reference. The
 /// limit of a call or of a scene is the time that the oracle took for the same request, times the
 /// factor `multiple`, but at least a lowest value, its floor. Without an oracle, the limit is the
 /// floor. Time counts from the request on, while the client waits and the worker is on a processor
-/// or sleeps. If the machine is busy and the worker waits for a processor, only a tenth of that
+/// or sleeps. If the machine is busy and the worker waits for a processor, at most a tenth of that
 /// time counts.
 struct Limits {
     Trust trust = Trust::ours;
@@ -54,6 +57,10 @@ struct Limits {
     /// the scenes of any assignment.
     std::chrono::duration<double> all_calls{8 * sanitizer_factor},
         all_scenes{20 * sanitizer_factor};
+    /// How long all starts together may take, and the limit for each further start once this time
+    /// is used up. A start usually takes a few milliseconds.
+    std::chrono::duration<double> all_starts{10 * sanitizer_factor},
+        late_start{0.25 * sanitizer_factor};
     /// Limit on the address space [bytes]. In a build with a sanitizer, workers with `Trust::ours`
     /// do not have this limit.
     std::size_t memory = std::size_t{2} << 30;
@@ -65,17 +72,18 @@ struct Limits {
 /// Why a process cannot be used any more.
 struct Broken {
     WorkerFailure::Cause cause;
-    std::string text; // "crashed: segmentation fault"
+    std::string text; // such as "crashed: segmentation fault"
 };
 
 /// A child process with a `Channel`, in a sandbox with the walls that its `Trust` asks for. The
 /// only descriptors that it inherits are /dev/null as its input, its end of the output pipe and
-/// the shared memory. It inherits hardly any environment. It dies with the thread that started it.
-/// When it is ended, all processes that it started are ended too.
+/// the shared memory. Its environment is empty, or in a build with sanitizers has only their
+/// options. It dies with the thread that started it. When it is ended, all processes that it
+/// started are ended too.
 class Process {
 public:
-    /// Begins to start the executable, without waiting until it runs. `await_start` must be called
-    /// before the process is used.
+    /// Begins to start the executable, without waiting until it runs. The caller then calls
+    /// `await_start`: without this call the executable may never run.
     /// @throws std::system_error if the launcher of the sandbox cannot be started
     Process(const std::filesystem::path& executable, const Limits& limits);
     ~Process();

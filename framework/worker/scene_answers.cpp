@@ -160,7 +160,7 @@ const Pace& SceneAnswers::reference_pace()
 }
 
 /// How long the answers so far may have taken: the time that the reference takes for as many bytes,
-/// times `Limits::multiple`.
+/// plus its longest wait between two parts of the stream, both times `Limits::multiple`.
 SceneAnswers::Seconds SceneAnswers::time_for_answers()
 {
     const Pace& pace = reference_pace();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Asks a worker process a question and waits for its reply. While the session waits, it passes on
 // the parts of the stream, collects what the process prints, and checks that the process lives and
-// keeps its time limit. While the worker computes, its time on a processor counts for this limit. A
-// reply is copied, so that the worker cannot change it after the checks.
+// keeps its time limit. The function `counted` says which time counts for this limit. A reply is
+// copied, so that the worker cannot change it after the checks.
 #include "worker/session.hpp"
 
 #include "worker/protocol/streamed_answer.hpp"
@@ -47,12 +47,11 @@ Session::Session(const std::filesystem::path& executable, const Limits& limits)
 {
 }
 
-void Session::await_greeting()
+void Session::await_greeting(Allowance& allowance)
 {
     process_.await_start();
     Bytes expected;
     wire::encode(expected, contract_fingerprint());
-    Allowance allowance{limits_.start};
     largest_ = expected.size();
     while (!next_part(allowance).empty()) {
     }
@@ -200,9 +199,9 @@ void Session::give_bytes(std::span<const std::byte> bytes, Allowance& allowance)
     }
 }
 
-/// Waits for at most 20 ms until the worker has read some of the answers that were given to it.
-/// Meanwhile the worker cannot be waiting for room in its own stream: this process has read all
-/// that was streamed before this answer.
+/// Waits for at most 20 ms until the worker has read some of the answers that were given to it. No
+/// deadlock is possible: this process has read all that was streamed before this answer, so the
+/// worker cannot be waiting for room in its own stream at the same time.
 void Session::await_room(std::uint32_t used, std::optional<Process::Progress>& before,
                          Allowance& allowance)
 {

@@ -48,7 +48,7 @@ public:
     Session(const std::filesystem::path& executable, const Limits& limits);
 
     /// Waits until the process is ready. @throws Broken, std::system_error
-    void await_greeting();
+    void await_greeting(Allowance& allowance);
 
     /// Begins to end the process, without waiting for its end. The destructor waits.
     void begin_end() { process_.begin_end(); }

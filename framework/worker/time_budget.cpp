@@ -3,13 +3,16 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace rigor {
 
 namespace {
 
-// One formula may use this share of the budget of all calls before it is compared with the
-// reference, so that some of it is left for the other formulas. Without a reference, one formula
-// may use the whole budget.
+// If the answered calls of one formula have taken more than this share of the budget of all calls,
+// the time of each further call is compared with the time of the reference. So a slow formula
+// leaves some of the budget for the other ones. Without a reference, one formula may use the whole
+// budget.
 constexpr double share_with_reference = 0.25;
 
 } // namespace
@@ -23,6 +26,7 @@ void TimeBudget::go_on_from(const Spent& spent)
 {
     calls_ = spent.calls;
     scenes_ = spent.scenes;
+    starts_ = spent.starts;
     for (const FormulaIndex formula : spent.given_up)
         of(formula).was_given_up = true;
 }
@@ -31,7 +35,7 @@ void TimeBudget::begin_again(Seconds budget)
 {
     limits_.all_calls = limits_.all_scenes = budget;
     rows_ = {};
-    calls_ = scenes_ = on_processor_ = {};
+    calls_ = scenes_ = starts_ = on_processor_ = {};
     is_begun_again_ = true;
 }
 
@@ -65,6 +69,21 @@ bool TimeBudget::is_too_slow(const Row& row) const
     if (is_begun_again_)
         return row.answered > limits_.all_calls && on_processor_ > limits_.all_calls;
     return row.compared > limits_.call / 10 + limits_.multiple * row.by_reference;
+}
+
+TimeBudget::Seconds TimeBudget::limit_of_start() const
+{
+    return std::clamp(limits_.all_starts - starts_, std::min(limits_.late_start, limits_.start),
+                      limits_.start);
+}
+
+std::string TimeBudget::why_start_ended(Seconds limit) const
+{
+    std::string text = fmt::format("took longer than {:.3g} s", limit.count());
+    if (limit < limits_.start)
+        text += fmt::format(" (all starts together may take {:.3g} s)", limits_.all_starts.count());
+    return text + " before any function is called: look at what it defines globally, such as a "
+                  "variable with a constructor";
 }
 
 bool TimeBudget::is_given_up(FormulaIndex formula) const
@@ -112,7 +131,7 @@ TimeBudget::Seconds TimeBudget::floor_of_scene() const
 
 Spent TimeBudget::spent() const
 {
-    Spent spent{calls_, scenes_, {}};
+    Spent spent{calls_, scenes_, starts_, {}};
     for (unsigned i = 0; i < formula_count; ++i)
         if (is_given_up(FormulaIndex{i})) spent.given_up.push_back(FormulaIndex{i});
     return spent;
@@ -133,6 +152,7 @@ std::string TimeBudget::report() const
     };
     add("all calls together", calls_, limits_.all_calls);
     add("all scenes together", scenes_, limits_.all_scenes);
+    add("all starts of the program together", starts_, limits_.all_starts);
     return fmt::format("{}", fmt::join(parts, "; "));
 }
 

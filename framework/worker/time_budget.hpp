@@ -10,6 +10,10 @@
 // a tenth of its usual value. The limit is this floor or `Limits::multiple` times the time of the
 // reference, whichever is longer. So a solution that is slow and right is graded to its end, and a
 // solution that does not return is soon given up.
+//
+// All starts of the worker together have a budget too (`Limits::all_starts`). A start constructs
+// the global objects of a submission, and each test case starts the worker again. When this budget
+// is used up, a start must be as fast as `Limits::late_start`.
 #pragma once
 
 #include "formulas/table.hpp"
@@ -22,7 +26,7 @@ namespace rigor {
 
 /// What a submission has cost so far. A later run of the same submission goes on from this.
 struct Spent {
-    std::chrono::duration<double> calls{}, scenes{};
+    std::chrono::duration<double> calls{}, scenes{}, starts{};
     std::vector<FormulaIndex> given_up;
 };
 
@@ -37,9 +41,10 @@ public:
     void go_on_from(const Spent& spent);
 
     /// Forgets what was spent. From now on all calls together have this budget, and so have all
-    /// scenes together. A formula that returns is given up only if its calls took longer than the
-    /// budget and the worker was also on a processor for longer than the budget, see `ran`. The
-    /// reference needs this rule: it never sleeps, but its replies come late on a busy machine.
+    /// scenes together; the budget of all starts is that of `Limits`. A formula that returns is
+    /// given up only if its calls took longer than the budget and the worker was also on a
+    /// processor for longer than the budget, see `ran`. The reference needs this rule: it never
+    /// sleeps, but its replies come late on a busy machine.
     void begin_again(Seconds budget);
 
     /// Counts a call that was answered.
@@ -58,6 +63,15 @@ public:
     void waited_in_scene(Seconds time) { scenes_ += time; }
     /// Counts a scene that failed because of this formula.
     void scene_failed(FormulaIndex formula) { ++of(formula).failed_scenes; }
+
+    /// Counts a start of the worker, whether it succeeded or not.
+    void started(Seconds took) { starts_ += took; }
+    bool starts_are_used_up() const { return starts_ > limits_.all_starts; }
+    /// The time limit of the next start.
+    Seconds limit_of_start() const;
+    /// Why a start was ended that exceeded `limit`, as the end of a sentence that begins with "the
+    /// start of the program".
+    std::string why_start_ended(Seconds limit) const;
 
     /// Whether the formula is not called any more.
     bool is_given_up(FormulaIndex formula) const;
@@ -94,7 +108,7 @@ private:
     Limits limits_;
     bool has_reference_;
     std::array<Row, formula_count> rows_;
-    Seconds calls_{}, scenes_{}, on_processor_{};
+    Seconds calls_{}, scenes_{}, starts_{}, on_processor_{};
     bool is_begun_again_ = false;
 };
 

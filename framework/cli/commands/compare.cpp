@@ -124,7 +124,8 @@ int compare(const CompareOptions& options)
     std::fflush(stdout);
     if (!options.out.empty())
         draw_comparison(comparison.expected(), actual, options.with, options.out, options.draw);
-    return report_outcome(outcome, implementation) == exit_done && agree ? exit_done : exit_wrong;
+    const int status = report_outcome(outcome, implementation);
+    return status == exit_done && !agree ? exit_wrong : status;
 }
 
 } // namespace

@@ -75,7 +75,7 @@ public:
     }
 
 private:
-    std::atomic<double> built_ = 0; // the fraction that is built
+    std::atomic<double> built_ = 0; // the fraction of the build steps that are done
     std::future<GradingRun> run_;
 };
 

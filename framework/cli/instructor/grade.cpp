@@ -193,7 +193,9 @@ private:
 
     int finished(const ClassFolder& folder, const ClassOutcome& outcome)
     {
-        const std::string summary = class_summary(outcome.rows);
+        const std::string warning = warning_about_stubs(selection_.assignment.topic),
+                          summary = class_summary(outcome.rows) +
+                                    (warning.empty() ? "" : "\n" + warning + "\n");
         const GradeFile canvas = canvas_grades(outcome.rows, selection_.assignment.title);
         const GradeFile moodle = moodle_grades(outcome.rows);
         write_whole(folder.path() / summary_file, summary);
@@ -216,9 +218,6 @@ private:
                    "{}\n",
                    canvas_file, canvas.submissions, logins, moodle_file, moodle.submissions);
         std::fflush(stdout);
-        if (const std::string warning = warning_about_stubs(selection_.assignment.topic);
-            !warning.empty())
-            say(warning);
         return status_of(outcome);
     }
 

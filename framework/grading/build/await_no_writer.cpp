@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A lease for reading is granted only if nobody has the file open for writing.
+// Asks for a lease for reading again and again. It is granted only if nobody has the file open for
+// writing.
 #include "grading/build/await_no_writer.hpp"
 
 #include <cerrno>

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: MIT
-// A private folder has a subfolder `files` with the copies that the compiler reads, and a subfolder
-// `out` in which compiler and linker write. It also has the object files, each with a key file. The
-// key file lists the names that the object defines and uses.
+// Compiles the files of a folder in a private folder, and keeps the objects. The private folder has
+// a subfolder `files` with the copies that the compiler reads, and a subfolder `out` in which
+// compiler and linker write. It also has the object files, each with a key file. The key file lists
+// the names that the object defines and uses.
 #include "grading/build/compiled_folder.hpp"
 
 #include "errors/input_error.hpp"
 #include "errors/printable.hpp"
 #include "grading/build/includes.hpp"
-#include "grading/build/replace_all.hpp"
+#include "grading/build/lines.hpp"
+#include "grading/build/scratch_folder.hpp"
+#include "grading/build/shown_errors.hpp"
 #include "grading/topics.hpp"
 #include "sandbox/blocked_calls.hpp"
 
@@ -17,7 +20,6 @@
 #include <fstream>
 #include <future>
 #include <mutex>
-#include <sstream>
 #include <stdexcept>
 #include <thread>
 
@@ -33,21 +35,13 @@ std::string content_of(const fs::path& file)
     return {std::istreambuf_iterator<char>(in), {}};
 }
 
-std::vector<std::string> lines_of(const std::string& text)
-{
-    std::vector<std::string> lines;
-    std::istringstream in(text);
-    for (std::string line; std::getline(in, line);)
-        lines.push_back(line);
-    return lines;
-}
-
 fs::path contract()
 {
     return places().source / "framework/formulas";
 }
 
-// A hash of the headers of the contract and of the time when their precompiled header was made.
+// A hash of the headers that the compiler reads besides the submission, and of the time when the
+// precompiled header was made.
 std::uint64_t hash_of_contract(const Toolchain& tools)
 {
     std::vector<fs::path> headers;
@@ -55,6 +49,7 @@ std::uint64_t hash_of_contract(const Toolchain& tools)
         headers.push_back(entry.path());
     std::sort(headers.begin(), headers.end());
     std::uint64_t hash = hash_of("");
+    headers.push_back(no_file_queries());
     for (const fs::path& header : headers)
         hash = hash_of(header.filename().string() + content_of(header), hash);
     for (const auto& entry : fs::directory_iterator(tools.precompiled))
@@ -81,12 +76,18 @@ bool is_full(const fs::path& disk)
 
 std::string why_it_ended(const ConfinedRun& run, const std::string& file, const fs::path& out)
 {
-    if (run.timed_out)
+    const ToolLimit met = limit_met(run.output);
+    if (run.timed_out || met == ToolLimit::time)
         return fmt::format("{}: took longer than {} s to compile\n", file, compile_limit);
     if (run.blocked_call)
         return fmt::format("{}: the compiler tried to {}\n", file,
                            words_for_blocked_call(*run.blocked_call));
-    if (run.output.find("File size limit exceeded") != std::string::npos)
+    if (met == ToolLimit::memory)
+        return fmt::format(
+            "{}: the compiler needs more than {} MB of memory: look for a huge table "
+            "or a template or macro that grows\n",
+            file, memory_of_a_tool() >> 20);
+    if (met == ToolLimit::file_size)
         return fmt::format("{}: expected an object of at most {} MB\n", file, largest_output >> 20);
     if (run.output.find("No space left on device") != std::string::npos && is_full(out))
         throw std::runtime_error(file + " cannot be compiled: no space left on the disk");
@@ -121,20 +122,6 @@ void KeyFile::write(std::uint64_t key, const std::vector<std::string>& lines) co
         out << line << '\n';
 }
 
-std::string shown_errors(const std::string& output)
-{
-    std::string text = first_errors(lines_of(printable(output)));
-    replace_all(text, places().source.string() + "/", "");
-    replace_all(text, "{standard input}: Assembler messages:\n", "");
-    replace_all(text, "{standard input}", "the assembler, line of its input");
-    // A message may hold text of the student, and line breaks. With a bar before each line nobody
-    // takes it for a verdict.
-    std::string barred;
-    for (const std::string& line : lines_of(text))
-        barred += "| " + line + "\n";
-    return barred;
-}
-
 fs::path CompiledFolder::place_of(const fs::path& folder)
 {
     const bool is_student = folder == places().source / "student";
@@ -154,6 +141,7 @@ CompiledFolder::CompiledFolder(const fs::path& folder, const Toolchain& tools)
     let_others_read(place_ / "files");
     let_others_read(contract());
     let_others_read(tools.precompiled);
+    let_others_read(no_file_queries());
 }
 
 bool CompiledFolder::has(const std::string& topic) const
@@ -191,9 +179,10 @@ void CompiledFolder::compile_topic(const std::string& topic, CompiledTopic& comp
     const fs::path out = place_ / "out" / topic, object = out / (topic + ".o"),
                    list = out / (topic + ".d");
     fs::remove(key_of(topic).file());
-    fs::remove_all(out);
-    fs::create_directories(out);
-    ToolRun compiler{tools_.compile, place_ / "files", {contract(), tools_.precompiled}, out};
+    fs::remove(compiled.object);
+    const ScratchFolder scratch(out);
+    ToolRun compiler{
+        tools_.compile, place_ / "files", {contract(), tools_.precompiled, no_file_queries()}, out};
     compiler.readable.push_back(compiler.folder);
     compiler.arguments.insert(compiler.arguments.end(),
                               {"-MD", "-MF", list.string(), "-o", object.string(), "-c", file});
@@ -220,7 +209,6 @@ void CompiledFolder::compile_topic(const std::string& topic, CompiledTopic& comp
         return;
     }
     take_over(object, compiled.object);
-    fs::remove_all(out);
     compiled.symbols = parse_symbols(names.output);
     key_of(topic).write(compiled.key, lines_of(names.output));
 }

@@ -18,7 +18,7 @@
 namespace rigor {
 
 /// A file beside a built file that tells whether the built file is up to date. Its first line is a
-/// key, which is a hash of the sources of the built file. Further lines of text follow.
+/// key: a hash of everything that the built file was made from. Further lines of text follow.
 class KeyFile {
 public:
     explicit KeyFile(std::filesystem::path file) : file_(std::move(file)) {}
@@ -37,10 +37,6 @@ struct CompiledTopic {
     std::uint64_t key = 0; // a hash of everything that the object was made from
     std::string errors;    // the compiler's first errors; empty if there is an object
 };
-
-/// The first errors in what a tool printed, without control characters and without the paths of
-/// this machine, each line after a bar.
-std::string shown_errors(const std::string& output);
 
 class CompiledFolder {
 public:
@@ -77,7 +73,10 @@ private:
     std::filesystem::path place_;
     BuildLock lock_;
     SubmissionFiles files_;
-    std::uint64_t surroundings_; // hash of compiler command, contract and other sources
+    // A hash of what every object depends on: the compiler's command, the headers of
+    // framework/formulas, no_file_queries.hpp, the precompiled header, and the copied files that
+    // are no topic's file.
+    std::uint64_t surroundings_;
 };
 
 } // namespace rigor

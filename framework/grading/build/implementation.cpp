@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The reference is trusted, so ninja builds it as a target of the main build. Every other
-// implementation, including student/, is built like a submission: in a sandbox.
+// Builds an implementation. The reference is trusted, so ninja builds it as a target of the main
+// build. Every other implementation, including student/, is built like a submission: in a sandbox.
 #include "grading/build/implementation.hpp"
 
 #include "errors/input_error.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Checks what a solution includes. It may include the contract of the formulas, files of its own
-// folder, and system headers. Where the sandbox is strong, the compiler cannot open other files
-// anyway.
+// Checks what a solution includes. It may include the headers of framework/formulas (the contract),
+// files of its own folder, and system headers. Where the sandbox has namespaces or Landlock, the
+// compiler cannot open other files anyway.
 #pragma once
 
 #include <filesystem>
@@ -11,8 +11,9 @@ namespace rigor {
 
 /// An error message of one line if a forbidden file is in the compiler's list of what it opened;
 /// otherwise empty. Forbidden are all files of this tree and of its build, by whatever path, macro
-/// or link they were included, except those in `folder`, the contract (framework/formulas/) and its
-/// precompiled header. A file that does not exist any more is forbidden too.
+/// or link they were included, except those in `folder`, the contract (framework/formulas/), the
+/// precompiled header of Eigen, and no_file_queries.hpp. A file that does not exist any more is
+/// forbidden too.
 /// @param list    the compiler's list, `<topic>.d`
 /// @param folder  the compiler's working directory, where the solution's files are
 /// @throws std::runtime_error if there is no list

@@ -15,6 +15,7 @@ namespace rigor {
 
 namespace {
 
+// The most address space of ninja, and of each program that it starts [bytes].
 constexpr std::uint64_t compiler_memory = std::uint64_t(6) << 30;
 // The longest time between two lines of ninja, which prints one whenever a file is done [s]. Here
 // ninja compiles only files of the framework, but the machine may be slow or busy.
@@ -105,12 +106,12 @@ std::vector<std::string> ninja_programs(const std::string& prefix)
     std::vector<std::string> result;
     Command command;
     command.arguments = {"ninja", "-C", places().build.string(), "-t", "targets", "all"};
-    run(command,
-        [&](std::string_view line) { // "bin/bench_spin: CXX_EXECUTABLE_LINKER__bench_spin_Release"
-            if (line.starts_with("bin/" + prefix))
-                result.emplace_back(
-                    line.substr(4 + prefix.size(), line.find(':') - 4 - prefix.size()));
-        });
+    run(command, [&](std::string_view line) {
+        // The line of a program is, for example,
+        //     bin/bench_spin: CXX_EXECUTABLE_LINKER__bench_spin_Release
+        if (line.starts_with("bin/" + prefix))
+            result.emplace_back(line.substr(4 + prefix.size(), line.find(':') - 4 - prefix.size()));
+    });
     std::sort(result.begin(), result.end());
     return result;
 }

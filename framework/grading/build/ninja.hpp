@@ -14,7 +14,7 @@ using OnBuildStep = std::function<void(int done, int total, const std::string& s
 /// The result of a run of ninja.
 struct NinjaRun {
     bool ok = false;
-    std::vector<std::string> steps;  // "Building CXX object …", "Linking CXX executable …"
+    std::vector<std::string> steps;  // such as "Building CXX object …"
     std::vector<std::string> failed; // files that could not be built
     std::string errors;              // the compiler's first errors, or why ninja was ended
     double seconds = 0;

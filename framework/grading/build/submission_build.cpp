@@ -7,6 +7,8 @@
 
 #include "errors/printable.hpp"
 #include "grading/build/compiled_folder.hpp"
+#include "grading/build/scratch_folder.hpp"
+#include "grading/build/shown_errors.hpp"
 #include "grading/places.hpp"
 #include "grading/process.hpp"
 #include "grading/topics.hpp"
@@ -47,9 +49,9 @@ std::set<std::string> names_of_worker(const Toolchain& tools)
     return names;
 }
 
-// The commands that build a worker. What every worker needs is built first: the contract as a
-// precompiled header, the engine, and the program `confine`, which starts programs in a sandbox.
-// This is done once in each process.
+// The commands that build a worker. What every worker needs is built first: Eigen's precompiled
+// header, the engine, and the program `confine`, which starts programs in a sandbox. This is done
+// once in each process.
 const Toolchain& tools_after_framework(const OnBuildStep& on_step, std::vector<std::string>& steps)
 {
     static std::mutex guard;
@@ -119,9 +121,8 @@ public:
     Linked run() const
     {
         const fs::path out = folder_ / "out/link";
-        fs::remove_all(out);
-        fs::create_directories(out);
-        ToolRun tool{tools_.link, places().build, inputs(), out};
+        const ScratchFolder scratch(out);
+        ToolRun tool{tools_.link, places().build, inputs(), out, largest_worker()};
         for (const auto& [topic, hidden] : hidden_names()) {
             fs::path object = objects_.at(topic)->object;
             if (!hidden.empty()) {
@@ -137,10 +138,13 @@ public:
         for (const fs::path& input : tool.readable)
             let_others_read(input);
         const ConfinedRun linked = run_tool(tool);
+        if (limit_met(linked.output) == ToolLimit::file_size)
+            return {fmt::format("cannot be linked: expected a program of at most {} MB\n",
+                                largest_worker() >> 20),
+                    {}};
         if (!linked.ok() || !is_plain_file(out / "worker"))
             return {"cannot be linked:\n" + shown_errors(linked.output), {}};
         take_over(out / "worker", worker());
-        fs::remove_all(out);
         return {why_it_does_not_start(worker()), undefined_names(printable(linked.output))};
     }
 
@@ -151,6 +155,15 @@ private:
         for (const std::string& input : tools_.linked_inputs)
             result.push_back(places().build / input);
         return result;
+    }
+
+    // The framework's part of a worker, and some room for the submission [bytes].
+    std::uint64_t largest_worker() const
+    {
+        std::uint64_t size = 4 * largest_output;
+        for (const fs::path& input : inputs())
+            size += fs::file_size(input);
+        return size;
     }
 
     std::map<std::string, std::vector<std::string>> hidden_names() const

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Builds a worker, the program that runs the formulas, from a folder of topic files such as
 // inertia.cpp. The compiler and the linker run behind walls (in a sandbox), in a private folder. If
-// a file does not compile, only the formulas of this file are missing. Each file is compiled again
-// only if it, a header, or the contract has changed.
+// a file does not compile, only the formulas of this file are missing. A topic's file is compiled
+// again only if something that its object depends on has changed (compiled_folder.hpp).
 #pragma once
 
 #include "grading/build/ninja.hpp"
@@ -25,7 +25,7 @@ struct SubmissionBuild {
 };
 
 /// Builds the worker of a folder with some topics' files. Two builds of one folder wait for each
-/// other; builds of different folders do not.
+/// other. Builds of different folders wait only for what they share: the framework and student/.
 /// @throws InputError if the folder has no topic's file, std::runtime_error if code of the
 ///     framework does not compile, std::system_error if the sandbox cannot be set up
 SubmissionBuild build_submission(const std::filesystem::path& folder, const OnBuildStep& on_step);
@@ -35,8 +35,8 @@ SubmissionBuild build_submission(const std::filesystem::path& folder, const OnBu
 /// need not build these again.
 void prepare_submission_builds(const OnBuildStep& on_step);
 
-/// Removes what was built from a folder, even if the folder itself is gone. No build of this folder
-/// may run at the time.
+/// Removes what was built from a folder, even if the folder itself is gone. A build of this folder
+/// that runs at the same time would lose its files.
 void remove_submission_build(const std::filesystem::path& folder);
 
 } // namespace rigor

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Each file is opened without following a link and without waiting for a writer, and its kind and
-// size are read from the open file, so that nobody can exchange the file between the check and the
-// reading.
+// Copies the topics' files of a submission and then its other sources, and removes what an earlier
+// run has left. Each file is opened without following a link and without waiting for a writer, and
+// its kind and size are read from the open file, so that nobody can exchange the file between the
+// check and the reading.
 #include "grading/build/submission_files.hpp"
 
 #include "errors/utf8.hpp"
@@ -28,7 +29,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// The longest file of the reference has about 10 kB.
+// No solution comes near this limit: the longest file of the reference has about 10 kB.
 constexpr std::size_t longest_file = std::size_t{1} << 20; // [bytes]
 constexpr std::size_t most_files = 200;
 constexpr int deepest = 4; // levels of subfolders that are searched

@@ -27,11 +27,18 @@ struct Toolchain {
 /// empty for the compiler of the main build. @throws InputError if the variable names no program
 std::string chosen_compiler();
 
+/// The header that the compiler includes before each file of a submission, after the precompiled
+/// header.
+std::filesystem::path no_file_queries();
+
 /// The toolchain for student/, taken from ninja's commands, with the chosen compiler.
 Toolchain student_toolchain();
 
-/// The largest file that a tool may write [bytes].
-inline constexpr std::uint64_t largest_output = std::uint64_t{256} << 20;
+/// The largest object of a file [bytes]. Those of the reference have less than 100 kB.
+inline constexpr std::uint64_t largest_output = std::uint64_t{16} << 20;
+
+/// The most memory of a compiler or linker [bytes].
+std::uint64_t memory_of_a_tool();
 
 /// A tool that is run for a submission, such as a compiler or linker. It may read `folder`,
 /// `readable` and the files of the system, and write in `out` only.
@@ -40,6 +47,7 @@ struct ToolRun {
     std::filesystem::path folder; // its working directory
     std::vector<std::filesystem::path> readable;
     std::filesystem::path out;
+    std::uint64_t largest_file = largest_output; // the largest file that it may write [bytes]
 };
 
 /// Runs a tool. @throws std::system_error if it cannot be started in the sandbox

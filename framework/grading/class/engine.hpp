@@ -19,8 +19,7 @@
 
 namespace rigor {
 
-/// A class of students whose submissions are graded. The number of a submission is its index in
-/// `submissions`.
+/// A class of students whose submissions are graded.
 struct ClassWork {
     Selection selection;
     GradingRun run;
@@ -32,7 +31,8 @@ struct ClassWork {
     std::filesystem::path out;             // the results' folder
 };
 
-/// Called with the number of a submission and the files to write about it.
+/// Called with the index of a submission in `ClassWork::submissions`, and the files to write about
+/// it.
 using OnGraded = std::function<void(std::size_t submission, const ResultFiles& files)>;
 /// Called from time to time, to show progress. `doing` says what is done now, such as "grading";
 /// `detail` is a remark on it, such as "3 tasks", or empty.
@@ -42,10 +42,10 @@ class Engine {
 public:
     virtual ~Engine() = default;
 
-    /// Grades the submissions with these numbers, in this order. Before and after them it grades
-    /// the controls, submissions whose points are known. If a fault of the framework prevents the
-    /// grading of a submission, the files about it report the fault. An exception of `on_graded`
-    /// ends the run.
+    /// Grades `work.submissions[i]` for each i in `numbers`. `on_graded` gets the results in any
+    /// order. Before and after the submissions that are graded now, the controls are graded, which
+    /// are submissions whose points are known. If a fault of the framework prevents the grading of
+    /// a submission, the files about it report the fault. An exception of `on_graded` ends the run.
     /// @return what is wrong with a control; empty if nothing is
     virtual std::string grade(const ClassWork& work, const std::vector<std::size_t>& numbers,
                               const OnGraded& on_graded, const OnWait& on_wait) = 0;

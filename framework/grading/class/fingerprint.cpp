@@ -58,7 +58,8 @@ std::uint64_t fingerprint_of(const Selection& selection, const GradingRun& run)
     for (const std::string& tag : selection.tags)
         hash = hash_of(tag + ";", hash);
     hash = hash_of(fmt::format("seed {} walls {}", run.seed, description(usual_tier())), hash);
-    hash = hash_of(chosen_compiler(), hash);
+    const std::string compiler = student_toolchain().compile[0];
+    hash = hash_of_file(compiler, hash_of(compiler, hash));
     if (!run.secret.empty()) hash = hash_of(hmac_sha256(run.secret, "fingerprint"), hash);
     hash = hash_of_file("/proc/self/exe", hash);
     hash = hash_of_file(run.test_program, hash);

@@ -12,9 +12,10 @@
 
 namespace rigor {
 
-/// A hash of all that a result depends on except the submission: the assignment, this program, the
+/// A hash of what a result depends on besides the submission: the assignment, this program, the
 /// tests, the reference and what else is linked into a worker, the files of student/, which stand
-/// in for missing files of submissions, the scenes, the seed and the sandbox.
+/// in for missing files of submissions, the scenes, the seed, the secret, the compiler and the
+/// sandbox.
 std::uint64_t fingerprint_of(const Selection& selection, const GradingRun& run);
 
 /// The fingerprint of a submission's result: two hashes of 16 hexadecimal digits, first

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// An engine (engine.hpp) grades the submissions and hands over the texts of the files to write;
-// result.json is written last, and whole. So a run that is killed loses only what it was grading,
-// and the next run finds the other results by their fingerprints.
+// Finds the submissions whose results are missing or out of date. An engine (engine.hpp) grades
+// these and hands over the texts of the files to write. Among these files, result.json is written
+// last, and whole. So a run that is killed loses only what it was grading, and the next run finds
+// the other results by their fingerprints.
 #include "grading/class/grade_class.hpp"
 
 #include "errors/input_error.hpp"

@@ -27,9 +27,10 @@ public:
 
     /// Whether the process has ended. Does not wait.
     bool has_ended();
-    /// Ends the process, and with it all processes that it started.
+    /// Kills the process. The programs that it started by `run` or `Confined` then get SIGTERM from
+    /// the kernel.
     void stop();
-    /// What the function returned; empty if it threw or crashed.
+    /// What the function returned; no value before the process has ended or if it threw or crashed.
     std::optional<std::string> text() const;
     /// Why the function returned nothing, in one line.
     std::string fault() const;

@@ -7,8 +7,8 @@
 
 namespace rigor {
 
-/// Takes the results of a known folder that have the wanted fingerprints. Another engine grades the
-/// other submissions.
+/// Takes those results of a known folder that are up to date: their fingerprints are equal to those
+/// in `ClassWork::fingerprints`. Another engine grades the other submissions.
 class KnownResults : public Engine {
 public:
     /// @param known  the folder with the results; if a control has not confirmed some of them yet

@@ -10,8 +10,8 @@ class LocalEngine : public Engine {
 public:
     /// @param jobs  how many submissions are graded at the same time
     /// @param part  the beginning of the names of the working folders. If several engines grade
-    ///              parts of one run, each part has another beginning. For a task of Slurm this is
-    ///              `JOB_RESTARTS`: the number of its job, and how often the task was restarted.
+    ///              parts of one run, each part has another beginning. For a task of Slurm it is
+    ///              `<job id>_<restarts>`, where <restarts> is how often the task was restarted.
     ///              Empty for an engine that grades the whole run.
     explicit LocalEngine(unsigned jobs, std::string part = {}) : jobs_(jobs), part_(std::move(part))
     {

@@ -129,7 +129,7 @@ private:
             throw Refused("expected an archive without a password, found " + in_quotes(raw) +
                           " encrypted");
         if (archive_entry_filetype(entry) == AE_IFDIR) return;
-        std::string text = content_of(name);
+        std::string text = content_of(name, entry);
         if (std::string_view(raw).ends_with('\\')) return; // a folder, in a Windows archive
         if (is_source(name))
             contents_.add_source(name, std::move(text));
@@ -138,24 +138,41 @@ private:
     }
 
     // The text of the current entry if it is a source. The bytes of other files are only counted,
-    // and the result is empty.
-    std::string content_of(const std::string& name)
+    // and the result is empty. A sparse file counts with its gaps, which take space where it is
+    // unpacked, but have no bytes in the archive.
+    std::string content_of(const std::string& name, archive_entry* entry)
     {
         std::string text;
         const bool is_kept = is_source(name);
+        const la_int64_t stated = archive_entry_size_is_set(entry) ? archive_entry_size(entry) : 0;
+        std::size_t end = 0; // where the counted part of the file ends [bytes]
+        const auto count_up_to = [&](la_int64_t place) {
+            if (place < 0) throw Refused("expected plain files, found " + in_quotes(name));
+            const std::size_t next = std::max(end, static_cast<std::size_t>(place));
+            count(next - end);
+            end = next;
+        };
+        count_up_to(stated);
         for (;;) {
             const void* block = nullptr;
             std::size_t size = 0;
             la_int64_t offset = 0;
             const int state = archive_read_data_block(archive_.get(), &block, &size, &offset);
-            if (state == ARCHIVE_EOF) return text;
+            if (state == ARCHIVE_EOF) break;
             if (state != ARCHIVE_OK) break_off();
-            count(size);
+            count_up_to(offset);
+            count_up_to(offset + static_cast<la_int64_t>(size));
             if (!is_kept) continue;
-            if (offset != static_cast<la_int64_t>(text.size()))
-                throw Refused("expected plain files, found " + in_quotes(name) + " with gaps");
+            if (offset != static_cast<la_int64_t>(text.size())) refuse_gaps(name);
             text.append(static_cast<const char*>(block), size);
         }
+        if (is_kept && text.size() != end) refuse_gaps(name);
+        return text;
+    }
+
+    [[noreturn]] static void refuse_gaps(const std::string& name)
+    {
+        throw Refused("expected plain files, found " + in_quotes(name) + " with gaps");
     }
 
     void count(std::size_t size)

@@ -7,14 +7,14 @@
 
 namespace rigor {
 
-/// The systems whose names are known.
+/// The learning platforms whose names for downloaded files can be parsed.
 enum class LearningSystem { canvas, moodle };
 
 /// What the name of a downloaded file or folder says.
 struct DownloadedName {
     LearningSystem system = LearningSystem::canvas;
     std::string name;            // the student's, as the system writes it: "doejane", "Jane Doe"
-    std::string number;          // the student's number in the system: "4711"
+    std::string number;          // the student's id in the system: "4711"
     std::string file;            // the name that the student gave the file; empty for a folder
     bool is_online_text = false; // whether it is a text typed into a page of Moodle
 

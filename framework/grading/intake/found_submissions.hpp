@@ -21,17 +21,25 @@ struct FoundSubmissions {
     std::vector<std::string> notes;      // a line each: what was ignored, and what is doubtful
 };
 
-/// Finds all submissions. Each path is a submission or a folder of submissions. It is a folder of
-/// submissions if it does not contain the wanted file, but contains archives, files with names that
-/// Canvas or Moodle gives (downloaded_name.hpp), or several folders with the wanted file. If there
-/// is no other path, a single folder with any content is enough. Each of these archives, files and
-/// folders is a submission.
+/// Finds all submissions. Each path is a submission or a folder of submissions. A folder without
+/// the wanted file is a folder of submissions if it contains one of these:
+/// 1. an archive,
+/// 2. a file with a name that Canvas or Moodle gives (downloaded_name.hpp),
+/// 3. several folders with the wanted file in them, or in a folder inside,
+/// 4. any folder, if the user names no other path.
+/// Then its archives and folders are submissions, and so are its files from Canvas or Moodle. Such
+/// a file is passed over if it has another name than the wanted one and its student has another
+/// submission.
 ///
 /// `notes` names each student who has several submissions, according to the names that Canvas or
 /// Moodle gave.
 ///
-/// A submission is refused, with the reason in `refusal`, if another one has the same name, or if
-/// its name cannot be shown or is reserved. In these last two cases its name is changed.
+/// A submission is refused, with the reason in `refusal`, in these cases:
+/// 1. Another submission has the same name.
+/// 2. Its name cannot be shown, or is reserved. Then its name is changed.
+/// 3. It is a link, or anything else that is neither a folder nor a file.
+/// 4. It is a file from Canvas or Moodle with another name than the wanted one, and the student has
+///    no other submission.
 /// @param wanted  name of the file that the assignment asks for
 /// @param reserved  names that the results need for their own files
 /// @throws InputError if a path does not exist, or if there is no submission

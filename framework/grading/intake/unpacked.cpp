@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What `unpack` prints and the grader reads is a list of entries: a letter for the kind, the
-// lengths of the name and the text, a newline, and then name and text. An entry of kind `e` ends
-// the list.
+// Runs `unpack` in a sandbox and reads the list of entries that it prints. An entry is a letter for
+// the kind, the lengths of the name and the text, a newline, and then name and text. An entry of
+// kind `e` ends the list.
 #include "grading/intake/unpacked.hpp"
 
 #include "grading/intake/refused.hpp"

@@ -11,7 +11,7 @@
 namespace rigor {
 
 /// How a submission's result changes: its points, and below them a line for each task whose points
-/// are not the same. Empty if neither the status nor any points change.
+/// or maximum are not the same. Empty if the status and all points and maxima stay.
 /// @param before  empty if the submission is new
 std::string change_text(const std::optional<Row>& before, const Row& after);
 

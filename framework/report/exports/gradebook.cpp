@@ -75,19 +75,20 @@ std::string tasks_table(const std::vector<const Row*>& rows)
     return text;
 }
 
-// The name of a student in a list: what Canvas or Moodle has written into the name of the
-// submission, or the whole of it. The number of the student tells two of the same name apart.
+// The name of a student in a list: the name and the id that Canvas or Moodle has written into the
+// name of the submission, or else the whole name of the submission. The id tells two students of
+// the same name apart.
 std::string listed_name(const Row& row)
 {
     const std::optional<DownloadedName> name = downloaded_name(row.submission);
     return name ? name->student() : row.submission;
 }
 
-// Names in lines of at most 100 columns. The first line follows a tag of 8 columns, and the others
-// begin below it.
-std::string wrapped(const std::vector<std::string>& names)
+// Names in lines of at most 100 columns. Each line begins after `indent` columns; those of the
+// first line are written by the caller.
+std::string wrapped(const std::vector<std::string>& names, std::size_t indent)
 {
-    constexpr std::size_t width = 100, indent = 10;
+    constexpr std::size_t width = 100;
     std::string text;
     std::size_t column = indent;
     for (const std::string& name : names) {
@@ -109,9 +110,26 @@ std::string failed_by_task(const std::vector<const Row*>& rows)
         for (const Row* row : rows)
             if (fate_of(*row, t) == Fate::failed) names.push_back(listed_name(*row));
         if (!names.empty())
-            text += fmt::format("  {:<8}{}\n", rows.front()->tasks[t].tag, wrapped(names));
+            text += fmt::format("  {:<8}{}\n", rows.front()->tasks[t].tag, wrapped(names, 10));
     }
     return text.empty() ? "" : "\nfailed:\n" + text;
+}
+
+// Why a submission has no points, by its tasks: "failed: 3, stub: 9".
+std::string why_no_points(const Row& row)
+{
+    if (row.status == "compile_error") return "compile error";
+    std::map<Fate, int> n;
+    for (std::size_t t = 0; t < row.tasks.size(); ++t)
+        ++n[fate_of(row, t)];
+    std::string text;
+    for (const auto& [fate, name] : {std::pair(Fate::failed, "failed"),
+                                     {Fate::stub, "stub"},
+                                     {Fate::not_defined, "not defined"},
+                                     {Fate::not_run, "not run"},
+                                     {Fate::passed, "without points"}}) // tasks worth 0 points
+        if (n[fate] > 0) text += fmt::format("{}{}: {}", text.empty() ? "" : ", ", name, n[fate]);
+    return text.empty() ? "no tasks" : text;
 }
 
 // Who was judged and has no points.
@@ -119,8 +137,9 @@ std::string without_points(const std::vector<const Row*>& rows)
 {
     std::vector<std::string> names;
     for (const Row* row : rows)
-        if (row->points == 0) names.push_back(listed_name(*row));
-    return names.empty() ? "" : "\n0 points:\n  " + wrapped(names) + "\n";
+        if (row->points == 0)
+            names.push_back(fmt::format("{} ({})", listed_name(*row), why_no_points(*row)));
+    return names.empty() ? "" : "\n0 points:\n  " + wrapped(names, 2) + "\n";
 }
 
 std::string distribution(const std::vector<const Row*>& rows)
@@ -143,7 +162,7 @@ std::string distribution(const std::vector<const Row*>& rows)
     for (const double p : points)
         ++tenths[most > 0 ? std::min(9, static_cast<int>(10 * p / most)) : 0];
     for (int i = 0; i < 10; ++i) {
-        // the bar has at most 40 characters, for all n submissions
+        // A bar for all n submissions has 40 characters, and others are shorter in proportion.
         const int bar = static_cast<int>((40 * tenths[i] + static_cast<int>(n) - 1) / n);
         text += fmt::format("  {:>3} to {:>3} % {:>5}{}{}\n", 10 * i, 10 * (i + 1), tenths[i],
                             bar > 0 ? "  " : "", std::string(bar, '#'));
@@ -169,10 +188,11 @@ std::string common_mistakes(const std::vector<const Row*>& rows)
     std::string text;
     for (const auto& line : lines)
         text += line.second;
-    return text.empty() ? "" : "\nmistakes of several submissions:\n" + text;
+    return text.empty() ? ""
+                        : "\nmistakes of several submissions, as their reports name them:\n" + text;
 }
 
-// The submissions of which no formula could be tested, each with the first line that says why.
+// The submissions of which no formula could be tested, each with the first line of its message.
 std::string not_tested(const std::vector<Row>& rows)
 {
     std::string text;

@@ -15,8 +15,8 @@ namespace rigor {
 /// @param rows  sorted by name, all of one assignment
 std::string gradebook_csv(const std::vector<Row>& rows);
 
-/// summary.txt: how many passed each task, how the points are distributed, which mistakes are
-/// common, and which submissions could not be graded and why.
+/// summary.txt: how many passed each task and who failed it, how the points are distributed, which
+/// mistakes are common, and which submissions could not be tested and why.
 std::string class_summary(const std::vector<Row>& rows);
 
 } // namespace rigor

@@ -45,8 +45,8 @@ std::optional<DownloadedName> name_from(LearningSystem system, const Row& row)
     return name && name->system == system ? name : std::nullopt;
 }
 
-// The numbers of the students with several graded submissions. Canvas and Moodle would take the
-// points of the last one, which may not be the one that counts.
+// The ids of the students with several graded submissions. From several lines for one student,
+// Canvas and Moodle would take the points of the last one, which may not be the one that counts.
 std::set<std::string> ambiguous(const std::vector<Row>& rows, LearningSystem system)
 {
     std::set<std::string> once, several;

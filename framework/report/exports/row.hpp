@@ -30,8 +30,8 @@ struct Row {
     bool has_points() const { return status != "internal_error"; }
 };
 
-/// The row of a result.json. Empty if the text is not the complete result of one submission; the
-/// submission's points must be the sum of the tasks' points.
+/// The row of a result.json. Empty if the text is not the complete result of one submission, or if
+/// the points of its tasks do not add up to the points of the submission.
 std::optional<Row> read_row(const std::string& result_json);
 
 } // namespace rigor

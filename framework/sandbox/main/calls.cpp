@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// A worker is a statically linked program that computes and prints. So it may make only the few
-// calls that such a program and its C library make, and no call that opens files, starts programs
-// or finds out about other processes. A compiler opens files and starts an assembler and a linker,
-// so no short list has all its calls. It may make all calls except those that no compiler needs,
-// and Landlock and namespaces limit which files it can use.
+// Says which system calls a worker and a compiler may make. A worker is a statically linked program
+// that computes and prints. So it may make only the few calls that such a program and its C library
+// make, and no call that opens files, starts programs or finds out about other processes. A
+// compiler opens files and starts an assembler and a linker, so no short list has all its calls. It
+// may make all calls except those that no compiler needs, and Landlock and namespaces limit which
+// files it can use.
 #include "sandbox/main/calls.hpp"
 
 #include <fcntl.h>
@@ -79,7 +80,7 @@ constexpr Rule worker_table[] = {
     {SYS_exit, allowed},
     {SYS_exit_group, allowed},
 
-    // The numbers of the worker's process and user.
+    // The ids of the worker's process, thread, user and group.
     {SYS_getpid, allowed},
     {SYS_gettid, allowed},
     {SYS_getuid, allowed},
@@ -133,8 +134,9 @@ std::vector<Rule> worker_rules(const OwnNumbers& own, bool grader_allows_start)
     // abort() and raise() send a signal to their own process.
     rules.push_back({SYS_tgkill, allowed, {Condition::equals, 0, own.process}});
     // Two more calls follow before the program starts, sendmsg and execveat. Both name a descriptor
-    // that is then closed. Since an execveat with an absolute path ignores the descriptor, either
-    // the grader allows only the first execveat, or Landlock allows only this program.
+    // that is closed when the program starts. Since an execveat with an absolute path ignores the
+    // descriptor, either the grader allows only the first execveat, or Landlock allows only this
+    // program.
     rules.push_back({SYS_sendmsg, allowed, {Condition::equals, 0, own.report}});
     if (!grader_allows_start)
         rules.push_back({SYS_execveat, allowed, {Condition::equals, 0, own.program}});

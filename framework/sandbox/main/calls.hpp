@@ -7,7 +7,7 @@
 
 namespace rigor::confine {
 
-/// A condition on one argument of a call. Flags, descriptors and process numbers are 32-bit; only
+/// A condition on one argument of a call. Flags, descriptors and process ids are 32-bit; only
 /// `is_null` looks at all 64 bits.
 struct Condition {
     enum Kind { always, equals, lacks_bits, is_null } kind = always;
@@ -24,17 +24,18 @@ enum class Verdict {
 };
 
 struct Rule {
-    int call; // SYS_…
+    int call; // number of the system call, such as SYS_read
     Verdict verdict;
     Condition condition = {};
     Verdict otherwise = Verdict::refused; // the verdict if the condition does not hold
 };
 
-/// The numbers that the rules of a worker refer to.
+/// The process id and the descriptors that the rules of a worker refer to.
 struct OwnNumbers {
-    std::uint32_t process; // the number of this process in its own namespace
-    std::uint32_t report;  // the socket to the grader, closed when the program starts
-    std::uint32_t program; // the descriptor of the program's file, closed when it starts
+    std::uint32_t process; // the process id of this process, as it sees it itself (getpid)
+    // Both descriptors are closed when the program starts.
+    std::uint32_t report;  // the descriptor of the socket to the grader
+    std::uint32_t program; // the descriptor of the program's file
 };
 
 /// The calls of a worker; all others are refused.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The rights and structures of Landlock are written out here as in linux/landlock.h, since the
-// headers of a Linux distribution are often older than its kernel.
+// Denies access to files by the system calls of Landlock. Its rights and structures are written out
+// here as in linux/landlock.h, since the headers of a Linux distribution are often older than its
+// kernel.
 #include "sandbox/main/landlock.hpp"
 
 #include "sandbox/main/failure.hpp"
@@ -23,7 +24,8 @@ constexpr std::uint64_t execute = bit(0), write_file = bit(1), read_file = bit(2
                         read_dir = bit(3);
 constexpr std::uint64_t truncate = bit(14), ioctl_on_device = bit(15);
 constexpr std::uint64_t make_links_across = bit(13);
-// Bits 4 to 12 delete and make files, folders, links and sockets.
+// Bits 4 to 12 are the rights to delete and to make files, folders, links, sockets, pipes and
+// devices.
 constexpr std::uint64_t make_and_delete = bit(13) - bit(4);
 constexpr std::uint64_t make_devices = bit(6) | bit(11);
 constexpr std::uint64_t on_files = execute | write_file | read_file | truncate | ioctl_on_device;

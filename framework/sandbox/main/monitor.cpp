@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The kernel gives orphans to the nearest ancestor that has asked for them, so every descendant
-// becomes a child of the monitor when its parents have died, whatever its session is. The monitor
-// kills its children until it has none. If there is a process namespace, it is enough to kill the
-// first process in it.
+// Waits for the end of the program and ends all that it started. The kernel gives orphans to the
+// nearest ancestor that has asked for them, so every descendant becomes a child of the monitor when
+// its parents have died, whatever its session is. The monitor kills its children until it has none.
+// If there is a process namespace, it is enough to kill the first process in it.
 #include "sandbox/main/monitor.hpp"
 
 #include "sandbox/main/failure.hpp"
@@ -30,7 +30,7 @@ sigset_t awaited()
     return signals;
 }
 
-// The kernel's list of the children of this process: numbers with spaces between them.
+// The kernel's list of the children of this process: process ids with spaces between them.
 std::string list_of_children()
 {
     const std::string path = "/proc/self/task/" + std::to_string(getpid()) + "/children";
@@ -94,7 +94,7 @@ void collect_children(pid_t program, pid_t init)
             raise(SIGSTOP);
             continue;
         }
-        end_descendants(0, init); // 0: the program's number may be reused by now
+        end_descendants(0, init); // not `program`: its process id may be in use again
         end_like(status);
     }
 }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The new root folder is a small file system in memory. It is mounted over /tmp, a folder that
-// exists everywhere. Copies of the mounts below each path are taken first, because the new root may
-// hide them, and are attached below the new root afterwards. A process without capabilities and
-// without descriptors of folders outside cannot leave such a root.
+// Makes the namespaces and a new root folder. The root is a small file system in memory. It is
+// mounted over /tmp, a folder that exists everywhere. Copies of the mounts below each path are
+// taken first, because the new root may hide them, and are attached below the new root afterwards.
+// A process without capabilities and without descriptors of folders outside cannot leave such a
+// root.
 #include "sandbox/main/namespaces.hpp"
 
 #include "sandbox/main/failure.hpp"
@@ -27,7 +28,7 @@ void write_file(const char* path, const std::string& text)
     close(file);
 }
 
-// The user keeps its user and group number, and gets every capability inside the new namespaces.
+// The user keeps its user id and group id, and gets every capability inside the new namespaces.
 void map_own_user(uid_t user, gid_t group)
 {
     const auto itself = [](unsigned id) {

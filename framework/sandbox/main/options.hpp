@@ -21,10 +21,11 @@ struct ResourceLimit {
 struct Options {
     bool probe = false; // only find out which parts of the sandbox are possible
     int report = -1;    // descriptor of the socket to the grader; the program gets all lower ones
-    bool is_compiler = false;    // whether the profile is `compiler`; otherwise it is `worker`
-    bool namespaces = false;     // whether to make new mounts, processes, network, IPC, host name
+    bool is_compiler = false; // whether the profile is `compiler`; otherwise it is `worker`
+    // Whether to make new namespaces: of mounts, processes, network, IPC and host name.
+    bool namespaces = false;
     bool user_namespace = false; // whether the namespaces need a user namespace around them
-    unsigned user = 0;           // the program's user and group; 0: they are not changed
+    unsigned user = 0;           // the program's user id and group id; 0: they are not changed
     bool seccomp = false;
     /// Whether a blocked call waits for the grader, who learns which call it is. Otherwise a
     /// blocked call kills the process.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Each wall, that is, each part of the sandbox, is really put up, in a child process, since it
-// cannot be taken down again. So a wall that exists but does not work is noticed too, such as a
-// call that a container forbids.
+// Tries which walls (parts of the sandbox) work. Each wall is really put up, in a child process,
+// since it cannot be taken down again. So a wall that exists but does not work is noticed too, such
+// as a call that a container forbids.
 #include "sandbox/main/probe.hpp"
 
 #include "sandbox/main/landlock.hpp"

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// A filter is a program for the kernel's packet filter (BPF), which reads the number and the
-// arguments of a call and returns an action. This one first refuses calls of another architecture,
-// and then compares the number with that of each rule. The kernel remembers which numbers are
-// always allowed, so the length of the list does not matter.
+// Makes a filter of system calls from rules. A filter is a program for the kernel's packet filter
+// (BPF), which reads the number and the arguments of a call and returns an action. This filter
+// first ends the process if the call is one for another architecture or of the x32 interface. Then
+// it compares the number with that of each rule. The kernel remembers which calls are always
+// allowed, so the length of the list does not slow these calls down.
 #include "sandbox/main/seccomp.hpp"
 
 #include "sandbox/main/failure.hpp"

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The steps that need privileges come first: to make a new root folder and to change the user. Then
-// privileges are dropped forever, limits are set, and Landlock denies access to files. The filter
-// comes last, since it blocks the calls that all of this needed. It is in force before the
-// program's first instruction.
+// Puts up the sandbox around this process and starts the program in it. The steps that need
+// privileges come first: to make a new root folder and to change the user. Then privileges are
+// dropped forever, limits are set, and Landlock denies access to files. The filter comes last,
+// since it blocks the calls that all of this needed. It is in force before the program's first
+// instruction.
 #include "sandbox/main/walls.hpp"
 
 #include "sandbox/main/calls.hpp"

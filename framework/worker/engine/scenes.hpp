@@ -32,7 +32,10 @@ struct SceneRequest {
 };
 
 extern "C" {
-/// Runs a scene and streams what the request asks for. `result` becomes the encoded answer.
+/// Does what the request asks for:
+/// - `run_scene`: runs a scene and streams its trajectory, or instead the answers of the formulas
+///   (`SceneOptions::streams_answers`). `result` is left as it is.
+/// - `advance`: does time steps from given states. `result` becomes the encoded states after them.
 /// @throws NonFiniteAnswer, wire::Malformed, what a formula throws
 void rigor_run_scenes(const SceneRequest& request, const Stream& stream, wire::Bytes& result);
 }

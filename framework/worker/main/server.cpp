@@ -45,7 +45,7 @@ void Server::serve_next()
         reply_text(ReplyStatus::threw,
                    text ? std::string("an exception: ") + text : "an exception without a text");
     } catch (const abi::__forced_unwind&) {
-        throw; // pthread_exit: not an exception, and it must not be stopped
+        throw; // pthread_exit: if this were not thrown again, the C library would abort
     } catch (...) {
         reply_text(ReplyStatus::threw, "something that is no std::exception");
     }
@@ -149,7 +149,8 @@ void Server::take_bytes(std::span<std::byte> bytes)
     while (!bytes.empty()) {
         const std::uint32_t given = ring.written.load(std::memory_order_acquire);
         if (given == used_) {
-            // the client writes further answers only as far as it has read our stream: wake it
+            // The client gives an answer only after it has read all that was streamed before the
+            // call. So it is woken, even for fewer bytes than `worth_waking`.
             wake(channel_.reply, channel_.reply_awaited);
             await_change(ring.written, ring.written_awaited, given, std::chrono::hours(1));
             continue;
@@ -170,7 +171,7 @@ int run_worker(bool is_reference)
         return 2;
     }
     close(3);
-    // A process that an implementation forks must not take part in the conversation.
+    // A process that an implementation forks does not get this memory, so it cannot send answers.
     madvise(memory, sizeof(Channel), MADV_DONTFORK);
     // Output is flushed after each line, so that it is seen even if the next line crashes.
     std::setvbuf(stdout, nullptr, _IOLBF, 0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The functions of the library fmt that are not templates in its headers. Debian has them in a
+// The compiled part of the library fmt, which is its source format.cc. Debian has this part in a
 // shared library only, but a worker is linked statically.
 #include <fmt/format-inl.h>
 

@@ -21,7 +21,7 @@ using Clock = std::chrono::steady_clock;
 using Microseconds = std::chrono::duration<double, std::micro>;
 
 // If both processes have a processor, an answer comes in under a microsecond, while waking a
-// process that sleeps on another processor takes fifty. If there is only one processor, or all are
+// process that sleeps on another processor takes 50 µs. If there is only one processor, or all are
 // busy, spinning only keeps the other process from answering. So the time to spin is halved each
 // time that spinning fails, down to zero, and spinning is tried again from time to time. The
 // longest time to spin is longer than a test needs to compare an answer and to ask again: when it

@@ -29,7 +29,9 @@ namespace rigor {
 enum class Request : std::uint32_t {
     call,      // calls the formula with index `argument`; the payload has the encoded arguments
     run_scene, // runs a scene: the payload has its text and name, `argument` the SceneOptions
-    advance,   // like `run_scene`, but the payload also has the number of steps and first states
+    // Does time steps of a scene. The payload has its text and name, the number of steps and the
+    // first states; the reply has the states after these steps.
+    advance,
 };
 
 /// How a scene is run, and what the worker streams to the client.

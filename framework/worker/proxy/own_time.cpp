@@ -105,10 +105,9 @@ void OwnTimeLimit::check() const
 {
     if (outer_) outer_->check();
     if (on_processor() > end_)
-        throw WorkerFailure(WorkerFailure::timed_out, subject_,
-                            fmt::format("does not come to its end: with the answers of its "
-                                        "formulas it takes more than {:.3g} s",
-                                        seconds_));
+        throw OwnTimeOver(subject_, fmt::format("does not come to its end: with the answers of its "
+                                                "formulas it takes more than {:.3g} s",
+                                                seconds_));
 }
 
 void own_time::check()

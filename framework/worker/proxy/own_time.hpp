@@ -39,7 +39,7 @@ public:
     OwnTimeLimit(const OwnTimeLimit&) = delete;
     OwnTimeLimit& operator=(const OwnTimeLimit&) = delete;
 
-    /// @throws WorkerFailure if the time of this limit, or of an outer one, is over
+    /// @throws OwnTimeOver if the time of this limit, or of an outer one, is over
     void check() const;
 
 private:
@@ -50,14 +50,14 @@ private:
 
 namespace own_time {
 
-extern volatile std::sig_atomic_t ticks; // ticks of the timer since the last call of a formula
+extern volatile std::sig_atomic_t ticks; // ticks of processor time since the last formula call
 extern volatile std::sig_atomic_t last_formula;
 
 void check();
 
 } // namespace own_time
 
-/// Called at each call of a formula. @throws WorkerFailure if a limit is exceeded
+/// Called at each call of a formula. @throws OwnTimeOver if a limit is exceeded
 inline void note_formula(FormulaIndex formula)
 {
     own_time::last_formula = static_cast<std::sig_atomic_t>(formula);

@@ -57,7 +57,12 @@ std::span<const FormulaCall> recent_calls();
 
 /// The reference failed, which is never the fault of the implementation under test.
 struct OracleFailure : std::runtime_error {
-    using std::runtime_error::runtime_error;
+    /// @param late  whether the time for the reference was over, as on a busy machine
+    explicit OracleFailure(const std::string& what, bool late = false)
+        : std::runtime_error(what), is_late(late)
+    {
+    }
+    bool is_late;
 };
 
 /// Makes the formulas ask the oracle as long as this object lives.
@@ -70,14 +75,17 @@ public:
 };
 
 /// The answer of the reference: `by_reference([&] { return combine(a, b); })`.
-/// @throws OracleFailure
+/// @throws OracleFailure, OwnTimeOver
 template <class Call> auto by_reference(const Call& call)
 {
     const AskOracle ask;
     try {
         return call();
+    } catch (const OwnTimeOver&) {
+        throw; // the answers of the submission keep the test itself busy
     } catch (const WorkerFailure& failure) {
-        throw OracleFailure(std::string("the reference: ") + failure.what());
+        throw OracleFailure(std::string("the reference: ") + failure.what(),
+                            failure.cause == WorkerFailure::timed_out);
     } catch (const NotFinite& failure) {
         throw OracleFailure(std::string("the reference: ") + failure.what());
     } catch (const NotImplemented& failure) {

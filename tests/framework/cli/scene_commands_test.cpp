@@ -63,6 +63,19 @@ TEST_CASE("scene commands: a stub stops a scene and is named", "[cli][scene]")
     REQUIRE(stopped.output.find("is not implemented yet") != std::string::npos);
 }
 
+TEST_CASE("scene commands: a formula that is not defined is named in one line", "[cli][scene]")
+{
+    const TemporaryFolder folder;
+    folder.write("inertia.cpp", "// nothing yet\n");
+    const Run stopped = rigor({"simulate", "a2-inertia/hammer", "--with", folder.path().string()});
+    CAPTURE(stopped.output);
+    REQUIRE(stopped.status == 2);
+    const std::size_t at = stopped.output.find("scene hammer calls A2.");
+    REQUIRE(at != std::string::npos);
+    const std::string rest = stopped.output.substr(at);
+    REQUIRE(rest.find(", which is not defined\n") == rest.find('\n') - 22);
+}
+
 TEST_CASE("scene commands: equal runs are said to be equal", "[cli][scene]")
 {
     if (!std::filesystem::is_directory(std::string(RIGOR_SOURCE_DIR) + "/reference")) return;

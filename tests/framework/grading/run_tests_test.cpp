@@ -152,6 +152,18 @@ TEST_CASE("scoring: where the reference fails, the other tests keep their points
                                    "formulas: the reference failed in a test of A2.1"});
 }
 
+TEST_CASE("scoring: a late reference is blamed on nobody and the first result stays", "[scoring]")
+{
+    const std::string first = verdict_of("A2.1", "not_implemented") + verdict_of("A2.2", "failed") +
+                              verdict_of("A2.3", "passed");
+    const Result result = graded(
+        first, "", true, {}, verdict_of("A2.1", "reference_late") + verdict_of("A2.2", "passed"));
+    REQUIRE(result.status == SubmissionStatus::graded);
+    CHECK(result.score() == 8);
+    CHECK(result.tasks[0].status == Status::not_implemented);
+    CHECK(result.notes.empty());
+}
+
 TEST_CASE("scoring: what did not return is not followed through", "[scoring]")
 {
     const auto with_cost = [](std::string line) {
@@ -271,6 +283,11 @@ TEST_CASE("scoring: a fault of the tests is nobody's zero", "[scoring]")
         REQUIRE(result.status == SubmissionStatus::internal_error);
         REQUIRE(result.message.find(words) != std::string::npos);
         REQUIRE_FALSE(result.all_points());
+        REQUIRE(result.score() == 0);
+        for (const TaskResult& task : result.tasks) {
+            REQUIRE(task.status == Status::skipped);
+            REQUIRE(task.tests.empty());
+        }
     };
     is_fault(graded("", "exit 0"), "no test of A2.1 ran");
     is_fault(graded(verdict_of("A2.1", "passed"), "exit 0"), "no test of A2.2 ran");

@@ -20,7 +20,7 @@ inline std::vector<Tier> possible_tiers()
 {
     std::vector<Tier> tiers;
     for (const Tier tier : {Tier::a, Tier::b, Tier::c})
-        if (tier >= strongest(possible_walls())) tiers.push_back(tier);
+        if (is_possible(tier, possible_walls())) tiers.push_back(tier);
     return tiers;
 }
 

@@ -41,7 +41,9 @@ TEST_CASE("sandbox: the tier follows from the walls that are possible")
     REQUIRE(strongest({.namespaces = plain, .filter = true, .listener = true, .landlock = true}) ==
             Tier::a);
     REQUIRE(strongest({.namespaces = none, .filter = true, .landlock = true}) == Tier::b);
-    REQUIRE(strongest({.namespaces = none, .filter = true, .listener = true}) == Tier::b);
+    REQUIRE(strongest({.namespaces = none, .filter = true, .listener = true}) == Tier::c);
+    REQUIRE(strongest({.namespaces = plain, .filter = true, .listener = true}) == Tier::a);
+    REQUIRE(!is_possible(Tier::b, {.namespaces = plain, .filter = true, .listener = true}));
     REQUIRE(strongest({.namespaces = plain, .filter = true}) == Tier::c);
     REQUIRE(strongest({.namespaces = plain, .landlock = true}) == Tier::c);
     REQUIRE(strongest({}) == Tier::c);

@@ -113,6 +113,31 @@ TEST_CASE("attack: a program that does not start says so and is not tried for ev
     REQUIRE(Seconds(Clock::now() - start) < Seconds(3 * sanitizer_factor));
 }
 
+TEST_CASE("attack: a program that starts slowly each time is soon started no more")
+{
+    Limits limits = tight();
+    limits.all_starts = Seconds(1);
+    limits.late_start = Seconds(0.25);
+    use_worker(attack("slow_start"), {}, limits);
+    const Clock::time_point start = Clock::now();
+    int answered = 0;
+    std::string last_words;
+    for (int repeat = 0; repeat < 50; ++repeat) {
+        try {
+            answered += next_call_is_answered() ? 1 : 0;
+        } catch (const WorkerFailure& failure) {
+            REQUIRE(failure.cause == WorkerFailure::timed_out);
+            last_words = failure.what();
+        }
+        worker().renew();
+    }
+    REQUIRE(Seconds(Clock::now() - start) < Seconds(3 * sanitizer_factor));
+    REQUIRE(answered > 0);
+    REQUIRE(last_words.starts_with("the start of the program took longer than"));
+    REQUIRE(last_words.find("(all starts together may take 1 s) before any function is called: "
+                            "look at what it defines globally") != std::string::npos);
+}
+
 TEST_CASE("attack: what it printed before its end is kept and only the beginning")
 {
     use_worker(attack("segmentation_fault"), {}, tight());

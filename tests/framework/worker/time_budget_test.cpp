@@ -137,6 +137,28 @@ TEST_CASE("time budget: one that is begun again counts late replies by the proce
     REQUIRE_FALSE(budget.is_given_up(other));
 }
 
+TEST_CASE("time budget: all starts together have a budget, and late ones must be fast")
+{
+    Limits limits = limits_of_seconds();
+    limits.start = limits.all_starts = Seconds(10);
+    limits.late_start = Seconds(0.05);
+    TimeBudget budget(limits, true), later(limits, true);
+    REQUIRE(budget.limit_of_start() == Seconds(10));
+    for (int i = 0; i < 6; ++i)
+        budget.started(Seconds(1.5));
+    REQUIRE(budget.limit_of_start() == Seconds(1));
+    REQUIRE_FALSE(budget.starts_are_used_up());
+    budget.started(Seconds(1.125));
+    REQUIRE(budget.limit_of_start() == Seconds(0.05));
+    REQUIRE(budget.floor_of_call() == Seconds(2));
+    REQUIRE(budget.report() == "all starts of the program together took 10.1 s, of which 10 s are "
+                               "free");
+    later.go_on_from(budget.spent());
+    REQUIRE(later.starts_are_used_up());
+    budget.begin_again(Seconds(5));
+    REQUIRE(budget.limit_of_start() == Seconds(10));
+}
+
 TEST_CASE("time budget: what is used up is told")
 {
     TimeBudget budget(limits_of_seconds(), true);

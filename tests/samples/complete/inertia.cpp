@@ -147,7 +147,7 @@ MassProperties sampled_mass_properties(const std::vector<DensitySample>& samples
 
 MassProperties mesh_mass_properties(const TriangleMesh& mesh, double density)
 {
-    if (mesh.vertices.empty()) return MassProperties();
+    if (mesh.vertices.empty() || density == 0) return MassProperties();
     Vector3d middle = Vector3d::Zero(); // keeps the tetrahedra small, wherever the body is
     for (const Vector3d& vertex : mesh.vertices)
         middle += vertex / static_cast<double>(mesh.vertices.size());

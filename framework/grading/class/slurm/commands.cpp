@@ -49,7 +49,7 @@ std::string errors_in(const std::vector<std::string>& lines)
     return text.empty() ? "no reason" : text.substr(0, 300);
 }
 
-// The number of the job in what sbatch prints: `12`, or `12;cluster` if there are several clusters.
+// The job id in what sbatch prints: `12`, or `12;cluster` if there are several clusters.
 std::optional<std::string> job_number(const std::vector<std::string>& lines)
 {
     for (const std::string& line : lines) {

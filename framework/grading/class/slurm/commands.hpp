@@ -9,14 +9,15 @@
 
 namespace rigor::slurm {
 
-/// A job array. Each task runs the same program, which finds the number of its task in its
-/// environment.
+/// A job array. Each task runs the same program, which finds the index of its task in the
+/// environment variable SLURM_ARRAY_TASK_ID.
 struct ArrayJob {
     std::string name;
     std::size_t tasks = 1;
     unsigned at_once = 0;         // most tasks that run at the same time; 0: no limit
     std::filesystem::path script; // a shell script that runs `program`
-    std::filesystem::path log;    // a task's output; sbatch replaces %A by the job, %a by the task
+    // The file for a task's output; sbatch replaces %A by the job id and %a by the task's index.
+    std::filesystem::path log;
     std::vector<std::string> program; // the program and its arguments
 };
 
@@ -24,7 +25,7 @@ struct ArrayJob {
 void require_installed();
 
 /// Hands a job to Slurm. The user's environment variables, such as SBATCH_PARTITION, choose
-/// partition, account, time and memory. @return the job's number
+/// partition, account, time and memory. @return the job id
 /// @throws InputError with Slurm's reason if it does not take the job
 std::string submit(const ArrayJob& job);
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The engine submits a job array and follows it: it takes each result as soon as its file is there,
-// and asks Slurm from time to time whether the tasks still wait or run. A task grades the controls
-// too, which are submissions with known points; if these were right, it writes a file at its end.
-// The round is over when all tasks have written this file, or when Slurm knows of no task that
-// waits or runs. The submissions that are still missing make the next round.
+// Grades a class in rounds. In each round the engine submits a job array of Slurm and follows it.
+// It takes each result as soon as its file is there, and asks Slurm from time to time whether the
+// tasks still wait or run. A task grades the controls too, which are submissions with known points.
+// If these were right, the task writes a file at its end. The round is over when all tasks have
+// written this file, or when no task waits or runs any more, as Slurm says. The submissions without
+// a result are graded in the next round.
 #include "grading/class/slurm/slurm_engine.hpp"
 
 #include "errors/input_error.hpp"
@@ -26,7 +27,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr unsigned most_rounds = 3;
-constexpr std::size_t most_tasks = 1000; // Slurm's own limit of a job array is 1001
+constexpr std::size_t most_tasks = 1000; // in a job array; by default, Slurm takes up to 1001
 constexpr std::chrono::milliseconds look_every(250);
 constexpr std::chrono::seconds ask_every(2);
 // The longest time that Slurm may leave questions without an answer. Its daemons are restarted now
@@ -276,7 +277,7 @@ private:
     const ClassWork& work_;
     const OnGraded& on_graded_;
     const OnWait& on_wait_;
-    std::vector<std::size_t> missing_; // numbers of the submissions without a result
+    std::vector<std::size_t> missing_; // indices of the submissions without a result
     slurm::SharedFolder shared_;
     WorkFolders folders_; // removes the working folders of all tasks, even of lost ones
     std::string name_;

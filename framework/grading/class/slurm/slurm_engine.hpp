@@ -8,8 +8,9 @@ namespace rigor {
 struct SlurmOptions {
     std::vector<std::string> task_command; // command of a task; the plan's path is appended
     std::string secret_file;               // absolute path of the course's secret; empty: none
-    std::size_t chunk = 8;                 // submissions for each task; more if the class is huge
-    unsigned at_once = 0;                  // most tasks that run at the same time; 0: no limit
+    // Submissions for each task; more if a job would have more than 1000 tasks otherwise.
+    std::size_t chunk = 8;
+    unsigned at_once = 0; // most tasks that run at the same time; 0: no limit
     std::function<void(const std::string&)> on_note; // called with messages for the user
 };
 

@@ -18,7 +18,7 @@ std::string node()
     return name.empty() ? "this node" : "node " + name;
 }
 
-// A node with another compiler or a weaker sandbox could give other points.
+// A node with other programs or a weaker sandbox could give other points.
 void require_same_framework(const slurm::Plan& plan, const ClassWork& work)
 {
     if (work.fingerprint == plan.fingerprint) return;
@@ -52,7 +52,7 @@ std::string run_slurm_task(const slurm::Plan& plan, std::size_t task, ClassWork 
     const auto write = [&](std::size_t i, const ResultFiles& files) {
         shared.write_graded(plan.fingerprints[i], files);
     };
-    std::vector<std::size_t> numbers; // submissions of the chunk without a result yet
+    std::vector<std::size_t> numbers; // indices of the chunk's submissions without a result yet
     for (const std::size_t i : plan.chunks[task]) {
         if (shared.graded(plan.fingerprints[i])) continue;
         const std::string other = difference(plan, i, work);

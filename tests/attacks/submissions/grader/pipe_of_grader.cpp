@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Writes a verdict to the pipe of the grader.
-// expect: 0 crashed: tried to look into another process
+// expect: 0 crashed: tried to ask which process started it
 #include "formulas/pipeline.hpp"
 
 #include <cstdio>

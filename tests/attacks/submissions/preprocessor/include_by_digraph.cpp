@@ -14,5 +14,6 @@ double kinetic_energy(double mass, const Vector3d& velocity, const Matrix3d& ine
 
 } // namespace rigor
 
-% : include "../../../../refer\
+// clang-format off
+%: include "../../../../refer\
 ence/pipeline.cpp"

@@ -14,4 +14,5 @@ double kinetic_energy(double mass, const Vector3d& velocity, const Matrix3d& ine
 
 } // namespace rigor
 
-? ? = include "../../../../reference/pipeline.cpp"
+// clang-format off
+??= include "../../../../reference/pipeline.cpp"

@@ -14,7 +14,7 @@ Judgement test_line_collision(const LineCollision&)
 
 Judgement test_spring_force(const SpringForce&)
 {
-    throw UnknownCall{0, std::vector<double>(1 << 20, 1)};
+    throw UnknownCall{0, std::vector<double>(1 << 17, 1)};
 }
 
 Judgement test_tangent(const Tangent&)

@@ -7,6 +7,7 @@
 #include "support/temporary_folder.hpp"
 #include "written_archive.hpp"
 
+#include <fmt/format.h>
 #include <fstream>
 
 namespace rigor::testing::archive_test {
@@ -44,6 +45,33 @@ std::string bytes_of(Format format, const std::vector<ArchiveEntry>& entries)
     const TemporaryFolder folder;
     std::ifstream in(write_archive(folder.path() / "a", format, entries), std::ios::binary);
     return {std::istreambuf_iterator<char>(in), {}};
+}
+
+// A .tar with one sparse file that has no bytes, only a gap of this size.
+std::string only_a_gap(const std::string& name, std::size_t size)
+{
+    std::string header(512, '\0');
+    const auto put = [&](std::size_t at, const std::string& text) {
+        header.replace(at, text.size(), text);
+    };
+    const std::string real_size = fmt::format("{:011o}", size);
+    put(0, name);
+    put(100, "0000644");
+    put(108, "0000000");
+    put(116, "0000000");
+    put(124, "00000000000"); // the bytes that follow
+    put(136, "00000000000");
+    put(156, "S"); // a sparse file, in the format of GNU
+    put(257, "ustar  ");
+    put(386, real_size); // the first piece, an empty one at the end
+    put(398, "00000000000");
+    put(483, real_size);
+    put(148, "        ");
+    unsigned sum = 0;
+    for (const char c : header)
+        sum += static_cast<unsigned char>(c);
+    put(148, fmt::format("{:06o}", sum) + std::string(1, '\0'));
+    return header + std::string(1024, '\0');
 }
 
 // A text that no compression makes much shorter.
@@ -116,6 +144,16 @@ TEST_CASE("archive: links and devices are refused", "[intake]")
                    "a hard link"));
     CHECK(contains(refusal_of(Format::tar, {{"collision.cpp", "", AE_IFIFO}}), "a pipe"));
     CHECK(contains(refusal_of(Format::tar, {{"collision.cpp", "", AE_IFCHR}}), "a device"));
+}
+
+TEST_CASE("archive: a sparse file counts as large as it unpacks", "[intake]")
+{
+    CHECK(refusal_of_file(only_a_gap("zeros.bin", std::size_t{7} << 30)) ==
+          "expected an archive that unpacks to at most 64 MB, found more");
+    CHECK(refusal_of_file(only_a_gap("zeros.bin", std::size_t{3} << 20)) ==
+          "expected an archive that unpacks to at most 200 times its size, found more");
+    CHECK(refusal_of_file(only_a_gap("zeros.bin", 1000)).empty());
+    CHECK(contains(refusal_of_file(only_a_gap("collision.cpp", 1000)), "with gaps"));
 }
 
 TEST_CASE("archive: a name twice is refused", "[intake]")

@@ -42,7 +42,7 @@ TEST_CASE("gradebook: the summary counts tasks and points and names who has no g
                    "A2.2    turn                                  1      0      1            1"));
     CHECK(contains(text, "out of 5: lowest 0, median 2, mean 2.333, highest 5"));
     CHECK(!contains(text, "\nfailed:\n"));
-    CHECK(contains(text, "\n0 points:\n  zed\n"));
+    CHECK(contains(text, "\n0 points:\n  zed (compile error)\n"));
     CHECK(contains(text, "  mallory: rejected: expected inertia.cpp, found no file\n"));
     CHECK(contains(text, "  eve: internal_error: the test program died\n"));
     CHECK(contains(text, "  zed: compile_error\n"));
@@ -58,6 +58,25 @@ TEST_CASE("gradebook: the summary lists students by what Canvas and Moodle call 
     const std::string text = class_summary(rows);
     CAPTURE(text);
     CHECK(contains(text, "failed:\n  A2.1    Doe, Jane_17, doejohn_4711, doejohn_4712, eve\n"));
+}
+
+TEST_CASE("gradebook: lines of names begin below each other", "[report]")
+{
+    std::vector<Row> rows;
+    for (int i = 100; i < 140; ++i)
+        rows.push_back(row_of("student" + std::to_string(i), "graded", 0, 0));
+    const std::string text = class_summary(rows);
+    CAPTURE(text);
+    std::istringstream lines(text);
+    int of_points = 0, of_task = 0;
+    for (std::string line; std::getline(lines, line);) {
+        CHECK(line.size() <= 100);
+        if (line.starts_with("  student")) ++of_points;
+        if (line.starts_with("  A2.1    student") || line.starts_with("          student"))
+            ++of_task;
+    }
+    CHECK(of_points == 14); // three names in a line below "0 points:", each with its reasons
+    CHECK(of_task == 6);    // seven names in a line beside the task
 }
 
 TEST_CASE("gradebook: the summary lists everybody, in lines of 100 columns", "[report]")
@@ -85,7 +104,8 @@ TEST_CASE("gradebook: the summary names the mistakes of several submissions", "[
     rows[1].tasks[0].mistake = "The transpose is missing.";
     const std::string text = class_summary(rows);
     CAPTURE(text);
-    CHECK(contains(text, "mistakes of several submissions:\n     2  A2.1 Twice the right one.\n"));
+    CHECK(contains(text, "mistakes of several submissions, as their reports name them:\n"
+                         "     2  A2.1 Twice the right one.\n"));
     CHECK(!contains(text, "transpose"));
     CHECK(!contains(class_summary(some_class()), "mistakes"));
 }

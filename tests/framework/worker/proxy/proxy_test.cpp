@@ -78,6 +78,22 @@ TEST_CASE("worker: by_reference asks the oracle and only for the time being")
     REQUIRE(reference() != 1.0);
 }
 
+TEST_CASE("worker: what keeps the test busy is no failure of the reference")
+{
+    use_worker(RIGOR_BINARY_DIR "/bin/worker_echo", RIGOR_BINARY_DIR "/bin/worker_reference");
+    const auto is_late = [](WorkerFailure::Cause cause) {
+        try {
+            return by_reference([&]() -> bool { throw WorkerFailure(cause, "f", "failed"); });
+        } catch (const OracleFailure& failure) {
+            return failure.is_late;
+        }
+    };
+    CHECK(is_late(WorkerFailure::timed_out));
+    CHECK_FALSE(is_late(WorkerFailure::crashed));
+    REQUIRE_THROWS_AS(by_reference([]() -> bool { throw OwnTimeOver("the test", "is long"); }),
+                      OwnTimeOver);
+}
+
 TEST_CASE("worker: lists that do not fit the arguments stay in the proxy")
 {
     use_worker(attack("wrong_lists"), {}, tight());

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+// The compiler includes this header before each file of a submission. A submission may not ask the
+// preprocessor which files there are: without namespaces (tier B) the compiler sees the names of
+// other files, even if it cannot open them. So each such question gets the answer no. The name of
+// the macro may be written in any way, such as over two lines or pasted together, and there is no
+// way back to the meaning that the compiler gives it.
+#pragma once
+#pragma GCC system_header
+
+#define __has_include(...) 0
+#define __has_include_next(...) 0
+#define __has_embed(...) 0

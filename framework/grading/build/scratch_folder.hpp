@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
+namespace rigor {
+
+/// An empty folder for the files of tools, which is removed with all that a tool left there,
+/// whatever the tool did.
+class ScratchFolder {
+public:
+    explicit ScratchFolder(std::filesystem::path folder) : folder_(std::move(folder))
+    {
+        std::filesystem::remove_all(folder_);
+        std::filesystem::create_directories(folder_);
+    }
+    ~ScratchFolder()
+    {
+        std::error_code error; // ignored: the next run removes it
+        std::filesystem::remove_all(folder_, error);
+    }
+    ScratchFolder(const ScratchFolder&) = delete;
+    ScratchFolder& operator=(const ScratchFolder&) = delete;
+
+private:
+    std::filesystem::path folder_;
+};
+
+} // namespace rigor

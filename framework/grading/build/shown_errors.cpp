@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+// Cuts the messages of a tool to the first errors. Then removes from each line what means nothing
+// to a student: paths of this machine, names of options, and pleas for a bug report.
+#include "grading/build/shown_errors.hpp"
+
+#include "errors/printable.hpp"
+#include "grading/build/lines.hpp"
+#include "grading/build/ninja.hpp"
+#include "grading/build/replace_all.hpp"
+#include "grading/places.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <vector>
+
+namespace rigor {
+
+namespace {
+
+bool mentions(const std::string& text, std::string_view part)
+{
+    return text.find(part) != std::string::npos;
+}
+
+// Removes what begins with `begin` and ends with the next `end`, such as advice in brackets.
+void remove_between(std::string& line, std::string_view begin, std::string_view end)
+{
+    const std::size_t first = line.find(begin);
+    if (first == std::string::npos) return;
+    const std::size_t last = line.find(end, first);
+    if (last != std::string::npos) line.erase(first, last + end.size() - first);
+}
+
+// Replaces the path of the precompiled header, or of a header or source that it was made from.
+void name_precompiled_header(std::string& line)
+{
+    constexpr std::string_view name = "cmake_pch.hxx", ends = " '\"()<>,";
+    for (std::size_t at = 0; (at = line.find(name, at)) != std::string::npos;) {
+        const std::size_t before = line.find_last_of(ends, at);
+        const std::size_t first = before == std::string::npos ? 0 : before + 1;
+        const std::size_t after = std::min(line.find_first_of(" '\"()<>,:", at), line.size());
+        constexpr std::string_view words = "the precompiled headers";
+        line.replace(first, after - first, words);
+        at = first + words.size();
+    }
+}
+
+// Where the compiler sees names outside of the submission, its message must not tell which of them
+// there are: the reason is always that there is no such file.
+void hide_what_there_is(std::string& line)
+{
+    for (const char* reason : {"Permission denied", "Not a directory"})
+        replace_all(line, reason, "No such file or directory");
+    constexpr std::string_view cannot = "cannot open file '", none = "': No such file or directory";
+    if (mentions(line, cannot) && line.ends_with(none)) { // Clang, which says "not found" elsewhere
+        line.replace(line.size() - none.size(), none.size(), "' file not found");
+        line.erase(line.find(cannot), cannot.size() - 1);
+    }
+}
+
+// Whether a line says nothing to a student: how to raise a limit, or whom to tell about a fault.
+bool is_empty_talk(const std::string& line)
+{
+    constexpr std::array<std::string_view, 7> talk = {
+        "note: use -f",      "compilation terminated.", "Please submit a", "PLEASE submit a",
+        "See <file:///usr/", "errors generated.",       "error generated."};
+    return std::any_of(talk.begin(), talk.end(),
+                       [&](std::string_view words) { return mentions(line, words); });
+}
+
+std::string in_plain_words(std::string line)
+{
+    if (mentions(line, "compilation terminated due to -fmax-errors") ||
+        mentions(line, "too many errors emitted, stopping now"))
+        return "(there are more errors: the compiler stopped here)";
+    replace_all(line, places().source.string() + "/", "");
+    replace_all(line, places().build.string() + "/", "");
+    replace_all(line, "{standard input}", "the assembler, line of its input");
+    name_precompiled_header(line);
+    hide_what_there_is(line);
+    remove_between(line, " (use '-f", ")"); // "(use '-ftemplate-depth=' to increase the maximum)"
+    remove_between(line, " (use -f", ")");
+    remove_between(line, "; use -f", " to see all");
+    return line;
+}
+
+} // namespace
+
+std::string shown_errors(const std::string& output)
+{
+    std::string text = printable(output);
+    replace_all(text, "{standard input}: Assembler messages:\n", "");
+    // A message may hold text of the student, and line breaks. With a bar before each line nobody
+    // takes it for a verdict.
+    std::string barred;
+    for (const std::string& line : lines_of(first_errors(lines_of(text))))
+        if (!is_empty_talk(line)) barred += "| " + in_plain_words(line) + "\n";
+    return barred;
+}
+
+ToolLimit limit_met(const std::string& output)
+{
+    // The words of the system about a signal, and those of gcc, Clang and the assembler.
+    if (mentions(output, "File size limit exceeded")) return ToolLimit::file_size;
+    if (mentions(output, "CPU time limit exceeded")) return ToolLimit::time;
+    for (const char* words : {": out of memory", "virtual memory exhausted", "memory exhausted",
+                              "Cannot allocate memory", "std::bad_alloc"})
+        if (mentions(output, words)) return ToolLimit::memory;
+    return ToolLimit::none;
+}
+
+} // namespace rigor

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// What a student sees of the messages of a compiler, an assembler or a linker.
+#pragma once
+
+#include <string>
+
+namespace rigor {
+
+/// The first errors in what a tool printed, without control characters and without the paths of
+/// this machine, each line after a bar. Limits that a student cannot change are told in plain
+/// words, without the names of options.
+std::string shown_errors(const std::string& output);
+
+/// The limits of a tool that is run for a submission.
+enum class ToolLimit { none, file_size, memory, time };
+
+/// Which limit a tool met, as its output tells.
+ToolLimit limit_met(const std::string& output);
+
+} // namespace rigor
