@@ -2,7 +2,8 @@
 // Topic `collision`, assignment A4: level sets, collision impulses, friction.
 // Source: lecture "Inertia, rotation, impulses". Conventions: types.hpp. Everything is in world
 // space; n is unit and points from body 2 to body 1; v = v1 - v2; body 1 receives +j, body 2
-// receives -j. ε is the restitution, μ the friction coefficient, K = K₁ + K₂.
+// receives -j. K = K₁ + K₂. ε is the restitution: 1 reverses vₙ, 0 takes all of it, -1 none (in A5
+// it is at most 0). μ ≥ 0 is the friction coefficient.
 #pragma once
 
 #include "formulas/not_implemented.hpp"

@@ -6,7 +6,8 @@
 // receives +j, body 2 receives -j.
 //
 // A contact requires v·n ≥ s with its `separation_speed` s. So the law of a contact uses
-// u = v - s n instead of v: the bodies approach where u·n < 0. Contacts refer to bodies by index.
+// u = v - s n instead of v: the bodies approach where u·n < 0. Contacts refer to bodies by index. A
+// list may have tens of thousands of bodies or contacts.
 #pragma once
 
 #include "formulas/not_implemented.hpp"
@@ -15,7 +16,7 @@
 namespace rigor {
 
 /// A5.1 Restitution of iteration k = 0 … n-1 of n: ε = (k + 1)/n - 1, from nearly -1 up to 0.
-/// The paper takes n = 10, which gives -0.9, -0.8, … 0.
+/// Guendelman et al. (2003) take n = 10, which gives -0.9, -0.8, … 0.
 ///
 /// A negative restitution removes only a part of the approaching velocity, so that the first
 /// contact point does not take the whole load. k < 0 counts as 0. The result is 0 for k ≥ n - 1 and
@@ -58,7 +59,8 @@ std::vector<int> contact_levels(const std::vector<std::vector<int>>& rests_on,
 /// its velocity as if its mass and inertia were infinite. Contacts between two bodies of level 0
 /// are skipped.
 ///
-/// @param levels  one for each body, ≥ 0, from `contact_levels`
+/// @param levels  one for each body, ≥ 0, such as `contact_levels` returns; there may be levels
+///                without a body between those of two bodies
 /// @return  the bodies afterwards, each with its own mass and inertia again, and for each contact
 ///          the sum of its impulses on body 1, including those that a held body did not receive
 ContactResult shock_propagation(const std::vector<Body>& bodies,
@@ -85,7 +87,7 @@ ContactResult shock_propagation(const std::vector<Body>& bodies,
 /// opposite to v_T.
 ///
 /// @return  the bodies afterwards, and for each contact its total impulse. For sweeps < 1, the warm
-///          start alone. A contact between two static bodies has zero impulse.
+///          start alone. A contact between two static bodies always has zero impulse.
 ContactResult resolve_simultaneously(const std::vector<Body>& bodies,
                                      const std::vector<BodyContact>& contacts, int sweeps);
 

@@ -49,9 +49,10 @@ std::optional<Vector3d> crack_plane(const Matrix3d& stress, double threshold);
 /// largest |n_f · n|. The signs of both normals do not matter. If several faces have the largest
 /// value, the lowest f; the values are compared without a tolerance.
 ///
-/// @param tetrahedron  its vertices [m]; for a face without area, |n_f · n| counts as 0
+/// @param tetrahedron  its vertices [m], maybe far from the origin, so that only their differences
+///                     are small numbers; for a face without area, |n_f · n| counts as 0
 /// @param normal       n, unit
-/// @return  0 … 3, the face opposite the vertex of this number
+/// @return  the index of the face, 0 … 3: that of the opposite vertex
 int closest_face(const std::array<Vector3d, 4>& tetrahedron, const Vector3d& normal);
 
 /// A7.5 The simplest method: the mesh splits along faces that it already has.
@@ -110,7 +111,8 @@ SplitMesh split_element(const TetrahedralMesh& mesh, int vertex, const Vector3d&
 /// in order. Each crack cuts, along its plane, the material of those parts that have corners on
 /// both its sides. A part with all corners on one side stays whole: the crack ends there. The
 /// planes stay where they are: unlike in A7.6, no corner that is near a plane counts as lying on
-/// it. So the shares of a tetrahedron sum to 1.
+/// it. So the shares of a tetrahedron sum to 1. Along one plane they follow from the heights
+/// n·(x - point) of the corners alone, for a tetrahedron without volume too.
 ///
 /// @param cracks  any number of cracks for each tetrahedron, in the order in which they opened
 /// @return  copies in the order of their parents, those of one parent ordered by their first real

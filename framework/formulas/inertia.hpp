@@ -113,8 +113,8 @@ MassProperties mesh_mass_properties(const TriangleMesh& mesh, double density);
 ///     M = M₁ + M₂    X = (M₁ X₁ + M₂ X₂) / M    I = Σ Iᵢ + Mᵢ (Xᵢ - X)*ᵀ (Xᵢ - X)*
 ///
 /// The sum I₁ + I₂ alone would be wrong. If one body has zero mass, the result is the other body.
-/// If both do, all results are zero. If two masses of opposite sign add up to 0, there is no center
-/// of mass, and any result is correct.
+/// If both do, all results are zero. A mass may be negative: a hole, or a mesh inside out. If two
+/// masses add up to 0, there is no center of mass, and any result is correct.
 MassProperties combine(const MassProperties& a, const MassProperties& b);
 
 /// A2.17 Approximation by a simpler shape: mass properties of a solid box that bounds the vertices,

@@ -63,7 +63,7 @@ Wrench net_wrench(const std::vector<PointForce>& forces, const Vector3d& X);
 ///
 ///     Ẋ = V    Ṙ = ω* R  with  ω = I(t)⁻¹ L    V̇ = F / M    L̇ = τ
 ///
-/// Static body (inverse_mass = 0): every rate is zero.
+/// Static body (inverse_mass = 0): every rate is zero, even if `state` has a velocity.
 ///
 /// @param inverse_mass  1/M [1/kg]
 /// @param I_inverse     I(t)⁻¹ in world space [1/(kg m²)]
@@ -79,7 +79,8 @@ Matrix36d velocity_mode_rates(const Vector3d& V, const Vector3d& v);
 /// A1.13 The force and the torque Σ mᵢ Sᵢᵀ Ṡᵢ u, with u = (V, ω), of particles that move as one
 /// rigid body: vᵢ = ω × (xᵢ - X) + V. Lecture: "Constrained dynamics", "Change of S".
 ///
-/// X may be any point that moves with V. Only vᵢ - V enters, so the result does not depend on V.
+/// X may be any point that moves with V. Only vᵢ - V enters, so the result does not depend on V,
+/// apart from the rounding of vᵢ.
 /// About the center of mass the force is 0 and the torque is ω × I ω. No particle: zero.
 ///
 /// @param particles  in world space

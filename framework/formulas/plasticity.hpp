@@ -43,7 +43,7 @@ Matrix3d isotropic_stress(const Matrix3d& strain, double lame_lambda, double she
 double von_mises_from_strain(const Matrix3d& strain, double shear_modulus);
 
 /// A6.7 The yield limit in terms of strain, σ_Y / (2 G): the solid yields where √(3/2) ‖dev ε‖
-/// exceeds this limit. G = 0: infinity, since the solid never yields.
+/// exceeds this limit. G ≥ 0 [Pa]; G = 0: infinity, since the solid never yields.
 double yield_strain(double yield_stress, double shear_modulus);
 
 /// A6.8 Associative perfect plasticity: the plastic strain after a time step.
@@ -57,7 +57,7 @@ double yield_strain(double yield_stress, double shear_modulus);
 /// @param plastic_strain  ε_p
 /// @param stress          σ, caused by the elastic strain: the total strain minus ε_p [Pa]
 /// @param yield_stress    σ_Y ≥ 0 [Pa]
-/// @param shear_modulus   G [Pa]; G = 0: ε_p stays as it is
+/// @param shear_modulus   G ≥ 0 [Pa]; G = 0: ε_p stays as it is
 Matrix3d plastic_flow(const Matrix3d& plastic_strain, const Matrix3d& stress, double yield_stress,
                       double shear_modulus);
 

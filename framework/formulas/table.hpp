@@ -105,10 +105,10 @@ namespace rigor {
 
 /// A row of the table.
 struct Formula {
-    std::string_view tag;       // "A2.14"
-    std::string_view topic;     // "inertia": student/inertia.cpp, assignments/a2-inertia/
-    std::string_view name;      // "combine"
-    std::string_view arguments; // "a, b"
+    std::string_view tag;       // such as "A2.14"
+    std::string_view topic;     // such as "inertia": student/inertia.cpp, assignments/a2-inertia/
+    std::string_view name;      // such as "combine"
+    std::string_view arguments; // names of the parameters, such as "a, b"
 };
 
 #define RIGOR_ROW(tag, topic, function, ...) Formula{#tag, #topic, #function, #__VA_ARGS__},

@@ -15,7 +15,7 @@
 //     inertia 0, and no formula divides by its mass.
 //   * Every formula is total: the result is finite for finite arguments, as long as a double holds
 //     the terms that the formula adds up, and their squares. The exceptions are A3.13 (for ω = 0)
-//     and A6.7 (for G = 0), whose results are then infinite.
+//     and A6.7 (for G = 0), which are then infinite. A formula remembers no earlier call.
 #pragma once
 
 #include <Eigen/Dense>
@@ -106,7 +106,8 @@ struct RigidState {
     Vector3d angular_momentum = Vector3d::Zero(); // L [kg m²/s]
 };
 
-/// The inverse mass and the inverse inertia of a body, as its equations of motion use them.
+/// The inverse mass and the inverse inertia of a body, as its equations of motion use them. A body
+/// whose inverse inertia alone is 0 is a point mass: it moves, but it never turns.
 struct BodyInertia {
     double inverse_mass = 0;                     // 1/M [1/kg], 0 if static
     Matrix3d inverse_inertia = Matrix3d::Zero(); // I_body⁻¹, object space [1/(kg m²)], 0 if static
@@ -139,9 +140,9 @@ struct BodyContact {
     Vector3d normal = Vector3d::UnitY(); // n, unit, from body 2 to body 1
     double depth = 0;                    // penetration, positive inside [m]
     double friction = 0;                 // μ
-    double separation_speed = 0;         // s [m/s], the smallest v·n allowed afterwards; if the
-                                         // bodies may still close a gap in the time step h, s is
-                                         // -gap/h
+    double separation_speed = 0;         // s [m/s], the smallest v·n allowed after the contact is
+                                         // resolved; if the bodies may still close a gap in the
+                                         // time step h, s is -gap/h
     Vector3d impulse = Vector3d::Zero(); // on body 1, an initial guess of the result [N s]
 };
 
@@ -171,7 +172,7 @@ struct TetrahedralMesh {
 /// A face of a tetrahedral mesh, given by either of the tetrahedra that share it.
 struct MeshFace {
     int tetrahedron = 0;
-    int face = 0; // 0 … 3, the face opposite the vertex of this number
+    int face = 0; // index of the face, 0 … 3: that of the opposite vertex
 };
 
 /// The largest eigenvalue of a stress, and the direction of its eigenvector.
@@ -191,7 +192,7 @@ struct VertexOrigin {
 struct SplitMesh {
     TetrahedralMesh mesh;
     std::vector<VertexOrigin> origins; // one for each vertex
-    std::vector<int> parents;          // for each tetrahedron, its number before the split
+    std::vector<int> parents;          // for each tetrahedron, its index before the split
 };
 
 /// A plane that cracks one tetrahedron.

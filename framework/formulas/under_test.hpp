@@ -24,7 +24,8 @@ struct KnownCall {
 };
 
 /// The exception by which a test asks for a result that is not known yet. The test must not catch
-/// it.
+/// it: otherwise the grader does not see the question, and takes what the test returns as its
+/// judgement.
 struct UnknownCall {
     int calls_before = 0;
     std::vector<double> arguments;
@@ -39,14 +40,14 @@ struct Judgement {
     std::vector<double> question;
 };
 
-/// The formula keeps all laws that the test knows: `return accepted();`
+/// The judgement that the formula keeps all laws that the test knows: `return accepted();`
 inline Judgement accepted()
 {
     return {};
 }
 
-/// The formula breaks a law: `return rejected(); // the momentum changes`. If the formula was in
-/// fact right, the report names the line of this `rejected()`.
+/// The judgement that the formula breaks a law: `return rejected(); // the momentum changes`. If
+/// the formula was in fact right, the report names the line of this `rejected()`.
 inline Judgement rejected(int line = __builtin_LINE())
 {
     return {line, 0, {}};

@@ -44,13 +44,6 @@ void note_error(double error, double tolerance)
     if (tolerance > 0) largest = std::max(largest, error / tolerance);
 }
 
-// A value in short, followed by its wrong component in full.
-std::string with_component(const Components& value, const Component& component)
-{
-    if (value.numbers.size() == 1) return number(component.value);
-    return fmt::format("{}; {}: {}", value.text, component.place, number(component.value));
-}
-
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 } // namespace
@@ -86,79 +79,63 @@ Tolerance Exactly()
     return {"R", 0, 0, "the same value"};
 }
 
-void Components::add(const std::string& place, const double* data, int rows, int columns)
+Difference difference_between(const Components& actual, const Components& expected,
+                              const Tolerance& tolerance)
 {
-    constexpr std::size_t longest = 600;
-    const bool room = text.size() < longest;
-    double norm = 0;
-    for (int i = 0; i < rows * columns; ++i)
-        norm = std::hypot(norm, data[i]);
-    if (room && !place.empty()) text += (text.empty() ? "" : "  ") + place + " ";
-    if (room && rows * columns > 1) text += "(";
-    for (int row = 0; row < rows; ++row)
-        for (int column = 0; column < columns; ++column) {
-            const double value = data[row + rows * column];
-            std::string where = place;
-            if (columns > 1)
-                where += fmt::format("({}, {})", row, column);
-            else if (rows > 1)
-                where += fmt::format("({})", row);
-            numbers.push_back({where, value, norm});
-            if (!room) continue;
-            if (column > 0) text += " ";
-            if (column == 0 && row > 0) text += columns > 1 ? "; " : ", ";
-            text += fmt::format("{:.6g}", value);
-        }
-    if (room && rows * columns > 1) text += ")";
-    if (room && text.size() >= longest) text += " …";
-}
-
-Difference compare(const Components& actual, const Components& expected, const Tolerance& tolerance)
-{
-    const auto& found = actual.numbers;
-    const auto& wanted = expected.numbers;
-    if (actual.shape != expected.shape || found.size() != wanted.size()) {
-        const Difference difference = {true, "its size", infinity, 0};
-        note("failed", expected.shape + expected.text, actual.shape + actual.text,
-             tolerance.tolerance_class, difference);
-        return difference;
-    }
+    if (actual.shape != expected.shape || actual.numbers.size() != expected.numbers.size())
+        return {Difference::size, 0, infinity, 0, {}};
     Difference worst;
-    std::size_t at = 0;
     double worst_excess = 0;
-    for (std::size_t i = 0; i < found.size(); ++i) {
-        const double a = found[i].value, e = wanted[i].value;
+    for (std::size_t i = 0; i < actual.numbers.size(); ++i) {
+        const double a = actual.numbers[i], e = expected.numbers[i];
+        if (a == e) continue; // also for ∞ = ∞
         const double bound =
-            tolerance.absolute > 0 ? tolerance.absolute : tolerance.relative * wanted[i].scale;
-        if (!std::isfinite(a) && !(a == e)) { // fails at any tolerance
-            const Difference difference = {true, found[i].place, infinity, bound};
-            note("not_finite", expected.text, actual.text, tolerance.tolerance_class, difference);
-            return difference;
-        }
-        const double error = a == e ? 0 : std::abs(a - e);
-        if (error == 0 || error <= bound) { // 0 also for ∞ = ∞, where the bound may be NaN
+            tolerance.absolute > 0 ? tolerance.absolute : tolerance.relative * expected.scale(i);
+        if (!std::isfinite(a)) // fails at any tolerance
+            return {Difference::not_finite, i, infinity, bound, {}};
+        const double error = std::abs(a - e);
+        if (error <= bound) {
             note_error(error, bound);
             continue;
         }
         const double excess = bound > 0 ? error / bound : infinity;
-        if (worst.any && (excess < worst_excess || error <= worst.error)) continue;
-        worst = {true, found[i].place, error, bound};
+        if (worst.kind != Difference::none && (excess < worst_excess || error <= worst.error))
+            continue;
+        worst = {Difference::number, i, error, bound, {}};
         worst_excess = excess;
-        at = i;
     }
-    if (worst.any)
-        note("failed", with_component(expected, wanted[at]), with_component(actual, found[at]),
-             tolerance.tolerance_class, worst);
     return worst;
 }
 
-std::string describe(const Components& expected, const Tolerance& tolerance,
+namespace {
+
+// What a verdict says of one of two values that differ: the value in short, followed by its wrong
+// number in full.
+std::string in_verdict(const ReadableComponents& value, const Difference& difference)
+{
+    if (difference.kind == Difference::size) return value.parts.shape + value.text;
+    if (difference.kind == Difference::not_finite) return value.text;
+    const std::string wrong = number(value.parts.numbers[difference.index]);
+    if (value.parts.numbers.size() == 1) return wrong;
+    return fmt::format("{}; {}: {}", value.text, difference.place, wrong);
+}
+
+} // namespace
+
+void note_difference(const Difference& difference, const ReadableComponents& actual,
+                     const ReadableComponents& expected, const Tolerance& tolerance)
+{
+    note(difference.kind == Difference::not_finite ? "not_finite" : "failed",
+         in_verdict(expected, difference), in_verdict(actual, difference),
+         tolerance.tolerance_class, difference);
+}
+
+std::string describe(const std::string& expected, const Tolerance& tolerance,
                      const Difference& difference)
 {
-    const std::string should = expected.text.empty() ? expected.shape : expected.text;
-    std::string text = fmt::format("should be {} (class {}, {})", should, tolerance.tolerance_class,
-                                   tolerance.reason);
-    if (difference.any)
+    std::string text = fmt::format("should be {} (class {}, {})", expected,
+                                   tolerance.tolerance_class, tolerance.reason);
+    if (difference.kind != Difference::none)
         text += fmt::format("; error {:.3g} > {:.3g}{}", difference.error, difference.bound,
                             difference.place.empty() ? "" : " in " + difference.place);
     return text;
@@ -168,10 +145,10 @@ bool RotationMatcher::match(const Matrix3d& R) const
 {
     const Matrix3d RtR = R.transpose() * R;
     const Tolerance tolerance = Rounding(16, 1);
-    difference_ = compare(components(RtR), components(Matrix3d(Matrix3d::Identity())), tolerance);
-    if (!difference_.any)
-        difference_ = compare(components(R.determinant()), components(1.0), tolerance);
-    return !difference_.any;
+    difference_ = compare(RtR, Matrix3d(Matrix3d::Identity()), tolerance);
+    if (difference_.kind == Difference::none)
+        difference_ = compare(R.determinant(), 1.0, tolerance);
+    return difference_.kind == Difference::none;
 }
 
 std::string RotationMatcher::describe() const
@@ -198,10 +175,12 @@ void check_order(const std::vector<double>& errors, double order)
         const double found = std::log2(errors[i] / errors[i + 1]);
         if (!(found >= order - below))
             note("failed", fmt::format("order {}, at least {:.1f}", order, order - below),
-                 fmt::format("order {:.3f}", found), "O", {true, "", order - found, below});
+                 fmt::format("order {:.3f}", found), "O",
+                 {Difference::number, 0, order - found, below, ""});
         if (!(found <= order + above))
             note("failed", fmt::format("order {}, at most {:.1f}", order, order + above),
-                 fmt::format("order {:.3f}", found), "O", {true, "", found - order, above});
+                 fmt::format("order {:.3f}", found), "O",
+                 {Difference::number, 0, found - order, above, ""});
         REQUIRE(found >= order - below);
         REQUIRE(found <= order + above);
         ++pairs;
@@ -226,7 +205,7 @@ void check_bound(const Bounded& bounded, double scale)
     if (holds) note_error(excess, slack);
     if (!holds)
         note(finite ? "failed" : "not_finite", law, number(value), "I",
-             {true, "", finite ? excess : value, slack});
+             {Difference::number, 0, finite ? excess : value, slack, ""});
     INFO(law);
     CAPTURE(value);
     REQUIRE(finite);

@@ -3,13 +3,12 @@
 //
 //     REQUIRE_THAT(world_inertia(R, I), IsClose(expected, Rounding(16)));
 //
-// Values are doubles, integers, bools, fixed Eigen matrices, the plain structs of
-// formulas/fields.hpp, and optionals, arrays and vectors of these. They are compared component by
-// component, and the message names the worst one.
+// Values (support/values/components.hpp) are compared component by component, and the message names
+// the worst one.
 #pragma once
 
-#include "formulas/fields.hpp"
 #include "support/catch.hpp"
+#include "support/values/components.hpp"
 #include "support/verdict.hpp"
 
 #include <initializer_list>
@@ -41,91 +40,62 @@ Tolerance Statistical(double sigma, double n);
 /// Class R without any rounding: the values have the same bits.
 Tolerance Exactly();
 
-/// One number of a value, and its place in the value.
-struct Component {
-    std::string place; // "inertia(0, 1)"
-    double value = 0;
-    double scale = 0; // the norm of the field it belongs to
-};
-
-/// The numbers of a value. An empty optional has none, and `shape` says so.
-struct Components {
-    std::vector<Component> numbers;
-    // sizes of vectors and presence of optionals, which must agree before numbers are compared
-    std::string shape;
-    std::string text; // to be read: vectors as (1, 2, 3), matrices by rows (1 2; 3 4)
-    void add(const std::string& place, const double* data, int rows, int columns);
-};
-
-template <class T> struct IsOptional : std::false_type {
-};
-template <class T> struct IsOptional<std::optional<T>> : std::true_type {
-};
-
-template <class T> void take_apart(const T& value, const std::string& place, Components& parts)
-{
-    if constexpr (Plain<T>) {
-        Fields<T>::each(value, [&](std::string_view name, const auto& field) {
-            take_apart(field, place + (place.empty() ? "" : ".") + std::string(name), parts);
-        });
-    } else if constexpr (IsOptional<T>::value) {
-        parts.shape += value ? "a value " : "empty ";
-        if (!value) parts.text += "empty";
-        if (value) take_apart(*value, place, parts);
-    } else if constexpr (std::is_arithmetic_v<T>) {
-        const double number = static_cast<double>(value);
-        parts.add(place, &number, 1, 1);
-    } else if constexpr (requires { value.colPivHouseholderQr(); }) {
-        const auto& matrix = value.eval();
-        parts.add(place, matrix.data(), static_cast<int>(matrix.rows()),
-                  static_cast<int>(matrix.cols()));
-    } else {
-        parts.shape += std::to_string(value.size()) + " elements ";
-        for (std::size_t i = 0; i < value.size(); ++i)
-            take_apart(value[i], place + "[" + std::to_string(i) + "]", parts);
-    }
-}
-
-template <class T> Components components(const T& value)
-{
-    Components parts;
-    take_apart(value, "", parts);
-    return parts;
-}
-
-/// The largest difference between two values.
+/// How two values differ.
 struct Difference {
-    bool any = false;
+    enum Kind { none, size, not_finite, number } kind = none;
+    std::size_t index = 0;       // the number that exceeds its bound most, or is not finite
+    double error = 0, bound = 0; // error and bound of that number
     std::string place;           // "inertia(0, 1)"
-    double error = 0, bound = 0; // error and bound of that component
 };
+
+/// The difference between two values, without its place.
+Difference difference_between(const Components& actual, const Components& expected,
+                              const Tolerance& tolerance);
+
+/// Fills in the verdict of the test case, if this is its first failure.
+void note_difference(const Difference& difference, const ReadableComponents& actual,
+                     const ReadableComponents& expected, const Tolerance& tolerance);
 
 /// Compares two values. If they differ, this fills in the verdict of the test case.
-Difference compare(const Components& actual, const Components& expected,
-                   const Tolerance& tolerance);
-std::string describe(const Components& expected, const Tolerance& tolerance,
+template <class T>
+Difference compare(const T& actual, const T& expected, const Tolerance& tolerance)
+{
+    const Components found = components(actual), wanted = components(expected);
+    Difference difference = difference_between(found, wanted, tolerance);
+    if (difference.kind == Difference::none) return difference;
+    difference.place =
+        difference.kind == Difference::size ? "its size" : component_name(actual, difference.index);
+    note_difference(difference, {found, component_text(actual)}, {wanted, component_text(expected)},
+                    tolerance);
+    return difference;
+}
+
+/// @param expected  the expected value, to be read
+std::string describe(const std::string& expected, const Tolerance& tolerance,
                      const Difference& difference);
 
 template <class T> class CloseMatcher : public Matcher<T> {
 public:
     CloseMatcher(const T& expected, Tolerance tolerance)
-        : expected_(components(expected)), tolerance_(std::move(tolerance))
+        : expected_(expected), tolerance_(std::move(tolerance))
     {
     }
     bool match(const T& actual) const override
     {
-        difference_ = compare(components(actual), expected_, tolerance_);
-        return !difference_.any;
+        difference_ = compare(actual, expected_, tolerance_);
+        return difference_.kind == Difference::none;
     }
 
 protected:
     std::string describe() const override
     {
-        return rigor::testing::describe(expected_, tolerance_, difference_);
+        const std::string text = component_text(expected_);
+        return rigor::testing::describe(text.empty() ? components(expected_).shape : text,
+                                        tolerance_, difference_);
     }
 
 private:
-    Components expected_;
+    T expected_;
     Tolerance tolerance_;
     mutable Difference difference_; // result of the last match, for the message
 };
@@ -190,5 +160,5 @@ void check_at_least(double value, double limit, const std::string& what, double 
 template <class T>
 requires(rigor::Plain<T> ||
          requires(T t) { t.colPivHouseholderQr(); }) struct Catch::StringMaker<T> {
-    static std::string convert(const T& value) { return rigor::testing::components(value).text; }
+    static std::string convert(const T& value) { return rigor::testing::component_text(value); }
 };

@@ -3,9 +3,9 @@
 // the verdict of the test case.
 #include "diagnosis/workers/task_mistake.hpp"
 #include "formulas/table.hpp"
-#include "support/call_text.hpp"
 #include "support/catch.hpp"
 #include "support/run.hpp"
+#include "support/values/call_text.hpp"
 #include "support/verdict.hpp"
 #include "worker/failure.hpp"
 #include "worker/protocol/wire.hpp"
@@ -73,11 +73,12 @@ FormulaSet others_of(std::string_view tag)
 Spent spent_in(const std::string& text)
 {
     std::istringstream words(text);
-    double calls = 0, scenes = 0;
-    if (!(words >> calls >> scenes))
-        throw std::runtime_error("graded_tests: expected --spent SECONDS SECONDS TAG…, found " +
-                                 text);
-    Spent spent{std::chrono::duration<double>(calls), std::chrono::duration<double>(scenes), {}};
+    double calls = 0, scenes = 0, starts = 0;
+    if (!(words >> calls >> scenes >> starts))
+        throw std::runtime_error(
+            "graded_tests: expected --spent SECONDS SECONDS SECONDS TAG…, found " + text);
+    using Seconds = std::chrono::duration<double>;
+    Spent spent{Seconds(calls), Seconds(scenes), Seconds(starts), {}};
     for (std::string tag; words >> tag;)
         for (unsigned i = 0; i < formula_count; ++i)
             if (formulas[i].tag == tag) spent.given_up.push_back(FormulaIndex{i});
@@ -108,7 +109,8 @@ void prepare(const RunOptions& options)
 CostSoFar cost_so_far()
 {
     const Spent spent = worker().budget().spent();
-    std::string text = fmt::format("{} {}", spent.calls.count(), spent.scenes.count());
+    std::string text =
+        fmt::format("{} {} {}", spent.calls.count(), spent.scenes.count(), spent.starts.count());
     for (const FormulaIndex formula : spent.given_up)
         text += fmt::format(" {}", formulas[static_cast<unsigned>(formula)].tag);
     return {text, worker().budget().report()};
@@ -212,7 +214,8 @@ CATCH_TRANSLATE_EXCEPTION(const rigor::NotFinite& failure)
 // A failure of the oracle is not the student's fault.
 CATCH_TRANSLATE_EXCEPTION(const rigor::OracleFailure& failure)
 {
-    return rigor::testing::note("internal_error", failure.what());
+    return rigor::testing::note(failure.is_late ? "reference_late" : "internal_error",
+                                failure.what());
 }
 
 // Nor is it the student's fault if a worker cannot be started.

@@ -51,7 +51,7 @@ std::string task_mistake(const std::string& tag)
 {
     static std::map<std::string, TaskState> states;
     const auto formula = formula_with(tag);
-    if (!formula || !oracle()) return "";
+    if (!formula || !oracle() || worker().budget().starts_are_used_up()) return "";
     TaskState& state = states[tag];
     if (!state.sentence.empty() || state.used >= for_a_task) return state.sentence;
     const auto start = std::chrono::steady_clock::now();

@@ -13,7 +13,7 @@ namespace rigor::testing {
 
 namespace {
 
-// Class B: the outcome, whether the sphere slides on, flips between the critical friction less and
+// Class B: the outcome, whether the body slides on, flips between the critical friction less and
 // more a share d of it.
 void check_flip(const Matrix3d& K, const Skid& skid, double critical)
 {
@@ -23,8 +23,37 @@ void check_flip(const Matrix3d& K, const Skid& skid, double critical)
         return (skid.v() + K * j).dot(skid.T) > 1e-3 * d;
     };
     check_that(slides_on(critical * (1 - d)),
-               "the ball slides on just below its critical friction");
-    check_that(!slides_on(critical * (1 + d)), "the ball sticks just above its critical friction");
+               "the body slides on just below its critical friction");
+    check_that(!slides_on(critical * (1 + d)), "the body sticks just above its critical friction");
+}
+
+// Checks that a rod whose tip skids slides below its critical friction and sticks above it. In the
+// plane of n and T, K is ((a, b), (b, c))/M, with the determinant 4/M²:
+//
+//     slides:  jₙ = M kick / (a - μ b)           j_T = μ jₙ, against T
+//     sticks:  jₙ = M (c kick + b along) / 4     j_T = M (a along + b kick) / 4, against T
+//
+// At the critical friction a - μ b is above 0, since there the rod stops sliding.
+void check_rod(double t, const Skid& skid, double share)
+{
+    const Matrix3d K = skidding_rod(t, skid);
+    const double s2 = 1 + t * t, a = 4 - 3 * t * t / s2, b = 3 * t / s2, c = 4 - 3 / s2;
+    const double push = skid.mass * (c * skid.kick() + b * skid.along) / 4;
+    const double rub = skid.mass * (a * skid.along + b * skid.kick()) / 4;
+    const auto impulse = [&](double friction) {
+        return collision_impulse(K, skid.v(), skid.n, skid.restitution, friction);
+    };
+    const double critical = rub / push, low = share * critical;
+    CAPTURE(t, critical);
+    const double left = a - low * b, j_n = skid.mass * skid.kick() / left;
+    // the division by a - μ b magnifies rounding by (a + μ b)/(a - μ b)
+    const double size = 2 * skid.mass * skid.v().norm() / left;
+    REQUIRE_THAT(impulse(low), IsClose(Vector3d(j_n * (skid.n - low * skid.T)),
+                                       Rounding(64, (1 + low) * size * (a + low * b) / left)));
+    for (const double high : {1.05 * critical, 4 * critical, 1e6})
+        REQUIRE_THAT(impulse(high), IsClose(Vector3d(push * skid.n - rub * skid.T),
+                                            Rounding(64, 4 * 2 * skid.mass * skid.v().norm())));
+    check_flip(K, skid, critical);
 }
 
 } // namespace
@@ -43,9 +72,10 @@ TEST_CASE("collision: bodies that separate are left alone", "[A4.9][collision]")
     }
 }
 
-TEST_CASE("collision: the oblique sphere slides below a friction of 2/7 and sticks above it",
+TEST_CASE("collision: what skids slides below its critical friction and sticks above it",
           "[A4.9][collision]")
 {
+    // a sphere, whose critical friction is 2/7
     const Matrix3d K = sphere_on_floor();
     const Vector3d v(3, -2, 0);
     REQUIRE_THAT(collision_impulse(K, v, up, 0.5, 0.1),
@@ -70,6 +100,17 @@ TEST_CASE("collision: the oblique sphere slides below a friction of 2/7 and stic
         for (double high : {1.05 * limit, 4 * limit, 1e6})
             REQUIRE_THAT(impulse(high), with_friction(limit));
         check_flip(skidding_sphere(skid), skid, limit);
+    }
+
+    // A rod at 45° with the critical friction 1, where jₙ = |j_T| = 3. It slides with another jₙ
+    // than it sticks with: at half of that friction jₙ is 3/(5/2 - 1/2 · 3/2).
+    const Skid rod = {1, 3, 2};
+    REQUIRE_THAT(collision_impulse(skidding_rod(1, rod), rod.v(), up, 0.5, 0.5),
+                 IsClose(Vector3d(-6.0 / 7, 12.0 / 7, 0), Rounding(64)));
+    check_rod(1, rod, 0.5);
+    for (Random random : seeds(5)) {
+        const double t = random.uniform(0.5, 2), share = random.uniform(0, 0.9);
+        check_rod(t, random_skid(random), share);
     }
 }
 

@@ -150,6 +150,17 @@ TEST_CASE("collision: contacts that do not touch yet have depths below zero", "[
     }
 }
 
+TEST_CASE("collision: the deepest of a very long list of contacts", "[A4.11][collision]")
+{
+    const int n = 20000;
+    for (const int deepest : {0, n / 2, n - 1}) {
+        CAPTURE(deepest);
+        std::vector<ContactPoint> contacts(n, {{0, 0, 0}, up, 1, {1, -1, 0}});
+        contacts[deepest].depth = 2;
+        REQUIRE_THAT(deepest_approaching_point(contacts), IsExactly(std::optional<int>(deepest)));
+    }
+}
+
 TEST_CASE("collision: a contact that hardly approaches counts", "[A4.11][collision]")
 {
     for (const double speed : {1e-3, 1e-6, 1e-9, 1e-12, 1e-15}) {

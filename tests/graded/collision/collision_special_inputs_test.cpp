@@ -49,7 +49,8 @@ Vector3d jammed(const Matrix3d& K, const Vector3d& v, double restitution, double
     return j_n * up + std::min(1.0, friction * j_n / j_T.norm()) * j_T;
 }
 
-constexpr double restitutions[] = {-0.95, -0.5, 0, 0.5, 1};
+constexpr double negative_restitutions[] = {-1, -0.999, -0.95, -0.9, -0.5, -0.1};
+constexpr double restitutions[] = {-1, -0.95, -0.5, 0, 0.5, 1};
 constexpr double jamming_frictions[] = {2.5, 3, 6, 2000};
 
 LevelSet grid_of(const std::array<int, 3>& size, double (*value)(const Vector3d& node))
@@ -95,9 +96,46 @@ TEST_CASE("collision: what falls straight sticks where K couples the directions"
             }
 }
 
+TEST_CASE("collision: a negative restitution of an impulse without friction", "[A4.5][collision]")
+{
+    const Matrix3d K = leaning();
+    const Vector3d v(3, -2, 1);
+    for (const double restitution : negative_restitutions) {
+        CAPTURE(restitution);
+        REQUIRE_THAT(frictionless_impulse(K, v, up, restitution),
+                     IsClose(Vector3d((1 + restitution) * 2 / K(1, 1) * up), Rounding(16, 1)));
+    }
+}
+
+TEST_CASE("collision: a negative restitution of what sticks", "[A4.6][collision]")
+{
+    const Matrix3d K = leaning();
+    const Vector3d v(3, -2, 1);
+    for (const double restitution : negative_restitutions) {
+        CAPTURE(restitution);
+        REQUIRE_THAT(static_friction_impulse(K, v, up, restitution),
+                     IsClose(sticking(K, v, restitution),
+                             Rounding(64, terms_of_sticking(K, v, restitution))));
+    }
+}
+
+TEST_CASE("collision: a negative restitution of what slides", "[A4.8][collision]")
+{
+    const Matrix3d K = leaning();
+    const double friction = 0.3;
+    for (const Vector3d& T : {Vector3d(1, 0, 0), Vector3d(-1, 0, 0), Vector3d(0, 0, 1)})
+        for (const double restitution : negative_restitutions) {
+            CAPTURE(T, restitution);
+            const Vector3d cone = up - friction * T;
+            const double j_n = (1 + restitution) * 2 / up.dot(K * cone);
+            REQUIRE_THAT(sliding_friction_impulse(K, 5 * T - 2 * up, up, restitution, friction),
+                         IsClose(Vector3d(j_n * cone), Rounding(64, 1)));
+        }
+}
+
 TEST_CASE("collision: a negative restitution leaves a part of the approach", "[A4.9][collision]")
 {
-    for (const double restitution : {-0.999, -0.95, -0.9, -0.5}) {
+    for (const double restitution : negative_restitutions) {
         CAPTURE(restitution);
         REQUIRE_THAT(collision_impulse(Matrix3d::Identity(), -up, up, restitution, 1),
                      IsClose(Vector3d((1 + restitution) * up), Rounding(16, 1)));

@@ -21,7 +21,7 @@ Matrix3d soft_along(const Vector3d& n, double soft)
 }
 
 // Restitutions that topic `contact` asks for, and those of collisions.
-constexpr double restitutions[] = {-0.99, -0.9, -0.5, -0.1, 0, 0.5, 1};
+constexpr double restitutions[] = {-1, -0.99, -0.9, -0.5, -0.1, 0, 0.5, 1};
 
 } // namespace
 
@@ -122,6 +122,25 @@ TEST_CASE("collision: the border of a wide cone is sharp", "[A4.7][collision]")
     }
 }
 
+TEST_CASE("collision: the border of the friction cone from both sides", "[A4.7][collision]")
+{
+    // |j_T| is μ jₙ times 1 ± 2^-k; the tangential part is along an axis, or (3, 4) of length 5
+    for (int power = 1; power <= 47; ++power)
+        for (int axis = 0; axis < 3; ++axis)
+            for (const double sign : {1.0, -1.0})
+                for (const bool is_along_axis : {true, false}) {
+                    CAPTURE(power, axis, sign, is_along_axis);
+                    const double share = 1 + sign * std::ldexp(1, -power);
+                    const Vector3d n = Vector3d::Unit(axis), t = Vector3d::Unit((axis + 1) % 3),
+                                   b = Vector3d::Unit((axis + 2) % 3);
+                    const Vector3d j_T = is_along_axis ? Vector3d(5 * t) : Vector3d(3 * t - 4 * b);
+                    REQUIRE_THAT(inside_friction_cone(share * j_T + 4 * n, n, 1.25),
+                                 IsExactly(sign < 0));
+                    REQUIRE_THAT(inside_friction_cone(share * j_T - 4 * n, -n, 1.25),
+                                 IsExactly(sign < 0));
+                }
+}
+
 TEST_CASE("collision: bodies that move almost alike", "[A4.3][collision]")
 {
     for (Random random : seeds(5))
@@ -163,6 +182,59 @@ TEST_CASE("collision: high friction holds what slides fast", "[A4.9][collision]"
         REQUIRE_THAT(collision_impulse(K, v, n, 0, 0.99 * slide),
                      IsClose(Vector3d(-0.99 * slide, 1, 0), Rounding(64)));
     }
+}
+
+TEST_CASE("collision: a sliding impulse with any restitution", "[A4.8][collision]")
+{
+    for (unsigned seed : seeds(50))
+        for (const double restitution : restitutions) {
+            CollidingPair pair = colliding_pair(seed);
+            pair.restitution = restitution;
+            CAPTURE(restitution);
+            if (slides_easily(pair, 0.3))
+                check_extreme_sliding(
+                    pair, 0.3, sliding_friction_impulse(pair.K, pair.v, pair.n, restitution, 0.3));
+        }
+}
+
+TEST_CASE("collision: with any restitution friction acts in the cone", "[A4.9][collision]")
+{
+    // Also where ε = -1 takes nothing of the approach: K couples the normal and the tangents, so
+    // the impulse that stops the sliding may push.
+    int sticking = 0;
+    for (unsigned seed : seeds(100))
+        for (const double restitution : restitutions)
+            for (const double friction : {0.1, 0.5, 2.0, 8.0}) {
+                CollidingPair pair = colliding_pair(seed);
+                pair.restitution = restitution;
+                CAPTURE(restitution, friction);
+                const Vector3d j = collision_impulse(pair.K, pair.v, pair.n, restitution, friction);
+                const double inside = margin(pair, friction); // the sticking impulse is in the cone
+                if (inside > 1e-3) {
+                    const Vector3d after = -restitution * pair.v.dot(pair.n) * pair.n;
+                    sticking += restitution == -1;
+                    REQUIRE_THAT(Vector3d(pair.v + pair.K * j),
+                                 IsClose(after, Rounding(64, impulse_scale(pair) * pair.K.norm())));
+                } else if (inside < -1e-3 && slides_easily(pair, friction)) {
+                    check_extreme_sliding(pair, friction, j);
+                }
+            }
+    check_that(sticking > 0, "one contact at least sticks with a restitution of -1");
+}
+
+TEST_CASE("collision: sliding just beside the speed that counts as none", "[A4.8][collision]")
+{
+    // |v - vₙ n| ≤ 1e-12 |v| is the frictionless impulse; here |v| is 1
+    const double friction = 0.25, sliding = 1.5 / (4 - 2 * friction), straight = 1.5 / 4;
+    for (int power = 1; power <= 40; ++power)
+        for (const double sign : {1.0, -1.0}) {
+            CAPTURE(power, sign);
+            const Vector3d v(1e-12 * (1 + sign * std::ldexp(1, -power)), -1, 0);
+            const Vector3d expected =
+                sign > 0 ? Vector3d(-friction * sliding, sliding, 0) : Vector3d(0, straight, 0);
+            REQUIRE_THAT(sliding_friction_impulse(jamming_contact(), v, {0, 1, 0}, 0.5, friction),
+                         IsClose(expected, Rounding(64, 1)));
+        }
 }
 
 TEST_CASE("collision: the normal of a level set far from its surface", "[A4.2][collision]")

@@ -69,6 +69,15 @@ inline void check_sliding(const CollidingPair& pair, double friction, const Vect
     check_at_least(j.dot(n), 0, "jₙ", scale);
 }
 
+/// As `check_sliding`, where friction and directions may be extreme: |j| grows with 1 + μ, and the
+/// rounding of T with |v|/|v_T|.
+inline void check_extreme_sliding(CollidingPair pair, double friction, const Vector3d& j)
+{
+    const double speed = tangential(pair.v, pair.n).norm();
+    pair.size *= (1 + friction) * (speed > 0 ? 1 + pair.v.norm() / speed : 1);
+    check_sliding(pair, friction, j);
+}
+
 /// A body that slides along T while it falls on a plane with the normal n.
 struct Skid {
     double mass = 1;            // [kg]
@@ -98,6 +107,14 @@ inline Skid random_skid(Random& random)
 inline Matrix3d skidding_sphere(const Skid& skid)
 {
     return (3.5 * Matrix3d::Identity() - 2.5 * skid.n * skid.n.transpose()) / skid.mass;
+}
+
+/// K of a thin rod with L = 1 whose tip skids. The rod trails behind its tip and leans at atan t:
+/// K = (4 δ - 3 d dᵀ)/M. So it couples n and T, and friction presses the tip down.
+inline Matrix3d skidding_rod(double t, const Skid& skid)
+{
+    const Vector3d d = (t * skid.n - skid.T).normalized();
+    return (4 * Matrix3d::Identity() - 3 * d * d.transpose()) / skid.mass;
 }
 
 /// K of a contact that jams if it slides along x with μ ≥ 2: then friction presses it down harder

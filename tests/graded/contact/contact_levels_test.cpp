@@ -254,4 +254,81 @@ TEST_CASE("contact: a ring of a hundred thousand bodies is one cycle", "[A5.3][c
     REQUIRE_THAT(contact_levels(ring, on_the_ground(ring.size())), IsExactly(levels));
 }
 
+namespace {
+
+// The levels by their definition: a body is one level above the highest of the bodies that it
+// reaches by resting on them, apart from those that reach it too. These share its level.
+Levels levels_by_reach(const Edges& rests_on, const std::vector<bool>& is_static)
+{
+    const std::size_t n = rests_on.size();
+    std::vector<std::vector<bool>> reaches(n, std::vector<bool>(n, false));
+    std::vector<std::pair<std::size_t, std::size_t>> order; // how many a body reaches, the body
+    for (std::size_t b = 0; b < n; ++b) {
+        std::vector<std::size_t> left = {b};
+        std::size_t count = 1;
+        reaches[b][b] = true;
+        while (!left.empty()) {
+            const std::size_t from = left.back();
+            left.pop_back();
+            if (is_static[from]) continue;
+            for (const int to : rests_on[from])
+                if (!reaches[b][to]) {
+                    reaches[b][to] = true;
+                    left.push_back(static_cast<std::size_t>(to));
+                    ++count;
+                }
+        }
+        order.emplace_back(count, b);
+    }
+    std::sort(order.begin(), order.end()); // what is below a body comes before it
+    Levels levels(n, 0);
+    for (const auto& entry : order) {
+        const std::size_t b = entry.second;
+        if (is_static[b]) continue;
+        levels[b] = 1;
+        for (std::size_t other = 0; other < n; ++other)
+            if (reaches[b][other] && !reaches[other][b])
+                levels[b] = std::max(levels[b], levels[other] + 1);
+    }
+    return levels;
+}
+
+} // namespace
+
+TEST_CASE("contact: bodies that rest on any others have the levels of the definition",
+          "[A5.3][contact]")
+{
+    // few edges make trees and long cycles, more of them cycles that share bodies
+    for (Random random : seeds(200))
+        for (const std::size_t most : {std::size_t(10), std::size_t(150)}) {
+            const int n = 1 + random_index(random, most), edges = 1 + random_index(random, 3);
+            const double share = random.uniform(0, 0.2); // the share of static bodies
+            Edges rests_on(static_cast<std::size_t>(n));
+            std::vector<bool> is_static;
+            for (std::vector<int>& below : rests_on) {
+                is_static.push_back(random.uniform(0, 1) < share);
+                for (int i = random_index(random, static_cast<std::size_t>(edges) + 1); i > 0; --i)
+                    below.push_back(random_index(random, static_cast<std::size_t>(n)));
+            }
+            REQUIRE_THAT(contact_levels(rests_on, is_static),
+                         IsExactly(levels_by_reach(rests_on, is_static)));
+        }
+}
+
+TEST_CASE("contact: a ring is one cycle in whatever order it is numbered", "[A5.3][contact]")
+{
+    for (Random random : seeds(100))
+        for (int n = 2; n <= 12; ++n) {
+            const std::vector<int> ring = shuffled(n, random);
+            Edges rests_on(static_cast<std::size_t>(n) + 1);
+            for (int i = 0; i < n; ++i)
+                rests_on[ring[i]].push_back(ring[(i + 1) % n]);
+            rests_on[n].push_back(ring[0]); // and a body on it
+            Levels expected(static_cast<std::size_t>(n), 1);
+            expected.push_back(2);
+            REQUIRE_THAT(contact_levels(rests_on, std::vector<bool>(rests_on.size(), false)),
+                         IsExactly(expected));
+        }
+}
+
 } // namespace rigor::testing

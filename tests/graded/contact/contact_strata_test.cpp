@@ -90,6 +90,18 @@ TEST_CASE("contact: a pile of many contacts is resolved whole", "[A5.2][contact]
         REQUIRE_THAT(result.impulses[i - 1], IsClose(up, Rounding(64)));
 }
 
+TEST_CASE("contact: all at once a pile of many contacts is resolved whole", "[A5.5][contact]")
+{
+    ContactCase problem = {{Body()}, {}};
+    for (int i = 1; i <= 4000; ++i) {
+        problem.bodies.push_back(block(1, -up));
+        problem.contacts.push_back(touch(i, 0, 0.01));
+    }
+    const ContactResult result = resolve_simultaneously(problem.bodies, problem.contacts, 1);
+    for (int i = 1; i <= 4000; ++i)
+        REQUIRE_THAT(result.impulses[i - 1], IsClose(up, Rounding(64)));
+}
+
 TEST_CASE("contact: each of many iterations has its own restitution", "[A5.2][contact]")
 {
     const ContactCase problem = rod_on_both_ends();

@@ -178,4 +178,79 @@ TEST_CASE("fracture: the slice that a crack cuts off may be thin", "[A7.7][fract
     }
 }
 
+TEST_CASE("fracture: a corner whose height is a negative zero is on the side of the normal",
+          "[A7.7][fracture]")
+{
+    // its height is 0 or, where all products are negative zeros, -0.0
+    for (const Vector3d& n : {Vector3d(1, 1, 1), Vector3d(-1, -1, -1), Vector3d(-1, 0, 0)}) {
+        CAPTURE(n);
+        const Vector3d normal = n.normalized();
+        const EmbeddedMesh result = embedded(unit_tetrahedron(), {{0, {0, 0, 0}, normal}});
+        std::vector<Tetrahedron> real = {{1, 1, 1, 1}};
+        if (n.sum() == -3) real = {{1, 0, 0, 0}, {0, 1, 1, 1}};
+        if (n.sum() == -1) real = {{1, 0, 1, 1}, {0, 1, 0, 0}};
+        REQUIRE_THAT(result.real, IsExactly(real));
+    }
+}
+
+TEST_CASE("fracture: shares of a flat element follow from its heights alone", "[A7.7][fracture]")
+{
+    // One corner has the height 1/2, the others -1/2, -1/2 and t - 1/4: its side has the share
+    // (1/2)³/(1 · 1 · (3/4 - t)), whatever the volume is.
+    for (int power = 2; power <= 44; ++power) {
+        CAPTURE(power);
+        const double t = std::ldexp(1, -power);
+        TetrahedralMesh flat = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.25 + t, 0.25 + t, 0.5 + t}},
+                                {{0, 1, 2, 3}}};
+        const double share = 0.125 / (0.75 - t);
+        check_shares(embedded(flat, {{0, {0.5, 0, 0}, {1, 0, 0}}}), std::vector{share, 1 - share},
+                     Rounding(32, 1));
+    }
+}
+
+TEST_CASE("fracture: a little more tension than the strength in all directions", "[A7.3][fracture]")
+{
+    // the eigenvalues are p + d, p and p - d: the largest along the diagonal of the shear
+    for (int axis = 0; axis < 3; ++axis)
+        for (int power = 1; power <= 44; ++power) {
+            CAPTURE(axis, power);
+            const int next = (axis + 1) % 3;
+            const double p = 0x1p20, d = std::ldexp(p, -power);
+            Matrix3d stress = p * Matrix3d::Identity();
+            stress(axis, next) = stress(next, axis) = d;
+            check_that(!crack_plane(stress, p + 1.5 * d), "the strength is not exceeded: no crack");
+            const std::optional<Vector3d> n = crack_plane(stress, p + 0.5 * d);
+            check_that(n.has_value(), "the strength is exceeded: a crack");
+            const Vector3d diagonal = (Vector3d::Unit(axis) + Vector3d::Unit(next)).normalized();
+            REQUIRE_THAT(std::abs(n->dot(diagonal)), IsClose(1.0, Rounding(64, std::exp2(power))));
+        }
+}
+
+TEST_CASE("fracture: the closest face of tiny and of huge tetrahedra", "[A7.4][fracture]")
+{
+    for (int power = -200; power <= 200; power += 10) {
+        CAPTURE(power);
+        std::array<Vector3d, 4> corners = corners_of(unit_tetrahedron(), 0);
+        for (Vector3d& x : corners)
+            x *= std::ldexp(1, power);
+        for (int axis = 0; axis < 3; ++axis) // the face opposite to corner 1 + axis is x = 0
+            REQUIRE_THAT(closest_face(corners, Vector3d::Unit(axis)), IsExactly(1 + axis));
+        REQUIRE_THAT(closest_face(corners, Vector3d(1, 1, 1).normalized()), IsExactly(0));
+    }
+}
+
+TEST_CASE("fracture: the closest face of a small tetrahedron far from the origin",
+          "[A7.4][fracture]")
+{
+    for (int distance = 0; distance <= 30; ++distance) {
+        CAPTURE(distance);
+        std::array<Vector3d, 4> corners = corners_of(unit_tetrahedron(), 0);
+        for (Vector3d& x : corners) // exact
+            x = 0x1p-10 * x + std::ldexp(1, distance) * Vector3d(1.25, -0.75, 1.5);
+        for (int axis = 0; axis < 3; ++axis)
+            REQUIRE_THAT(closest_face(corners, Vector3d::Unit(axis)), IsExactly(1 + axis));
+        REQUIRE_THAT(closest_face(corners, Vector3d(1, 1, 1).normalized()), IsExactly(0));
+    }
+}
+
 } // namespace rigor::testing::fracture_extremes_test

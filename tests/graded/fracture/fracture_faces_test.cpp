@@ -47,6 +47,15 @@ Faces random_faces(const TetrahedralMesh& mesh, Random& random, double chance)
     return result;
 }
 
+// The faces of several cracks.
+Faces joined(const std::vector<Faces>& cracks)
+{
+    Faces result;
+    for (const Faces& crack : cracks)
+        result.insert(result.end(), crack.begin(), crack.end());
+    return result;
+}
+
 Faces moved(const Faces& faces, const TetrahedralMesh& mesh, const Placed& at)
 {
     Faces result;
@@ -71,6 +80,22 @@ void check_definition(const TetrahedralMesh& mesh, const Faces& faces, const Spl
     }
     check_count(vertex_count(result.mesh), group_count(groups(4 * mesh.tetrahedra.size(), links)),
                 "vertices: corners have one in common only where faces hold them together");
+}
+
+// Four cracks that begin at one edge of a plate and end inside it.
+void check_star()
+{
+    const TetrahedralMesh wide = block(4, 4, 1);
+    const auto one = [](const Vector3d& x) { return x.x() == 2 && std::abs(x.y() - 2) <= 1; };
+    const auto other = [](const Vector3d& x) { return x.y() == 2 && std::abs(x.x() - 2) <= 1; };
+    const Faces star = joined({faces_where(wide, one), faces_where(wide, other)});
+    everywhere(wide, [&](const Placed& at) {
+        INFO("the ends of the edge in the middle are fourfold, and no other vertex is doubled");
+        const SplitMesh result = split(at.mesh, moved(star, wide, at));
+        check_count(vertex_count(result.mesh), vertex_count(wide) + 2 * 3, "vertices");
+        check_count(piece_count(result.mesh), 1, "pieces");
+        check_split(at.mesh, result);
+    });
 }
 
 } // namespace
@@ -112,6 +137,23 @@ TEST_CASE("fracture: a bar is cut across", "[A7.5][fracture]")
         check_count(piece_count(result.mesh), 2, "pieces");
         const double cube = std::pow(at.length, 3);
         check_piece_volumes(result.mesh, std::vector{cube, 2 * cube},
+                            Rounding(16, volume_scale(at.mesh)));
+        check_split(at.mesh, result);
+    });
+
+    // a cut in steps: what is on the plane of one step but not in the cut holds
+    const TetrahedralMesh wide = block(3, 2, 1);
+    const auto lower = [](const Vector3d& x) { return x.x() == 1 && x.y() <= 1; };
+    const auto middle = [](const Vector3d& x) { return x.y() == 1 && x.x() >= 1 && x.x() <= 2; };
+    const auto upper = [](const Vector3d& x) { return x.x() == 2 && x.y() >= 1; };
+    const Faces steps =
+        joined({faces_where(wide, lower), faces_where(wide, middle), faces_where(wide, upper)});
+    everywhere(wide, [&](const Placed& at) {
+        INFO("a cut in steps, whose pieces have equal volumes");
+        const SplitMesh result = split(at.mesh, moved(steps, wide, at));
+        check_count(vertex_count(result.mesh), vertex_count(wide) + 8, "vertices");
+        check_count(piece_count(result.mesh), 2, "pieces");
+        check_piece_volumes(result.mesh, std::vector<double>(2, 3 * std::pow(at.length, 3)),
                             Rounding(16, volume_scale(at.mesh)));
         check_split(at.mesh, result);
     });
@@ -162,16 +204,26 @@ TEST_CASE("fracture: the rim of a crack stays closed", "[A7.5][fracture]")
 TEST_CASE("fracture: cracks that cross make a vertex fourfold", "[A7.5][fracture]")
 {
     const TetrahedralMesh plate = block(2, 2, 1);
-    Faces faces = faces_where(plate, [](const Vector3d& x) { return x.x() == 1; });
-    const Faces other = faces_where(plate, [](const Vector3d& x) { return x.y() == 1; });
-    faces.insert(faces.end(), other.begin(), other.end());
+    const Faces across = faces_where(plate, [](const Vector3d& x) { return x.x() == 1; });
+    const Faces cross =
+        joined({across, faces_where(plate, [](const Vector3d& x) { return x.y() == 1; })});
+    const Faces branch = joined(
+        {across, faces_where(plate, [](const Vector3d& x) { return x.y() == 1 && x.x() <= 1; })});
     everywhere(plate, [&](const Placed& at) {
-        const SplitMesh result = split(at.mesh, moved(faces, plate, at));
-        check_count(vertex_count(result.mesh), 4 * 8, "vertices");
-        check_count(piece_count(result.mesh), 4, "pieces");
-        check_piece_volumes(result.mesh, std::vector<double>(4, std::pow(at.length, 3)),
-                            Rounding(16, volume_scale(at.mesh)));
+        const double cube = std::pow(at.length, 3);
+        const Tolerance rounding = Rounding(16, volume_scale(at.mesh));
+        const SplitMesh crossed = split(at.mesh, moved(cross, plate, at));
+        check_count(vertex_count(crossed.mesh), 4 * 8, "vertices");
+        check_count(piece_count(crossed.mesh), 4, "pieces");
+        check_piece_volumes(crossed.mesh, std::vector<double>(4, cube), rounding);
+
+        INFO("where a crack ends at another one, a vertex is threefold");
+        const SplitMesh branched = split(at.mesh, moved(branch, plate, at));
+        check_count(vertex_count(branched.mesh), 2 * 8 + 12, "vertices");
+        check_count(piece_count(branched.mesh), 3, "pieces");
+        check_piece_volumes(branched.mesh, std::vector{cube, cube, 2 * cube}, rounding);
     });
+    check_star();
 }
 
 TEST_CASE("fracture: a crack that turns a corner frees a quarter", "[A7.5][fracture]")

@@ -55,8 +55,8 @@ struct Side {
     double share = 0, from = 1e9, to = -1e9;
 };
 
-// The two largest pieces of a solid whose elements are not cut, from left to right.
-std::array<Side, 2> sides_of(const Trajectory& run, std::size_t index)
+// The pieces of a solid whose elements are not cut, the largest first.
+std::vector<Side> sides_by_share(const Trajectory& run, std::size_t index)
 {
     const SolidFrame &first = solid(run.frames.front(), index),
                      &last = solid(run.frames.back(), index);
@@ -94,9 +94,16 @@ std::array<Side, 2> sides_of(const Trajectory& run, std::size_t index)
     std::vector<Side> sorted;
     for (const auto& [label, side] : sides)
         sorted.push_back({side.share / whole, side.from, side.to});
-    check_that(sorted.size() >= 2, "the solid breaks into two pieces at least");
     std::sort(sorted.begin(), sorted.end(),
               [](const Side& a, const Side& b) { return a.share > b.share; });
+    return sorted;
+}
+
+// The two largest of these pieces, from left to right.
+std::array<Side, 2> sides_of(const Trajectory& run, std::size_t index)
+{
+    std::vector<Side> sorted = sides_by_share(run, index);
+    check_that(sorted.size() >= 2, "the solid breaks into two pieces at least");
     if (sorted[0].from > sorted[1].from) std::swap(sorted[0], sorted[1]);
     return {sorted[0], sorted[1]};
 }
@@ -165,7 +172,10 @@ TEST_CASE("fracture: a ball shatters a plate", "[A7.8][fracture]")
     // the number of pieces is chance
     const Trajectory run = run_scene("a7-fracture/shattered", {}, R"({"end": 0.08})");
     check_matter(run);
-    check_pieces(run, 0, 5, 500);
+    check_pieces(run, 0, 5, 250);
+    // The plate has 500 elements, and the ball is much smaller than it. Whatever the cracks do, a
+    // piece of many elements remains; a plate whose elements all part is dust.
+    check_at_least(sides_by_share(run, 0)[0].share, 0.1, "share of the largest piece");
 }
 
 TEST_CASE("fracture: a plate tears whatever becomes of its mesh", "[A7.8][fracture]")

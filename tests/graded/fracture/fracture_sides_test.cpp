@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace fracture_sides_test {
 
@@ -99,6 +100,48 @@ TEST_CASE("fracture: a center as near to the plane as can be told decides", "[A7
             check_piece_volumes(result.mesh, sorted(std::vector{off, volume(mesh) - off}),
                                 Rounding(64, 1));
         }
+}
+
+namespace {
+
+// An edge from y = -1 to y = 1 with a wedge of a tetrahedron at some of n angles around it, and a
+// ring of tetrahedra around each of its ends, up to y = 2 and down to y = -2. Vertex 4 + i is at
+// angle i. The tetrahedra of each vertex that has a wedge are connected through faces, but wedges
+// may have nothing but the edge in common.
+TetrahedralMesh wedges_around_edge(int n, const std::vector<int>& wedges)
+{
+    TetrahedralMesh mesh = {{{0, 1, 0}, {0, -1, 0}, {0, 2, 0}, {0, -2, 0}}, {}};
+    const auto rim = [n](int i) { return 4 + i % n; };
+    for (int i = 0; i < n; ++i) {
+        const double angle = 2 * std::numbers::pi * i / n;
+        mesh.vertices.push_back({std::cos(angle), 0, std::sin(angle)});
+        mesh.tetrahedra.push_back({2, 0, rim(i), rim(i + 1)});
+        mesh.tetrahedra.push_back({3, 1, rim(i), rim(i + 1)});
+    }
+    for (const int i : wedges)
+        mesh.tetrahedra.push_back({0, 1, rim(i), rim(i + 1)});
+    for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t)
+        if (volume(mesh, t) < 0) std::swap(mesh.tetrahedra[t][2], mesh.tetrahedra[t][3]);
+    return mesh;
+}
+
+} // namespace
+
+TEST_CASE("fracture: all tetrahedra of a cut edge are halved however they are connected",
+          "[A7.6][fracture]")
+{
+    const std::vector<int> some[] = {
+        {0, 2, 3, 5}, {0, 2, 4}, {1, 3, 5}, {0, 1, 3, 4}, {0, 1, 2, 3, 4, 5}};
+    for (const std::vector<int>& wedges : some) {
+        CAPTURE(wedges);
+        everywhere(wedges_around_edge(6, wedges), [&](const Placed& solid) {
+            const SplitMesh result =
+                split_element(solid.mesh, solid.vertex[4], solid.R * Vector3d::UnitY());
+            check_matter(solid.mesh, result);
+            INFO("the edge has vertex 4 beside it, and all of its wedges are halved");
+            check_count(tetrahedron_count(result.mesh), 12 + 2 * std::ssize(wedges), "tetrahedra");
+        });
+    }
 }
 
 TEST_CASE("fracture: a small component of the normal decides between two faces", "[A7.4][fracture]")

@@ -202,6 +202,17 @@ TEST_CASE("fracture: a crack that ends at a face does not open there", "[A7.7][f
     check_count(piece_count(result.mesh), 1, "pieces");
 }
 
+TEST_CASE("fracture: a copy without a share is joined like any other", "[A7.7][fracture]")
+{
+    // corner 1 lies on the plane and the others on the other side
+    const TetrahedralMesh mesh = two_tetrahedra();
+    const EmbeddedMesh result = embedded(mesh, {{0, mesh.vertices[1], {1, 0, 0}}});
+    check_count(result.parents.size(), 3, "copies");
+    check_count(vertex_count(result.mesh), 5 + 1, "vertices"); // only vertex 0 is doubled
+    check_count(piece_count(result.mesh), 1, "pieces");
+    check_shares(result, std::vector{1.0, 0.0, 1.0}, Rounding(16, 1));
+}
+
 TEST_CASE("fracture: a crack through both of two tetrahedra parts them", "[A7.7][fracture]")
 {
     const auto check = [](const Placed& at, double x) {

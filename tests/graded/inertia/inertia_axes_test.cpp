@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A2.4 and A2.5: principal axes, and the inverse of those moments that are not zero.
 #include "formulas/inertia.hpp"
+#include "graded/laws/tensor_patterns.hpp"
 #include "support/close.hpp"
 #include "support/random.hpp"
 #include "support/seeds.hpp"
@@ -55,6 +56,16 @@ TEST_CASE("inertia: principal axes of a diagonal tensor", "[A2.4][inertia]")
     REQUIRE_THAT(axes.moments, IsClose(Vector3d(1, 2, 3), Rounding(16, I.norm())));
     INFO("the first axis is y, up to its sign");
     REQUIRE_THAT(std::abs(axes.rotation(1, 0)), IsClose(1.0, Rounding(16, 1)));
+}
+
+TEST_CASE("inertia: principal axes of tensors of every structure", "[A2.4][inertia]")
+{
+    for (const Matrix3d& A : tensor_patterns())
+        for (const Matrix3d& I : {A, Matrix3d(A + 8 * Matrix3d::Identity())})
+            if (smallest_minor(I, 1) >= 0) { // exact: no moment is negative
+                CAPTURE(I);
+                require_principal_axes(principal_axes(I), I);
+            }
 }
 
 TEST_CASE("inertia: principal axes of a tensor with products", "[A2.4][inertia]")

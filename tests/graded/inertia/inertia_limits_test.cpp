@@ -33,6 +33,22 @@ TEST_CASE("inertia: the largest moment decides wherever it stands", "[A2.5][iner
     }
 }
 
+TEST_CASE("inertia: a moment just beside the threshold", "[A2.5][inertia]")
+{
+    // with a power of two, 1e-12 times the largest moment is exact
+    for (const int power : {-200, -1, 0, 1, 200})
+        for (int k = 1; k <= 48; ++k)
+            for (const double sign : {1.0, -1.0})
+                for (int i = 0; i < 3; ++i) {
+                    CAPTURE(power, k, sign, i);
+                    const double largest = std::exp2(power);
+                    Vector3d moments = Vector3d::Constant(largest);
+                    moments[i] = 1e-12 * largest * (1 + sign * std::exp2(-k));
+                    const double expected = sign > 0 ? 1 / moments[i] : 0;
+                    REQUIRE_THAT(invert_moments(moments)[i], IsClose(expected, Rounding(8)));
+                }
+}
+
 TEST_CASE("inertia: principal axes of a tensor that is nearly diagonal", "[A2.4][inertia]")
 {
     for (Random random : seeds(20))
@@ -69,4 +85,28 @@ TEST_CASE("inertia: a light part far away counts", "[A2.14][inertia]")
                 REQUIRE_THAT(both.inertia, IsClose(expected, Rounding(64, 2 + I.norm())));
             }
         }
+}
+
+TEST_CASE("inertia: a part of the union may have negative mass", "[A2.14][inertia]")
+{
+    // such as a hole. With the reduced mass m₁ m₂/(m₁ + m₂) at the distance d of the two
+    for (Random random : seeds(20))
+        for (const double first : {1.0, -1.0})
+            for (const double second : {2.0, 0.5, -0.5, -2.0}) {
+                const double m1 = first * random.mass(), m2 = second * m1;
+                CAPTURE(m1, m2);
+                const Vector3d x1 = random.vector(), x2 = random.vector(), d = x1 - x2;
+                const Matrix3d I1 = m1 * random.inertia(), I2 = m2 * random.inertia();
+                const double M = m1 + m2, reduced = m1 * m2 / M;
+                const Matrix3d expected =
+                    I1 + I2 +
+                    reduced * (d.squaredNorm() * Matrix3d::Identity() - d * d.transpose());
+                const MassProperties both = combine({m1, x1, I1}, {m2, x2, I2});
+                REQUIRE_THAT(both.mass, IsClose(M, Rounding(8)));
+                REQUIRE_THAT(both.center_of_mass,
+                             IsClose(Vector3d((m1 * x1 + m2 * x2) / M), Rounding(32, 16)));
+                const double largest = 64 * std::abs(m1); // the distances to X are at most 4 d
+                REQUIRE_THAT(both.inertia,
+                             IsClose(expected, Rounding(64, largest + I1.norm() + I2.norm())));
+            }
 }

@@ -275,3 +275,33 @@ TEST_CASE("inertia: an open mesh gives something finite", "[A2.13][inertia]")
                    "numbers that are finite, also for a mesh with a hole");
     }
 }
+
+TEST_CASE("inertia: a plate however thin has the mass of its volume", "[A2.13][inertia]")
+{
+    // the plate stands beside the origin, where the tetrahedra of a sum are as large as the box
+    for (int power = 1; power <= 40; ++power)
+        for (int axis = 0; axis < 3; ++axis) {
+            CAPTURE(power, axis);
+            const double thickness = std::ldexp(1, -power);
+            Vector3d size = Vector3d::Ones(), corner = Vector3d::Zero();
+            size[axis] = thickness;
+            corner[axis] = 1;
+            const MassProperties found = mesh_mass_properties(box(corner, size), 8);
+            REQUIRE_THAT(found.mass, IsClose(8 * thickness, Rounding(16, 8)));
+        }
+}
+
+TEST_CASE("inertia: a vertex that no triangle uses changes nothing", "[A2.13][inertia]")
+{
+    // It may move the point about which a sum is taken, but not far: that would cost digits.
+    for (const double distance : {1.0, 4.0}) {
+        CAPTURE(distance);
+        TriangleMesh mesh = box({0, 0, 0}, {1, 2, 4});
+        const MassProperties expected = mesh_mass_properties(mesh, 3);
+        mesh.vertices.emplace_back(distance, -distance, 2 * distance);
+        const MassProperties found = mesh_mass_properties(mesh, 3);
+        REQUIRE_THAT(found.mass, IsClose(expected.mass, Rounding(256)));
+        REQUIRE_THAT(found.center_of_mass, IsClose(expected.center_of_mass, Rounding(256)));
+        REQUIRE_THAT(found.inertia, IsClose(expected.inertia, Rounding(256)));
+    }
+}

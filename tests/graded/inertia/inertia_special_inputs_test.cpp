@@ -215,4 +215,16 @@ TEST_CASE("inertia: vertices on a line, on a plane, and very many", "[A2.17][ine
                  IsClose(Matrix3d(Vector3d(13, 10, 5).asDiagonal()), Rounding(16)));
 }
 
+TEST_CASE("inertia: a solid without density has its center at the origin", "[A2.13][inertia]")
+{
+    TriangleMesh mesh;
+    mesh.vertices = {{1, 1, 1}, {2, 1, 1}, {1, 2, 1}, {1, 1, 2}};
+    mesh.triangles = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
+    REQUIRE_THAT(mesh_mass_properties(mesh, 6).mass, IsClose(1.0, Rounding(64)));
+    const MassProperties none = mesh_mass_properties(mesh, 0);
+    REQUIRE_THAT(none.mass, IsExactly(0.0));
+    REQUIRE_THAT(none.center_of_mass, IsExactly(Vector3d(0, 0, 0)));
+    REQUIRE_THAT(none.inertia, IsExactly(Matrix3d(Matrix3d::Zero())));
+}
+
 } // namespace inertia_special_inputs_test

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A1: particles and forces at X itself, at the origin, and several at one place.
+// A1: particles and forces at X itself, at the origin, and several at one place; lists that are
+// empty after others that were not.
 #include "formulas/kinematics.hpp"
 #include "support/close.hpp"
 
@@ -54,6 +55,35 @@ TEST_CASE("kinematics: particles at one place, and one alone", "[A1.13][kinemati
         const Wrench wrench = inertial_wrench(particles, X, {0, 0, 0}, w);
         REQUIRE_THAT(wrench.force, IsClose(Vector3d(-3, 0, 0), Rounding(8)));
     }
+}
+
+TEST_CASE("kinematics: no particle has no mass, also after others", "[A1.7][kinematics]")
+{
+    const Vector3d X(1, 2, 3);
+    const Matrix6d some = generalized_mass({{2, {0, 0, 0}}, {3, {1, 0, 0}}}, X);
+    const Matrix3d mass = some.topLeftCorner<3, 3>();
+    REQUIRE_THAT(mass, IsClose(Matrix3d(5 * Matrix3d::Identity()), Rounding(8)));
+    REQUIRE_THAT(generalized_mass({}, X), IsExactly(Matrix6d(Matrix6d::Zero())));
+}
+
+TEST_CASE("kinematics: no force is no wrench, also after others", "[A1.8][kinematics]")
+{
+    const Vector3d X(1, 2, 3);
+    const Wrench some = net_wrench({{{1, 0, 0}, {0, 1, 0}}}, X);
+    REQUIRE_THAT(some.force, IsClose(Vector3d(1, 0, 0), Rounding(8)));
+    const Wrench none = net_wrench({}, X);
+    REQUIRE_THAT(none.force, IsExactly(Vector3d(0, 0, 0)));
+    REQUIRE_THAT(none.torque, IsExactly(Vector3d(0, 0, 0)));
+}
+
+TEST_CASE("kinematics: no particle needs no force, also after others", "[A1.13][kinematics]")
+{
+    const Vector3d X(0, 0, 0), V(1, 0, 0), w(0, 0, 1);
+    const Wrench some = inertial_wrench({{1, {1, 0, 0}}}, X, V, w);
+    REQUIRE_THAT(some.force, IsClose(Vector3d(-1, 0, 0), Rounding(8, 2)));
+    const Wrench none = inertial_wrench({}, X, V, w);
+    REQUIRE_THAT(none.force, IsExactly(Vector3d(0, 0, 0)));
+    REQUIRE_THAT(none.torque, IsExactly(Vector3d(0, 0, 0)));
 }
 
 } // namespace kinematics_special_inputs_test

@@ -103,4 +103,23 @@ TEST_CASE("kinematics: near the center of mass there is still a force", "[A1.13]
     }
 }
 
+TEST_CASE("kinematics: the modes of a particle that moves almost with the center change",
+          "[A1.12][kinematics]")
+{
+    for (Random random : seeds(5))
+        for (int power = 0; power <= 44; ++power) {
+            CAPTURE(power);
+            const Vector3d V = 16 * random.vector(),
+                           v = V + std::ldexp(16, -power) * random.vector();
+            const Matrix36d found = velocity_mode_rates(V, v);
+            REQUIRE_THAT(Matrix3d(found.leftCols<3>()), IsExactly(Matrix3d(Matrix3d::Zero())));
+            const Vector3d d = V - v;
+            Matrix3d expected;
+            expected << 0, -d.z(), d.y(), //
+                d.z(), 0, -d.x(),         //
+                -d.y(), d.x(), 0;
+            REQUIRE_THAT(Matrix3d(found.rightCols<3>()), IsExactly(expected));
+        }
+}
+
 } // namespace kinematics_strata_test

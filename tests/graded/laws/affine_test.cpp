@@ -118,8 +118,8 @@ Tolerance of_superposition(double scale)
 double largest_number(const Components& parts)
 {
     double largest = 0;
-    for (const Component& part : parts.numbers)
-        if (std::isfinite(part.value)) largest = std::max(largest, std::abs(part.value));
+    for (double number : parts.numbers)
+        if (std::isfinite(number)) largest = std::max(largest, std::abs(number));
     return largest;
 }
 

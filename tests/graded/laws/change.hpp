@@ -146,8 +146,10 @@ inline std::vector<double> comparable(const EmbeddedMesh& embedded)
 template <class T> Tolerance universal(const T& expected)
 {
     double largest = 1;
-    for (const Component& component : components(expected).numbers)
-        if (std::isfinite(component.scale)) largest = std::max(largest, component.scale);
+    const Components parts = components(expected);
+    for (std::size_t i = 0; i < parts.numbers.size(); ++i)
+        if (const double scale = parts.scale(i); std::isfinite(scale))
+            largest = std::max(largest, scale);
     return Rounding(1 << 20, largest);
 }
 

@@ -54,7 +54,7 @@ template <FormulaIndex f, auto& formula> void check_smoothness()
             auto far_change = at(T);
             each_pair(far_change, at(-T), of.result, false,
                       [](auto& a, const auto& b, const Quantity&) { a -= b; });
-            for (const double t : {0x1p-14, 0x1p-20, 0x1p-26, 0x1p-32, 0x1p-38}) {
+            for (const double t : {0x1p-14, 0x1p-20, 0x1p-26, 0x1p-32, 0x1p-38, 0x1p-42}) {
                 auto expected = at(-t);
                 each_pair(
                     expected, far_change, of.result, false,

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Special inputs of a formula, and inputs near them. Special inputs have entries that are zero or
 // equal, turn about an axis of the frame or by quarters of a turn, have a point straight above
-// another one, or repeat an argument. Random numbers almost never do.
+// another one, repeat an argument, or coincide with entries of others. Random numbers almost never
+// do.
 #pragma once
 
-#include "strata.hpp"
+#include "coincidences.hpp"
 
 #include <numbers>
 
@@ -48,8 +49,8 @@ inline Matrix3d matrix_of(const Quaternion& q)
 }
 
 /// A symmetric matrix. Two of its diagonal entries are equal, or all, or none, and any of the other
-/// entries, which are at most 0.1, are 0.
-inline Matrix3d special_symmetric(Vector3d diagonal, Random& random)
+/// entries, which are at most `beside`, are 0.
+inline Matrix3d special_symmetric(Vector3d diagonal, double beside, Random& random)
 {
     const int i = random_index(random, 5);
     if (i < 3) diagonal[i] = diagonal[(i + 1) % 3];
@@ -59,7 +60,7 @@ inline Matrix3d special_symmetric(Vector3d diagonal, Random& random)
     for (int k = 0; k < 3; ++k)
         if (!(zeros >> k & 1)) {
             const int next = (k + 1) % 3;
-            S(k, next) = S(next, k) = random.uniform(-0.1, 0.1);
+            S(k, next) = S(next, k) = beside * random.uniform(-1, 1);
         }
     return S;
 }
@@ -68,7 +69,7 @@ inline Matrix3d special_symmetric(Vector3d diagonal, Random& random)
 /// The eigenvalues lie between 0.6 and 1.2, so no moment is above the sum of the others.
 inline Matrix3d special_definite(Random& random)
 {
-    return special_symmetric(0.9 * Vector3d::Ones() + 0.1 * random.vector(), random);
+    return special_symmetric(0.9 * Vector3d::Ones() + 0.1 * random.vector(), 0.1, random);
 }
 
 /// Makes a number, vector or matrix special within its set.
@@ -94,7 +95,7 @@ template <class T> void make_special(T& value, const Quantity& q, Random& random
             Vector3d diagonal = value.diagonal();
             if (one_in(4, random)) diagonal[random_index(random, 3)] = 0;
             if (one_in(8, random)) diagonal.setZero();
-            value = special_symmetric(diagonal, random);
+            value = special_symmetric(diagonal, one_in(2, random) ? 0.1 : 1, random);
         } else if (q.kind == Kind::columns) { // near a rotation, so they do not depend
             Matrix3d change = 0.2 * value;
             make_entries_special(change, true, random);
@@ -236,6 +237,7 @@ template <FormulaIndex f, auto& formula> Arguments<formula> special_arguments(Ra
         align_points(arguments, random);
         align_with_axis(arguments, random);
         turn_by_quarters<f>(arguments, random);
+        if (one_in(3, random)) make_coincident(arguments, of, random);
     }
     return arguments;
 }

@@ -50,7 +50,8 @@ std::string units_in_words(const Arguments<formula>& arguments)
 {
     const FormulaQuantities& of = formula_quantities[static_cast<unsigned>(f)];
     const auto result = std::apply(formula, arguments);
-    const Components before = components(comparable(result));
+    const auto& plain = comparable(result);
+    const Components before = components(plain);
     const std::tuple<std::string, std::string, Dimension> units[] = {
         {"masses", "a mass", {2, 0, 0}},
         {"lengths", "a length", {0, 2, 0}},
@@ -67,13 +68,13 @@ std::string units_in_words(const Arguments<formula>& arguments)
             continue;
         }
         for (std::size_t i = 0; i < before.numbers.size(); ++i) {
-            const double old = before.numbers[i].value, should = wanted.numbers[i].value / old,
-                         is = found.numbers[i].value / old;
+            const double old = before.numbers[i], should = wanted.numbers[i] / old,
+                         is = found.numbers[i] / old;
             if (!(std::abs(old) > 1e-9) || std::abs(is - should) <= 1e-6 * std::abs(should))
                 continue;
             const double missing = std::log2(should / is) / 2;
             const bool is_power = std::abs(missing - std::round(missing)) < 1e-6;
-            const std::string& place = before.numbers[i].place;
+            const std::string place = component_name(plain, i);
             text += fmt::format("when all {} grow 4-fold, {} must {}; yours would {}: ", all,
                                 place.empty() ? "the result" : place, growth(should), growth(is));
             text += is_power ? fmt::format("{} to the power {:.0f} is missing; ", one, missing)
@@ -112,7 +113,7 @@ template <FormulaIndex f, auto& formula> void check_units()
         const auto& should = comparable(expected);
         const auto& is = comparable(found);
         const Tolerance tolerance = universal(should);
-        const bool is_wrong = compare(components(is), components(should), tolerance).any;
+        const bool is_wrong = compare(is, should, tolerance).kind != Difference::none;
         const std::string words = is_wrong ? units_in_words<f, formula>(arguments) : "";
         INFO(words);
         INFO(fmt::format("masses are 2^{} times as large, lengths 2^{}, times 2^{}", c.units.mass,

@@ -79,3 +79,15 @@ TEST_CASE("pipeline: energy is the same in every frame", "[A0.1][pipeline]")
         REQUIRE_THAT(turned, IsClose(E, Rounding(32, scale)));
     }
 }
+
+TEST_CASE("pipeline: energy of light and heavy, slow and fast bodies", "[A0.1][pipeline]")
+{
+    // M V² is a number, although the square of M V would be too large or too small for one
+    for (int power = -800; power <= 800; power += 100)
+        for (int speed = -100; speed <= 100; speed += 50) {
+            CAPTURE(power, speed);
+            const double M = std::ldexp(1, power), v = std::ldexp(1, speed);
+            REQUIRE_THAT(kinetic_energy(M, {v, 0, 0}, M * Matrix3d::Identity(), {0, v, 0}),
+                         IsClose(M * v * v, Rounding(8)));
+        }
+}

@@ -4,6 +4,8 @@
 #include "plasticity_cases.hpp"
 #include "support/seeds.hpp"
 
+#include <cmath>
+
 using namespace rigor;
 using namespace rigor::testing;
 
@@ -24,6 +26,23 @@ TEST_CASE("plasticity: a plastic strain keeps its trace", "[A6.8][plasticity]")
     }
 }
 
+TEST_CASE("plasticity: a large pressure changes nothing of the flow", "[A6.8][plasticity]")
+{
+    for (Random random : seeds(20)) {
+        const Matrix3d small = random_symmetric(random);
+        for (const double pressure : {-1e6, -1e5, -1e3, 1e3, 1e5, 1e6}) {
+            CAPTURE(pressure);
+            const Matrix3d stress = small + pressure * Matrix3d::Identity();
+            const Matrix3d s = small - small.trace() / 3 * Matrix3d::Identity();
+            const double mises = std::sqrt(1.5) * s.norm();
+            const Matrix3d expected = mises / 2 / 3 * std::sqrt(1.5) * s / s.norm();
+            // the entries of the stress are rounded at the size of the pressure
+            REQUIRE_THAT(plastic_flow(Matrix3d::Zero(), stress, mises / 2, 1),
+                         IsClose(expected, Rounding(64, stress.norm())));
+        }
+    }
+}
+
 TEST_CASE("plasticity: a stress that has just yielded flows by as little", "[A6.8][plasticity]")
 {
     for (Random random : seeds(20)) {
@@ -37,4 +56,25 @@ TEST_CASE("plasticity: a stress that has just yielded flows by as little", "[A6.
                          IsClose(expected, Rounding(64, stress.norm())));
         }
     }
+}
+
+TEST_CASE("plasticity: a small change of shape beside a large change of volume counts",
+          "[A6.6][plasticity]")
+{
+    // √(3/2) ‖dev ε‖ is √3 √(a² + b²). The sums p + a and p - a are exact, and dev ε is off by no
+    // more than the rounding of ε.
+    for (const double p : {-0.125, -0x1p-10, 0x1p-10, 0.125, 1.0, 64.0})
+        for (int power = 1; power <= 40; ++power)
+            for (const double share : {0.0, 0.5, 1.0}) {
+                CAPTURE(p, power, share);
+                const double a = std::ldexp(std::abs(p) * share, -power),
+                             b = std::ldexp(std::abs(p), -power);
+                Matrix3d strain = p * Matrix3d::Identity();
+                strain(0, 0) += a;
+                strain(2, 2) -= a;
+                strain(0, 1) = strain(1, 0) = b;
+                const double G = 5, expected = 2 * G * std::sqrt(3) * std::hypot(a, b);
+                REQUIRE_THAT(von_mises_from_strain(strain, G),
+                             IsClose(expected, Rounding(16, 2 * G * strain.norm())));
+            }
 }

@@ -133,4 +133,75 @@ TEST_CASE("rotation: the longest linear step makes a half turn", "[A3.12][rotati
     }
 }
 
+TEST_CASE("rotation: the exact update turns by a million radians", "[A3.11][rotation]")
+{
+    for (int axis = 0; axis < 3; ++axis)
+        for (int power = 0; power <= 30; ++power)
+            for (const double sign : {1.0, -1.0}) {
+                CAPTURE(axis, power, sign);
+                const double half = std::ldexp(0.75, power);
+                const Vector3d n = sign * Vector3d::Unit(axis);
+                const Quaternion expected{std::cos(half), std::sin(half) * n};
+                REQUIRE_THAT(advance_exact({1, {0, 0, 0}}, 3 * n, half / 1.5),
+                             IsClose(expected, Rounding(4, 1 + half)));
+            }
+}
+
+namespace {
+
+// A body with the inverse moments 1, 1 + d and 1 - d about the axes i, i + 1 and i + 2, which turns
+// about the latter two with L = a (0, 1, 1). Then ω = a (0, 1 + d, 1 - d), ω̇ = (-2 d a², 0, 0) and
+// ω̇ × ω = 2 d a³ (0, 1 - d, -1 - d).
+struct NearlyRound {
+    int i;
+    double a, d;
+
+    Vector3d along(double first, double second, double third) const
+    {
+        Vector3d v;
+        v[i] = first;
+        v[(i + 1) % 3] = second;
+        v[(i + 2) % 3] = third;
+        return v;
+    }
+    RigidState state() const { return {{0, 0, 0}, {1, {0, 0, 0}}, {0, 0, 0}, along(0, a, a)}; }
+    BodyInertia body() const { return {1, along(1, 1 + d, 1 - d).asDiagonal()}; }
+    Vector3d omega() const { return along(0, a * (1 + d), a * (1 - d)); }
+    Vector3d omega_dot() const { return along(-2 * d * a * a, 0, 0); }
+};
+
+template <class Check> void for_nearly_round(const Check& check)
+{
+    for (int axis = 0; axis < 3; ++axis)
+        for (int power = 4; power <= 44; power += 2)
+            for (const double sign : {1.0, -1.0}) {
+                CAPTURE(axis, power, sign);
+                check(NearlyRound{axis, 2, sign * std::ldexp(1, -power)}, 0.5);
+            }
+}
+
+} // namespace
+
+TEST_CASE("rotation: symplectic Euler of a body that is nearly round", "[A3.15][rotation]")
+{
+    for_nearly_round([](const NearlyRound& top, double h) {
+        const Vector3d turn = h / 2 * top.omega();
+        const double length = std::sqrt(1 + turn.squaredNorm());
+        const Quaternion expected{1 / length, turn / length};
+        REQUIRE_THAT(step_symplectic_euler(top.state(), top.body(), {}, h).orientation,
+                     IsClose(expected, Rounding(8, 1)));
+    });
+}
+
+TEST_CASE("rotation: Buss's step of a body that is nearly round", "[A3.16][rotation]")
+{
+    for_nearly_round([](const NearlyRound& top, double h) {
+        const Vector3d w = top.omega(), w_dot = top.omega_dot();
+        const Vector3d half = h / 2 * (w + h / 2 * w_dot + h * h / 12 * w_dot.cross(w));
+        const Quaternion expected{std::cos(half.norm()), std::sin(half.norm()) * half.normalized()};
+        REQUIRE_THAT(step_buss(top.state(), top.body(), {}, h).orientation,
+                     IsClose(expected, Rounding(8, 1)));
+    });
+}
+
 } // namespace rotation_extremes_test

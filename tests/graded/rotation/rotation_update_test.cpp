@@ -181,6 +181,18 @@ TEST_CASE("rotation: 10 rad take seven steps", "[A3.13][rotation]")
     REQUIRE_THAT(std::ceil(h / max_time_step(w)), IsExactly(7.0));
 }
 
+TEST_CASE("rotation: components that cancel are no rest", "[A3.13][rotation]")
+{
+    for (const double x : {-2, -1, 0, 1, 2})
+        for (const double y : {-2, -1, 0, 1, 2})
+            for (const double z : {-2, -1, 0, 1, 2}) {
+                const Vector3d w(x, y, z);
+                CAPTURE(w);
+                if (w.isZero(0)) continue;
+                REQUIRE_THAT(max_time_step(w) * w.norm(), IsClose(pi / 2, Rounding(8)));
+            }
+}
+
 TEST_CASE("rotation: a body at rest has no longest step", "[A3.13][rotation]")
 {
     const double infinity = std::numeric_limits<double>::infinity();

@@ -119,6 +119,7 @@ SplitMesh split_where(const TetrahedralMesh& mesh, IsCut is_cut, bool keeps_unus
 /// The rules of `split_element` (A7.6); each mistake changes one.
 struct ElementRules {
     bool halves_neighbours = true; // otherwise only tetrahedra at the vertex are split
+    bool halves_only_fan = false;  // those around a cut edge that faces connect to the vertex
     bool opens = true;             // otherwise the mesh is only refined
     bool opens_rim = false;        // separates each tetrahedron at the vertex from all others
     bool halves_in_the_middle = false;
@@ -163,6 +164,28 @@ inline std::map<int, double> heights_at(const ElementRules& rules, const Tetrahe
     return heights;
 }
 
+/// The tetrahedra that have the edge (a, b) and are connected to those that also have `vertex`,
+/// through faces that have the edge.
+inline std::set<std::size_t> fan_around(const std::vector<Tetrahedron>& tetrahedra, int a, int b,
+                                        int vertex)
+{
+    std::set<std::size_t> fan;
+    for (std::size_t before = 1; before != fan.size();) {
+        before = fan.size();
+        for (std::size_t i = 0; i < tetrahedra.size(); ++i) {
+            const Tetrahedron& t = tetrahedra[i];
+            const auto touches = [&](std::size_t other) {
+                return std::count_if(t.begin(), t.end(),
+                                     [&](int v) { return has(tetrahedra[other], v); }) == 3;
+            };
+            if (has(t, a) && has(t, b) &&
+                (has(t, vertex) || std::any_of(fan.begin(), fan.end(), touches)))
+                fan.insert(i);
+        }
+    }
+    return fan;
+}
+
 inline SplitMesh split_by(const ElementRules& rules, const TetrahedralMesh& mesh, int vertex,
                           const Vector3d& n)
 {
@@ -192,10 +215,13 @@ inline SplitMesh split_by(const ElementRules& rules, const TetrahedralMesh& mesh
         x.push_back((1 - t) * x[a] + t * x[b]);
         split.origins.push_back({a, b, t});
         heights[p] = 0;
+        std::set<std::size_t> fan;
+        if (rules.halves_only_fan) fan = fan_around(tetrahedra, a, b, vertex);
         for (std::size_t i = 0, count = tetrahedra.size(); i < count; ++i) {
             const Tetrahedron whole = tetrahedra[i];
             if (!has(whole, a) || !has(whole, b)) continue;
             if (!rules.halves_neighbours && !has(whole, vertex)) continue;
+            if (rules.halves_only_fan && !fan.contains(i)) continue;
             tetrahedra[i][corner_of(whole, b)] = p;
             tetrahedra.push_back(whole);
             tetrahedra.back()[corner_of(whole, a)] = p;

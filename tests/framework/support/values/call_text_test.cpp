@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Tests of how a call is written as C++.
-#include "support/call_text.hpp"
 #include "support/catch.hpp"
+#include "support/values/call_text.hpp"
 
 using namespace rigor;
 using namespace rigor::testing;

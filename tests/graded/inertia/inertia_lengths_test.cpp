@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+// A2.1, A2.11, A2.12, A2.13 and A2.17: lists of every length, and meshes whose indices need more
+// than 8 or 16 bits.
+#include "formulas/inertia.hpp"
+#include "graded/laws/lengths.hpp"
+#include "support/close.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace inertia_lengths_test {
+
+using namespace rigor;
+using namespace rigor::testing;
+
+namespace {
+
+// The beads and their mass properties.
+struct Beads {
+    std::vector<Particle> particles;
+    MassProperties all;
+    double size = 0; // Σ m x², the scale of rounding
+
+    explicit Beads(int n) : particles(beads(n))
+    {
+        if (n == 0) return;
+        double first = 0, inertia = 0;
+        for (const auto& [m, x] : particles) {
+            all.mass += m;
+            first += m * x.x();
+            size += m * x.squaredNorm();
+        }
+        all.center_of_mass.x() = first / all.mass;
+        for (const Particle& p : particles) {
+            const double d = p.position.x() - all.center_of_mass.x();
+            inertia += p.mass * d * d;
+        }
+        all.inertia.diagonal() = Vector3d(0, inertia, inertia);
+    }
+    std::vector<DensitySample> samples() const
+    {
+        std::vector<DensitySample> result;
+        for (const Particle& p : particles)
+            result.push_back({p.position, p.mass});
+        return result;
+    }
+    void check(const MassProperties& found) const
+    {
+        // a sum of n terms may be off by n eps of their magnitudes
+        const double terms = 16 + static_cast<double>(particles.size());
+        REQUIRE_THAT(found.mass, IsClose(all.mass, Rounding(terms)));
+        REQUIRE_THAT(found.center_of_mass, IsClose(all.center_of_mass, Rounding(terms)));
+        REQUIRE_THAT(found.inertia, IsClose(all.inertia, Rounding(terms, size)));
+    }
+};
+
+// A bipyramid over a regular polygon with n corners at the distance 1 from `center`, its tips 1
+// above and below it: 2 n triangles.
+TriangleMesh bipyramid(int n, const Vector3d& center)
+{
+    TriangleMesh mesh = {{center + Vector3d::UnitZ(), center - Vector3d::UnitZ()}, {}};
+    for (int i = 0; i < n; ++i) {
+        const double angle = 2 * std::numbers::pi * i / n;
+        mesh.vertices.push_back(center + Vector3d(std::cos(angle), std::sin(angle), 0));
+        const int here = 2 + i, next = 2 + (i + 1) % n;
+        mesh.triangles.push_back({0, here, next});
+        mesh.triangles.push_back({1, next, here});
+    }
+    return mesh;
+}
+
+} // namespace
+
+TEST_CASE("inertia: any number of particles", "[A2.1][inertia]")
+{
+    for (const int n : lengths(0, long_list)) {
+        CAPTURE(n);
+        const Beads beads(n);
+        beads.check(particle_mass_properties(beads.particles));
+    }
+}
+
+TEST_CASE("inertia: any number of cells", "[A2.11][inertia]")
+{
+    for (const int n : lengths(0, long_list)) {
+        CAPTURE(n);
+        const Beads beads(n);
+        beads.check(grid_mass_properties(beads.samples(), 1));
+    }
+}
+
+TEST_CASE("inertia: any number of samples", "[A2.12][inertia]")
+{
+    for (const int n : lengths(0, long_list)) {
+        CAPTURE(n);
+        const Beads beads(n);
+        beads.check(sampled_mass_properties(beads.samples(), n)); // a volume of 1 for each
+    }
+}
+
+TEST_CASE("inertia: a mesh with any number of triangles", "[A2.13][inertia]")
+{
+    const Vector3d center(0.5, -1, 0.25);
+    for (const int n : lengths(3, 65536)) {
+        CAPTURE(n);
+        const double angle = 2 * std::numbers::pi / n, area = n / 2.0 * std::sin(angle);
+        const MassProperties found = mesh_mass_properties(bipyramid(n, center), 3);
+        const double terms = 64 + 2.0 * n;
+        REQUIRE_THAT(found.mass, IsClose(2 * area, Rounding(terms, 16)));
+        REQUIRE_THAT(found.center_of_mass, IsClose(center, Rounding(terms, 16)));
+        // ∫ r² dA of the polygon is area (2 + cos angle)/6; the sections shrink towards the tips
+        const double along = 3 * 2 / 5.0 * area * (2 + std::cos(angle)) / 6;
+        REQUIRE_THAT(found.inertia(2, 2), IsClose(along, Rounding(terms, 32)));
+        REQUIRE_THAT(found.inertia(0, 1), IsClose(0.0, Rounding(terms, 32)));
+    }
+}
+
+TEST_CASE("inertia: a mesh whose indices need many bits", "[A2.13][inertia]")
+{
+    // A tetrahedron whose vertices have the same last 8 bits, two and two the same 16. The tip of a
+    // sum of tetrahedra may be at any of the vertices, so distances are up to 2.
+    for (const int first : {5, 250}) {
+        CAPTURE(first);
+        TriangleMesh mesh;
+        mesh.vertices.assign(wide + 2 * narrow, Vector3d(1, 1, 1)); // unused
+        const int v[4] = {first, first + narrow, first + wide, first + wide + narrow};
+        for (int i = 1; i < 4; ++i)
+            mesh.vertices[v[i]] = Vector3d::Unit(i - 1);
+        mesh.vertices[v[0]].setZero();
+        mesh.triangles = {
+            {v[0], v[2], v[1]}, {v[0], v[1], v[3]}, {v[1], v[2], v[3]}, {v[0], v[3], v[2]}};
+        const MassProperties found = mesh_mass_properties(mesh, 1);
+        REQUIRE_THAT(found.mass, IsClose(1 / 6.0, Rounding(64, 16)));
+        REQUIRE_THAT(found.center_of_mass, IsClose(Vector3d(0.25, 0.25, 0.25), Rounding(64, 16)));
+        REQUIRE_THAT(found.inertia(0, 1), IsClose(1 / 480.0, Rounding(64, 16)));
+    }
+}
+
+TEST_CASE("inertia: a box around any number of vertices", "[A2.17][inertia]")
+{
+    for (const int n : lengths(1, 65536)) {
+        CAPTURE(n);
+        std::vector<Vector3d> vertices(static_cast<std::size_t>(n), Vector3d(1, 2, 3));
+        vertices.front().x() = 5; // the extremes are first, last and in the middle of the list
+        vertices.back().x() = -4;
+        vertices.back().y() = 8;
+        vertices[n / 2].y() = -1;
+        vertices[n / 3].z() = 7;
+        vertices[n - 1 - n / 4].z() = -2;
+        Vector3d low = vertices[0], high = vertices[0];
+        for (const Vector3d& x : vertices) {
+            low = low.cwiseMin(x);
+            high = high.cwiseMax(x);
+        }
+        const Vector3d middle = (low + high) / 2, squares = (high - low).cwiseAbs2();
+        const MassProperties found = bounding_box_mass_properties(vertices, 12);
+        REQUIRE_THAT(found.center_of_mass, IsClose(middle, Rounding(8, 8)));
+        const Matrix3d I = squares.sum() * Matrix3d::Identity() - Matrix3d(squares.asDiagonal());
+        REQUIRE_THAT(found.inertia, IsClose(I, Rounding(16, squares.sum() + 1)));
+    }
+}
+
+} // namespace inertia_lengths_test

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// The lengths of lists that a test gives a formula: every short one, and those around the sizes of
+// blocks and around the largest indices of 8 and 16 bits. A loop that takes several elements at a
+// time is wrong for some lengths alone, and an index that is too narrow for long lists alone.
+#pragma once
+
+#include "formulas/types.hpp"
+
+#include <vector>
+
+namespace rigor::testing {
+
+constexpr int narrow = 0x100, wide = 0x10000; // how many indices 8 and 16 bits have
+constexpr int long_list = 1'000'100;          // more than any round number that seems enough
+
+/// The lengths from `least` on, up to about `most`.
+inline std::vector<int> lengths(int least, int most)
+{
+    std::vector<int> result;
+    for (int n = least; n <= 140; ++n)
+        result.push_back(n);
+    for (const int size : {256, 512, 1000, 1024, 2048, 4096, 65536})
+        for (int n = size - 1; n <= size + 1; ++n)
+            if (size <= most) result.push_back(n);
+    if (long_list <= most) result.push_back(long_list);
+    return result;
+}
+
+/// Masses on the x axis. The numbers are small integers, so that Σ m, Σ m x and Σ m x² are exact.
+inline std::vector<Particle> beads(int n)
+{
+    std::vector<Particle> result;
+    for (int i = 0; i < n; ++i)
+        result.push_back({1.0 + i % 7, {1.0 + i % 11, 0, 0}});
+    return result;
+}
+
+} // namespace rigor::testing

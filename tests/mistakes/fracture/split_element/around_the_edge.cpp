@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// All tetrahedra of a cut edge are halved, also those that no chain of faces around it reaches.
+#include "mistakes/fracture/cutting.hpp"
+
+namespace rigor {
+
+SplitMesh split_element(const TetrahedralMesh& mesh, int vertex, const Vector3d& normal)
+{
+    cutting::ElementRules rules;
+    rules.halves_only_fan = true;
+    return cutting::split_by(rules, mesh, vertex, normal);
+}
+
+} // namespace rigor
