@@ -82,7 +82,7 @@ bool is_item(const std::string& line)
 }
 
 // Whether a line begins a list and so ends the paragraph before it. A line of a paragraph may begin
-// with the last number of a sentence, such as "3. ", so a numbered list must begin with "1. ".
+// with the last number of a sentence, such as "3. ", so only "1. " begins a numbered list.
 bool begins_list(const std::string& line)
 {
     return line.starts_with("- ") || line.starts_with("1. ");

@@ -264,7 +264,7 @@ private:
         if (word == "mathrel") return assignment();
         if (word == "left" || word == "right") {
             skip_space();
-            std::string bracket = atom(); // to become as high as the formula beside it
+            std::string bracket = atom(); // is made as high as the formula beside it
             if (const std::size_t found = bracket.find(not_stretched); found != std::string::npos)
                 bracket.erase(found, not_stretched.size());
             return bracket;

@@ -164,7 +164,8 @@ Drawing sweeps()
         660, 380);
     const Stack ten = stack(10);
     drawing.place({90, 75}, 1);
-    // The scale is logarithmic down to 1e-3; zero lies below a break of the axis.
+    // The scale is logarithmic down to 1e-3. Smaller values are drawn as 0, below a break of the
+    // axis.
     const double least = 1e-3;
     const auto at = [&](double n, double v) {
         return Vector2d(n * 2.6, v < least ? -245 : std::log10(v) * 65);

@@ -42,7 +42,8 @@ text.green { fill: #56d364 } text.red { fill: #ff7b72 }
 
 constexpr double head_length = 11, head_width = 4.5; // an arrow's head [px]
 
-// The text as markup, with "x_{r}" as an x with the subscript r, and a minus sign before a number.
+// The text as markup: "x_{r}" becomes an x with the subscript r, and "-" before a number becomes a
+// minus sign.
 std::string markup(const std::string& text)
 {
     static const std::regex minus(R"((^|[ (])-(\d))"), subscript(R"(_\{([^}]*)\}([^_]*))");

@@ -118,7 +118,7 @@ Drawing stretched()
         total(0, 0) = e;
         plastic = plastic_flow(plastic, isotropic_stress(total - plastic, lambda, G), sigma_Y, G);
         held.push_back(at(e, isotropic_stress(total - plastic, lambda, G)(0, 0)));
-        // in one dimension the stress is E times the elastic strain, at most σ_Y
+        // in one dimension the stress is E times the elastic strain, and at most σ_Y in size
         free_plastic = std::clamp(free_plastic, e - sigma_Y / E, e + sigma_Y / E);
         free_width.push_back(at(e, E * (e - free_plastic)));
     }

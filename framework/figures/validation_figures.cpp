@@ -20,13 +20,13 @@ bool equal(double a, double b)
     return std::abs(a - b) <= 1e-12 * std::max(std::abs(a), std::abs(b));
 }
 
-// 1 kg at 2 m/s has 2 J.
+// A law that E has to keep, a case computed by hand: 1 kg at 2 m/s has 2 J.
 bool keeps_case_by_hand(Energy E)
 {
     return equal(E(1, {2, 0, 0}), 2);
 }
 
-// E(m, Q v) = E(m, v)
+// The law that a rotation Q of the velocity does not change the energy: E(m, Q v) = E(m, v).
 bool keeps_turning(Energy E)
 {
     const Vector3d v(0.3, -1.2, 0.5);
@@ -34,14 +34,14 @@ bool keeps_turning(Energy E)
     return equal(E(3, Q * v), E(3, v));
 }
 
-// E(m₁ + m₂, v) = E(m₁, v) + E(m₂, v)
+// The law that the energies of two masses add up: E(m₁ + m₂, v) = E(m₁, v) + E(m₂, v).
 bool keeps_sum(Energy E)
 {
     const Vector3d v(0.3, -1.2, 0.5);
     return equal(E(5, v), E(2, v) + E(3, v));
 }
 
-// If one unit changes, the energy changes as its unit kg m²/s² does.
+// The law of units: if the unit of mass or of speed changes, E changes as its unit kg m²/s² does.
 bool keeps_units(Energy E)
 {
     const Vector3d v(0.3, -1.2, 0.5);

@@ -2,8 +2,8 @@
 // The surface of a deforming solid as triangles to draw. The points of the surface are embedded in
 // the tetrahedra and move with their nodes. An edge is sharp if the normals of its two triangles
 // differ by more than 30 degrees, or if only one of them was opened by a crack. The normal at a
-// corner is the mean of the normals of the triangles there that have no sharp edge with its
-// triangle, weighted by their angles at the corner.
+// corner of a triangle is the mean of the normals of all triangles at this corner, weighted by
+// their angles there. Left out are triangles whose edge with this triangle would be sharp.
 #include "render/deformed_surfaces.hpp"
 
 #include "deformable/surface/surface.hpp"
@@ -144,8 +144,8 @@ double DeformedSurface::angle(int triangle, int corner) const
     return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
-// The mean of the normals of all triangles around the corner that have no sharp edge with this
-// triangle, weighted by their angles at the corner.
+// The mean of the normals of all triangles around the corner, weighted by their angles there. Left
+// out are triangles whose edge with this triangle would be sharp.
 Vector3d DeformedSurface::normal(int triangle, int corner) const
 {
     const int point = triangles_[triangle].points[corner];

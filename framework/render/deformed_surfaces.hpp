@@ -10,8 +10,9 @@
 
 namespace rigor {
 
-/// The triangles of a solid's surface in this frame: smooth where it bends by less than 30 degrees,
-/// with edges where it bends by more and around surfaces that a crack opened.
+/// Appends the triangles of a solid's surface in this frame. The surface is smooth where it bends
+/// by less than 30 degrees, with edges where it bends by more and around surfaces that a crack
+/// opened.
 ///
 /// @param color  a function that returns the color of a corner, from the corner's triangle and the
 ///               index of its point

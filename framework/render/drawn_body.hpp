@@ -13,11 +13,13 @@ namespace rigor {
 struct DrawnBody {
     std::string name;
     bool is_static = false;
-    std::vector<Part> parts; // relative to the center of mass
-    // For each part, its index in `Picture::models`; -1 if the part is a box, a ball or a plane.
+    std::vector<Part> parts;                    // relative to the center of mass
+    Vector3d center_of_mass = Vector3d::Zero(); // in the body's frame of the scene file [m]
+    // For each part, its index in `Picture::models`; -1 for a box, a ball, an ellipsoid or a plane.
     std::vector<int> models;
-    Matrix3d inverse_inertia = Matrix3d::Zero(); // I_body⁻¹ [1/(kg m²)]
-    double mass = 0, mean_inertia = 0;           // [kg], [kg m²]
+    // I_body⁻¹ [1/(kg m²)]; it is zero along an axis about which the body has no inertia.
+    Matrix3d inverse_inertia = Matrix3d::Zero();
+    double mass = 0, mean_inertia = 0; // [kg], [kg m²]
     // Radius of a ball around the center of mass that contains all parts but planes [m].
     double radius = 0;
     Vector4f color;

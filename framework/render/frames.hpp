@@ -20,7 +20,8 @@ struct FrameOptions {
     bool video = false; // whether ffmpeg makes the video out.mp4 as well
     double frames_per_second = 30;
     std::size_t expected = 0; // number of frames that will come, for `progress`; 0 if unknown
-    /// Called after each file, from one thread at a time; must not throw.
+    /// Called after each file, from one thread at a time. If it throws, the run ends with this
+    /// error.
     std::function<void(std::size_t done, std::size_t expected)> progress;
 };
 

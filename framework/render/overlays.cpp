@@ -90,14 +90,15 @@ void add_contacts(Picture& picture, const Frame& frame, const std::vector<DrawnB
     }
 }
 
-void add_springs(Picture& picture, const Frame& frame, const std::vector<Spring>& springs,
-                 float thickness)
+void add_springs(Picture& picture, const Frame& frame, const std::vector<DrawnBody>& bodies,
+                 const std::vector<Spring>& springs, float thickness)
 {
     constexpr int turns = 9, corners = 10 * turns;
     const auto end = [&](int body, const Vector3d& point) -> Vector3d {
         if (body < 0 || body >= static_cast<int>(frame.bodies.size())) return point;
         const RigidState& state = frame.bodies[body];
-        return state.position + rotation_matrix(state.orientation) * point;
+        return state.position +
+               rotation_matrix(state.orientation) * (point - bodies[body].center_of_mass);
     };
     for (const Spring& spring : springs) {
         const Vector3d from = end(spring.body1, spring.point1),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is drawn besides the bodies. `thickness` is the radius of a rod [m].
+// Adds to a picture what is drawn besides the bodies. `thickness` is the radius of a rod [m].
 #pragma once
 
 #include "render/drawn_body.hpp"
@@ -20,8 +20,8 @@ void add_contacts(Picture& picture, const Frame& frame, const std::vector<DrawnB
                   float thickness);
 
 /// Each spring as a coil with a fixed number of turns.
-void add_springs(Picture& picture, const Frame& frame, const std::vector<Spring>& springs,
-                 float thickness);
+void add_springs(Picture& picture, const Frame& frame, const std::vector<DrawnBody>& bodies,
+                 const std::vector<Spring>& springs, float thickness);
 
 /// The name of the scene and the time [s].
 void add_title(Picture& picture, const std::string& scene, double time);
@@ -29,7 +29,8 @@ void add_title(Picture& picture, const std::string& scene, double time);
 /// A legend for the colors of arrows and dots.
 void add_legend(Picture& picture, const Overlays& overlays);
 
-/// The names of bodies and solids above them.
+/// The names of bodies and solids. A name is above its body or solid; a static body has it at its
+/// middle.
 void add_names(Picture& picture, const Frame& frame, const std::vector<DrawnBody>& bodies,
                const std::vector<SolidDescription>& solids, float thickness);
 

@@ -16,7 +16,8 @@ using Eigen::Vector3f;
 using Eigen::Vector4f;
 
 /// A unit solid at its place in the scene: its point p goes to axes p + position. The columns of
-/// `axes` are orthogonal; their lengths are half the edges of a box, or the semi-axes of a ball.
+/// `axes` are orthogonal. Their lengths scale the solid: for example, they are half the edges of a
+/// box, or the semi-axes of a ball.
 struct Instance {
     Matrix3f axes = Matrix3f::Identity();
     Vector3f position = Vector3f::Zero(); // [m]
@@ -68,7 +69,7 @@ struct ColorScale {
     std::vector<Tick> ticks;
 };
 
-/// A plane through `position` with a grid of lines. Its normal is the y axis.
+/// A plane through `position` with a grid of lines. Its normal is the y axis (column 1) of `axes`.
 struct Ground {
     Matrix3f axes = Matrix3f::Identity(); // a rotation
     Vector3f position = Vector3f::Zero(); // [m]
@@ -97,7 +98,7 @@ struct Picture {
     std::vector<DeformedVertex> deformed;       // corners of triangles of solids; cast shadows
     std::vector<DeformedVertex> ghost_deformed; // translucent
     // Overlays: cylinders and cones from the base at z = 0 to the tip at z = 1, and small balls.
-    // Where a body hides an overlay, the overlay has its opacity; elsewhere it is opaque.
+    // An overlay is opaque, except where a body hides it: there it has the opacity of its color.
     std::vector<Instance> rods, cones, dots;
     std::vector<Ground> grounds;
     std::vector<Text> texts;

@@ -116,8 +116,8 @@ std::vector<std::uint8_t> png_bytes(const Image& image)
         rgb[3 * i + 1] = image.rgba[4 * i + 1];
         rgb[3 * i + 2] = image.rgba[4 * i + 2];
     }
-    // stb keeps this setting in a global variable. Every thread writes the same value
-    // before it is read.
+    // stb keeps this setting in a global variable. Only the first thread that comes here writes it,
+    // and the other threads wait until it is written.
     static const bool no_filter = [] {
         stbi_write_force_png_filter = 0;
         return true;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Drawing off screen. OpenGL is in modules that are loaded when the first picture is drawn. So a
+// Drawing off screen. OpenGL is in modules that are loaded when the first renderer is made. So a
 // command that draws nothing does not spend 27 ms of its start on loading OpenGL.
 #pragma once
 
@@ -12,8 +12,8 @@
 namespace rigor {
 
 /// Draws pictures of one size. The same picture gives the same bits, whatever was drawn before and
-/// however many threads draw. A renderer must be used by one thread only; several renderers may
-/// exist.
+/// however many threads draw. Each thread that draws needs a renderer of its own, since an OpenGL
+/// context belongs to one thread.
 class Renderer {
 public:
     Renderer() = default;
@@ -40,7 +40,7 @@ Gl gl_from_text(const std::string& text);
 
 struct OpenRenderer {
     std::unique_ptr<Renderer> renderer;
-    std::string notice; // one line to show if `gl` could not be used, otherwise empty
+    std::string notice; // one line to show if the wanted library failed, otherwise empty
 };
 
 /// A renderer for this size [pixels], made with `gl` or, if that fails, with the other library.

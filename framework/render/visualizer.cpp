@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Makes pictures from the states of a scene. What stays the same in a run, such as colors,
 // surfaces, camera and ground, is made once; each frame then places the bodies, the deformable
-// solids and the overlays. A comparison adds the bodies of a second run that lie apart as ghosts.
+// solids and the overlays. A comparison also draws, as ghosts, the bodies and solids of a second
+// run that lie apart from those of the first.
 #include "render/visualizer.hpp"
 
 #include "errors/input_error.hpp"
@@ -102,6 +103,7 @@ void Visualizer::add_body(const BodyDescription& described, const RecordedBody& 
     body.name = described.name;
     body.is_static = recorded.is_static;
     body.parts = described.parts;
+    body.center_of_mass = recorded.center_of_mass;
     part_planes(body.parts);
     for (Part& part : body.parts) {
         part.position -= recorded.center_of_mass;
@@ -112,7 +114,7 @@ void Visualizer::add_body(const BodyDescription& described, const RecordedBody& 
     if (!body.is_static) {
         body.color = colors::palette(moving_count(bodies_));
         body.mass = recorded.mass;
-        body.inverse_inertia = recorded.inertia.inverse();
+        body.inverse_inertia = recorded.inertia.completeOrthogonalDecomposition().pseudoInverse();
         body.mean_inertia = recorded.inertia.trace() / 3;
     }
     if (described.color)
@@ -122,8 +124,8 @@ void Visualizer::add_body(const BodyDescription& described, const RecordedBody& 
 
 namespace {
 
-// The key of a surface: the kind and the sizes of a round shape, or the mesh. A box, ball or plane
-// has no key.
+// The key of a surface: the kind and the sizes of a round shape, or the mesh. A box, ball,
+// ellipsoid or plane has no key.
 struct SurfaceKeyOf {
     using Key = std::optional<SurfaceKey>;
     Key operator()(const Capsule& c) const { return SurfaceKey(nullptr, {1, c.radius, c.height}); }
@@ -196,7 +198,7 @@ Picture Visualizer::picture(const Frame& frame) const
         add_arrows(picture, bodies_[i], frame.bodies[i], overlays_, thickness_);
     }
     if (!frame.solids.empty()) solids_.draw(picture, frame);
-    add_springs(picture, frame, scene_.springs, thickness_);
+    add_springs(picture, frame, bodies_, scene_.springs, thickness_);
     if (overlays_.contacts) add_contacts(picture, frame, bodies_, thickness_);
     if (overlays_.axes || overlays_.angular_velocity || overlays_.angular_momentum ||
         overlays_.contacts || overlays_.labels)
@@ -221,7 +223,7 @@ bool lies_apart(const DrawnBody& body, const RigidState& state1, const RigidStat
 Picture Visualizer::comparison(const Frame& frame, const Frame& other, const std::string& name,
                                const std::string& other_name) const
 {
-    empty_picture(other); // only checks that `other` has the same bodies
+    empty_picture(other); // only checks the numbers of bodies and solids of `other`
     Picture result = picture(frame);
     std::size_t apart = 0;
     for (std::size_t i = 0; i < bodies_.size(); ++i) {

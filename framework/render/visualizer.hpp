@@ -22,15 +22,15 @@ using SurfaceKey = std::pair<const SolidMesh*, std::array<double, 3>>;
 /// each other in the scene have colors that the color-blind can tell apart too.
 class Visualizer {
 public:
-    /// @throws InputError if scene and record do not have the same bodies
+    /// @throws InputError if scene and record do not have the same number of bodies
     Visualizer(const Scene& scene, const std::vector<RecordedBody>& bodies,
                const Overlays& overlays);
 
     Picture picture(const Frame& frame) const;
 
-    /// Two runs of the scene at one time in one picture: `frame` as usual, and as ghosts those
-    /// bodies of `other` that lie apart from `frame`, each with a line between its two centers. The
-    /// legend names both runs.
+    /// Two runs of the scene at one time in one picture: `frame` as `picture` draws it, and as
+    /// ghosts those bodies and solids of `other` that lie apart from it. A line joins the two
+    /// centers of such a body. The legend names both runs.
     Picture comparison(const Frame& frame, const Frame& other, const std::string& name,
                        const std::string& other_name) const;
 

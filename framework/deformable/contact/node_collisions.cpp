@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Applies impulses and position correction at the contacts of nodes, one contact after the other.
 // The impulse is `collision_impulse` of assignment A4, between the node as a point mass and the
-// rigid body. The position correction is the same as for a single contact of rigid bodies: it
-// removes a part of the penetration without a change of velocities (Catto 2009).
+// rigid body. The position correction is like that of rigid bodies (position_correction.hpp), but
+// without a slop, and only the node moves. It removes a part of the penetration without a change of
+// velocities (Catto 2014).
 #include "deformable/contact/node_collisions.hpp"
 
 #include "formulas/collision.hpp"

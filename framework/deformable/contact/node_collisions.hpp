@@ -7,11 +7,16 @@
 namespace rigor {
 
 /// Applies a collision impulse to each node that would be inside a body after `time_step`, and the
-/// opposite impulse to the body: `collision_impulse` with K = δ/m + K_b, where δ is the unit
-/// matrix, m the mass of the node and K_b the `impulse_matrix` of the body. A substep of explicit
-/// integration calls this function twice: before the forces with restitution, and after them
-/// without. An implicit step calls it once, with restitution. Without restitution, a node may still
-/// close its gap within the substep.
+/// opposite impulse to the body. It is `collision_impulse` with K = δ/m + K_b, where δ is the unit
+/// matrix, m the mass of the node (infinite if a handle holds it) and K_b the `impulse_matrix` of
+/// the body.
+///
+///   * With restitution, only contacts that rebound get an impulse. A contact does not rebound if
+///     its restitution is 0, or if gravity would stop the rebound within two time steps.
+///   * Without restitution, a node may still close its gap within the time step.
+///
+/// A substep of explicit integration calls this function twice: before the forces with restitution,
+/// and after them without. An implicit step calls it once, with restitution.
 void collide_nodes(Deformable& solid, const std::vector<char>& is_held,
                    const NodeContacts& contacts, RigidColliders& rigid, double time_step,
                    bool with_restitution, Counters& counters);
@@ -19,8 +24,8 @@ void collide_nodes(Deformable& solid, const std::vector<char>& is_held,
 /// Position correction: moves nodes that are inside rigid bodies and that no handle holds outwards,
 /// without changing velocities.
 ///
-/// @param step_share  length of the substep divided by that of the step; in a whole step, a fifth
-///                    of the penetration is removed
+/// @param step_share  length of the substep divided by that of the step; a whole step removes about
+///                    a fifth of the penetration
 /// @param farthest    the largest correction of a node [m]
 void correct_node_positions(Deformable& solid, const std::vector<char>& is_held,
                             const NodeContacts& contacts, double step_share, double farthest);

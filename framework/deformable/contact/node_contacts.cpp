@@ -22,15 +22,15 @@ Bounds bounds_of_nodes(const Deformable& solid)
     return bounds;
 }
 
-// An upper bound of the distance by which a node may approach a body within a step [m].
+// An estimate of the largest distance by which a node can approach a body within a step [m].
 double reach_of(const Deformable& solid, const Body& body, double radius, const Vector3d& gravity,
                 double time_step)
 {
-    // A factor that enlarges this bound, because nodes may get faster within the step. Chosen by
+    // This factor enlarges the result, because nodes may get faster within the step. Chosen by
     // trial.
     constexpr double for_acceleration = 1.5;
-    // A plane has an infinite bounding radius. A radius above this one [m] counts as infinite; a
-    // body with a plane does not rotate.
+    // A plane has an infinite bounding radius. Above this radius [m] the rotation of the body is
+    // left out: a body with a plane does not rotate.
     constexpr double unbounded = 1e9;
     double speed = 0;
     for (const Vector3d& v : solid.velocities)

@@ -19,7 +19,8 @@ struct NodeContact {
 
 class NodeContacts {
 public:
-    /// Finds the nodes that may reach a body within a step.
+    /// Finds the nodes on the surface of the solid (`is_surface`) that may reach a body within a
+    /// step.
     void find(const Deformable& solid, const std::vector<char>& is_surface,
               const RigidColliders& rigid, double time_step, Counters& counters);
     /// Recomputes the gaps and normals of all contacts, for the current positions of nodes and

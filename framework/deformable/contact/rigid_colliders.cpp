@@ -64,10 +64,11 @@ void RigidColliders::apply_to(World& to, double time_step) const
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         if (!is_pushed[i]) continue;
         if (to.bodies[i].rest.is_asleep()) wake(to, {static_cast<int>(i)});
-        // A body that only nodes carry has to move with its velocity at the end of the step, by
-        // h V + h² g. The step of the rigid bodies will move it by h V + ½ h² g if the integrator
-        // follows a parabola, and by h V + h² g if it is symplectic Euler. The difference is added
-        // here.
+        // The nodes move with their velocities at the end of the step. A body that only nodes carry
+        // has to move in the same way, so that it stays on them: by h V + h² g, with the velocity V
+        // after the impulses. The step of the rigid bodies will move it by h V + ½ h² g if the
+        // integrator follows a parabola, and by h V + h² g if it is symplectic Euler. The
+        // difference is added here.
         const double lacks = 1 - fall_in_step(to.settings.integrator);
         if (!is_supported[i])
             to.bodies[i].state.position += lacks * time_step * time_step * to.settings.gravity;

@@ -16,8 +16,8 @@ struct RigidColliders {
     /// Moves the surfaces with the velocities of their bodies for a substep of this length [s].
     void advance(double time_step);
     /// Writes the velocities after the impulses to the world, and wakes the bodies that got an
-    /// impulse. A body that only nodes carry is also moved, by what its integrator will leave
-    /// out of the fall h² g.
+    /// impulse. A body that only nodes carry has to fall by h² g in a step; the part of this fall
+    /// that the integrator of the rigid bodies leaves out is added to its position.
     void apply_to(World& to, double time_step) const;
     void push(int body, const Vector3d& point, const Vector3d& impulse);
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The polar decomposition in closed form, for one matrix or several at once.
 //
-// Of all rotations R, the one in F = R S makes Tr(Rᵀ F) largest, namely Tr S =: s. With the
-// singular values s₁ ≥ s₂ ≥ |s₃| of F (s₃ < 0 where F is inverted), s = s₁ + s₂ + s₃ is the largest
-// root of
+// Of all rotations R, the one in F = R S makes Tr(Rᵀ F) largest, namely s = Tr S. With the singular
+// values s₁ ≥ s₂ ≥ |s₃| of F (s₃ < 0 where F is inverted), s = s₁ + s₂ + s₃ is the largest root of
 //
 //     p(s) = s⁴ - 2 ‖F‖² s² - 8 det F s + ‖F‖⁴ - 4 ‖cof F‖²
 //
@@ -73,7 +72,7 @@ template <class Number>
     return P;
 }
 
-/// R and s = Tr S of F = R S, with two numbers that tell how accurate they are.
+/// R and s = Tr S of F = R S, with two numbers that tell how accurate R and s are.
 template <class Number> struct ClosedPolar {
     Square3<Number> R;
     Number s;            // Tr S

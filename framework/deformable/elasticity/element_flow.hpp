@@ -16,15 +16,16 @@ namespace rigor {
 /// return, a = 1 - θ, n = √θ m and k = 0. The shear stiffness is then 2 G θ for strains
 /// perpendicular to m, and 0 for strains along m: the consistent tangent (Simo and Taylor 1985,
 /// "Consistent tangent operators for rate-independent elastoplasticity"). If the plastic strain has
-/// reached its limit, k is the direction of the plastic strain, and n is perpendicular to k. All
-/// tensors are in the element's rest space.
+/// reached its limit, only a part of it is kept (flow.hpp). Then a and n are smaller, k is the
+/// direction of the plastic strain, and n is perpendicular to k. All tensors are in the element's
+/// rest space.
 struct ElementFlow {
     int element = 0;
-    double softened = 0;                // a, 0 … 1
-    Matrix3d along = Matrix3d::Zero();  // n, Tr n = 0
-    Matrix3d kept = Matrix3d::Zero();   // k, Tr k = 0
-    Matrix3d stress = Matrix3d::Zero(); // P, which makes the reduction exact at the guess [Pa]
-    Matrix3d strain = Matrix3d::Zero(); // the strain d at the guess
+    double softened = 0;                // a in the formula above, 0 … 1
+    Matrix3d along = Matrix3d::Zero();  // n in the formula above, Tr n = 0
+    Matrix3d kept = Matrix3d::Zero();   // k in the formula above, Tr k = 0
+    Matrix3d stress = Matrix3d::Zero(); // P, which makes the formula exact at the guess [Pa]
+    Matrix3d strain = Matrix3d::Zero(); // d at the guess, about which the flow is linearised
     bool is_limited() const { return !kept.isZero(0); }
 };
 

@@ -6,12 +6,13 @@
 
 namespace rigor {
 
-/// Data derived from a solid. It is valid as long as the mesh and the material stay the same.
+/// Data derived from a solid. Elastic and plastic strains change in each step; all other data stays
+/// valid until the mesh or the material changes.
 struct ElementWorkspace {
     explicit ElementWorkspace(const Deformable& solid);
 
     Elements elements;
-    std::vector<ElementStrain> strains;
+    std::vector<ElementStrain> strains; // at the positions for which they were last computed
     std::vector<std::array<int, 4>> face_neighbours;
     // For each element, its neighbours across faces without a crack. Its stress is averaged with
     // their stresses.

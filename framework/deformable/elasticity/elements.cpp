@@ -97,8 +97,8 @@ struct PolarPair {
     Two inverse{0, 0};
     for (int lane = 0; lane < 2; ++lane) {
         // z is 0 where the conditioning is below `none`, and not reduced where it is above `all`.
-        // The conditioning is 0.59 at rest; below 0.01 R itself is inaccurate (see is_exact). Both
-        // values were chosen by trial.
+        // The conditioning is 0.59 at rest; below 0.01 the closed form of R is inaccurate (see
+        // is_exact). `none` and `all` were chosen by trial.
         constexpr double none = 0.02, all = 0.1;
         const double part = std::clamp((polar.conditioning[lane] - none) / (all - none), 0.0, 1.0);
         inverse[lane] = part > 0 ? part / det[lane] : 0;

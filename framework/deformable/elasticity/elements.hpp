@@ -17,8 +17,8 @@ using Two [[gnu::vector_size(16)]] = double;
 /// one is paired with a copy of itself that has volume 0.
 struct ElementPair {
     int nodes[2][4];
-    // [X₁ - X₀, X₂ - X₀, X₃ - X₀]⁻¹ [1/m]. Its row i is ∇N, the gradient of the shape function, of
-    // corner i + 1.
+    // [X₁ - X₀, X₂ - X₀, X₃ - X₀]⁻¹ [1/m]. Row i, counted from 0, is ∇N, the gradient of the shape
+    // function of corner i + 1.
     Square3<Two> B;
     Two volume;     // volume of the material [m³]
     Two plastic[6]; // ε_p: xx, yy, zz, xy, xz, yz
@@ -40,7 +40,7 @@ public:
     /// volume V of an element and the gradient ∇N of the node's shape function.
     ///
     /// P = R (σ - [z]×), where σ is the stress that an elastic strain ε - ε_p + β Ṡ would cause.
-    /// With plastic strain or damping, σ and S do not commute. Then, with s = Tr S,
+    /// Without plastic strain and damping, σ and S commute, and z = 0. Otherwise, with s = Tr S,
     /// z = (s δ - S)⁻¹ axial(σ S - S σ) makes the power P : Ḟ equal to σ : Ṡ. A rotation has Ṡ = 0
     /// and takes no power, so the forces of an element have no torque on it.
     void add_forces(std::span<const Vector3d> positions, std::span<const Vector3d> velocities,

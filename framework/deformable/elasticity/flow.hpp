@@ -28,8 +28,8 @@ public:
 private:
     const Deformable* solid_;
     double lambda_, G_, yield_stress_;
-    // Whether this class makes the yield test, by comparing the strain with `bound_`, and calls no
-    // formula for it.
+    // Whether this class makes the yield test itself: it compares the strain of each element with
+    // `bound_` and calls no formula for the element.
     bool is_optimised_;
     double bound_; // the yield strain, if `is_optimised_`
 };

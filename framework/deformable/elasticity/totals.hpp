@@ -6,7 +6,6 @@
 
 namespace rigor {
 
-/// Mass, volume, energies and momenta of a whole solid.
 struct DeformableTotals {
     double mass = 0, volume = 0; // mass [kg], volume of the material at rest [m³]
     double kinetic_energy = 0, elastic_energy = 0; // [J]

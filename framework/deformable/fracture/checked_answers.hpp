@@ -15,7 +15,7 @@ namespace rigor {
 /// @param elements  number of elements; one stress is expected for each element
 std::vector<Matrix3d> checked_stresses(std::vector<Matrix3d> smooth, std::size_t elements);
 
-/// @return the number of a face, 0 … 3
+/// @return `face`, the index of a face in its tetrahedron, 0 … 3
 int checked_face(int face);
 
 /// @param before  the mesh that was split

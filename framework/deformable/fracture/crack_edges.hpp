@@ -15,14 +15,20 @@ class CrackEdges {
 public:
     explicit CrackEdges(const Deformable& solid);
 
-    /// A crack of an element that continues the cracks of its neighbours. Its plane passes through
-    /// the points where these cracks cut edges of the element: through three, two or one of them,
-    /// as many as possible while its normal stays less than 60° from the wanted one and it has
-    /// corners with material on both sides. Among planes through the same number of points, it is
-    /// the one whose normal is nearest to the wanted one. If there is no such plane, the crack has
-    /// the wanted normal and passes through the mean of the corners with material.
+    /// A crack of an element that continues the cracks of its neighbours: its plane passes through
+    /// points where these cracks cut edges of the element. A plane is possible if
+    ///
+    ///   * it passes through three of these points, or through two with its normal as near as
+    ///     possible to the wanted normal, or through one with the wanted normal,
+    ///   * its normal is less than 60° from the wanted normal, and
+    ///   * corners with material lie on both sides, none of them almost in the plane.
+    ///
+    /// Of the possible planes, those through the most points are considered, and the one whose
+    /// normal is nearest to the wanted normal is taken. If no plane is possible, the crack has the
+    /// wanted normal and passes through the mean of the corners with material.
     /// @param parent  the element of the uncracked mesh
-    /// @param real    for each corner, 1 if it has material, as at least two corners must have
+    /// @param real    for each corner, 1 if it has material, otherwise 0; at least two corners have
+    ///                material, because a crack needs one on each side
     /// @param normal  the wanted normal
     ElementCrack continued(int parent, const std::array<int, 4>& real,
                            const Vector3d& normal) const;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Opens cracks normal to the largest principal tension where it exceeds the strength (Rankine's
-// criterion). If a bound shows that no stress exceeds the strength, nothing is done. Otherwise the
-// stresses are smoothed, and the elements whose smoothed stress exceeds the strength are sorted.
-// The most stressed of them crack, within the limits of fracture.hpp. Last, the mesh is changed by
-// one of three methods: along faces, by splitting elements, or with virtual nodes (Molino, Bao and
-// Fedkiw 2004).
+// criterion). If a bound shows that no stress exceeds the strength, nothing is done (optimisation
+// `stress_bound`). Otherwise the stresses are smoothed, and the elements whose smoothed stress
+// exceeds the strength are sorted. The most stressed of them crack, within the limits of
+// fracture.hpp. Last, the mesh is changed by one of three methods: along faces, by splitting
+// elements, or with virtual nodes (Molino, Bao and Fedkiw 2004).
 #include "deformable/fracture/fracture.hpp"
 
 #include "deformable/fracture/checked_answers.hpp"
@@ -25,7 +25,7 @@ namespace {
 // An element whose largest principal stress exceeds the strength, and the normal of its crack.
 struct Candidate {
     int element = 0;
-    double stress = 0;
+    double stress = 0; // the largest principal stress [Pa]
     Vector3d normal = Vector3d::UnitX();
 };
 
@@ -124,7 +124,9 @@ int crack_faces(Deformable& solid, const ElementWorkspace& work,
         taken.add(t);
         const auto& back = work.face_neighbours[other];
         const auto g = std::find(back.begin(), back.end(), c.element) - back.begin();
-        if (g == 4) continue; // after a wrong split, in which three elements share this face
+        // The neighbour does not list this element: an earlier split by a wrong formula has made a
+        // face that three elements share.
+        if (g == 4) continue;
         solid.crack_faces[c.element][f] = solid.crack_faces[other][g] = true;
         ++cracks;
     }

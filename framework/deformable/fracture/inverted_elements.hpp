@@ -9,9 +9,10 @@ namespace rigor {
 
 /// Moves the nodes of an element to its shape without stress, R (δ + ε_p) X, and gives them the
 /// motion of a rigid body. Here R is the element's rotation, δ the unit matrix, ε_p the plastic
-/// strain, and X a place in the mesh at rest. The element must share no node with other elements.
-/// Mass, center of mass, momentum and angular momentum stay the same; energy is lost. If the
-/// element spins so fast that it would gain energy, it is not changed.
+/// strain, and X a position in the mesh at rest. The element must share no node with another
+/// element, which would be deformed otherwise. Mass, center of mass, momentum and angular momentum
+/// stay the same; energy is lost. If the element spins so fast that it would gain energy, it is not
+/// changed.
 /// @return whether the element was changed
 bool relax_element(Deformable& solid, int element);
 

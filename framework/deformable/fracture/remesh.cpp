@@ -24,7 +24,7 @@ template <class T> T between(const std::vector<T>& old, const VertexOrigin& orig
 }
 
 // The new nodes with material whose origins are both in `nodes`.
-// @param places  the places of `nodes`, or empty; replaced by the places of the new nodes
+// @param places  a position for each of `nodes`, or empty; replaced by those of the new nodes
 std::vector<int> carried_nodes(const std::vector<int>& nodes, std::size_t old_count,
                                const std::vector<VertexOrigin>& origins,
                                const std::vector<char>& has_matter, std::vector<Vector3d>& places)
@@ -120,8 +120,8 @@ std::vector<std::array<bool, 4>> carried_cracks(const Deformable& solid, const S
     return cracks;
 }
 
-// Gives the nodes of cut elements (`is_near`) an additional rotation about their center of mass,
-// which has the angular momentum L [kg m²/s].
+// Adds a rotation to the velocities of the nodes of cut elements (`is_near`). The rotation is about
+// the center of mass of these nodes, and its angular momentum is L [kg m²/s].
 void add_angular_momentum(Deformable& solid, const std::vector<char>& is_near, const Vector3d& L)
 {
     double mass = 0;

@@ -27,7 +27,7 @@ void remesh(Deformable& solid, const SplitMesh& split);
 /// loads act on those copies of their nodes that have material.
 void remesh(Deformable& solid, EmbeddedMesh embedded);
 
-/// The marked faces as a list, each with the number of its element.
+/// The marked faces as a list, each with the index of its element.
 std::vector<MeshFace> marked_faces(const std::vector<std::array<bool, 4>>& crack_faces);
 
 } // namespace rigor

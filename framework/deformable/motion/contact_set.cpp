@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Finds which contacts hold, stick or slide in a step of backward Euler, by an active-set method.
-// Each round ties the nodes of the contacts that hold, solves the linear system and corrects every
+// Finds which contacts hold their nodes in a step of backward Euler, and which of them stick or
+// slide, by an active-set method. `solve_with_contacts` (implicit_motion.cpp) runs its rounds. Each
+// round ties the nodes of the contacts that hold, solves the linear system and corrects every
 // contact that pulls, penetrates, or violates Coulomb's law. Sliding friction enters the system as
-// a damping, the friction force divided by the sliding speed; the rounds are a fixed-point
-// iteration for it.
+// a damping: the friction impulse divided by the sliding speed. The rounds are a fixed-point
+// iteration for this damping.
 #include "deformable/motion/contact_set.hpp"
 
 #include "formulas/collision.hpp"

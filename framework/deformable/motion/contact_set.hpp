@@ -30,14 +30,15 @@ public:
     /// inside the body after the step. With friction the node sticks, without friction it slides.
     void guess(const ContactStep& step);
 
-    /// Chooses for each node the contact that ties it: the contact with the smallest gap among
-    /// those that hold it.
+    /// Chooses for each node, among the contacts that hold it, the one with the smallest gap. Only
+    /// this contact ties the node, which means that it prescribes the node's velocity in the linear
+    /// system (ties.hpp).
     void choose_ties();
-    /// Whether a contact ties its node.
+    /// Whether contact k ties its node, as `choose_ties` has chosen.
     bool is_tied(int k) const { return tied_by_[step_->contacts[k].node] == k; }
-    /// For each node, the contact that ties it, or -1 for none.
+    /// For each node, the index of the contact that ties it, or -1 for none.
     const std::vector<int>& tied_by() const { return tied_by_; }
-    /// The tie of a contact in the linear system.
+    /// The constraint by which contact k ties its node in the linear system.
     TiedNode tie(int k) const;
 
     /// The impulse that the tie of a contact gave its node in the latest solve [N s].

@@ -23,8 +23,8 @@ namespace {
 // large deformations need shorter substeps.
 constexpr double safety = 0.9;
 
-// A solid that needs more substeps than this has an element with almost no thickness, and its step
-// would take far too long.
+// A solid that needs more substeps than this has an element that is almost flat, or far too stiff
+// for the step. Its step would take far too long.
 constexpr double most_substeps = 1e6;
 
 int substeps_for(const Deformable& solid, double step, double stable)

@@ -22,8 +22,9 @@ namespace {
 constexpr double flow_tolerance = 1e-9;
 // The rounding error of a stress, relative to the trial stress.
 constexpr double rounding = 1e-13;
-// The velocities have gone too far beyond the minimum if the slope of the minimised function there
-// has the opposite sign to its slope at the guess, and is larger than this share of that slope.
+// The guess is the velocities of the previous linearisation. On the way from there to the latest
+// velocities, the minimised function first falls. The latest velocities have gone too far beyond
+// the minimum if the function rises there with more than this share of its first slope.
 constexpr double largest_turn = 0.5;
 
 Matrix3d deviatoric(const Matrix3d& a)

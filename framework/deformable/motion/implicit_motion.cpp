@@ -2,8 +2,9 @@
 // Moves the nodes of a solid by one step of backward Euler, linearised at the start of the step
 // with constant rotations of the elements (Baraff and Witkin 1998, "Large steps in cloth
 // simulation"; Müller and Gross 2004). First restitution acts on the velocities. Then the linear
-// system is solved in rounds until neither the contacts nor the plastic flow change. Last, the
-// impulses are applied to the rigid bodies and the nodes move with their new velocities.
+// system is solved, in a limited number of rounds, until neither the contacts nor the plastic flow
+// change. Last, the impulses are applied to the rigid bodies and the nodes move with their new
+// velocities.
 #include "deformable/motion/implicit_motion.hpp"
 
 #include "deformable/contact/node_collisions.hpp"
@@ -38,9 +39,9 @@ void assemble_system(const NodeMotion& motion)
 }
 
 // An open part is a connected piece of the solid that the next solve includes, and a joined body is
-// a rigid body that the system can include. If an open part has a contact with a joined body, opens
-// all other parts with such contacts, because parts that touch the same body have to be solved for
-// together.
+// a rigid body that the system can include. If an open part has a contact with a joined body, this
+// function opens all other parts that have a contact with any joined body, because parts that touch
+// the same body have to be solved for together.
 // @return whether an open part has a contact with a joined body
 bool open_coupled_parts(Workspace& work)
 {

@@ -10,14 +10,14 @@ namespace rigor {
 class JoinedBodies {
 public:
     /// Finds the bodies that join the system: dynamic bodies that touch the solid or may touch it
-    /// in this step. Each starts with the velocity that gravity will give it in this step. A body
-    /// that sleeps or touches other rigid bodies does not join: its velocity is taken as given,
-    /// because it passes the impulses on to its supports.
+    /// in this step. Each starts with the velocity that it would have at the end of the step if
+    /// only gravity acted. A body that sleeps or touches other rigid bodies does not join: its
+    /// velocity is taken as given, because it passes the impulses on to its supports.
     void join(const RigidColliders& rigid, const std::vector<NodeContact>& contacts,
               double time_step);
 
     bool is_empty() const { return before_.empty(); }
-    /// The number that a rigid body has in the system, or -1 if the body has not joined.
+    /// The index of a rigid body among the joined bodies, or -1 if the body has not joined.
     int number(int body) const { return numbers_[body]; }
 
     /// Resets the bodies to their velocities without contacts. @return the bodies to pass to

@@ -50,16 +50,17 @@ Modes modes_of(const NodeMotion& motion)
     }
     const Matrix6d mass = generalized_mass(particles, modes.X);
     const Eigen::LDLT<Matrix6d> inverse(mass);
-    // (Sᵀ M S) u = Sᵀ M v
+    // u follows from the velocities v of the nodes: (Sᵀ M S) u = Sᵀ M v, where S u would be the
+    // velocities of a rigid body.
     modes.u = inverse.solve(momentum);
-    // (Sᵀ M S) u̇ = Sᵀ F - (Sᵀ M Ṡ) u
+    // u̇ follows from the forces F on the nodes: (Sᵀ M S) u̇ = Sᵀ F - (Sᵀ M Ṡ) u.
     modes.u_dot =
         inverse.solve(force - stacked(inertial_wrench(particles, modes.X, modes.velocity(),
                                                       modes.angular_velocity())));
     return modes;
 }
 
-// Gives each node the velocity of the modes at its new place.
+// Gives each node the velocity V + ω × (x - X) at its current position x, where u = (V, ω).
 void set_velocities(Deformable& solid, const Vector3d& X, const Vector6d& u)
 {
     for (std::size_t i = 0; i < solid.positions.size(); ++i)

@@ -64,10 +64,10 @@ double stable_step(const Deformable& solid, const Elements& elements)
     for (int e = 0; e < elements.size(); ++e) {
         const auto nodes = elements.nodes(e);
         const auto gradients = elements.gradients(e);
-        Matrix6d A = Matrix6d::Zero(); // Σ B_i M_i⁻¹ B_iᵀ V
+        Matrix6d A = Matrix6d::Zero(); // Σ V/m_i B_i B_iᵀ over the corners i of the element
         for (int i = 0; i < 4; ++i) {
-            // m_i = m V|∇N|² / Σ: the element's share of the mass m of its node. Σ is the sum of
-            // V|∇N|² over all elements of the node. V cancels.
+            // m_i = m V|∇N|² / s: the element's share of the mass m of its node. Here s
+            // (`stiffness`) is V|∇N|², summed over all elements of the node. V cancels in V/m_i.
             const double inverse_mass =
                 stiffness[nodes[i]] / (solid.masses[nodes[i]] * gradients[i].squaredNorm());
             const Eigen::Matrix<double, 6, 3> B = strain_of_motion(gradients[i]);

@@ -20,14 +20,14 @@ struct VelocitySystem {
     /// Restores the exact momentum of each part (connected piece of the solid) that neither handles
     /// nor contacts hold. Conjugate gradients conserve it only up to their tolerance.
     ///
-    /// @param tied_by  for each node, the contact that ties it, or -1 for none
+    /// @param tied_by  for each node, the contact that prescribes its velocity, or -1 for none
     void restore_momentum(const Deformable& solid, const std::vector<HeldNode>& held,
                           const std::vector<int>& tied_by, double time_step);
 
     ImplicitSystem system;
     std::vector<Vector3d> momenta;    // b for each node [N s]
     std::vector<Vector3d> velocities; // v for each node [m/s]
-    std::vector<TiedNode> ties;       // the ties of nodes in the latest solve
+    std::vector<TiedNode> ties;       // the prescribed velocities of nodes in the latest solve
 
 private:
     /// The missing momentum of a part of the solid [N s], and the mass of this part [kg] times

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Data that a step derives from a solid. It is kept until the mesh or the material changes. It
-// includes all buffers of a step, so that a step without such a change allocates no memory.
+// includes most buffers of a step, so that these are not allocated again in each step.
 #pragma once
 
 #include "deformable/contact/node_contacts.hpp"

@@ -40,11 +40,11 @@ enum class YieldTest {
 
 /// When the elements flow plastically.
 enum class FlowTime {
-    in_step,    ///< within the step; its forces come from the stress after the flow
+    in_step,    ///< within the step, whose forces come from the stress after the flow
     after_step, ///< once after each step, as in the lecture; the step itself is elastic
 };
 
-/// The formulas of formulas/fracture.hpp that change the mesh where it cracks.
+/// Which formula of formulas/fracture.hpp changes the mesh where it cracks.
 enum class FractureMethod {
     faces,         ///< `split_along_faces`, along the face that `closest_face` returns
     elements,      ///< `split_element`
@@ -55,7 +55,7 @@ enum class FractureMethod {
 /// are linear in time.
 struct HandleMoment {
     double time = 0;                          // [s]
-    Vector3d displacement = Vector3d::Zero(); // from the nodes' initial places [m]
+    Vector3d displacement = Vector3d::Zero(); // from the nodes' initial positions [m]
     // Axis times angle, about `Handle::pivot` [rad]. The nodes rotate first and are then displaced.
     Vector3d rotation = Vector3d::Zero();
 };
@@ -65,7 +65,7 @@ struct Handle {
     std::vector<int> nodes;
     std::vector<Vector3d> first_places; // initial positions [m]; if empty, set at the first step
     std::array<bool, 3> axes = {true, true, true}; // the coordinates that the handle prescribes
-    Vector3d pivot = Vector3d::Zero();             // world space [m]
+    Vector3d pivot = Vector3d::Zero();             // center of the rotations, world space [m]
     std::vector<HandleMoment> path; // in order of time; if empty, the nodes stay in place
     double release = never;         // time after which the handle no longer acts on the nodes [s]
 };

@@ -45,6 +45,7 @@ void remember_first_places(Deformable& solid)
 void hold_nodes(const Deformable& solid, double time, double time_step, std::vector<HeldNode>& held)
 {
     held.clear();
+    std::vector<int> entries(solid.positions.size(), -1); // for each node, its index in `held`
     for (const Handle& handle : solid.handles) {
         if (time > handle.release) continue;
         HandleMoment moment;
@@ -56,7 +57,16 @@ void hold_nodes(const Deformable& solid, double time, double time_step, std::vec
                 handle.path.empty() ? handle.first_places[k]
                                     : handle.pivot + R * (handle.first_places[k] - handle.pivot) +
                                           moment.displacement;
-            held.push_back({node, handle.axes, (place - solid.positions[node]) / time_step});
+            if (entries[node] < 0) {
+                entries[node] = static_cast<int>(held.size());
+                held.push_back({node, {}, Vector3d::Zero()});
+            }
+            HeldNode& entry = held[entries[node]];
+            for (int axis = 0; axis < 3; ++axis) {
+                if (!handle.axes[axis]) continue;
+                entry.axes[axis] = true;
+                entry.velocity[axis] = (place[axis] - solid.positions[node][axis]) / time_step;
+            }
         }
     }
 }

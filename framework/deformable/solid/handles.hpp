@@ -10,15 +10,17 @@ namespace rigor {
 struct HeldNode {
     int node = 0;
     std::array<bool, 3> axes = {true, true, true};
-    Vector3d velocity = Vector3d::Zero(); // takes the prescribed coordinates to their places [m/s]
+    // Velocity that moves the prescribed coordinates to their prescribed values within the substep
+    // [m/s].
+    Vector3d velocity = Vector3d::Zero();
 };
 
 /// Records, for each handle that has no record yet, the initial places of its nodes.
 void remember_first_places(Deformable& solid);
 
-/// Sets `held` to the nodes that handles hold in the substep that ends at `time`, with the
-/// velocities that take these nodes to their prescribed places. If several handles prescribe the
-/// same coordinate of a node, the last handle counts.
+/// Sets `held` to the nodes that handles hold in the substep that ends at `time`, each once, with
+/// the velocities that take these nodes to their prescribed places. If several handles prescribe
+/// the same coordinate of a node, the last handle counts.
 void hold_nodes(const Deformable& solid, double time, double time_step,
                 std::vector<HeldNode>& held);
 

@@ -6,7 +6,7 @@
 
 namespace rigor {
 
-/// For each element, the number of the piece that it belongs to, counted from 0. Elements that
+/// For each element, the index of the piece that it belongs to, from 0. Elements that
 /// share a vertex are in the same piece.
 std::vector<int> pieces(const Deformable& solid);
 

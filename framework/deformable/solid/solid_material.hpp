@@ -10,7 +10,6 @@ namespace rigor {
 
 inline constexpr double never = std::numeric_limits<double>::infinity();
 
-/// The material of a deformable solid.
 struct SolidMaterial {
     double density = 1000;       // ρ [kg/m³]
     double youngs_modulus = 1e6; // E > 0 [Pa]

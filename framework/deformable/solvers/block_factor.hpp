@@ -6,9 +6,9 @@
 // L is computed row by row (Davis 2006, "Direct methods for sparse linear systems", 4.7), with the
 // nodes in an order that keeps L sparse.
 //
-// Eigen has such a factorisation. We have our own for two reasons. It can factorise single parts of
-// a solid again, those whose contacts or plastic flow changed; a part is a piece that A does not
-// connect with the rest. And a step must not allocate memory.
+// Eigen has such a factorisation. We have our own for two reasons. Ours can factorise some parts of
+// A anew, those whose contacts or plastic flow changed, and keep the others. (A part is a piece of
+// the solid that A does not connect with other pieces.) And ours allocates no memory in a step.
 #pragma once
 
 #include "formulas/types.hpp"
@@ -19,19 +19,19 @@ namespace rigor {
 
 class BlockFactor {
 public:
-    /// Finds the order of the nodes and the places of L's blocks. This is needed once for each
-    /// pattern of A.
+    /// Finds the order of the nodes and which blocks L has. This is needed once for each pattern of
+    /// A.
     /// @param row_starts, columns  the pattern of A's blocks on and above the diagonal, in each row
     ///                             with ascending columns
     /// @param most_work  the largest number of products of two blocks that a factorisation may take
-    /// @return whether a factorisation takes at most `most_work` products; if not, `factorise` must
-    ///         not be called
+    /// @return whether a factorisation takes at most `most_work` products; if not, the analysis was
+    ///         broken off, and `factorise` cannot be called
     bool analyse(const std::vector<int>& row_starts, const std::vector<int>& columns,
                  double most_work);
 
-    /// Lists in `steps` the steps in which these nodes are eliminated, ascending. The nodes must
-    /// form whole parts, which A does not connect with other nodes. The functions below compute
-    /// only with the steps passed to them.
+    /// Lists in `steps` the steps in which these nodes are eliminated, ascending. `factorise` and
+    /// `solve` compute with these steps only. So the nodes must form whole parts: a node that A
+    /// connects with one of them, but that is not among them, would be left out.
     void steps_of(const std::vector<int>& nodes, std::vector<int>& steps) const;
 
     /// Computes L and D. @param blocks  the blocks of A, in the order of A's pattern
@@ -46,10 +46,11 @@ private:
     void place_rows();
 
     // In all members below, a node is numbered by its step of elimination. These two convert
-    // between the node numbers of A and the steps.
+    // between the indices of nodes in A and the steps.
     std::vector<int> node_of_, step_of_;
-    // A's blocks left of the diagonal, row by row: their places in the list of A's blocks, and
-    // whether they are transposed there. `diagonal_` has the places of the diagonal blocks.
+    // A's blocks left of the diagonal, row by row: their indices in the list of A's blocks, and
+    // whether that list has the transposed block. `diagonal_` has the indices of the diagonal
+    // blocks.
     struct Entry {
         int column, block;
         bool is_transposed;
@@ -58,7 +59,7 @@ private:
     std::vector<int> parent_; // for each step, its parent in the elimination tree
     std::vector<Entry> entries_;
     // The blocks of L below its diagonal are stored column by column. `row_blocks_` lists them row
-    // by row, with their columns and their places in `L_`.
+    // by row, with their columns and their indices in `L_`.
     struct RowBlock {
         int column, at;
     };

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Assembles the matrix of backward Euler, (1 + α h) M + h (h + β) K, with the corotated stiffness
-// K of each element. The analysis finds a place for each pair of nodes that share an element, and
-// the parts that such pairs connect. Assembly then adds the stiffness of all elements to these
-// places.
+// K of each element. The analysis makes a block for each pair of nodes that share an element, and
+// finds the parts that such pairs connect. Assembly then adds the stiffness of all elements to the
+// blocks.
 #include "deformable/solvers/block_matrix.hpp"
 
 #include <algorithm>
@@ -54,8 +54,8 @@ void BlockMatrix::find_parts()
 {
     part_of_.assign(nodes_, -1);
     parts_ = 0;
-    // Collect the neighbours with lower and with higher numbers, because a row stores only the
-    // latter.
+    // Collect the neighbours with lower and with higher indices, because a row of the matrix stores
+    // only the blocks of those with higher ones.
     std::vector<std::vector<int>> neighbours(nodes_);
     for_each_block([&](int i, int j, const Matrix3d&) {
         neighbours[i].push_back(j);

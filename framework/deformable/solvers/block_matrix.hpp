@@ -8,11 +8,11 @@
 namespace rigor {
 
 /// A symmetric matrix with a block for each pair of nodes that share an element. Its parts are the
-/// connected pieces of the solid. No block connects two parts; only contacts with the same rigid
-/// body may couple them. So parts can be solved for together or one at a time.
+/// connected pieces of the solid. No block connects two parts. So each part can be solved for
+/// alone, unless contacts with the same rigid body couple it with other parts.
 class BlockMatrix {
 public:
-    /// Finds the places of the blocks. This is needed once for each mesh.
+    /// Finds which blocks the matrix has. This is needed once for each mesh.
     void analyse(const Elements& elements, int nodes);
 
     /// Computes the blocks, without plastic flow. This is needed at the start of each step, and
@@ -33,7 +33,8 @@ public:
     /// xᵀ A x
     double quadratic_form(const std::vector<Vector3d>& x) const;
 
-    /// y ← A x for these nodes, which must form whole parts (connected pieces of the solid).
+    /// y ← A x for these nodes. They must form whole parts (connected pieces of the solid): A_ij
+    /// is stored only for i ≤ j, so the product with A_ji = A_ijᵀ would be missing otherwise.
     void multiply(const std::vector<int>& nodes, const std::vector<Vector3d>& x,
                   std::vector<Vector3d>& y) const;
 
@@ -60,10 +61,10 @@ private:
     void find_parts();
 
     int nodes_ = 0, parts_ = 0;
-    std::vector<int> part_of_; // for each node, the number of its part
+    std::vector<int> part_of_; // for each node, the index of its part
     std::vector<int> row_starts_, columns_, diagonal_;
     std::vector<Matrix3d> blocks_;
-    // For each element, the places in `blocks_` of its blocks ij, where i ≤ j are two of its
+    // For each element, the indices in `blocks_` of its blocks ij, where i ≤ j are two of its
     // corners.
     std::vector<std::array<int, 10>> places_;
 };

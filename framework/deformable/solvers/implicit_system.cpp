@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Solves the system of backward Euler by preconditioned conjugate gradients (Hestenes and Stiefel
-// 1952). Tied coordinates are projected out in each iteration, as in Baraff and Witkin 1998, "Large
-// steps in cloth simulation". First comes the preconditioner, a factorisation with the ties or the
-// inverse diagonal blocks, then a start that satisfies the ties, then the iterations.
+// 1952). Coordinates that a handle or a contact prescribes ("ties", see ties.hpp) are projected out
+// in each iteration, as in Baraff and Witkin 1998, "Large steps in cloth simulation". First comes
+// the preconditioner, a factorisation of A with the ties or the inverse diagonal blocks, then a
+// start that satisfies the ties, then the iterations.
 #include "deformable/solvers/implicit_system.hpp"
 
 #include <algorithm>
@@ -17,8 +18,9 @@ void ImplicitSystem::analyse(const Elements& elements, int nodes)
     nodes_ = nodes;
     inverse_diagonal_.resize(nodes);
     // The largest number of products of two blocks that a factorisation may take, divided by the
-    // number of blocks of A. An iteration of conjugate gradients takes two products of a block and
-    // a vector for each block of A, so above this limit it is cheaper to iterate.
+    // number of blocks of A. Such a product costs as much as three products of a block and a
+    // vector, and an iteration of conjugate gradients takes two of these for each block of A. So
+    // the limit is the cost of 60 iterations; above it, iterating is cheaper.
     constexpr double most_work = 40;
     is_factor_cheap_ = factor_.analyse(matrix_.row_starts(), matrix_.columns(),
                                        most_work * static_cast<double>(matrix_.blocks().size()));
@@ -47,8 +49,8 @@ double ImplicitSystem::dot(const Vectors& a, const Vectors& b) const
     return sum;
 }
 
-// x ← T x, where T gives each tied coordinate the velocity of the body to which it is tied, or 0 if
-// it is tied to none.
+// x ← T x, where T gives each tied (prescribed) coordinate the velocity of the body that prescribes
+// it, or 0 if no body does.
 void ImplicitSystem::expand(Vectors& x) const
 {
     for (const TiedNode& t : *tied_) {
@@ -176,7 +178,8 @@ int ImplicitSystem::solve(const Vectors& b, const std::vector<int>& nodes,
                           const std::vector<TiedNode>& tied, std::vector<SystemBody>& bodies,
                           Vectors& velocities)
 {
-    // Relative error in the norm of the preconditioner. It is below the tolerances of contacts
+    // The iterations end when the residual, divided by the right-hand side, is at most this, both
+    // in the norm of the preconditioner. The number is below the tolerances of contacts
     // (contact_set.cpp).
     constexpr double tolerance = 1e-7;
     const std::size_t n = nodes_ + 2 * bodies.size();

@@ -3,10 +3,11 @@
 //
 //     A v = b,   A = (1 + α h) M + h (h + β) K,   b = M v₀ + h f(x₀)
 //
-// M contains the masses, α is the drag, β the damping and h the time step. K = R K_rest Rᵀ is the
-// stiffness of each element, with the rotations R at the start of the step. Some coordinates are
-// not unknowns: a handle prescribes them, or a contact ties them to a rigid body. The rigid body is
-// then part of the system, with six coordinates of its own.
+// M contains the masses, α is the drag, β the damping and h the time step. K is the sum of the
+// stiffnesses R K_rest Rᵀ of the elements, with their rotations R at the start of the step. f is
+// the sum of elastic forces, gravity and loads. Some coordinates are not unknowns: a handle
+// prescribes them, or a contact ties them to a rigid body. A rigid body that has joined the system
+// (motion/joined_bodies.hpp) has six unknowns of its own.
 #pragma once
 
 #include "deformable/solvers/block_factor.hpp"
@@ -18,7 +19,7 @@ namespace rigor {
 /// The system of one solid: its matrix, and the solution by conjugate gradients.
 class ImplicitSystem {
 public:
-    /// Finds the places of the blocks, and whether a factorisation is cheap. This is needed once
+    /// Finds which blocks the matrix has, and whether a factorisation is cheap. This is needed once
     /// for each mesh.
     void analyse(const Elements& elements, int nodes);
     bool is_analysed() const { return matrix_.nodes() > 0; }
@@ -39,12 +40,13 @@ public:
     const BlockMatrix& matrix() const { return matrix_; }
 
     /// Solves for the velocities of some parts (connected pieces of the solid) by conjugate
-    /// gradients, which start from the velocities passed in. The relative error is 1e-7 in the
-    /// norm of the preconditioner. If a factorisation of A with its ties is cheap, it is the
-    /// preconditioner; then one iteration is enough, unless rounding errors or rigid bodies require
-    /// more. Otherwise the preconditioner consists of the diagonal blocks of A.
+    /// gradients, which start from the velocities passed in. They end when the residual is 1e-7 of
+    /// the right-hand side, in the norm of the preconditioner. If a factorisation of A with its
+    /// ties is cheap, it is the preconditioner; then one iteration is enough, unless rounding
+    /// errors or rigid bodies require more. Otherwise the preconditioner consists of the diagonal
+    /// blocks of A.
     /// @param nodes  all nodes of these parts, ascending; every part tied to one of `bodies` must
-    ///               be solved for
+    ///               be among them, because the body would otherwise lack the part's impulses
     /// @param tied   the ties of these nodes
     /// @return the number of iterations
     int solve(const std::vector<Vector3d>& b, const std::vector<int>& nodes,
@@ -52,8 +54,8 @@ public:
               std::vector<Vector3d>& velocities);
 
     /// A v - b for each of these nodes, after `solve`. The nodes must form whole parts (connected
-    /// pieces of the solid). For a tied node the result is the impulse that its ties, with their
-    /// damping, gave it [N s].
+    /// pieces of the solid), because the sum for a node takes all its neighbours. For a tied node
+    /// the result is the impulse that its ties, with their damping, gave it [N s].
     const std::vector<Vector3d>& residual(const std::vector<Vector3d>& b,
                                           const std::vector<int>& nodes,
                                           const std::vector<Vector3d>& velocities);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The ties of nodes in an implicit system, and the rigid bodies that belong to the system.
+// Constraints that prescribe the velocities of nodes in an implicit system, here called ties, and
+// the rigid bodies that belong to the system.
 #pragma once
 
 #include "formulas/types.hpp"
@@ -15,7 +16,7 @@ struct TiedNode {
     // Projector on the tied directions: all directions, the contact normal, or some axes.
     Matrix3d N = Matrix3d::Zero();
     Vector3d c = Vector3d::Zero(); // prescribed velocity relative to the body [m/s]
-    int body = -1;                 // number of the body in the system, or -1 for none
+    int body = -1;                 // index of the body in the system, or -1 for none
     Vector3d r = Vector3d::Zero(); // from the center of the body to the node [m]
     double damping = 0;            // d [kg]
 };

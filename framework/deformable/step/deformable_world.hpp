@@ -7,7 +7,6 @@
 
 namespace rigor {
 
-/// Rigid bodies and deformable solids.
 struct DeformableWorld {
     World rigid; // its gravity and time also apply to the solids
     std::vector<Deformable> solids;

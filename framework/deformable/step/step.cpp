@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Advances a world by one time step. For each solid it moves the nodes with their contacts, then
-// lets the elements flow plastically at the new places of the nodes, then separates elements that
-// stay inverted or, if there are none, opens cracks. Last comes the step of the rigid bodies, with
-// the velocities that the solids gave them.
+// lets the elements flow plastically at the new places of the nodes (unless they flowed in each
+// explicit substep), then separates elements that stay inverted or, if there are none, opens
+// cracks. Last comes the step of the rigid bodies, with the velocities that the solids gave them.
 #include "deformable/step/step.hpp"
 
 #include "deformable/elasticity/flow.hpp"

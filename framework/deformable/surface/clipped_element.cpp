@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Clips an element of a cracked solid to the material of one of its copies, for virtual nodes
 // (Molino, Bao and Fedkiw 2004, "A virtual node algorithm for changing mesh topology during
-// simulation"). Each face is a convex polygon that is clipped by one crack plane after the other
-// (Sutherland and Hodgman 1974). The points where a plane meets the faces are then sorted by angle
-// and form the polygon that closes the cut.
+// simulation"): a cracked element has one copy for each piece of its material. Each face is a
+// convex polygon that is clipped by one crack plane after the other (Sutherland and Hodgman 1974).
+// The points where a plane meets the faces are then sorted by angle and form the polygon that
+// closes the cut.
 #include "deformable/surface/clipped_element.hpp"
 
 #include "geometry/tetrahedra/tetrahedra.hpp"
@@ -85,8 +86,8 @@ void cut(std::vector<ClippedFace>& faces, const std::array<Vector3d, 4>& corners
     if (closing.weights.size() >= 3) faces.push_back(std::move(closing));
 }
 
-// A linear function of the weights x of a point, as its coefficients r: r · x is the signed area of
-// the triangle a b x, divided by the area of the face.
+// The coefficients r of a linear function. For a point with the weights x, r · x is the signed
+// area of the triangle a b x, divided by the area of the face.
 Weights triangle_height(const Weights& a, const Weights& b, int face)
 {
     const auto& [i, j, k] = tetrahedron_faces[face];

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Extracts the triangles that are drawn for a solid. Without virtual nodes they are the boundary of
-// its mesh. With virtual nodes (Molino, Bao and Fedkiw 2004) they bound the material of each copy:
-// first its cracks, then the parts of its faces that no connected neighbour covers.
+// its mesh. With virtual nodes (Molino, Bao and Fedkiw 2004), a cracked element has one copy for
+// each piece of its material, and the triangles bound the material of each copy: first its cracks,
+// then the parts of its faces that no connected neighbour covers.
 #include "deformable/surface/surface.hpp"
 
 #include "deformable/surface/clipped_element.hpp"
@@ -77,7 +78,7 @@ private:
     const Deformable& solid_;
     EmbeddedSurface surface_;
     std::vector<int> corner_;       // for each vertex of the mesh, its point, or -1 for none yet
-    std::map<PointKey, int> point_; // numbers of the points that are not at a vertex
+    std::map<PointKey, int> point_; // indices of the points that are not at a vertex
 };
 
 Polygon whole_face(int face)
@@ -172,7 +173,7 @@ private:
     {
         const auto &nodes = solid_.rest.tetrahedra[element],
                    &others = solid_.rest.tetrahedra[other];
-        // For each corner of `element`, its number in `other`, or -1.
+        // For each corner of `element`, the index of the same corner in `other`, or -1 for none.
         std::array<int, 4> corner = {-1, -1, -1, -1};
         int opposite = 0 + 1 + 2 + 3;
         for (const int i : tetrahedron_faces[face]) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Builds a tree of bounding boxes from the top down. Each node's items are divided at the median of
 // their centers, on the axis on which the centers are spread most (Ericson 2005, "Real-time
-// collision detection", 6.2). First the upper nodes are made, then the branches below them, by
-// several threads, and last the boxes of the upper nodes.
+// collision detection", 6.2). First the upper nodes are made, then the branches below them, which
+// several threads can build at the same time, and last the boxes of the upper nodes.
 #include "geometry/bounds/bounding_tree.hpp"
 
 #include <algorithm>

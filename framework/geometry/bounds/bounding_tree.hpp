@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A tree of bounding boxes. All searches use it: for triangles of a mesh, for points on its
-// surface, and for bodies in the broad phase (`overlap_tree.hpp`).
+// A tree of bounding boxes. It finds triangles of a mesh, points and edges of its surface, and
+// bodies in the broad phase (`overlap_tree.hpp`).
 #pragma once
 
 #include "geometry/bounds/bounds.hpp"
@@ -24,7 +24,7 @@ public:
         Bounds bounds;
         int first = 0, last = 0; // its items are order[first] … order[last - 1]
         int right = 0;           // index of the right child; 0 in a leaf
-        int leaf = 0;            // in a leaf: its number, counted from the left
+        int leaf = 0;            // in a leaf: its index among all leaves, from the left
         bool is_leaf() const { return right == 0; }
     };
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Finds all pairs of boxes that overlap. A tree is compared with itself, node by node from the root
 // (Ericson 2005, "Real-time collision detection", 6.3). A pair of nodes whose boxes overlap is
-// divided until both are leaves, and then four boxes are compared at once: first in single
-// precision, where no pair is missed because rounding is monotone, and then the remaining pairs in
-// double precision.
+// divided until both are leaves. Then each box of one leaf is compared with the four boxes of the
+// other at once, in single precision; no pair is missed, because rounding is monotone. The pairs
+// that remain are compared in double precision.
 #include "geometry/bounds/overlap_tree.hpp"
 
 #include <algorithm>
@@ -32,7 +32,7 @@ OverlapTree::OverlapTree(const std::vector<Bounds>& boxes, std::vector<int> memb
 }
 
 // Fills the leaves in one stretch of the list of nodes. The list is divided into `stretches` equal
-// stretches, and `stretch` is the number of the one to fill, counted from 0.
+// stretches, and `stretch` is the index of the stretch to fill.
 void OverlapTree::fill_leaves(const std::vector<Bounds>& boxes, int stretches, int stretch)
 {
     const std::size_t n = tree_.nodes().size();

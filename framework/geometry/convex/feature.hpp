@@ -13,10 +13,10 @@ struct Feature {
     /// The largest number of points. More points would represent large faces better, but take more
     /// time.
     static constexpr int most = 16;
-    /// Cosine and sine of 26°. A whole face counts as turned to a direction if its normal is within
-    /// this angle of the direction, an edge if it is perpendicular to the direction within this
-    /// angle. A larger angle gives a tilted body the contacts of a level one; with a smaller one, a
-    /// body that begins to rock has fewer contacts. The angle was chosen by trial.
+    /// Cosine and sine of about 26°. A whole face counts as turned to a direction if its normal is
+    /// within this angle of the direction, an edge if it is perpendicular to the direction within
+    /// this angle. With a larger angle, a tilted body would get the contacts of a body that lies
+    /// flat. With a smaller one, a body that begins to rock would lose contacts. Chosen by trial.
     static constexpr double facing_cosine = 0.9, facing_sine = 0.436;
     std::array<Vector3d, most> points;
     int count = 0;

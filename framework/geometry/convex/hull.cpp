@@ -132,7 +132,7 @@ std::vector<int> Hull::outline(const Face& face, double tolerance) const
                 corners.pop_back();
             corners.push_back(v);
         }
-        corners.pop_back(); // the next chain begins with it
+        corners.pop_back(); // the next chain begins with this corner
         std::reverse(sorted.begin(), sorted.end());
     }
     return corners;
@@ -163,9 +163,9 @@ void Hull::link_neighbours()
     }
 }
 
-// Climbs to the vertex that is highest along d. The start is an extreme vertex: the one for that
-// direction of -x, +x, -y, … which is nearest to d. On a convex polyhedron a vertex without a
-// higher neighbour is the highest.
+// Climbs to the vertex that is highest along d. Of the directions -x, +x, -y, …, the one nearest to
+// d is chosen, and the climb starts at the extreme vertex in this direction. On a convex polyhedron
+// a vertex without a higher neighbour is the highest.
 int Hull::farthest(const Vector3d& d) const
 {
     int axis = 0;

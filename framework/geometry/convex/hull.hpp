@@ -14,8 +14,8 @@ namespace rigor {
 /// solid gives the same faces, edges and corners.
 class Hull {
 public:
-    // Contacts of meshes with more vertices use the level set instead, because `is_hull` compares
-    // every vertex with every triangle.
+    // Contacts of meshes with more vertices use the level set instead, because `is_hull` would take
+    // too long for them: it compares every vertex with every triangle.
     static constexpr std::size_t most_vertices = 1000;
 
     /// @param mesh  convex (`is_hull`)

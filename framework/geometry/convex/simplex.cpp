@@ -55,7 +55,7 @@ Simplex nearest_on_triangle(const Vertex& a, const Vertex& b, const Vertex& c)
 }
 
 // Whether the origin and d are on different sides of the plane through a, b, c. The result is also
-// true for a flat tetrahedron, which has no inside.
+// true if the origin lies in this plane, and for a flat tetrahedron, which has no inside.
 bool is_beyond(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& d)
 {
     const Vector3d n = (b.w - a.w).cross(c.w - a.w);

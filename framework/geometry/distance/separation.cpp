@@ -28,10 +28,10 @@ constexpr int most_steps = 100;
 // double.
 constexpr double gjk_tolerance = 1e-12;
 
-// The following lengths are in units of `size`, the smaller bounding radius of the two shapes.
+// The following lengths are divided by `size`, the smaller bounding radius of the two shapes.
 //
-// A distance found by GJK is used only if it is above this; the direction of a shorter vector is
-// mostly rounding.
+// A distance found by GJK is used only if it is above this. At a smaller distance, the direction
+// between the nearest points is mostly a rounding error.
 constexpr double least_distance = 1e-6;
 // The same as `least_distance`, for shapes that `push_out` has moved apart by a margin.
 constexpr double least_gjk_length = 1e-9;
@@ -41,23 +41,27 @@ constexpr double inside_tolerance = 1e-12;
 // becomes ten times as long until the origin is inside, or the push is longer than `most_push`.
 constexpr double first_push = 1e-6;
 constexpr double most_push = 1e-3;          // a longer push would change the result too much
-constexpr double polytope_tolerance = 1e-7; // the polytope ends when a step grows it by less
+constexpr double polytope_tolerance = 1e-7; // EPA ends when a step grows the polytope by less
 // `push_out` begins with this margin, at which rounding hardly affects directions.
 constexpr double first_margin = 0.02;
-constexpr double least_margin = 1e-5;     // the smallest margin of `push_out`
-constexpr double margin_decay = 0.2;      // a step of `push_out` multiplies the margin by this
-constexpr int most_pushes = 20;           // steps of `push_out`; five reach `least_margin`
-constexpr double least_gain = 1e-13;      // a smaller reduction of the depth is rounding
-constexpr double least_difference = 1e-9; // the polytope must reduce the depth by more than this
-constexpr double shallow = 0.02;          // below this depth no other direction is much better
+constexpr double least_margin = 1e-5; // the smallest margin of `push_out`
+constexpr double margin_decay = 0.2;  // a step of `push_out` multiplies the margin by this
+constexpr int most_pushes = 20;       // steps of `push_out`; five reach `least_margin`
+constexpr double least_gain = 1e-13;  // a smaller reduction of the depth is rounding
+// The direction that the polytope gives is used only if it reduces the depth by more than this.
+constexpr double least_difference = 1e-9;
+// A depth below this is accepted without the polytope, if `push_out` has found a local minimum: no
+// other direction would give a much smaller depth.
+constexpr double shallow = 0.02;
 
 // Unit vectors count as the same direction if the length of their difference is below this.
 constexpr double same_direction = 1e-6;
 
-// As `reach`, this asks for the exact distance, however far apart the shapes are [m].
+// A value of `reach` that asks for the exact distance, however far apart the shapes are [m].
 constexpr double unlimited = 1e300;
 
-// The Minkowski difference of shape 1, moved by `shift`, and shape 2.
+// The Minkowski difference of shape 1 and shape 2. In its functions, an argument `shift` [m] moves
+// shape 1.
 class MinkowskiDifference {
 public:
     MinkowskiDifference(const Shape& shape1, const Pose& pose, const Shape& shape2)
@@ -78,8 +82,10 @@ public:
     // along n.
     double along(const Vector3d& n) const { return n.dot(support_along(-n).w); }
 
-    // GJK: the shortest vector from shape 2 to shape 1. The result is empty if the shapes overlap
-    // or the vector is not longer than `least`; then `simplex` is the last simplex of the search.
+    // GJK: the shortest vector from shape 2 to shape 1. If the shapes are at least `reach` apart,
+    // the search may end early, with a lower bound of the distance that is at least `reach`. The
+    // result is empty if the shapes overlap or the vector is not longer than `least`. `simplex` is
+    // set to the last simplex of the search.
     std::optional<Separation> apart(const Vector3d& shift, double least, double reach,
                                     Simplex& simplex) const
     {
@@ -119,7 +125,8 @@ public:
         return apart(shift, least, reach, simplex);
     }
 
-    // The vector from a point inside shape 2 to a point inside shape 1.
+    // The vector from the middle of shape 2 to the middle of shape 1. The middle of a shape is its
+    // origin or, for a mesh, the middle of its bounds, which may lie outside the mesh.
     Vector3d between_insides() const { return pose_ * inside(shape1_) - inside(shape2_); }
 
 private:
@@ -193,7 +200,8 @@ PushOut push_out(const MinkowskiDifference& difference, Vector3d n, double size)
 
 // EPA: the direction of least depth, from shape 2 to shape 1. It is the negative of the outward
 // normal of the polytope's face nearest to the origin. The result is empty if the first tetrahedron
-// is flat, or if the origin is not inside, even after the shapes are pushed together a little.
+// is flat, or if no tetrahedron contains the origin, even after the shapes are pushed together a
+// little.
 std::optional<Vector3d> expanding_polytope_normal(const MinkowskiDifference& difference,
                                                   double size)
 {

@@ -22,7 +22,8 @@ struct Separation {
 /// objects"). If they overlap, shape 1 is pushed out along the best of several candidate directions
 /// until the shapes are just apart. The normal between the shapes is then the next direction, as
 /// long as the depth along it is smaller. If this does not converge, or the overlap is deep, an
-/// expanding polytope finds a better first direction (expanding_polytope.hpp).
+/// expanding polytope (expanding_polytope.hpp) gives another first direction, and the result is the
+/// smaller of the two depths.
 ///
 /// @param pose   pose of shape 1
 /// @param reach  if the shapes are farther apart than this, the result may be any lower bound of

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Computes the exact distance of a point to a shape and the gradient. Shapes of revolution are
+// Computes the exact distance of a point to a shape, and its gradient. Shapes of revolution are
 // solved in the half-plane of distance from the axis and height, ellipsoids by Newton's method
 // (Eberly 2013, "Distance from a point to an ellipse, an ellipsoid, or a hyperellipsoid"). For a
 // cylinder and a cone, points inside are treated before points near sides, edges and tips.
@@ -85,8 +85,8 @@ SurfaceDistance signed_distance(const Cone& cone, const Vector3d& p)
     const Cylindrical at(p);
     const double base = -cone.height / 4;
     const double length = std::hypot(cone.radius, cone.height);
-    // Coordinates relative to the rim: outwards and up (x, y), and in the frame of the slope:
-    // towards the tip (`along`), and outwards, perpendicular to the slope (`away`).
+    // Coordinates relative to the rim [m]: x points away from the axis and y up. In the frame of
+    // the slope, `along` points to the tip, and `away` out of the cone, perpendicular to the slope.
     const double x = at.distance - cone.radius, y = at.height - base;
     const double along = (-cone.radius * x + cone.height * y) / length;
     const double away = (cone.height * x + cone.radius * y) / length;
@@ -168,7 +168,10 @@ struct DistanceTo {
     const Vector3d& p;
     template <class Round> SurfaceDistance operator()(const Round& shape) const
     {
-        return signed_distance(shape, p);
+        // The type of this pointer selects the overload for exactly this shape. If a shape had no
+        // overload, a plain call would convert it to `Shape`, and recurse without end.
+        constexpr SurfaceDistance (*overload)(const Round&, const Vector3d&) = signed_distance;
+        return overload(shape, p);
     }
     SurfaceDistance operator()(const Mesh&) const
     {

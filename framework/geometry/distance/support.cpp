@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Support functions of the shapes (Gilbert, Johnson and Keerthi 1988, "A fast procedure for
-// computing the distance between complex objects") and the features at the support point. Each is a
-// visitor with one function for each shape: first the support points, then the features, then the
-// normals of faces.
+// Support functions of the convex shapes (Gilbert, Johnson and Keerthi 1988, "A fast procedure for
+// computing the distance between complex objects") and the features at the support point. Three
+// visitors compute, in this order, the support point, the feature, and the normals of the faces.
 #include "geometry/distance/support.hpp"
 
 #include "geometry/shapes/solid_mesh.hpp"

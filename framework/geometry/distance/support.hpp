@@ -17,9 +17,11 @@ bool is_convex_solid(const Shape& shape);
 /// The point of a convex shape that is farthest along a direction [m].
 Vector3d support(const Shape& shape, const Vector3d& direction);
 
-/// The feature of a convex shape that faces a direction. It is a face, or a line on a round side,
-/// whose normal is within 26 degrees of the direction; else an edge that is nearly perpendicular to
-/// the direction; else a point.
+/// The feature of a convex shape that faces a unit direction: the first of these that exists.
+///
+///   1. A face, or a line on a round side, whose normal is within 26 degrees of the direction.
+///   2. An edge of a box or a mesh that is perpendicular to the direction within 26 degrees.
+///   3. The point farthest along the direction.
 Feature feature_towards(const Shape& shape, const Vector3d& direction);
 
 /// Appends the outward unit normals of a convex shape's faces, at most a few dozen. They are

@@ -2,7 +2,8 @@
 // Computes the signed distance to a mesh at every node of a grid. The sign comes from
 // angle-weighted pseudonormals (Baerentzen and Aanaes 2005, "Signed distance computation using the
 // angle weighted pseudonormal"). Nodes are visited row by row, because the triangle nearest to one
-// node is a good start for the search from the next.
+// node is a good start for the search from the next. To suggest a number of cells, rays measure the
+// thickness of the mesh's walls.
 #include "geometry/level_sets/level_set.hpp"
 
 #include "geometry/meshes/mesh_edges.hpp"
@@ -109,8 +110,10 @@ double thickness_at(const TriangleMesh& mesh, const TriangleTree& tree, int face
 
 LevelSet make_level_set(const TriangleMesh& mesh, int cells)
 {
-    constexpr int margin = 2;         // cells beyond the mesh's bounds on each side
-    constexpr double rounding = 1e-9; // in cells; rounding of the extent must not add a cell
+    constexpr int margin = 2; // cells beyond the mesh's bounds on each side
+    // A rounding error of the extent must not add a layer of cells, so their number is rounded up
+    // only if it exceeds a whole number by more than this.
+    constexpr double rounding = 1e-9;
     const Bounds bounds = bounds_of(mesh);
     const Vector3d extent = bounds.high - bounds.low;
     LevelSet grid;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Reads an OBJ file line by line. Faces refer to vertices by number, and each face is divided into
+// Reads an OBJ file line by line. Faces refer to vertices by index, and each face is divided into
 // a fan of triangles. Last, vertices that no face uses are removed.
 #include "geometry/mesh_files/obj.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Reads an STL file, triangle by triangle. A map from coordinates to vertex numbers makes one
-// vertex of all corners at one place.
+// Reads an STL file, triangle by triangle. A map from coordinates to indices of vertices makes one
+// vertex of all corners with the same coordinates.
 #include "geometry/mesh_files/stl.hpp"
 
 #include "geometry/mesh_files/mesh_text.hpp"
@@ -47,7 +47,7 @@ private:
     }
 
     SurfaceText read_;
-    std::map<std::array<double, 3>, int> numbers_; // the number of the vertex at each position
+    std::map<std::array<double, 3>, int> numbers_; // the index of the vertex at each position
 };
 
 // The little-endian number in the four bytes from `at` on.
@@ -70,7 +70,7 @@ SurfaceText read_binary(std::string_view bytes)
     Triangles triangles;
     for (std::size_t at = count_end; at < bytes.size(); at += triangle_bytes) {
         std::array<Vector3d, 3> corners;
-        for (std::size_t i = 0; i < 9; ++i) { // the corners follow the normal, 12 bytes
+        for (std::size_t i = 0; i < 9; ++i) { // the corners follow the normal of 12 bytes
             const double x = std::bit_cast<float>(word_at(bytes, at + 12 + 4 * i));
             if (!(std::abs(x) <= largest_coordinate))
                 throw MeshError(0, "expected coordinates of at most 1e12 in size, found others in "

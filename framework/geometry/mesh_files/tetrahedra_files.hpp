@@ -25,7 +25,7 @@ TetrahedraText read_msh(std::string_view text);
 /// @throws MeshError
 TetrahedraText read_medit(std::string_view text);
 
-/// Reads a mesh in the format of Gmsh or of Medit, which its first token tells.
+/// Reads a mesh of Gmsh or of Medit. The first token of the text tells the format.
 /// @throws MeshError
 TetrahedraText read_tetrahedra(std::string_view text);
 

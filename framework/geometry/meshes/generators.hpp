@@ -45,7 +45,7 @@ TriangleMesh ring_mesh(double inner_radius, double outer_radius, double height, 
 TriangleMesh cross_mesh(double length, double width);
 
 /// The lower half of a hollow ball, with its rim at y = 0.
-/// @param thickness  of the wall, < radius
+/// @param thickness  thickness of the wall, less than `radius`
 TriangleMesh bowl_mesh(double radius, double thickness, int sides);
 
 /// A spur gear with trapezoidal teeth, which reach from 0.6 d below the pitch circle to 0.5 d above

@@ -218,8 +218,8 @@ private:
         return 2 * std::atan2(volume, rest) / (4 * std::numbers::pi);
     }
 
-    // Each piece must have material on the inner side of its faces, where the winding number of the
-    // whole surface is 1, and none on the outer side, where it is 0.
+    // Refuses a piece unless material lies on the inner side of its faces and none on their outer
+    // side: the winding number of the whole surface is then 1 on the inner side, 0 on the outer.
     void pieces(const std::vector<HalfEdge>& edges) const
     {
         const int count = static_cast<int>(mesh_.triangles.size());

@@ -10,11 +10,11 @@
 
 namespace rigor {
 
-/// Coordinates above this limit [m] are refused, so that volumes and products of volumes do not
-/// overflow.
+/// Coordinates in mesh files above this limit [m] are refused, so that volumes and products of
+/// volumes do not overflow.
 inline constexpr double largest_coordinate = 1e12;
 
-/// Larger meshes are refused: the limits guard time and memory.
+/// Larger meshes are refused: the limits bound run time and memory.
 inline constexpr std::size_t most_mesh_triangles = 200'000, most_mesh_vertices = 200'000;
 
 /// Signed volume that the triangles enclose, positive if triangles are counter-clockwise seen from

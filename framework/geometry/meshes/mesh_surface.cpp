@@ -111,7 +111,8 @@ void MeshSurface::add_edges(const TriangleMesh& mesh, const std::vector<Vector3d
     }
 }
 
-// Adds points on each face, in rows parallel to its longest side, at twice the spacing of edges.
+// Adds points on each face, in rows parallel to its longest side. Rows are at most 2 `spacing_`
+// apart, and so are the points in a row.
 void MeshSurface::add_faces(const TriangleMesh& mesh, const std::vector<Vector3d>& normals)
 {
     const double spacing = 2 * spacing_;

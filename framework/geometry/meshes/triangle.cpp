@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Finds the point of a triangle nearest to a point, and whether a segment goes through a triangle.
-// Both follow Ericson 2005, "Real-time collision detection": the nearest point 5.1.5, by Voronoi
-// regions, and the segment 5.3.4, by the signs of volumes. For the nearest point, all vertices and
-// edges are tried, and the face is what remains.
+// Both follow Ericson 2005, "Real-time collision detection": 5.1.5 finds the nearest point by
+// Voronoi regions, and 5.3.4 tests the segment by the signs of volumes. The nearest point is sought
+// on all vertices and edges first; if it is on none of them, it is on the face.
 #include "geometry/meshes/triangle.hpp"
 
 namespace rigor {

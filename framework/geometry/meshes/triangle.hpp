@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Triangles: their normals and bounds, and tests of points and segments against them.
+// Triangles: normals and bounds, the point nearest to a point, and whether a segment goes through.
 #pragma once
 
 #include "formulas/types.hpp"
@@ -25,8 +25,8 @@ inline Triangle triangle_of(const TriangleMesh& mesh, int index)
 /// The bounds of all vertices of a mesh.
 Bounds bounds_of(const TriangleMesh& mesh);
 
-/// The point of a triangle nearest to another point, and the feature that it lies on: 0, 1, 2 are
-/// the vertices a, b, c; 3, 4, 5 the edges ab, bc, ca; 6 is the face.
+/// The point of a triangle nearest to another point, and the feature that it lies on. The features
+/// 0, 1, 2 are the vertices a, b, c, the features 3, 4, 5 the edges ab, bc, ca, and 6 is the face.
 struct NearestOnTriangle {
     Vector3d point;
     int feature = 6;
@@ -36,8 +36,8 @@ struct NearestOnTriangle {
 /// (Ericson 2005, "Real-time collision detection", 5.1.5).
 NearestOnTriangle nearest_on(const Triangle& triangle, const Vector3d& p);
 
-/// Whether the segment from p to q goes through the triangle. Both ends must be clearly off the
-/// triangle's plane, on different sides.
+/// Whether the segment from p to q goes through the triangle. The result is false if an end lies in
+/// the triangle's plane, up to the tolerance.
 ///
 /// @param tolerance  p or q counts as in the plane if six times the volume of the tetrahedron that
 ///                   it forms with the triangle is at most this [m³]

@@ -11,7 +11,7 @@ namespace rigor {
 /// distance.
 class TriangleTree {
 public:
-    /// @param mesh  must live longer than the tree
+    /// @param mesh  a mesh that lives longer than the tree, which refers to it
     explicit TriangleTree(const TriangleMesh& mesh);
 
     /// The nearest point of one triangle, and the index of the triangle.

@@ -46,14 +46,14 @@ public:
     /// Whether the mesh is convex and has few enough vertices for a hull (`is_hull` in
     /// convex/hull.hpp). Contacts of such meshes use the hull, and rarely need the level set.
     bool is_convex() const { return is_convex_; }
-    /// @pre is_convex()
+    /// The hull of the mesh. Call it only if `is_convex()`: for another mesh the hull is wrong.
     const Hull& hull() const;
 
-    /// `facet_angle` (meshes/mesh_edges.hpp): how much two facets of a round surface bend at most
-    /// at their common edge [rad].
+    /// `facet_angle` (meshes/mesh_edges.hpp): the largest angle between the normals of two
+    /// neighbouring facets of a round surface [rad].
     double facet_angle() const;
 
-    /// Sample points, whose spacing is one cell of the level set, and sharp edges of the surface.
+    /// Sample points and sharp edges of the surface, with one cell of the level set as `spacing`.
     const MeshSurface& surface() const;
 
     /// A bounding tree of the mesh's triangles.

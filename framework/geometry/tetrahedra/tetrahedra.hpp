@@ -10,7 +10,7 @@
 
 namespace rigor {
 
-/// Larger meshes are refused: the limits guard time and memory.
+/// Larger meshes are refused: the limits bound run time and memory.
 inline constexpr std::size_t most_tetrahedra = 1'000'000, most_tetrahedron_vertices = 1'000'000;
 
 /// tetrahedron_faces[f] has the vertices of face f of a tetrahedron, which lies opposite vertex f.
@@ -42,7 +42,7 @@ std::vector<SortedFace> sorted_faces(const TetrahedralMesh& mesh);
 std::vector<std::array<int, 4>> face_neighbours(const TetrahedralMesh& mesh);
 
 /// The boundary surface: the faces that belong to one tetrahedron only, counter-clockwise seen from
-/// outside. The result has all vertices of the mesh, with the same numbers.
+/// outside. The result has all vertices of the mesh, with the same indices.
 TriangleMesh boundary(const TetrahedralMesh& mesh);
 
 } // namespace rigor

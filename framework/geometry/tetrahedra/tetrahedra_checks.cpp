@@ -16,8 +16,8 @@ namespace rigor {
 namespace {
 
 // A tetrahedron is flat if its volume, divided by the cube of its longest edge, is at most this.
-// For a regular tetrahedron this ratio is 0.12. Flat ones are refused because the formulas divide
-// by the volume.
+// For a regular tetrahedron this ratio is 0.12. Flat ones are refused, because a deformation
+// gradient is computed by a division by the volume.
 constexpr double least_volume = 1e-9;
 
 class Check {

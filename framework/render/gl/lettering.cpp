@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Draws the texts of a picture. Each letter is a rectangle that shows its part of the font's atlas,
-// at whole pixels. Labels are centered above the projections of their points; other texts are lines
-// in the top left corner; the color bar has its title and its numbers.
+// at whole pixels. Labels are centered above the projections of their points, and other texts are
+// lines in the top left corner. The color bar has its title and its numbers.
 #include "render/gl/lettering.hpp"
 
 #include "render/gl/layout.hpp"
@@ -14,7 +14,8 @@
 namespace rigor {
 namespace {
 
-constexpr std::size_t longest = 160; // [letters] the rest of a longer line is not drawn
+// Number of letters of a line that are drawn. Longer lines are cut off.
+constexpr std::size_t longest = 160;
 
 /// The sRGB encoding of linear light, approximated by a power, which is enough for letters.
 float encoded(float linear)

@@ -25,7 +25,7 @@ private:
     };
     void add_line(const Text& text, int size, float x, float y);
     void add_label(const Text& text, const View& view);
-    // Divides a text into lines of at most this width, unless a word is wider [pixels].
+    // Divides a text into lines of at most this width [pixels], unless a word is wider.
     std::vector<Text> wrapped(const Text& text, float width);
     void draw_scale(const ColorScale& scale);
     float width_of(const Text& text, int size);

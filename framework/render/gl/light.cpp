@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The matrices of the camera and of the sun. The camera has a perspective projection and looks at
 // the picture's target. The sun stands behind the left shoulder of the camera and has a parallel
-// projection onto the shadow map, which fits a ball around all bodies that cast shadows.
+// projection onto the shadow map, which fits a ball around the bodies near the target that cast
+// shadows.
 #include "render/gl/light.hpp"
 
 #include "render/gl/layout.hpp"
@@ -74,7 +75,7 @@ struct Ball {
     float radius = 1;
 };
 
-/// A ball around all bodies that cast shadows near the camera's target.
+/// A ball around all bodies near the camera's target that cast shadows.
 Ball around_casters(const Picture& picture)
 {
     const float reach = 6 * camera_distance(picture);

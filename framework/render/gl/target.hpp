@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The framebuffers. One has the picture with four samples for each pixel, which are then resolved
-// to one sample and read back. The other one has the shadow map.
+// The framebuffers: one with four samples for each pixel of the picture, one to which these are
+// resolved (one sample for each pixel) and from which the image is read, and one with the shadow
+// map.
 #pragma once
 
 #include "render/gl/gl.hpp"

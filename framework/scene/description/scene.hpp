@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A scene as its file describes it. Nothing is computed yet, and no formula has been called.
+// A scene as its file describes it, with its meshes. No mass and no motion has been computed yet,
+// and no formula has been called.
 #pragma once
 
 #include "deformable/solid/deformable.hpp"
@@ -49,7 +50,9 @@ struct BodyDescription {
     // center of mass is then the origin of the frame.
     std::optional<Matrix3d> inertia;
     MassMethod mass_method = MassMethod::exact;
-    int mass_samples = 0;                 // number of samples; 0: the default
+    // For `samples` the number of random points, for `grid` and `particles` the number of cells
+    // along the longest edge; 0: the default.
+    int mass_samples = 0;
     Vector3d position = Vector3d::Zero(); // position of the frame's origin [m]
     Quaternion orientation;
     Vector3d velocity = Vector3d::Zero();         // velocity of the center of mass [m/s]
@@ -108,7 +111,7 @@ struct Scene {
     std::string text;        // text of the file, with the texts of its mesh files added
     std::vector<BodyDescription> bodies;
     std::vector<SolidDescription> solids;
-    std::vector<Spring> springs;             // points in the bodies' frames, as in the file
+    std::vector<Spring> springs;             // points in the frame of their body, or in the world
     std::vector<AppliedForce> forces;        // points in the bodies' frames, but see `world_forces`
     std::vector<int> world_forces;           // indices of `forces` with points in world space
     std::vector<PairLaw> pairs;              // for pairs of bodies, sorted by the indices

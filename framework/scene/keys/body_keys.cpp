@@ -216,9 +216,9 @@ Matrix3d read_inertia(const Value& value)
     if ((I - I.transpose()).norm() > rounding)
         throw Mistake{value.line, "expected a symmetric inertia, found rows that differ from the "
                                   "columns"};
-    // D = ½ tr(I) 1 - I, the sum of x xᵀ dm over the mass dm at the points x, must have no negative
-    // eigenvalue. Then no principal moment is negative, and none is larger than the sum of the
-    // other two.
+    // For matter, D = ½ tr(I) δ - I, with the unit matrix δ, is the sum of x xᵀ dm over the mass dm
+    // at the points x, so it has no negative eigenvalue. An inertia whose D has one is refused: it
+    // has a negative principal moment, or one that is larger than the sum of the other two.
     const Matrix3d D = 0.5 * I.trace() * Matrix3d::Identity() - I;
     Eigen::SelfAdjointEigenSolver<Matrix3d> eigen;
     eigen.compute(D, Eigen::EigenvaluesOnly);
@@ -296,7 +296,8 @@ void check_film(const BodyDraft& draft)
         throw Mistake{draft.film->line, "expected no \"filmed\" of a static body, found one"};
 }
 
-// Reads the prescribed motion of a driven body, which otherwise counts as static.
+// Checks that a driven body is not static, has no other motion and is no plane. Then marks it as
+// static, since only its drive moves it.
 void read_driven(BodyDraft& draft)
 {
     if (!draft.drive) return;
@@ -315,8 +316,8 @@ void read_driven(BodyDraft& draft)
     body.is_static = true;
 }
 
-// Reads the only axis about which the body may turn, if any. An initial angular velocity must be
-// about this axis.
+// Reads the only axis about which the body may turn, if any. Refuses an initial angular velocity
+// about another axis.
 void read_turning(BodyDraft& draft)
 {
     const Value* value = draft.axis ? draft.axis : draft.turns;
@@ -339,7 +340,7 @@ void read_turning(BodyDraft& draft)
     draft.body.only_axis = a;
 }
 
-// Refuses the keys that only a moving body may have, if the body is static or driven.
+// Refuses "drag", "turns" and "turns_about" of a body that is static or driven.
 void check_moving(const BodyDraft& draft)
 {
     for (const Value* value : {draft.drag, draft.turns, draft.axis})

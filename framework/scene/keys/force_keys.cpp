@@ -114,7 +114,7 @@ constexpr Key<ForceDraft> force_keys[] = {
      [](ForceDraft& d, const Value& v) { d.factor = &v; }},
 };
 
-// Reads the factor of a force. Its value at the start of the force must be finite.
+// Reads the factor of a force. Refuses a factor that is not finite at the start of the force.
 void read_factor(ForceDraft& draft)
 {
     if (!draft.factor) return;

@@ -6,7 +6,8 @@
 
 namespace rigor {
 
-/// Reads springs. Their points are in the bodies' frames, as in the file.
+/// Reads springs. Their points are as in the file: in the frame of a body, or in the world where no
+/// body is named.
 /// @throws Mistake
 std::vector<Spring> read_springs(const Value& value, const std::vector<BodyDescription>& bodies);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Makes the copies of a body in a grid: x changes first, then z, then y. Each copy is shifted and
-// rotated by random amounts, which the seed determines.
+// Makes the copies of a body in a grid: first along x, then along z, then along y. Each copy is
+// shifted and rotated by random amounts, which the seed determines.
 #include "scene/keys/grid_keys.hpp"
 
 #include "scene/keys/limits.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Reads an object that describes a shape or a mesh of one kind. Its keys are sizes, such as
-// "radius".
+// Reads the object below the name of a kind of shape or mesh, such as the inner one in
+// {"torus": {"radius": 1, "tube": 0.2}}. Each kind has keys of its own, such as "radius" or "file".
 #pragma once
 
 #include "scene/language/keys.hpp"
@@ -11,7 +11,7 @@
 
 namespace rigor {
 
-/// Reads the keys of an object of one kind. The keys in `needed` must be there.
+/// Reads the keys of an object of one kind. Refuses an object that lacks one of the keys `needed`.
 template <class T>
 T read_kind(const Value& value, Keys<T> keys, std::initializer_list<std::string_view> needed)
 {

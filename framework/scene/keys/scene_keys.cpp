@@ -24,7 +24,7 @@ namespace rigor {
 
 namespace {
 
-// Longer files and runs are refused: the limits guard memory and time.
+// Longer files and runs are refused: the limits bound memory and run time.
 constexpr std::uintmax_t most_bytes = 16'000'000;
 constexpr double most_steps = 10'000'000;
 
@@ -121,7 +121,7 @@ void read_times(SceneDraft& draft)
     scene.frames_per_second = std::min(scene.frames_per_second, one_a_step);
     if (!draft.frames_per_second) return;
     scene.frames_per_second = positive(*draft.frames_per_second, "a number of frames per second");
-    constexpr double rounding = 1e-9; // relative error of 1 / time step
+    constexpr double rounding = 1e-9; // relative tolerance, for the rounding of 1 / time step
     if (scene.frames_per_second > one_a_step * (1 + rounding))
         expected(fmt::format("at most one frame a step ({:.6g} per second)", one_a_step),
                  *draft.frames_per_second);

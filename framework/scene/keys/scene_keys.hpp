@@ -7,7 +7,7 @@
 namespace rigor {
 
 /// Reads a scene from a file or from a text.
-/// @throws InputError `file:line: expected …, found …`
+/// @throws InputError, such as `file:line: expected …, found …`
 Scene load_scene(const std::filesystem::path& file);
 Scene parse_scene(const std::string& text, const std::string& file_name);
 

@@ -29,7 +29,7 @@ std::array<int, n> whole_numbers(const Value& value, std::string_view what, int 
     return numbers;
 }
 
-constexpr int most_cells = 1000; // along each axis; the limit guards time and memory
+constexpr int most_cells = 1000; // along each axis; the limit bounds run time and memory
 
 constexpr Key<BlockDraft> size_key = {
     "size", "full extent along x, y, z, each > 0 [m]",

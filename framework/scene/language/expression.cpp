@@ -21,7 +21,7 @@ namespace {
 
 using Instruction = Expression::Instruction;
 
-// Longer and deeper expressions are refused: the limits guard the stack and the time of a step.
+// Longer and deeper expressions are refused: the limits bound the stack and the time of a step.
 constexpr std::size_t most_characters = 1000;
 constexpr int most_depth = 50;
 

@@ -34,7 +34,7 @@ private:
 /// max. A power has the highest precedence and is evaluated from the right. A sign before a power
 /// applies to the whole power: -t^2 is -(t^2).
 ///
-/// @throws Mistake  with the place in the text
+/// @throws Mistake  which names the character at which a syntax error was found
 Expression expression(const Value& value);
 
 } // namespace rigor

@@ -15,9 +15,9 @@ namespace rigor {
 namespace {
 
 // The largest number of keys in an object, such as "meshes", which has a key for each mesh. Each
-// new key is compared with all keys before it, so the limit guards the time.
+// new key is compared with all keys before it, so the limit bounds the time to read an object.
 constexpr std::size_t most_keys = 1000;
-// Larger texts and deeper nesting are refused: the limits guard time and memory.
+// Larger texts and deeper nesting are refused: the limits bound run time and memory.
 constexpr std::size_t most_values = 1'000'000, most_levels = 32;
 
 // The number of newlines that the parser has read, and the last character.

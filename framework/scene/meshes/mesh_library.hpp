@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The meshes of a scene. Each mesh is made once and is shared by all bodies that name it.
+// The meshes of a scene. Each triangle mesh is made once and is shared by all bodies that describe
+// the same mesh. A tetrahedral mesh is made anew for each solid.
 #pragma once
 
 #include "geometry/shapes/solid_mesh.hpp"

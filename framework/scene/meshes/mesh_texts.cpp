@@ -23,14 +23,14 @@ namespace rigor {
 namespace {
 
 // Larger mesh files are refused, and so are scenes whose text is larger after the meshes are added:
-// the limits guard memory.
+// the limits bound the memory that a scene takes.
 constexpr std::uintmax_t most_mesh_bytes = 64'000'000, most_scene_bytes = 16'000'000;
 
 // A mesh file that the scene names.
 struct NamedFile {
     const Value* name;
     bool is_solid; // whether it is a mesh of tetrahedra
-    bool is_open;  // whether the scene gives a depth; the solid below the surface is checked later
+    bool is_open;  // whether the scene gives a depth: then `MeshLibrary::from_file` checks the mesh
 };
 
 // Collects the names of mesh files, {"mesh": {"file": …}}, in a value and in all values inside it.

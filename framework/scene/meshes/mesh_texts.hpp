@@ -11,7 +11,7 @@ namespace rigor {
 /// or has the key "meshes" already, is returned unchanged.
 ///
 /// @param scene_file  file of the scene; the paths of the mesh files are relative to its folder
-/// @throws Mistake at the line that names a missing file
+/// @throws Mistake for an error in the text of the scene, such as the name of a missing file
 /// @throws InputError for an error in a mesh file, with its line
 std::string with_mesh_texts(const std::string& text, const std::filesystem::path& scene_file);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Finds the bounds of the parts, samples the density there, on a grid or at random points, and
-// gives the samples to the formula of the method. A bounding box needs only the bounds, and a rod
-// only its length.
+// gives the samples to the formula of the method. A bounding box needs the bounds and the exact
+// mass, and a rod its length and its mass per length.
 #include "scene/run/approximate_mass.hpp"
 
 #include "formulas/inertia.hpp"
@@ -39,7 +39,7 @@ double density_at(const std::vector<Part>& parts, const Vector3d& x)
     return density;
 }
 
-// The density at the centers of cubic cells that fill the bounding box.
+// The density at the centers of cubic cells that cover the bounding box.
 struct CellSamples {
     double cell_size = 0; // [m]
     std::vector<DensitySample> samples;

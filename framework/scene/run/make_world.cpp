@@ -107,7 +107,7 @@ RecordedWorld make_recorded_world(const Scene& scene, const RunSettings& setting
     world.forces = scene.forces;
     world.pair_laws = scene.pairs;
     OwnMeshes meshes;
-    std::map<std::string, int> groups; // the number of each group, from 1, by its name
+    std::map<std::string, int> groups; // the id of each group, from 1, by its name
     for (const BodyDescription& described : scene.bodies) {
         RigidBody& body = world.bodies.emplace_back();
         body.name = described.name;
@@ -142,8 +142,8 @@ RecordedWorld make_recorded_world(const Scene& scene, const RunSettings& setting
         }
         made.bodies.push_back({body.is_static, body.mass, center, body.inertia});
     }
-    // Moves a point from the frame of the scene file to object space, whose origin is the center of
-    // mass.
+    // Moves a point from a body's frame of the scene file to object space, whose origin is the
+    // center of mass.
     const auto shift = [&](int body, Vector3d& point) {
         if (body >= 0) point -= made.bodies[static_cast<std::size_t>(body)].center_of_mass;
     };

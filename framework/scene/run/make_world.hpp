@@ -14,8 +14,8 @@ struct RunSettings {
     int threads = 1;
 };
 
-/// The rigid bodies of a scene. For bodies with densities, the formulas in formulas/inertia.hpp are
-/// called.
+/// The rigid bodies of a scene. Formulas of topic `inertia` are called for the bodies that move,
+/// and the formula `angular_velocity` for those with the key "filmed".
 World make_world(const Scene& scene, const RunSettings& settings = {});
 
 /// The rigid bodies and the deformable solids of a scene.

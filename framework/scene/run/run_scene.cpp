@@ -85,8 +85,11 @@ std::vector<std::vector<RigidState>> advance(const Scene& scene, const std::vect
         std::vector<RigidBody>& bodies = world.rigid.bodies;
         if (states.size() != bodies.size())
             throw std::invalid_argument("advance: expected a state for each body of the scene");
-        for (std::size_t i = 0; i < states.size(); ++i)
+        for (std::size_t i = 0; i < states.size(); ++i) {
             bodies[i].state = states[i];
+            bodies[i].rest = {};
+        }
+        world.rigid.memory = {};
         world.solids = solids;
         const std::int64_t start = std::llround(time / scene.time_step);
         for (int i = 1; i <= steps; ++i)

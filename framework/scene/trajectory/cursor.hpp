@@ -45,8 +45,8 @@ inline std::size_t count_of(const std::string& where, std::string_view what, std
     return count;
 }
 
-/// Reads values one after the other from bytes. The caller must have checked that there are enough
-/// bytes.
+/// Reads values one after the other from bytes. It does not check that there are enough bytes; the
+/// caller has to check that before, because bytes beyond the end would be read otherwise.
 class ByteCursor {
 public:
     explicit ByteCursor(std::span<const std::byte> bytes) : bytes_(bytes) {}

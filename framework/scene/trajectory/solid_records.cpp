@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Reads the deformable solids of a frame. The sizes of a mesh are read and checked first, then its
-// elements and surface, then totals, nodes and element values. All numbers must be finite, and all
-// indices valid.
+// elements and surface, then totals, nodes and element values. A number that is not finite and an
+// index out of range are refused.
 #include "scene/trajectory/solid_records.hpp"
 
 #include "deformable/elasticity/totals.hpp"

@@ -87,7 +87,7 @@ FrameStatistics Statistics::of(const Frame& frame) const
         const Vector3d between =
             world_point(spring.body1, spring.point1) - world_point(spring.body2, spring.point2);
         const double stretch = between.norm() - spring.rest_length;
-        if (spring.only_pulls && stretch < 0) continue; // slack
+        if (spring.only_pulls && stretch < 0) continue; // a slack spring stores no energy
         sums.potential_energy += 0.5 * spring.stiffness * stretch * stretch;
     }
     for (const ContactRecord& contact : frame.contacts)

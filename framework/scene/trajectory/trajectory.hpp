@@ -2,8 +2,9 @@
 // The recorded motion of a scene. A worker writes it; it can be sent as a stream or stored, and it
 // can be read while it is still being written.
 //
-// The format is little-endian binary. u32 is an unsigned integer of 32 bits, i32 a signed one,
-// f64 a float of 64 bits. After a count, or a group of counts, follow the items that were counted:
+// The format is little-endian binary. u8, u32 and u64 are unsigned integers with this number of
+// bits, i32 and i64 signed ones, f32 and f64 floats. After a count, or a group of counts, follow
+// the items that were counted:
 //     "RIGORTRJ"  u32 version: 1 without deformable solids, 2 with
 //     u32 bytes, name of the scene       u32 bytes, scene file as text
 //     u32 bodies, each: u8 is_static, f64 mass, 3 f64 center of mass, 9 f64 inertia (I_body by

@@ -1,15 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "scene/trajectory/writer.hpp"
-#include "errors/input_error.hpp"
-
-#include <fmt/format.h>
 
 #include <bit>
-#include <cerrno>
-#include <cstring>
-
-#include <fcntl.h>
-#include <unistd.h>
 
 namespace rigor {
 
@@ -143,31 +135,6 @@ Bytes encode_end(const Counters& counters)
     for (const CounterField& field : counter_fields)
         writer.put(counters.*field.member);
     return writer.take();
-}
-
-TrajectoryFile::TrajectoryFile(const std::filesystem::path& path)
-    : path_(path), descriptor_(::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666))
-{
-    if (descriptor_ < 0)
-        throw InputError(fmt::format("{}: expected a file that can be written, found: {}",
-                                     path.string(), std::strerror(errno)));
-}
-
-TrajectoryFile::~TrajectoryFile()
-{
-    ::close(descriptor_);
-}
-
-void TrajectoryFile::write(std::span<const std::byte> records)
-{
-    while (!records.empty()) {
-        const ssize_t written = ::write(descriptor_, records.data(), records.size());
-        if (written < 0 && errno == EINTR) continue;
-        if (written < 0)
-            throw InputError(fmt::format("{}: expected room for {} bytes more, found: {}",
-                                         path_.string(), records.size(), std::strerror(errno)));
-        records = records.subspan(static_cast<std::size_t>(written));
-    }
 }
 
 } // namespace rigor

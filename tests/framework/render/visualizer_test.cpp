@@ -159,6 +159,40 @@ TEST_CASE("visualizer: angular velocity and momentum point where they should", "
     CHECK((first_cone() - Vector3f(1, 4, 0).normalized()).norm() < 1e-5F);
 }
 
+TEST_CASE("visualizer: a rod without inertia about its axis has an angular velocity", "[render]")
+{
+    SmallRun run = small_run();
+    run.bodies[1].inertia = Vector3d(0.1, 0, 0.1).asDiagonal();
+    run.frame.bodies[1].angular_momentum = Vector3d(0.1, 0, 0);
+    Overlays overlays;
+    overlays.angular_velocity = true;
+    const Picture picture = Visualizer(run.scene, run.bodies, overlays).picture(run.frame);
+    REQUIRE(picture.cones.size() == 1);
+    CHECK((picture.cones[0].axes.col(2).normalized() - Vector3f::UnitX()).norm() < 1e-5F);
+}
+
+TEST_CASE("visualizer: a spring ends where it is fastened", "[render]")
+{
+    SmallRun run = small_run();
+    const Vector3d center(0.3, -0.1, 0.2), point(0.5, 0.5, 0), wall(-2, 1, 0);
+    run.bodies[1].center_of_mass = center;
+    run.frame.bodies[1].position = {1, 2, 3};
+    run.frame.bodies[1].orientation = {std::sqrt(0.5), {0, 0, std::sqrt(0.5)}}; // a quarter about z
+    Spring spring;
+    spring.body1 = -1;
+    spring.point1 = wall;
+    spring.body2 = 1;
+    spring.point2 = point;
+    run.scene.springs = {spring};
+    const Picture picture = Visualizer(run.scene, run.bodies, Overlays()).picture(run.frame);
+    REQUIRE(!picture.rods.empty());
+    const Vector3d arm = point - center,
+                   end = Vector3d(1, 2, 3) + Vector3d(-arm.y(), arm.x(), arm.z());
+    const Instance &first = picture.rods.front(), &last = picture.rods.back();
+    CHECK((first.position - wall.cast<float>()).norm() < 1e-5F);
+    CHECK((last.position + last.axes.col(2) - end.cast<float>()).norm() < 1e-5F);
+}
+
 TEST_CASE("visualizer: overlays add what they name and a legend", "[render]")
 {
     SmallRun run = small_run();

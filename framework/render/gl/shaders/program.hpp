@@ -17,10 +17,13 @@ struct View {
     float screen[4]; // width, height [pixels], 1 / side of the shadow map
 };
 
-/// The compiled shaders of a look. `definitions` are preprocessor names that their source tests:
-/// SHADOWS (there is a shadow map), GHOST (translucent, with visible edges), CONTRAST (how far the
-/// two tones of a model's octants differ), TINT (`smooth`: interpolate the colors of corners),
-/// THROUGH (an overlay where a body hides it: in one flat color).
+/// The compiled shaders of a look. `definitions` are whole lines for the preprocessor, such as
+/// "#define GHOST\n", which are put before the source. They define some of these names:
+/// - SHADOWS: there is a shadow map.
+/// - GHOST: the body is translucent, with visible edges.
+/// - CONTRAST: how far the two tones of octants differ, a number that `Look::model` needs.
+/// - TINT: `smooth`, which interpolates the colors of the corners; `flat` if it is not defined.
+/// - THROUGH: an overlay is drawn where a body hides it, in one flat color.
 /// @throws std::runtime_error with the compiler's messages
 class Program {
 public:

@@ -22,7 +22,7 @@ constexpr const char* lighting = R"(
 uniform sampler2DShadow shadow_map;
 float sunlight(vec3 point, vec3 normal) {
     vec4 p = to_light * vec4(point + normal * light.w, 1.0);
-    // four filtered looks, a pixel apart: a tent over 4 x 4 pixels of the map
+    // four filtered looks, a pixel to each side of the point: together they cover 4 x 4 pixels
     vec2 d = vec2(screen.z, -screen.z);
     return 0.25 * (texture(shadow_map, vec3(p.xy + d.xx, p.z)) + texture(shadow_map, vec3(p.xy + d.xy, p.z)) +
                    texture(shadow_map, vec3(p.xy + d.yx, p.z)) + texture(shadow_map, vec3(p.xy + d.yy, p.z)));
@@ -178,8 +178,8 @@ void main() {
 }
 )";
 
-// The lines of the ground are filtered by their width on the screen, so that thin ones fade instead
-// of shimmering (Golus 2022, "The Best Darn Grid Shader (Yet)").
+// The lines of the ground are filtered by their width on the screen, so that thin ones fade and do
+// not shimmer (Golus 2022, "The Best Darn Grid Shader (Yet)").
 constexpr const char* ground_fragment = R"(
 in vec3 point;
 in vec2 away;

@@ -275,6 +275,31 @@ TEST_CASE("motion: the same world gives the same bits", "[deformable]")
     }
 }
 
+TEST_CASE("motion: where handles overlap the last one counts, axis by axis", "[deformable]")
+{
+    for (const NodeIntegrator integrator : integrators) {
+        DeformableWorld world = world_of(held_bar(1, 0.3));
+        Deformable& bar = world.solids[0];
+        bar.integrator = integrator;
+        const std::vector<Vector3d> first = bar.positions;
+        const auto path_to = [](const Vector3d& end) -> std::vector<HandleMoment> {
+            return {{0, Vector3d::Zero(), Vector3d::Zero()}, {0.1, end, Vector3d::Zero()}};
+        };
+        Handle second = bar.handles[0], third = second;
+        bar.handles[0].path = path_to({0.01, 0.02, 0.03});
+        second.axes = {true, true, false};
+        second.path = path_to({-0.02, 0.04, 1});
+        third.axes = {false, true, false};
+        third.path = path_to({1, -0.03, 1});
+        bar.handles.push_back(second);
+        bar.handles.push_back(third);
+        run(world, 0.01, 5);
+        for (const int node : second.nodes)
+            CHECK_THAT(bar.positions[node],
+                       IsClose(first[node] + Vector3d(-0.01, -0.015, 0.015), Rounding(100, 1)));
+    }
+}
+
 TEST_CASE("motion: handles lead their nodes and let go", "[deformable]")
 {
     for (const NodeIntegrator integrator : integrators) {
