@@ -5,6 +5,7 @@
 #include "cli/prepare.hpp"
 #include "cli/progress.hpp"
 #include "cli/scene_run.hpp"
+#include "cli/states_table.hpp"
 #include "errors/input_error.hpp"
 #include "scene/keys/scene_keys.hpp"
 #include "scene/run/run_scene.hpp"
@@ -21,7 +22,7 @@ namespace rigor {
 namespace {
 
 struct SimulateOptions {
-    std::string scene, with = "student", out;
+    std::string scene, with = "student", out, states;
     std::uint32_t threads = 1;
     bool stats = false, json = false, every_step = false;
 };
@@ -195,17 +196,40 @@ void print_stats(const Summary& summary, double seconds)
                     summary.extremes[i]);
 }
 
+// A file that is written while the scene runs, if it was asked for.
+class OutputFile {
+public:
+    explicit OutputFile(const std::string& path) : path_(path)
+    {
+        if (path.empty()) return;
+        file_.open(path, std::ios::binary);
+        if (!file_) throw InputError(path + ": cannot be written");
+    }
+    bool is_wanted() const { return !path_.empty(); }
+    void write(std::string_view bytes)
+    {
+        if (is_wanted()) file_.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    }
+    void close()
+    {
+        if (!is_wanted()) return;
+        file_.close();
+        if (!file_) throw InputError(path_ + ": cannot be written whole");
+    }
+
+private:
+    std::string path_;
+    std::ofstream file_;
+};
+
 int simulate(const SimulateOptions& options)
 {
     if (options.threads < 1 || options.threads > 64)
         throw InputError(fmt::format("--threads: expected 1 to 64, found {}", options.threads));
     const Scene scene = load_scene(find_scene(options.scene));
     const Implementation implementation = working_implementation(options.with);
-    std::ofstream file;
-    if (!options.out.empty()) {
-        file.open(options.out, std::ios::binary);
-        if (!file) throw InputError(options.out + ": cannot be written");
-    }
+    OutputFile trajectory(options.out), states(options.states);
+    states.write(states_header());
     Summary summary;
     std::optional<Statistics> statistics;
     Progress progress(scene.name);
@@ -213,9 +237,7 @@ int simulate(const SimulateOptions& options)
     run.threads = static_cast<int>(options.threads);
     run.record = options.every_step ? Record::every_step : Record::frames;
     run.on_bytes = [&](std::span<const std::byte> bytes) {
-        if (file.is_open())
-            file.write(reinterpret_cast<const char*>(bytes.data()),
-                       static_cast<long>(bytes.size()));
+        trajectory.write({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
     };
     run.on_start = [&](const Scene& started, const std::vector<RecordedBody>& bodies) {
         statistics.emplace(started, bodies);
@@ -226,21 +248,23 @@ int simulate(const SimulateOptions& options)
     run.on_frame = [&](const Frame& frame) {
         summary.take(statistics->of(frame));
         summary.hash.take(frame);
+        if (states.is_wanted()) states.write(states_lines(scene, *statistics, frame));
         progress.update(frame.time / scene.end,
                         fmt::format("{:.2f} s of {:g} s", frame.time, scene.end));
     };
     run.on_end = [&](const Counters& counters) { summary.counters = counters; };
     const RunOutcome outcome = run_in_worker(implementation, scene, run);
     progress.clear();
-    file.close();
-    if (!file && !options.out.empty()) throw InputError(options.out + ": cannot be written whole");
+    trajectory.close();
+    states.close();
 
     if (options.json)
         print_json(scene.name, options, summary, outcome.seconds);
     else if (summary.frames > 0) {
-        fmt::print("{}: {} frames to t = {:g} s in {:.2f} s{}\n", scene.name, summary.frames,
+        fmt::print("{}: {} frames to t = {:g} s in {:.2f} s{}{}\n", scene.name, summary.frames,
                    summary.last.time, outcome.seconds,
-                   options.out.empty() ? "" : ", stored in " + options.out);
+                   options.out.empty() ? "" : ", stored in " + options.out,
+                   options.states.empty() ? "" : ", states in " + options.states);
         if (options.stats) print_stats(summary, outcome.seconds);
     }
     return report_outcome(outcome, implementation);
@@ -255,6 +279,8 @@ Action declare_simulate(Options& options)
                  "A scene file, or the name of one that ships: a4-collision/hundred_boxes");
     options.option("--with", "WHO", chosen->with, "student (the default), reference, or a folder");
     options.option("--out", "FILE", chosen->out, "Store the trajectory");
+    options.option("--states", "FILE", chosen->states,
+                   "Store the state of each body at each frame as a table (CSV)");
     options.option("--threads", "N", chosen->threads,
                    "Threads for the reference (1); the result is the same bits. Student code runs "
                    "on one");
@@ -263,7 +289,8 @@ Action declare_simulate(Options& options)
                  "Print energy, momentum, penetration, steps a second, and what was skipped");
     options.flag("--json", chosen->json, "Print those figures as JSON");
     options.examples({"simulate spinning_box --stats",
-                      "simulate hundred_boxes --with reference --out boxes.trajectory"});
+                      "simulate hundred_boxes --with reference --out boxes.trajectory",
+                      "simulate pendulum.json --states pendulum.csv --every-step"});
     return [chosen] { return simulate(*chosen); };
 }
 

@@ -3,13 +3,20 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
+#include <cmath>
+
 namespace rigor {
 
 namespace {
 
+// Whether the whole cell is a finite number, which a spreadsheet never reads as a formula.
 bool is_number(const std::string& cell)
 {
-    return cell.find_first_not_of("0123456789.") == std::string::npos;
+    double number = 0;
+    const char* const end = cell.data() + cell.size();
+    const auto [stop, error] = std::from_chars(cell.data(), end, number);
+    return error == std::errc() && stop == end && std::isfinite(number);
 }
 
 // A spreadsheet reads a cell as a formula if it begins with one of these signs, even after spaces.
@@ -60,9 +67,9 @@ std::string csv_line(const std::vector<std::string>& cells)
     return line + "\r\n";
 }
 
-std::string csv_number(double points)
+std::string csv_number(double number)
 {
-    return fmt::format("{}", points == 0 ? 0.0 : points);
+    return fmt::format("{}", number == 0 ? 0.0 : number);
 }
 
 } // namespace rigor

@@ -296,8 +296,8 @@ void check_film(const BodyDraft& draft)
         throw Mistake{draft.film->line, "expected no \"filmed\" of a static body, found one"};
 }
 
-// Checks that a driven body is not static, has no other motion and is no plane. Then marks it as
-// static, since only its drive moves it.
+// Checks that a driven body is not static, has no other motion and no mass, and is no plane. Then
+// marks it as static, since only its drive moves it.
 void read_driven(BodyDraft& draft)
 {
     if (!draft.drive) return;
@@ -313,6 +313,12 @@ void read_driven(BodyDraft& draft)
                           fmt::format("expected a shape of finite size for the driven body {}, "
                                       "found a plane",
                                       in_quotes(body.name))};
+    for (const Value* value : {draft.mass, draft.density, draft.part_density, draft.inertia})
+        if (value)
+            throw Mistake{value->line,
+                          fmt::format("expected no \"{}\" of the driven body {}, whose motion is "
+                                      "given, found one",
+                                      value->key, in_quotes(body.name))};
     body.is_static = true;
 }
 

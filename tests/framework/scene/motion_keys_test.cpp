@@ -92,6 +92,10 @@ TEST_CASE("driven: what it cannot be is refused")
     CHECK(refusal("\"velocity\": [1, 0, 0], " + motion) ==
           "s:2: expected the motion of a driven body in \"driven\" alone, found it in the body "
           "too");
+    for (const std::string key : {"mass", "density"})
+        CHECK(refusal("\"" + key + "\": 2, " + motion) ==
+              "s:2: expected no \"" + key +
+                  "\" of the driven body \"a\", whose motion is given, found one");
     CHECK(refusal(R"("driven": {"velocity": [0, 0, 0]})")
               .rfind("s:2: expected a velocity, an angular velocity or an amplitude that is not "
                      "zero",

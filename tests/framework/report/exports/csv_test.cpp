@@ -14,7 +14,7 @@ TEST_CASE("csv: cells are quoted as RFC 4180 says", "[report]")
 
 TEST_CASE("csv: no cell is a formula", "[report]")
 {
-    for (const char* cell : {"=1+1", "+1", "-1", "@SUM(A1)", "\t=1", "  =1", "-cmd"})
+    for (const char* cell : {"=1+1", "+1", "-1+1", "@SUM(A1)", "\t=1", "  =1", "-cmd"})
         CHECK(csv_line({cell}) == "'" + std::string(cell) + "\r\n");
     for (const char* cell : {"\uFF1D1+1", "\uFF0B1", "\uFF0D1", "\uFF20SUM(A1)", "\u00A0=1",
                              "\u3000\u200B@SUM(A1)", "\uFEFF=1"})
@@ -24,7 +24,12 @@ TEST_CASE("csv: no cell is a formula", "[report]")
     CHECK(csv_line({"a=b", "1-2"}) == "a=b,1-2\r\n");
 }
 
-TEST_CASE("csv: points read back as the same number", "[report]")
+TEST_CASE("csv: a negative number is no formula", "[report]")
+{
+    CHECK(csv_line({"-1", "-2.5e-07", "-inf"}) == "-1,-2.5e-07,'-inf\r\n");
+}
+
+TEST_CASE("csv: numbers read back as the same number", "[report]")
 {
     CHECK(csv_number(12) == "12");
     CHECK(csv_number(0.1) == "0.1");
