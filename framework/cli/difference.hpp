@@ -18,7 +18,7 @@ struct Difference {
     // |expected - actual|. For orientations it is the angle between them [rad], and for meshes that
     // cracked differently the difference between their numbers of elements.
     double size = 0;
-    double allowed = 0; // the largest size that counts as equal; `size` is larger
+    double allowed = 0; // the largest size that counts as equal
 };
 
 /// Tolerance, relative to the scale of a quantity; difference.cpp says which scale it has. Rounding

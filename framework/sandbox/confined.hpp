@@ -63,8 +63,8 @@ struct Confinement {
 /// namespace of its own. The kernel never limits root.
 bool can_limit_processes(const Walls& walls);
 
-/// Keeps other processes of the same user from looking at the memory, the descriptors and the
-/// environment of this process (`/proc/PID/mem`, `fd`, `environ`).
+/// Keeps other processes of the same user, unless it is root, from looking at the memory, the
+/// descriptors and the environment of this process (`/proc/PID/mem`, `fd`, `environ`).
 void make_undumpable();
 
 class Confined {

@@ -29,8 +29,8 @@ double reach_of(const Deformable& solid, const Body& body, double radius, const 
     // This factor enlarges the result, because nodes may get faster within the step. Chosen by
     // trial.
     constexpr double for_acceleration = 1.5;
-    // A plane has an infinite bounding radius. Above this radius [m] the rotation of the body is
-    // left out: a body with a plane does not rotate.
+    // Above this radius [m] the rotation of the body is left out. A body with a plane does not
+    // rotate, but its radius is infinite, and 0 times infinity is no number.
     constexpr double unbounded = 1e9;
     double speed = 0;
     for (const Vector3d& v : solid.velocities)

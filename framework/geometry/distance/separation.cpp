@@ -37,8 +37,9 @@ constexpr double least_distance = 1e-6;
 constexpr double least_gjk_length = 1e-9;
 // The shapes count as touching if the origin is nearer to the simplex of GJK than this.
 constexpr double inside_tolerance = 1e-12;
-// If the origin is not inside the simplex, the shapes are pushed together by `first_push`. The push
-// becomes ten times as long until the origin is inside, or the push is longer than `most_push`.
+// While the origin is not inside the simplex, the shapes are pushed together: first by
+// `first_push`, then each time ten times as far, at most by `most_push`, and by less than their
+// middles are apart.
 constexpr double first_push = 1e-6;
 constexpr double most_push = 1e-3;          // a longer push would change the result too much
 constexpr double polytope_tolerance = 1e-7; // EPA ends when a step grows the polytope by less

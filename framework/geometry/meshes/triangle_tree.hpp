@@ -25,9 +25,9 @@ public:
     ///              the search is shorter
     Found nearest(const Vector3d& p, int near = 0) const;
 
-    /// The local minima of the distance to p that are below `within` [m], the nearest first. Each
-    /// triangle contributes its point nearest to p, unless this point lies on a vertex or edge that
-    /// also belongs to a triangle with a point nearer to p.
+    /// The local minima of the distance to p that are below `within` [m], each once, the nearest
+    /// first. Each triangle contributes its point nearest to p, unless this point lies on a vertex
+    /// or edge of another triangle with a point nearer to p.
     std::vector<Found> local_minima(const Vector3d& p, double within) const;
 
     const BoundingTree& tree() const { return tree_; }

@@ -53,7 +53,7 @@ bool is_shared(const std::string& name)
                         [&](std::string_view operation) { return name.starts_with(operation); });
 }
 
-// Whether a line of `nm -P` is a name without spaces, a letter and up to two hexadecimal numbers. A
+// Whether a line of `nm -P` has just a name, one character and up to two hexadecimal numbers. A
 // name may be megabytes long, too long for std::regex.
 bool is_name_kind_and_numbers(const std::string& line)
 {

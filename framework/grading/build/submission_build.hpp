@@ -24,10 +24,10 @@ struct SubmissionBuild {
     double seconds = 0;
 };
 
-/// Builds the worker of a folder with some topics' files. Two builds of one folder wait for each
-/// other. Builds of different folders wait only for what they share: the framework and student/.
-/// @throws InputError if the folder has no topic's file, std::runtime_error if code of the
-///     framework does not compile, std::system_error if the sandbox cannot be set up
+/// Builds the worker of a folder with some topics' files. Builds of one folder run one after the
+/// other. Other builds wait only for what they share: the framework and student/.
+/// @throws InputError if the folder has no file of any topic, std::system_error if the sandbox
+///     cannot be set up, std::runtime_error otherwise, as if code of the framework does not compile
 SubmissionBuild build_submission(const std::filesystem::path& folder, const OnBuildStep& on_step);
 
 /// Builds what all submissions share: the framework's part of a worker, and the objects of

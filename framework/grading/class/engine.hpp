@@ -19,7 +19,7 @@
 
 namespace rigor {
 
-/// A class of students whose submissions are graded.
+/// The submissions of a class, and how to grade them.
 struct ClassWork {
     Selection selection;
     GradingRun run;

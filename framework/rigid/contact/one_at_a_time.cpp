@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Contacts resolved one point at a time, by the formulas of topic `contact` (Guendelman, Bridson
-// and Fedkiw 2003). First `resolve_contacts` runs. With shock propagation, the contact graph is
-// then divided into levels, and each level is resolved with the levels below it held fixed.
+// and Fedkiw 2003). First `resolve_contacts` runs. With shock propagation, each body then gets a
+// level, and the contacts are resolved level by level, while lower bodies keep their velocities.
 #include "rigid/contact/one_at_a_time.hpp"
 
 #include "formulas/contact.hpp"

@@ -220,8 +220,7 @@ std::vector<Bounds> bounds_with_impulses(const ContactSearch& search, ThreadPool
 
 // The margins of the fat bounds in the pair cache. They are so large that a body that slows down or
 // rests on others stays within its fat bounds for many steps, and so small that few additional
-// pairs are kept. They change no result. Both numbers were chosen by trial; `bench skips` shows how
-// much time the cache saves.
+// pairs are kept. They change no result. Both numbers were chosen by trial.
 std::vector<double> fat_margins(const ContactSearch& search)
 {
     constexpr double radius_share = 0.1; // share of the body's radius

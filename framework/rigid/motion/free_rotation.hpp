@@ -6,20 +6,20 @@
 
 namespace rigor {
 
-/// The constant angular velocity Ω that gives the same rotation over a time h as the free motion of
+/// A constant angular velocity Ω that gives the same rotation over a time h as the free motion of
 /// the body, in its principal frame at the start [rad/s].
 ///
-/// The angular momentum M in the body follows Euler's equations, whose solution is Jacobi's (1849;
-/// Landau and Lifshitz, "Mechanics", § 37). The axes are numbered so that J₁ > J₂ > J₃ or
+/// The angular momentum M in the body follows Euler's equations, which Jacobi solved (1849; Landau
+/// and Lifshitz, "Mechanics", § 37). The inverse moments J are numbered so that J₁ > J₂ > J₃ or
 /// J₁ < J₂ < J₃, whichever makes M circle about axis 3:
 ///
 ///     M₁ = A₁ cn u    M₂ = A₂ sn u    M₃ = A₃ dn u    u̇ = ±√((J₂ - J₃) r)
 ///
-/// with amplitudes A that the energy and |M| give, and r = (J₁ - J₂) M₂² + (J₁ - J₃) M₃², which
-/// stays the same. The body turns about L, the angular momentum in world space, which does not
-/// change, by the angle φ that axis 3 sweeps out (van Zon and Schofield 2007, "Numerical
-/// implementation of the exact dynamics of free rigid bodies", J. Comput. Phys. 225; they compute φ
-/// by a theta series, this function by an integral of Carlson's):
+/// with amplitudes A that the energy and |M| give, and r = (J₁ - J₂) M₂² + (J₁ - J₃) M₃², which is
+/// constant. In world space the angular momentum L is constant, and axis 3 turns about it by an
+/// angle φ. Van Zon and Schofield (2007, "Numerical implementation of the exact dynamics of free
+/// rigid bodies", J. Comput. Phys. 225) compute φ by a theta series, this function by an integral
+/// of Carlson's:
 ///
 ///     φ̇ = |L| (J₂ + (J₁ - J₂) M₁² / (M₁² + M₂²))
 ///

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Repeats sweeps over an island's contacts until they change nothing that matters.
+// Repeats sweeps over an island's contacts, up to a limit or until their changes are negligible.
 #pragma once
 
 #include "rigid/contact/solvers/sweeps.hpp"
