@@ -25,16 +25,21 @@ struct ContactRecord {
     Vector3d point = Vector3d::Zero();   // [m]
     Vector3d normal = Vector3d::UnitY(); // from body 2 to body 1
     // Penetration, negative for a gap: at the start of the step, or at the later time at which
-    // `refine_by_substeps` or `bounce_at_impacts` solved the contact [m].
+    // a part of a divided step or `bounce_at_impacts` solved the contact [m].
     double depth = 0;
-    Vector3d impulse = Vector3d::Zero(); // on body 1, summed over the step [N s]
+    Vector3d impulse = Vector3d::Zero(); // on body 1, summed over the step or its part [N s]
+};
+
+/// A contact of a sleeping body, with the impulse of the step in which the body fell asleep.
+struct SleepingContact : ContactRecord {
+    double time_step = 0; // length of that step [s]
 };
 
 /// What a step leaves for the next one. `finish_step` (step/step_result) writes the warm contacts,
 /// step/sleep the sleeping contacts, and detection/broad_phase the pairs.
 struct StepMemory {
     std::vector<WarmContact> warm_contacts;          // sorted by `body1`, then `body2`
-    std::vector<ContactRecord> sleeping_contacts;    // contacts that support sleeping bodies
+    std::vector<SleepingContact> sleeping_contacts;  // contacts that support sleeping bodies
     std::vector<WarmContact> sleeping_warm_contacts; // become warm contacts when the bodies wake
     PairCache pairs; // saves work only: the results are bitwise the same without it
 };

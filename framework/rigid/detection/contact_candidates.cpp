@@ -304,9 +304,13 @@ ContactSearch start_search(const World& world, std::span<const RigidState> flown
             search.bounds[i].include(body_bounds(body, end));
             const double radius = body.is_static ? body_radius(body) : search.candidates.radii[i];
             const double angle = angle_turned(world, body, body.state, time_step);
-            if (angle > std::numbers::pi / 2) // it may reach farther in between
+            // In between a body may reach farther than at both ends. If it turns by less than a
+            // right angle, the margin of a body that can be pushed covers this.
+            if (angle > std::numbers::pi / 2)
                 for (const Vector3d& X : {search.candidates.poses[i].X, end.X})
                     search.bounds[i].include({X.array() - radius, X.array() + radius});
+            else if (body.is_static)
+                search.bounds[i].grow(radius * (1 - std::cos(angle / 2)));
             search.motions[i] = travel_of(body.state, flown[i], angle, radius, time_step);
             for (const Travel& given : frames)
                 search.travels[i] =

@@ -8,8 +8,8 @@
 
 namespace rigor {
 
-/// The angle by which a body that is not still turns in a step, if it keeps the angular velocity of
-/// a state [rad]. No formula is called for this estimate.
+/// The angle by which a body that is not still turns in a step [rad], if it keeps the angular
+/// velocity of a state; that of a driven body is given. No formula is called for this estimate.
 double angle_turned(const World& world, const RigidBody& body, const RigidState& state,
                     double time_step);
 

@@ -191,19 +191,16 @@ void fly_on(PairWorld& pair, const ContactProblem& impact, const ContactConstrai
     }
 }
 
-// Whether contacts on different sides of the pair got an impulse: a ball in the corner of a room
-// that is one body. These impacts have different times.
+// Whether contacts on different sides of the pair got an impulse in the collision stage: a ball in
+// the corner of a room that is one body. These impacts have different times.
 bool bounced_on_two_sides(const ContactProblem& problem, const ContactPair& pair)
 {
-    constexpr double same_side = 0.5; // least cosine of the angle between two normals
-    const ContactConstraint* first = nullptr;
-    for (int i = pair.first; i < pair.last; ++i) {
-        const ContactConstraint& c = problem.contacts[i];
-        if (c.collision_impulse.isZero(0)) continue;
-        if (first && c.normal.dot(first->normal) < same_side) return true;
-        if (!first) first = &c;
-    }
-    return false;
+    std::vector<Vector3d> normals;
+    for (int i = pair.first; i < pair.last; ++i)
+        if (const ContactConstraint& c = problem.contacts[i]; !c.collision_impulse.isZero(0))
+            normals.push_back(c.normal);
+    return std::any_of(normals.begin(), normals.end(),
+                       [&](const Vector3d& n) { return !are_on_one_side(n, normals.front()); });
 }
 
 // Lets the pair bounce at its impact. Changes the states of the pair unless it returns nothing.
@@ -229,6 +226,10 @@ std::optional<std::vector<ContactRecord>> bounce_at_impact(const World& world,
     std::optional<PairWorld> pair = pair_at_impact(world, c, *approach, h);
     if (!pair) return std::nullopt;
     const double rest = h - pair->time;
+    if (rest * std::abs(approach->speed) <= touching_gap * c.radius) {
+        fly_past(world, c, h, states); // they meet at the end, and bounce in the next step
+        return std::vector<ContactRecord>();
+    }
     ContactProblem impact = problem_at_impact(*pair, c.radius, rest);
     if (impact.islands.size() != 1) return std::nullopt;
     process_collisions(impact);

@@ -10,6 +10,12 @@ namespace rigor {
 /// Whether a contact of the pair got an impulse in the collision stage of this step.
 bool bounced(const ContactProblem& problem, const ContactPair& pair);
 
+/// Whether two contacts with these normals keep a pair of bodies apart on the same side.
+inline bool are_on_one_side(const Vector3d& n1, const Vector3d& n2)
+{
+    return n1.dot(n2) > 0.5;
+}
+
 /// Whether a contact of the pair got an impulse in the contact stage of this step.
 bool carries_load(const ContactProblem& problem, const ContactPair& pair);
 

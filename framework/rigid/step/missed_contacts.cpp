@@ -10,6 +10,7 @@
 #include "geometry/shapes/shape_bounds.hpp"
 #include "rigid/bodies/orientation.hpp"
 #include "rigid/detection/travel.hpp"
+#include "rigid/step/impact.hpp"
 
 #include <algorithm>
 
@@ -28,10 +29,10 @@ struct Path {
     double length() const { return moved.norm() + radius * std::min(angle, 2.0); }
 
     // How far the body at least recedes along n from another one that is at a distance `gap` from
-    // its point x. Whatever the body turns, its points stay within the radius.
+    // its point x. However the body turns, its points stay within the radius.
     double recedes(const Vector3d& x, const Vector3d& n, double gap) const
     {
-        const double height = n.dot(X - x) - gap / 2; // height of the center above the surface
+        const double height = n.dot(X - x) - gap; // least height of the center above the surface
         return n.dot(moved) - std::min(std::max(radius - height, 0.0), radius * angle);
     }
 };
@@ -55,8 +56,9 @@ public:
         find_paths();
         return std::any_of(far.begin(), far.end(), [&](int i) {
             for (int j = 0; j < static_cast<int>(paths_.size()); ++j)
-                if (j != i && paths_[i].swept.overlaps(paths_[j].swept) &&
-                    !never_collide(world_, i, j) && would_meet(std::min(i, j), std::max(i, j)))
+                if (j != i && !(j < i && std::binary_search(far.begin(), far.end(), j)) &&
+                    paths_[i].swept.overlaps(paths_[j].swept) && !never_collide(world_, i, j) &&
+                    would_meet(std::min(i, j), std::max(i, j)))
                     return true;
             return false;
         });
@@ -70,8 +72,16 @@ private:
     {
         constexpr double far = 0.5; // [rad]; a chord is then 1 % shorter than its arc
         const RigidBody& body = world_.bodies[i];
-        return !body.is_still() && !body.is_ball() &&
-               angle_turned(world_, body, body.state, problem_.time_step) > far;
+        return !body.is_still() && !body.is_ball() && angle_of(i) > far;
+    }
+
+    // The angle by which a body that is not still turns [rad]: the larger one of those by its
+    // angular velocities at the start and at the end.
+    double angle_of(int i) const
+    {
+        const RigidBody& body = world_.bodies[i];
+        return std::max(angle_turned(world_, body, body.state, problem_.time_step),
+                        angle_turned(world_, body, states_[i], problem_.time_step));
     }
 
     // Whether a body turns far and the center of a body comes to the other side of their contact.
@@ -94,7 +104,8 @@ private:
         std::vector<int> far;
         for (int i = 0; i < static_cast<int>(states_.size()); ++i) {
             if (world_.bodies[i].is_static) continue;
-            const Travel missed = travel_of(flown_[i], states_[i], 0, candidates_.radii[i], 0);
+            const double radius = world_.bodies[i].is_ball() ? 0 : candidates_.radii[i];
+            const Travel missed = travel_of(flown_[i], states_[i], 0, radius, 0);
             if (path_between(missed, {}) > candidates_.margins[i]) far.push_back(i);
         }
         return far;
@@ -114,23 +125,21 @@ private:
     Path path_of(int i) const
     {
         const RigidBody& body = world_.bodies[i];
-        const double h = problem_.time_step;
         Path path;
         path.X = body.state.position;
         for (const Part& part : body.parts)
             path.swept.include(bounds_of(part.shape, part_pose(candidates_.poses[i], part)));
         if (body.is_still()) return path;
         path.moved = moved(i);
-        path.angle = std::max(angle_turned(world_, body, body.state, h),
-                              angle_turned(world_, body, states_[i], h));
+        if (!body.is_ball()) path.angle = angle_of(i);
         path.radius = body.is_static // driven
                           ? (path.swept.high - path.X).cwiseMax(path.X - path.swept.low).norm()
                           : candidates_.radii[i];
-        Bounds end = path.swept;
-        end.low += path.moved;
-        end.high += path.moved;
-        path.swept.include(end);
-        path.swept.grow(path.radius * std::min(path.angle, 1.0)); // at most to a ball
+        // Where a body is hit, it is on its path of free flight.
+        const Bounds start = path.swept;
+        for (const Vector3d& d : {path.moved, Vector3d(flown_[i].position - path.X)})
+            path.swept.include({start.low + d, start.high + d});
+        path.swept.grow(path.radius * std::min(path.angle, 2.0));
         return path;
     }
 
@@ -149,13 +158,17 @@ private:
     }
 
     // Whether the problem has a contact of the pair on the same side, which keeps the bodies apart
-    // there. A body that is a whole room has other sides.
+    // there. A body that is a whole room has other sides. A contact of balls that fly past each
+    // other (`passes_by`) holds only as long as they do so.
     bool is_in_problem(const BodyPair& pair, const Vector3d& normal) const
     {
-        constexpr double same_side = 0.5; // least cosine of the angle between two normals
+        const bool are_balls =
+            world_.bodies[pair.body1].is_ball() && world_.bodies[pair.body2].is_ball();
         for (auto at = std::lower_bound(pairs_.begin(), pairs_.end(), std::pair(pair, 0));
-             at != pairs_.end() && at->first == pair; ++at)
-            if (problem_.contacts[at->second].normal.dot(normal) > same_side) return true;
+             at != pairs_.end() && at->first == pair; ++at) {
+            const ContactConstraint& c = problem_.contacts[at->second];
+            if (are_on_one_side(c.normal, normal) && !(are_balls && c.passes_by > 0)) return true;
+        }
         return false;
     }
 

@@ -15,7 +15,8 @@ namespace rigor {
 ///    lets their points move along straight lines. Its center passes a contact.
 ///
 /// Both are judged by the contacts at the start of the step and the displacements until its end. So
-/// the result may also be true for bodies that pass each other closely.
+/// the result may also be true for bodies that pass each other closely. Contacts must have been
+/// found in the step.
 ///
 /// @param flown   the states after free flight, by which `candidates` was found
 /// @param states  the states at the end of the step

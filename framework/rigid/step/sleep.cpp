@@ -89,6 +89,7 @@ void fall_asleep(World& world, const ContactProblem& problem, const std::vector<
                  const std::vector<bool>& forced, StepResult& result)
 {
     if (!world.settings.optimisations.sleep || world.settings.gravity.isZero(0)) return;
+    if (problem.time_step == 0) return;
     std::vector<bool> fell; // for each body, whether it falls asleep now; empty if none does
     for (const Island& island : problem.islands) {
         add_rest_times(world, island, radii, result.states, problem.time_step);
@@ -106,7 +107,9 @@ void fall_asleep(World& world, const ContactProblem& problem, const std::vector<
     const auto holds_sleeper = [&](const auto& contact) {
         return fell[contact.body1] || fell[contact.body2];
     };
-    copy_if(result.records, holds_sleeper, world.memory.sleeping_contacts);
+    for (const ContactRecord& record : result.records)
+        if (holds_sleeper(record))
+            world.memory.sleeping_contacts.push_back({record, problem.time_step});
     copy_if(result.warm_contacts, holds_sleeper, world.memory.sleeping_warm_contacts);
     std::erase_if(result.warm_contacts, holds_sleeper);
 }

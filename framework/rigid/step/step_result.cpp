@@ -73,7 +73,10 @@ std::vector<ContactRecord> finish_step(World& world, double time_step, StepResul
         body.state = result.states[i];
         if (body.only_axis) body.state.angular_momentum = own_angular_momentum(body, body.state);
     }
-    append(result.records, world.memory.sleeping_contacts);
+    for (SleepingContact contact : world.memory.sleeping_contacts) {
+        contact.impulse *= time_step / contact.time_step;
+        result.records.push_back(contact);
+    }
     world.memory.warm_contacts = std::move(result.warm_contacts);
     world.time += time_step;
     ++world.counters.steps;

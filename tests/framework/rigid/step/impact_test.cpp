@@ -28,3 +28,22 @@ TEST_CASE("impact: a ball bounces where it meets the floor whatever the step", "
     }
     CHECK(bounces == 3);
 }
+
+TEST_CASE("impact: a bounce at the very end of a step has its place", "[rigid]")
+{
+    // The gap is a whole number of steps long, up to rounding.
+    const double time_step = GENERATE(0.01, 0.005, 0.0025, 1. / 60, 1. / 64);
+    const double speed = GENERATE(0.7, 1.0, 3.0, 4.0, 7.0, 20.0);
+    const int steps = GENERATE(1, 2, 3, 5, 10);
+    const double ulps = GENERATE(-2.0, -1.0, 0.0, 1.0, 2.0);
+    CAPTURE(time_step, speed, steps, ulps);
+    const double gap = steps * time_step * speed * (1 + ulps * 0x1p-52), radius = 0.1;
+    World world = world_of(
+        {fixed(Plane{}, {1, 0}), body_of(Sphere{radius}, {0, radius + gap, 0}, {1, 0})}, {0, 0, 0});
+    world.bodies[1].state.velocity = {0, -speed, 0};
+    run(world, 2 * steps + 1, time_step);
+    const RigidState& ball = world.bodies[1].state;
+    CHECK_THAT(ball.velocity.y(), IsClose(speed, Rounding(16)));
+    CHECK_THAT(ball.position.y(),
+               IsClose(radius + gap + speed * time_step, Rounding(1e4, radius + gap)));
+}

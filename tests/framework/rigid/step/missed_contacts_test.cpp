@@ -278,3 +278,64 @@ TEST_CASE("missed contacts: a ball bounces into a body that sleeps, is pulled or
         }
     }
 }
+
+TEST_CASE("missed contacts: a ball bounces into another one that free flight would pass", "[rigid]")
+{
+    // The ball bounces off the wall and then meets the fixed ball, which it would have passed.
+    const double time_step = GENERATE(0.01, 0.005, 0.0025), y = GENERATE(0.029, 0.031, 0.033);
+    CAPTURE(time_step, y);
+    std::vector<RigidBody> bodies = {fixed(Box{{0.2, 1, 1}}, elastic, {0.125, 0, 0}),
+                                     fixed(Sphere{0.005}, elastic, {0.011, y, 0}),
+                                     moving(Sphere{0.005}, {0, 0, 0}, {4, 4, 0})};
+    const auto closest = [&](double h) {
+        World world = weightless(bodies);
+        double least = 1;
+        for (int i = 0; i < std::lround(0.02 / h); ++i) {
+            step(world, h);
+            least =
+                std::min(least, (world.bodies[2].state.position - Vector3d(0.011, y, 0)).norm());
+        }
+        return std::pair(world.bodies[2].state.velocity, least);
+    };
+    const auto [V, least] = closest(time_step);
+    CHECK_THAT(V, IsClose(closest(1e-4).first, Order(1e-6)));
+    CHECK(least > 0.01 - 1e-9);
+}
+
+TEST_CASE("missed contacts: the tip of a driven blade meets what lies at its reach", "[rigid]")
+{
+    const double angle = GENERATE(0.3, 0.5, 1.0, 1.5), h = 0.01; // turned in a step [rad]
+    CAPTURE(angle);
+    Drive drive;
+    drive.angular_velocity = {0, 0, angle / h};
+    drive.first_orientation = turn({0, 0, 1}, -angle / 2);
+    RigidBody blade = fixed(Box{{2, 0.05, 0.05}}, elastic, {0, 0, 0}, drive.first_orientation);
+    blade.drive = std::make_shared<Drive>(drive);
+    World world = weightless({blade, moving(Sphere{0.005}, {0.99, 0, 0}, {0, 0, 0})});
+    step(world, h);
+    CHECK(world.bodies[1].state.velocity.y() > 1);
+}
+
+TEST_CASE("missed contacts: a pile beside a divided step keeps its weight", "[rigid]")
+{
+    // An elastic ball rattles between two high walls and divides each step. The cube beside it
+    // comes to rest and falls asleep; all the time the ground carries its weight.
+    std::vector<RigidBody> bodies = {fixed(Plane{}, {0, 0.5})};
+    const double x = room / 2 + radius + 0.1;
+    for (const double side : {-x, x})
+        bodies.push_back(fixed(Box{{0.2, 60, 1}}, elastic, {side, 30, 0}));
+    bodies.push_back(body_of(Box{{1, 1, 1}}, {3, 0.5, 0}, {0, 0.5}));
+    bodies.push_back(moving(Sphere{radius}, {0.01, 50, 0}, {25, 0, 0}));
+    World world = world_of(bodies);
+    const double h = 0.01, weight = bodies[3].mass * g;
+    for (std::uint64_t i = 1; i <= 150; ++i) {
+        CAPTURE(i);
+        double carried = 0;
+        for (const ContactRecord& record : step(world, h))
+            if (record.body1 == 3 || record.body2 == 3) carried += std::abs(record.impulse.y());
+        CHECK_THAT(carried / h, IsClose(weight, Rounding(1e6)));
+        CHECK(world.counters.steps == i);
+        CHECK(std::abs(world.bodies[4].state.position.x()) < room / 2 + 1e-3);
+    }
+    CHECK(world.bodies[3].rest.is_asleep());
+}

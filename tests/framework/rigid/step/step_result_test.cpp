@@ -181,7 +181,8 @@ TEST_CASE("step result: the contacts of sleeping bodies are those they fell asle
 {
     EndOfStep end;
     end.world.bodies[2].rest.group = 0; // fell asleep in this step
-    end.world.memory.sleeping_contacts = {record_between(2, 0, 0.5)};
+    end.world.memory.sleeping_contacts = {{record_between(2, 0, 0.5), 0.125}};
+    end.world.memory.sleeping_contacts[0].impulse = {0, 3, 0};
     end.result.records = {record_between(2, 0), record_between(1, 0), record_between(1, 2)};
     const std::vector<ContactRecord> records = finish_step(end.world, 0.25, end.result);
     REQUIRE(records.size() == 2);
@@ -189,5 +190,6 @@ TEST_CASE("step result: the contacts of sleeping bodies are those they fell asle
     CHECK(records[0].body2 == 0);
     CHECK(records[1].body1 == 2);
     CHECK(records[1].depth == 0.5);
+    CHECK(records[1].impulse == Vector3d(0, 6, 0));        // the same force in a step twice as long
     CHECK(end.world.memory.sleeping_contacts.size() == 1); // they are kept for the next step
 }
