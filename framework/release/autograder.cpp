@@ -2,6 +2,7 @@
 #include "release/autograder.hpp"
 
 #include "grading/build/replace_all.hpp"
+#include "grading/class/called_stubs.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -91,7 +92,11 @@ jobs:
 ReleasedTree gradescope_tree(const std::filesystem::path& source, const Assignment& assignment)
 {
     ReleasedTree tree;
+    const std::vector<std::string> stubs = called_stubs(source, assignment.topic);
     for (ReleasedFile& file : grading_tree(source)) {
+        for (const std::string& topic : stubs)
+            if (file.path == "student/" + topic + ".cpp")
+                file.content = file_content(source / "reference" / (topic + ".cpp"));
         file.path = "rigor/" + file.path;
         tree.push_back(std::move(file));
     }

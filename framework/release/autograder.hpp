@@ -13,7 +13,8 @@ namespace rigor {
 
 /// The files of a Gradescope autograder, as they lie in its zip: `setup.sh`, which Gradescope runs
 /// once as root, `run_autograder`, which it runs for each submission, and in `rigor/` the tree that
-/// grades.
+/// grades. Where a right solution of the assignment calls stubs in student/ (`called_stubs`), the
+/// tree has the reference's file.
 ReleasedTree gradescope_tree(const std::filesystem::path& source, const Assignment& assignment);
 
 /// The path of the workflow in a template repository for GitHub Classroom.

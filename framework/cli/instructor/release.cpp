@@ -4,6 +4,7 @@
 #include "cli/options.hpp"
 #include "errors/input_error.hpp"
 #include "errors/quotes.hpp"
+#include "grading/class/called_stubs.hpp"
 #include "grading/places.hpp"
 #include "grading/selection.hpp"
 #include "release/autograder.hpp"
@@ -113,6 +114,11 @@ void release_autograder(const Assignment& assignment, const std::string& file, S
         prove_autograder(draft, layout, assignment, places().source, steps.on_step());
     write_whole(file, bytes);
     fs::remove(draft);
+    const std::vector<std::string> lent = called_stubs(places().source, assignment.topic);
+    if (!lent.empty())
+        fmt::print("student/ has stubs of {}, which a right {}.cpp calls: the autograder has the "
+                   "reference's in their place\n",
+                   fmt::join(lent, ", "), assignment.topic);
     fmt::print(
         "{}: {:.1f} MB for Gradescope\n"
         "  set up and run as {}: a solved submission gets every point, a file without formulas "

@@ -47,6 +47,13 @@ TEST_CASE("release: an autograder has its two scripts at the top and all that gr
          {"rigor/reference/collision.cpp", "rigor/tests/graded/hidden/collision_test.cpp",
           "rigor/framework/rigid/bodies/optimised_forms.hpp", "rigor/student/collision.cpp"})
         CHECK(has(tree, path, false));
+    for (const ReleasedFile& file : tree) {
+        // A right collision.cpp calls a formula of kinematics.
+        if (file.path == "rigor/student/kinematics.cpp")
+            CHECK(count(file.content, "NotImplemented") == 0);
+        if (file.path == "rigor/student/inertia.cpp")
+            CHECK(count(file.content, "NotImplemented") > 0);
+    }
     for (const ReleasedFile& file : tree)
         if (file.path == "setup.sh" || file.path == "run_autograder") {
             CHECK(file.content.starts_with("#!/usr/bin/env bash\n"));
