@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Waiting on a word of shared memory. A process that waits first spins for some microseconds and
-// then sleeps in a futex until the other process wakes it. The time to spin adapts to whether
-// spinning has helped.
+// Waiting on a word of shared memory. A process that waits first spins for some microseconds, in
+// which it lets others have its processor, and then sleeps in a futex until the other process wakes
+// it. The time to spin adapts to whether spinning has helped.
 #include "worker/protocol/channel.hpp"
 
 #include "formulas/table.hpp"
@@ -10,6 +10,7 @@
 #include <ctime>
 #include <linux/futex.h>
 #include <optional>
+#include <sched.h>
 #include <sys/syscall.h>
 #include <unistd.h>
 
@@ -25,12 +26,13 @@ using Microseconds = std::chrono::duration<double, std::micro>;
 // busy, spinning only keeps the other process from answering. So the time to spin is halved each
 // time that spinning fails, down to zero, and spinning is tried again from time to time. The
 // longest time to spin is longer than a test needs to compare an answer and to ask again: when it
-// was 20 µs, most calls of a test had to wake a process.
+// was 20 µs, most calls of a test had to wake a process. The first waits of a process are for the
+// start of the other one, and longer than any spinning.
 constexpr Microseconds longest_spin(100), spin_of_a_try(20);
 constexpr int waits_between_tries = 32;
 
 struct Spinning {
-    Microseconds time = longest_spin;
+    Microseconds time = spin_of_a_try;
     int waits_without = 0;
 
     void succeeded() { time = longest_spin; }
@@ -108,6 +110,7 @@ std::uint32_t await_change(std::atomic<std::uint32_t>& word, std::atomic<std::ui
             const Clock::time_point now = Clock::now();
             if (!start) start = now;
             if (now - *start >= spin) break;
+            sched_yield(); // to the other process, if it waits for this processor
         }
         spinning.failed();
     }
