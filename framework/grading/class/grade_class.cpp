@@ -15,6 +15,7 @@
 #include <map>
 #include <random>
 #include <stdexcept>
+#include <utility>
 
 namespace rigor {
 
@@ -53,8 +54,8 @@ public:
             }
             folder_.confirm();
         }
-        for (const std::optional<Row>& row : rows_)
-            outcome.rows.push_back(row.value());
+        for (std::optional<Row>& row : rows_)
+            outcome.rows.push_back(std::move(row.value()));
         return outcome;
     }
 
@@ -75,9 +76,9 @@ private:
             progress(i, work_.submissions.size(), "looking for what has changed", "");
             work_.fingerprints.push_back(fingerprint_of(work_.submissions[i], work_.fingerprint));
             before_[i] = folder_.row_of(name(i));
-            const std::optional<Row>& row = before_[i];
+            std::optional<Row>& row = before_[i];
             if (row && is_of_this_run(*row, i) && row->fingerprint == work_.fingerprints[i])
-                rows_[i] = row;
+                rows_[i] = std::exchange(row, std::nullopt);
             else
                 to_do_.push_back(i);
         }
@@ -151,7 +152,7 @@ private:
     Engine& engine_;
     const ClassListener& listener_;
     OldResults old_;
-    // The old results, and the results after this run.
+    // The old results of the submissions that are graded again, and all results after this run.
     std::vector<std::optional<Row>> before_, rows_;
     std::vector<std::size_t> to_do_;
     std::size_t done_ = 0;
