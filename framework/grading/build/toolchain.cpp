@@ -74,6 +74,8 @@ void exchange_compiler(std::vector<std::string>& words)
                was_clang = words[0].find("clang") != std::string::npos;
     words[0] = chosen;
     if (is_clang == was_clang) return;
+    // Only gcc has settings like this one, which is about its memory.
+    std::erase_if(words, [](const std::string& word) { return word.starts_with("--param="); });
     const auto at = std::find(words.begin(), words.end(), "-include");
     if (at == words.end())
         throw std::runtime_error("RIGOR_COMPILER: the build's precompiled header is not for it");
