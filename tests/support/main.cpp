@@ -16,6 +16,8 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <limits>
+#include <malloc.h>
 #include <unistd.h>
 
 namespace rigor::testing {
@@ -207,6 +209,10 @@ int main(int count, char** values)
         set_seed_key(key);
         unsetenv(rigor::seed_key_variable);
     }
+    // Memory that is freed stays with this process: a list of a million entries would otherwise be
+    // mapped, filled by the kernel and unmapped for each test.
+    mallopt(M_MMAP_MAX, 0);
+    mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
     try {
         prepare(options);
     } catch (const std::exception& error) {

@@ -40,6 +40,7 @@ struct Beads {
     std::vector<DensitySample> samples() const
     {
         std::vector<DensitySample> result;
+        result.reserve(particles.size());
         for (const Particle& p : particles)
             result.push_back({p.position, p.mass});
         return result;

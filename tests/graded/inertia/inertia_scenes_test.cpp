@@ -40,13 +40,13 @@ TEST_CASE("inertia: a free box tumbles as the exact solution does at fourth orde
 {
     const FreeRotor exact(Vector3d(13, 10, 5), Vector3d(1, 2, 3));
     std::vector<double> errors;
-    for (const double h : {0.005, 0.0025, 0.00125}) {
+    for (const double h : {0.02, 0.01, 0.005}) {
         const Trajectory run = run_scene("a2-inertia/spinning_box", h);
         const Eigen::Quaterniond q = exact.orientation(steps_of(run.frames.back()) * h);
         errors.push_back(angle_between(run.frames.back().bodies[0].orientation, {q.w(), q.vec()}));
     }
     check_order(errors, 4);
-    check_at_most(errors[0], 1e-6, "attitude error after 6 s at h = 0.005 [rad]");
+    check_at_most(errors.back(), 1e-6, "attitude error after 6 s at h = 0.005 [rad]");
 }
 
 TEST_CASE("inertia: the hammer is the union of handle and head", "[A2.15][inertia][scene]")
@@ -97,7 +97,7 @@ TEST_CASE("inertia: a plate about its middle axis turns over as the exact soluti
           "[A2.15][inertia][scene]")
 {
     std::vector<double> errors;
-    for (const double h : {0.0025, 0.00125, 0.000625}) {
+    for (const double h : {0.005, 0.0025, 0.00125}) {
         const Trajectory run = run_scene("a2-inertia/tumbling_plate", h);
         const BodyDescription& plate = run.scene.bodies[0];
         const Vector3d size = std::get<Box>(plate.parts[0].shape).size;

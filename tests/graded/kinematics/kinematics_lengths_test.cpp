@@ -46,6 +46,7 @@ TEST_CASE("kinematics: many forces add up", "[A1.8][kinematics]")
     for (const int n : {0, wide - 1, wide, wide + 1, long_list}) {
         CAPTURE(n);
         std::vector<PointForce> forces;
+        forces.reserve(n);
         Wrench expected;
         for (int i = 0; i < n; ++i) {
             const double F = 1 + i % 7, x = i % 11;

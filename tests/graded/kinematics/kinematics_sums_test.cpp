@@ -16,19 +16,22 @@ using namespace rigor::testing;
 namespace {
 
 // Every length up to 300, and those around the powers of two: where lists are cut into blocks, a
-// last block may be lost, or one that is full. Each list is from a seed of its own.
-std::vector<std::vector<Particle>> all_sizes()
+// last block may be lost, or one that is full.
+std::vector<std::size_t> lengths()
 {
-    std::vector<int> lengths(300);
-    std::iota(lengths.begin(), lengths.end(), 1);
-    for (int power = 512; power <= 8192; power *= 2)
-        lengths.insert(lengths.end(), {power - 1, power, power + 1});
-    std::vector<std::vector<Particle>> result;
-    for (const int n : lengths) {
-        Random random(first_seed() + static_cast<unsigned>(n));
-        result.push_back(random.particles(n));
-    }
+    std::vector<std::size_t> result(300);
+    std::iota(result.begin(), result.end(), 1);
+    for (std::size_t power = 512; power <= 8192; power *= 2)
+        result.insert(result.end(), {power - 1, power, power + 1});
     return result;
+}
+
+// The elements of the lists, which take turns in them. There are fewer than the longest list has,
+// so that a formula need not be asked for so many elements alone.
+std::vector<Particle> some_particles()
+{
+    Random random(first_seed());
+    return random.particles(331);
 }
 
 // Sums of n terms have a rounding error of at most n eps times the sum of their magnitudes, here on
@@ -38,62 +41,78 @@ Tolerance rounding_of(std::size_t n, double magnitudes)
     return Rounding(2 * static_cast<double>(n) + 16, magnitudes);
 }
 
+Matrix6d plus(const Matrix6d& a, const Matrix6d& b)
+{
+    return a + b;
+}
+
+Wrench plus(const Wrench& a, const Wrench& b)
+{
+    return {a.force + b.force, a.torque + b.torque};
+}
+
+// Requires of lists in which these elements take turns that the formula gives the sum of what it
+// gives for each element alone.
+// @param formula    of a list
+// @param magnitude  a bound on each component of what the formula gives for one element
+template <class Sum, class T, class Formula, class Magnitude>
+void require_sums(Sum sum, const std::vector<T>& elements, const Formula& formula,
+                  const Magnitude& magnitude)
+{
+    std::vector<Sum> alone;
+    for (const T& element : elements)
+        alone.push_back(formula(std::vector<T>{element}));
+    double magnitudes = 0;
+    std::vector<T> list;
+    for (const std::size_t length : lengths()) {
+        CAPTURE(length);
+        while (list.size() < length) {
+            const std::size_t next = list.size() % elements.size();
+            sum = plus(sum, alone[next]);
+            magnitudes += magnitude(elements[next]);
+            list.push_back(elements[next]);
+        }
+        REQUIRE_THAT(formula(list), IsClose(sum, rounding_of(length, magnitudes)));
+    }
+}
+
+const Wrench no_wrench = {Vector3d::Zero(), Vector3d::Zero()};
+const Vector3d X(0.1, -0.2, 0.3);
+
 } // namespace
 
 TEST_CASE("kinematics: the generalized mass is a sum over any number of particles",
           "[A1.7][kinematics]")
 {
-    for (const std::vector<Particle>& particles : all_sizes()) {
-        CAPTURE(particles.size());
-        const Vector3d X(0.1, -0.2, 0.3);
-        Matrix6d sum = Matrix6d::Zero();
-        double magnitudes = 0;
-        for (const Particle& particle : particles) {
-            sum += generalized_mass({particle}, X);
-            magnitudes += 8 * particle.mass; // distances are less than 2 m
-        }
-        REQUIRE_THAT(generalized_mass(particles, X),
-                     IsClose(sum, rounding_of(particles.size(), magnitudes)));
-    }
+    require_sums(
+        Matrix6d::Zero().eval(), some_particles(),
+        [](const std::vector<Particle>& particles) { return generalized_mass(particles, X); },
+        [](const Particle& particle) { return 8 * particle.mass; }); // distances are less than 2 m
 }
 
 TEST_CASE("kinematics: a wrench is a sum over any number of forces", "[A1.8][kinematics]")
 {
-    for (const std::vector<Particle>& particles : all_sizes()) {
-        CAPTURE(particles.size());
-        const Vector3d X(0.1, -0.2, 0.3);
-        std::vector<PointForce> forces;
-        Wrench sum = {Vector3d::Zero(), Vector3d::Zero()};
-        double magnitudes = 0;
-        for (const Particle& particle : particles) {
-            const Vector3d f = particle.mass * Vector3d(1, particle.position.z(), -2);
-            forces.push_back({f, particle.position});
-            const Wrench one = net_wrench({forces.back()}, X);
-            sum.force += one.force;
-            sum.torque += one.torque;
-            magnitudes += 4 * f.norm();
-        }
-        REQUIRE_THAT(net_wrench(forces, X), IsClose(sum, rounding_of(forces.size(), magnitudes)));
-    }
+    std::vector<PointForce> forces;
+    for (const Particle& particle : some_particles())
+        forces.push_back(
+            {particle.mass * Vector3d(1, particle.position.z(), -2), particle.position});
+    require_sums(
+        no_wrench, forces, [](const std::vector<PointForce>& some) { return net_wrench(some, X); },
+        [](const PointForce& force) { return 4 * force.force.norm(); }); // levers of less than 2 m
 }
 
 TEST_CASE("kinematics: inertial forces are a sum over any number of particles",
           "[A1.13][kinematics]")
 {
-    for (const std::vector<Particle>& particles : all_sizes()) {
-        CAPTURE(particles.size());
-        const Vector3d X(0.1, -0.2, 0.3), V(1, 2, -1), omega(0.5, -1, 2);
-        Wrench sum = {Vector3d::Zero(), Vector3d::Zero()};
-        double magnitudes = 0;
-        for (const Particle& particle : particles) {
-            const Wrench one = inertial_wrench({particle}, X, V, omega);
-            sum.force += one.force;
-            sum.torque += one.torque;
-            magnitudes += 100 * particle.mass; // distances × speeds × |ω|
-        }
-        REQUIRE_THAT(inertial_wrench(particles, X, V, omega),
-                     IsClose(sum, rounding_of(particles.size(), magnitudes)));
-    }
+    const Vector3d V(1, 2, -1), omega(0.5, -1, 2);
+    require_sums(
+        no_wrench, some_particles(),
+        [&](const std::vector<Particle>& particles) {
+            return inertial_wrench(particles, X, V, omega);
+        },
+        [](const Particle& particle) {
+            return 100 * particle.mass; // distances × speeds × |ω|
+        });
 }
 
 namespace {

@@ -30,6 +30,7 @@ inline std::vector<int> lengths(int least, int most)
 inline std::vector<Particle> beads(int n)
 {
     std::vector<Particle> result;
+    result.reserve(n);
     for (int i = 0; i < n; ++i)
         result.push_back({1.0 + i % 7, {1.0 + i % 11, 0, 0}});
     return result;

@@ -49,21 +49,28 @@ template <FormulaIndex f, auto& formula> void check_smoothness()
         const Arguments<formula> arguments = special_arguments<f, formula>(random);
         const Random path(static_cast<unsigned>(random.bits()));
         const auto at = [&](double t) { return result_at<formula>(t, arguments, of, path); };
-        for (const Far& far : {Far{0x1p-10, 0.5}, Far{0x1p-13, 0x1p-4}}) {
-            const double T = far.T; // a lambda cannot capture a structured binding
-            auto far_change = at(T);
-            each_pair(far_change, at(-T), of.result, false,
+        const auto change_over = [&](double T) {
+            auto change = at(T);
+            each_pair(change, at(-T), of.result, false,
                       [](auto& a, const auto& b, const Quantity&) { a -= b; });
-            for (const double t : {0x1p-14, 0x1p-20, 0x1p-26, 0x1p-32, 0x1p-38, 0x1p-42}) {
-                auto expected = at(-t);
+            return change;
+        };
+        constexpr Far fars[] = {{0x1p-10, 0.5}, {0x1p-13, 0x1p-4}};
+        const decltype(at(0)) changes[] = {change_over(fars[0].T), change_over(fars[1].T)};
+        for (const double t : {0x1p-14, 0x1p-20, 0x1p-26, 0x1p-32, 0x1p-38, 0x1p-42}) {
+            const auto before = at(-t), found = at(t);
+            for (int i = 0; i < 2; ++i) {
+                const auto& [T, share] = fars[i];
+                const double part = t / T;
+                auto expected = before;
                 each_pair(
-                    expected, far_change, of.result, false,
-                    [&](auto& a, const auto& change, const Quantity&) { a += t / T * change; });
+                    expected, changes[i], of.result, false,
+                    [&](auto& a, const auto& change, const Quantity&) { a += part * change; });
                 INFO(fmt::format("{} changes evenly: if each argument changes by {:.1g}, the "
                                  "result changes by {:.1g} of what it changes for arguments that "
                                  "change by {:.1g}; the expected value is found in this way",
-                                 name_of(f), 2 * t, t / T, 2 * T));
-                REQUIRE_THAT(at(t), IsClose(expected, Order(far.share * t + 0x1p-45)));
+                                 name_of(f), 2 * t, part, 2 * T));
+                REQUIRE_THAT(found, IsClose(expected, Order(share * t + 0x1p-45)));
             }
         }
     }
