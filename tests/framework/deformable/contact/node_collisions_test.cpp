@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "deformable/motion/stable_step.hpp"
 #include "rigid/bodies/mass.hpp"
 #include "support/close.hpp"
 #include "support/deformables.hpp"
@@ -136,4 +137,72 @@ TEST_CASE("contact: a block that starts deep in the floor comes out of it withou
         check_at_most(fastest, 1.5, "speed"); // a fall from 0.11 m, twice the depth
         CHECK_THAT(lowest(world.solids[0]), IsClose(0.0, Order(1e-3)));
     }
+}
+
+namespace {
+
+struct Bar {
+    Vector3d size;
+    std::array<int, 3> cells;
+    double poisson_ratio, restitution;
+};
+
+// A bar that moves towards the floor with the speed 1 m/s, without gravity.
+DeformableWorld bar_above_floor(const Bar& bar)
+{
+    SolidMaterial material = soft_material();
+    material.youngs_modulus = 1e6;
+    material.poisson_ratio = bar.poisson_ratio;
+    material.surface = {bar.restitution, 0.5};
+    Deformable solid = make_deformable("bar", block_tetrahedra(bar.size, bar.cells), material,
+                                       Matrix3d::Identity(), {0, bar.size.y() / 2 + 0.01, 0});
+    solid.integrator = NodeIntegrator::explicit_step;
+    std::fill(solid.velocities.begin(), solid.velocities.end(), Vector3d(0, -1, 0));
+    DeformableWorld world = world_of(solid);
+    world.rigid.settings.gravity.setZero();
+    add_floor(world);
+    world.rigid.bodies[0].material.restitution = bar.restitution;
+    return world;
+}
+
+// Does a step of one substep. Returns Σ m v₋·v₊ / 2 + U, the energy that symplectic Euler keeps in
+// linear springs. U belongs to the positions before the step, and the velocities v₋ and v₊ to half
+// a substep before and after these.
+double energy_in_step(DeformableWorld& world, double h)
+{
+    const Deformable before = world.solids[0];
+    step(world, h);
+    double energy = totals(before).elastic_energy;
+    for (std::size_t i = 0; i < before.velocities.size(); ++i)
+        energy += before.masses[i] / 2 * before.velocities[i].dot(world.solids[0].velocities[i]);
+    return energy;
+}
+
+} // namespace
+
+TEST_CASE("contact: a bounce of nodes gives a solid no energy however long its substeps are",
+          "[deformable]")
+{
+    const std::pair<Vector3d, std::array<int, 3>> shapes[] = {{{0.1, 1, 0.1}, {1, 20, 1}},
+                                                              {{0.1, 1, 0.1}, {1, 10, 1}},
+                                                              {{0.2, 0.5, 0.2}, {2, 10, 2}},
+                                                              {{0.5, 0.1, 0.5}, {5, 1, 5}},
+                                                              {{0.3, 0.3, 0.3}, {3, 3, 3}}};
+    for (const auto& [size, cells] : shapes)
+        for (const double poisson_ratio : {0.0, 0.3})
+            for (const double restitution : {0.5, 0.9, 1.0})
+                for (const double share : {0.9, 0.85, 0.7, 0.45, 0.2}) {
+                    const Bar bar = {size, cells, poisson_ratio, restitution};
+                    DeformableWorld world = bar_above_floor(bar);
+                    const DeformableTotals start = totals(world.solids[0]);
+                    const Elements elements(world.solids[0]);
+                    const double h = share * stable_step(world.solids[0], elements);
+                    INFO("cells " << cells[0] << " " << cells[1] << ", Poisson's ratio "
+                                  << poisson_ratio << ", restitution " << restitution
+                                  << ", share of the stable step " << share);
+                    run(world, h, static_cast<int>(0.1 / h)); // sound goes 3 m meanwhile
+                    CHECK(totals(world.solids[0]).momentum.y() > 0);
+                    const double after = energy_in_step(world, h);
+                    check_at_most(after, start.kinetic_energy, "energy after the bounce [J]");
+                }
 }
