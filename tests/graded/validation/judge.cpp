@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <numeric>
 #include <optional>
@@ -212,6 +213,26 @@ void check_test_of_units(const std::vector<FormulaWithUnits>& right,
         candidates.push_back({test, formula.right, true, ""});
     }
     check_test(std::move(candidates));
+}
+
+NumericFormula
+rounded(const NumericFormula& formula,
+        const std::function<std::vector<double>(const std::vector<double>&)>& largest_terms)
+{
+    // Two such formulas, or three components of a vector, differ by less than the 1e-12 that a test
+    // has to allow.
+    constexpr double rounding = 0.25e-12;
+    return [=](const std::vector<double>& from) {
+        std::uint64_t hash = 0; // the same arguments have the same result
+        for (const double number : from)
+            hash = hash * 1099511628211u + std::bit_cast<std::uint64_t>(number);
+        Random random(static_cast<unsigned>(hash ^ hash >> 32));
+        std::vector<double> result = formula(from);
+        const std::vector<double> terms = largest_terms(from);
+        for (std::size_t i = 0; i < result.size(); ++i)
+            result[i] += rounding * terms[i] * random.uniform(-1, 1);
+        return result;
+    };
 }
 
 std::vector<WrongNumeric> mutants(const NumericFormula& formula,

@@ -82,6 +82,12 @@ void check_test(const StudentsTest& test, const std::vector<NumericFormula>& rig
 void check_test_of_units(const std::vector<FormulaWithUnits>& right,
                          const std::vector<FormulaWithUnits>& wrong);
 
+/// A right formula whose results are rounded nearly as much as a right formula's may be.
+/// @param largest_terms  of each number of the result, for these arguments; 0 where it is exact
+NumericFormula
+rounded(const NumericFormula& formula,
+        const std::function<std::vector<double>(const std::vector<double>&)>& largest_terms);
+
 /// Wrong formulas that a program makes of a right one: a number of the result is scaled, has the
 /// other sign, is that of the call before, or is wrong beyond a threshold; an argument is ignored,
 /// or two are exchanged. Each differs clearly from the right formula for a quarter of the arguments
