@@ -5,6 +5,8 @@
 #include "geometry/shapes/pose.hpp"
 #include "rigid/bodies/world.hpp"
 
+#include <optional>
+
 namespace rigor {
 
 /// The rigid bodies during a step of the deformable solids. As in the step of the rigid bodies,
@@ -15,9 +17,15 @@ struct RigidColliders {
 
     /// Moves the surfaces with the velocities of their bodies for a substep of this length [s].
     void advance(double time_step);
+    /// Between these two calls a solid moves in substeps, which together take this time step [s].
+    void begin_substeps();
+    void end_substeps(double time_step);
+    /// Adds the velocity that gravity gives in this time [s] to the bodies that nothing rigid
+    /// carries. The step of the rigid bodies adds it too, so `end_substeps` takes it back.
+    void fall(double time);
     /// Writes the velocities after the impulses to the world, and wakes the bodies that got an
-    /// impulse. A body that only nodes carry has to fall by h² g in a step; the part of this fall
-    /// that the integrator of the rigid bodies leaves out is added to its position.
+    /// impulse. A body that only nodes carry has to move as they do; the part of this motion that
+    /// the integrator of the rigid bodies will leave out is added to its position.
     void apply_to(World& to, double time_step) const;
     void push(int body, const Vector3d& point, const Vector3d& impulse);
 
@@ -27,6 +35,13 @@ struct RigidColliders {
     std::vector<char> is_pushed;
     /// Whether each body was asleep or in contact with other rigid bodies when the step began.
     std::vector<char> is_supported;
+
+private:
+    Vector3d lack_of_motion(std::size_t body, double time_step) const;
+
+    std::vector<char> pushed_before_;
+    /// Where the substeps of the last solid that pushed a body have brought the body's center.
+    std::vector<std::optional<Vector3d>> reached_;
 };
 
 } // namespace rigor

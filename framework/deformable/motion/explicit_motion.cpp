@@ -80,6 +80,7 @@ void move_explicitly(const NodeMotion& motion)
     const int substeps = substeps_for(solid, step, work.stable_step);
     const double h = step / substeps;
     motion.counters.deformable_substeps += substeps;
+    motion.rigid.begin_substeps();
     for (int k = 0; k < substeps; ++k) {
         const double time = motion.start + k * h;
         hold_nodes(solid, time + h, h, work.held);
@@ -89,6 +90,7 @@ void move_explicitly(const NodeMotion& motion)
             collide_nodes(solid, work.is_held, work.contacts, motion.rigid, h, with_restitution,
                           motion.counters);
         };
+        motion.rigid.fall(h);
         work.contacts.measure(solid, motion.rigid);
         add_up_forces(motion, time);
         kick(motion, h / 2);
@@ -109,6 +111,7 @@ void move_explicitly(const NodeMotion& motion)
         for (const HeldNode& held : work.held)
             work.is_held[held.node] = 0;
     }
+    motion.rigid.end_substeps(step);
 }
 
 } // namespace rigor

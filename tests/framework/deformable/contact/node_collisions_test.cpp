@@ -206,3 +206,28 @@ TEST_CASE("contact: a bounce of nodes gives a solid no energy however long its s
                     check_at_most(after, start.kinetic_energy, "energy after the bounce [J]");
                 }
 }
+
+TEST_CASE("contact: a body that only a solid carries does not sink into it", "[deformable]")
+{
+    for (const NodeIntegrator integrator : integrators)
+        for (const double density : {100.0, 1000.0, 4000.0})
+            for (const double h : {1.0 / 30, 1.0 / 60, 1.0 / 240, 1.0 / 1000}) {
+                CAPTURE(integrator, density, h);
+                DeformableWorld world = block_above_floor(integrator, 0);
+                RigidBody box;
+                box.name = "box";
+                box.parts = {Part{Box{{0.3, 0.1, 0.3}}, Vector3d::Zero(), Quaternion{}, density}};
+                set_mass_from_parts(box);
+                box.state.position = {0, 0.25, 0};
+                world.rigid.bodies.push_back(box);
+                run(world, h, static_cast<int>(4 / h));
+                // Nine nodes are below the box, and some of them carry it.
+                double top = 0;
+                for (const Vector3d& x : world.solids[0].positions)
+                    if (std::max(std::abs(x.x()), std::abs(x.z())) < 0.14)
+                        top = std::max(top, x.y());
+                const double lower_face = world.rigid.bodies[1].state.position.y() - 0.05;
+                const bool is_explicit = integrator == NodeIntegrator::explicit_step;
+                CHECK_THAT(lower_face, IsClose(top, Order(is_explicit ? 5e-4 : 2e-6)));
+            }
+}
