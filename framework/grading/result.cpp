@@ -62,26 +62,6 @@ std::string TaskResult::mistake() const
 
 namespace {
 
-// Removes what the task does not disclose. A message can quote the student's own exception, which
-// may contain a hidden input, so the message is removed too.
-void hide_undisclosed(TaskResult& result)
-{
-    if (result.task.discloses == Disclosure::all) return;
-    for (TestCase& test : result.tests) {
-        TestCase told;
-        if (result.task.discloses == Disclosure::law) told.name = test.name;
-        told.status = test.status;
-        told.is_hidden = test.is_hidden;
-        test = std::move(told);
-    }
-    if (result.task.discloses == Disclosure::nothing && result.first_failure())
-        result.tests = {TestCase(*result.first_failure())};
-}
-
-} // namespace
-
-namespace {
-
 double points_of_parts(const TaskResult& result)
 {
     double points = 0;
@@ -106,8 +86,23 @@ TaskResult score_task(const Task& task, std::vector<TestCase> tests)
         result.score = task.points;
     else
         result.score = points_of_parts(result);
-    hide_undisclosed(result);
     return result;
+}
+
+// A message can quote the student's own exception, which may contain a hidden input, so messages
+// are removed too.
+void hide_undisclosed(TaskResult& result)
+{
+    if (result.task.discloses == Disclosure::all) return;
+    for (TestCase& test : result.tests) {
+        TestCase told;
+        if (result.task.discloses == Disclosure::law) told.name = test.name;
+        told.status = test.status;
+        told.is_hidden = test.is_hidden;
+        test = std::move(told);
+    }
+    if (result.task.discloses == Disclosure::nothing && result.first_failure())
+        result.tests = {TestCase(*result.first_failure())};
 }
 
 Result ungraded(const Assignment& assignment, const std::vector<std::string>& tags,

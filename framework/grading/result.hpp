@@ -99,9 +99,11 @@ Result ungraded(const Assignment& assignment, const std::vector<std::string>& ta
                 const std::string& message);
 
 /// The result of a task from its test cases. The task gets all of its points if there are test
-/// cases and each passed; otherwise it gets the points of each part whose law held. What the task
-/// does not disclose is left out.
+/// cases and each passed; otherwise it gets the points of each part whose law held.
 TaskResult score_task(const Task& task, std::vector<TestCase> tests);
+
+/// Removes from the result what its task does not disclose. Nothing can be judged again afterwards.
+void hide_undisclosed(TaskResult& result);
 
 /// Whether a test case failed in a random case, whose seed it names.
 bool failed_at_random(const TestCase& test);

@@ -302,6 +302,8 @@ Result grade(const Selection& selection, const Implementation& implementation,
     if (!verdicts.cost().empty()) result.notes.push_back("the time budget: " + verdicts.cost());
     follow_through(run, implementation, verdicts, result);
     judge_again_with_reference(run, implementation, result);
+    for (TaskResult& task : result.tasks)
+        hide_undisclosed(task);
     return result;
 }
 

@@ -43,6 +43,14 @@ TEST_CASE("grading: a random case in which the reference fails too costs no poin
         CHECK(task.score == 2);
         CHECK(task.status == Status::passed);
     }
+    SECTION("it costs nothing either if the task discloses nothing")
+    {
+        worth_two.discloses = Disclosure::nothing;
+        task = score_task(worth_two, {tests[0], tests[1]});
+        CHECK(forgive_faults_of_tests(of_reference, task).size() == 1);
+        hide_undisclosed(task);
+        CHECK(task.score == 2);
+    }
     SECTION("a case by hand, and one in which the reference passes, count")
     {
         of_reference[1].status = Status::passed;
