@@ -75,7 +75,8 @@ struct RigidBody {
     /// Whether the body is a ball, which occupies the same space in every orientation.
     bool is_ball() const
     {
-        return parts.size() == 1 && std::holds_alternative<Sphere>(parts[0].shape);
+        return parts.size() == 1 && std::holds_alternative<Sphere>(parts[0].shape) &&
+               parts[0].position.isZero(0);
     }
 
     bool is_body_of_revolution() const { return !symmetry_axis.isZero(0); }

@@ -97,7 +97,8 @@ ForceRate fastest_force_rate(const World& world)
         const RigidBody& body = world.bodies[i];
         const auto& [c, k, d] = body.drag;
         if (!body.drag.acts() || body.is_static) continue;
-        consider(std::max((c + k * body.state.velocity.norm()) * body.inverse.inverse_mass,
+        // The derivative of the drag c v + k v² is c + 2 k v.
+        consider(std::max((c + 2 * k * body.state.velocity.norm()) * body.inverse.inverse_mass,
                           d * body.inverse.inverse_inertia.norm()),
                  static_cast<int>(i));
     }

@@ -37,7 +37,7 @@ struct ForceRate {
 ///     belong to the two ends of a spring: K = 1/M + r² |I⁻¹| at the distance r from the center of
 ///     mass of a body that can move, and K = 0 at any other end.
 ///   * An oscillating force: 2π f.
-///   * A medium: (c + k |V|)/M and d |I⁻¹|, with c, k and d of `Drag`.
+///   * A medium: (c + 2 k |V|)/M and d |I⁻¹|, with c, k and d of `Drag`.
 ForceRate fastest_force_rate(const World& world);
 
 /// The wrench of gravity alone. For the integrator `matrix` it is a point force at the center of

@@ -3,6 +3,7 @@
 // body can touch nothing.
 #include "rigid/step/single_body.hpp"
 
+#include "rigid/bodies/mass.hpp"
 #include "rigid/bodies/non_finite.hpp"
 #include "rigid/motion/free_flight.hpp"
 
@@ -21,6 +22,7 @@ std::vector<ContactRecord> step_single_body(World& world, double time_step)
     require_finite(body, flown, world.time + time_step);
     ++world.counters.free_flights;
     body.state = flown;
+    if (body.only_axis) body.state.angular_momentum = own_angular_momentum(body, body.state);
     world.memory.warm_contacts.clear();
     world.time += time_step;
     ++world.counters.steps;

@@ -2,6 +2,7 @@
 // Bodies on which springs and applied forces pull.
 #include "framework/rigid/integrators.hpp"
 #include "framework/rigid/worlds.hpp"
+#include "rigid/motion/forces.hpp"
 #include "rigid/step/step.hpp"
 #include "support/free_rotor.hpp"
 
@@ -192,4 +193,22 @@ TEST_CASE("pulled: a force from one step's start to another's gives its whole im
         run(world, 16, 0.0625);
         CHECK_THAT(world.bodies[0].state.velocity, IsClose(Vector3d(0.25, 0, 0), Rounding(16)));
     }
+}
+
+TEST_CASE("forces: the rate of a medium is the derivative of its drag", "[rigid]")
+{
+    const auto drag_at = [](const Drag& drag, double v) {
+        return drag.linear * v + drag.quadratic * v * v;
+    };
+    World world = world_of({free_box()}, {0, 0, 0});
+    for (const Drag& drag : {Drag{2, 0, 0}, Drag{0, 3, 0}, Drag{2, 3, 0}})
+        for (const double v : {0.1, 1.0, 50.0}) {
+            CAPTURE(drag.linear, drag.quadratic, v);
+            world.bodies[0].drag = drag;
+            world.bodies[0].state.velocity = v * Vector3d(2, -1, 2) / 3;
+            const double dv = 1e-3 * v, M = world.bodies[0].mass;
+            const double slope = (drag_at(drag, v + dv) - drag_at(drag, v - dv)) / (2 * dv);
+            // The central difference of a parabola is exact.
+            CHECK_THAT(fastest_force_rate(world).rate, IsClose(slope / M, Rounding(1e5)));
+        }
 }
