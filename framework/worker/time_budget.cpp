@@ -98,7 +98,7 @@ std::string TimeBudget::why_given_up(FormulaIndex formula) const
     const Row& row = of(formula);
     if (row.was_given_up) return "was given up in an earlier run, so it is not asked again";
     if (row.timeouts >= 2) return "did not return twice, so it is not asked again";
-    if (row.timeouts == 1)
+    if (row.timeouts == 1 && calls_are_used_up())
         return "did not return, so it is not asked again: the time for all calls is used up";
     if (row.lost > 2 * floor_of_call())
         return fmt::format(

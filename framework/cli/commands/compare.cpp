@@ -71,7 +71,7 @@ void print_growth(const Comparison& comparison, const Trajectory& actual, std::s
     fmt::print("\n");
     const std::size_t last = actual.frames.size() - 1,
                       stride = std::max<std::size_t>(1, (last - first) / 9);
-    for (std::size_t i = first; i <= last; i += stride) {
+    for (std::size_t i = first;; i = std::min(i + stride, last)) {
         std::map<std::string, double> largest;
         for (const Difference& d : comparison.frame(actual.frames[i]))
             largest[d.quantity] = std::max(largest[d.quantity], d.size);
@@ -81,6 +81,7 @@ void print_growth(const Comparison& comparison, const Trajectory& actual, std::s
             fmt::print(" {:>10}",
                        largest.count(quantity) ? fmt::format("{:.2e}", largest[quantity]) : "same");
         fmt::print("{}\n", same_mesh ? "" : "  another mesh");
+        if (i == last) return;
     }
 }
 
