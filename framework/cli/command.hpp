@@ -15,7 +15,7 @@ using Action = std::function<int()>;
 enum Exit : int {
     exit_done = 0,  // the command did its work
     exit_wrong = 1, // points are missing, a test or a run failed, or two runs differ
-    exit_input = 2, // wrong options or a wrong input file
+    exit_input = 2, // wrong options or input, or a scene called a formula that is not defined
     exit_fault = 3, // an internal error of the framework
 };
 

@@ -25,7 +25,8 @@ struct Malformed : std::runtime_error {
 RunOutcome run_in_worker(const Implementation& implementation, const Scene& scene,
                          const SceneRun& run)
 {
-    // What these handlers throw is not the worker's fault, such as a picture that cannot be drawn.
+    // Whether a handler runs. What a handler throws, for example because a picture cannot be drawn,
+    // is not the worker's fault.
     bool in_handler = false;
     const auto handler = [&in_handler](auto handle) {
         return [&in_handler, handle](const auto&... record) {
@@ -43,7 +44,7 @@ RunOutcome run_in_worker(const Implementation& implementation, const Scene& scen
     RunOutcome outcome;
     const auto start = std::chrono::steady_clock::now();
     Limits limits;
-    limits.scene_by_silence = true; // the limit is for the time without a record
+    limits.scene_by_silence = true; // the limit is for each wait between two parts of the stream
     limits.scene = std::chrono::duration<double>(10);
     try {
         Worker worker(implementation.worker, limits);

@@ -62,7 +62,7 @@ Drawing impulse_ellipse()
 
 void draw_cone(Drawing& drawing, const Vector3d& v, double mu, const std::string& text)
 {
-    const Matrix3d K = Vector3d(3.5, 1, 3.5).asDiagonal(); // the K of a solid ball of 1 kg
+    const Matrix3d K = Vector3d(3.5, 1, 3.5).asDiagonal(); // K of a solid 1 kg ball, at the bottom
     const Vector3d sticks = static_friction_impulse(K, v, up, 0.5);
     const Vector3d j = collision_impulse(K, v, up, 0.5, mu);
     const double top = 3.4;

@@ -42,8 +42,8 @@ text.green { fill: #56d364 } text.red { fill: #ff7b72 }
 
 constexpr double head_length = 11, head_width = 4.5; // an arrow's head [px]
 
-// The text as markup: "x_{r}" becomes an x with the subscript r, and "-" before a number becomes a
-// minus sign.
+// The text as markup: "x_{r}" becomes an x with the subscript r, and a "-" that begins a number, as
+// in "-3" but not in "1e-3", becomes a minus sign.
 std::string markup(const std::string& text)
 {
     static const std::regex minus(R"((^|[ (])-(\d))"), subscript(R"(_\{([^}]*)\}([^_]*))");

@@ -36,7 +36,8 @@ public:
     void polygon(const Points& points, std::string_view style);
     void circle(const Vector2d& center, double radius, std::string_view style);
     void dot(const Vector2d& point, std::string_view style);
-    /// A part "_{…}" of the text is written as a subscript, and "-" before a number as a minus.
+    /// A part "_{…}" of the text is written as a subscript, and a "-" that begins a number as a
+    /// minus sign.
     void label(const Vector2d& point, const std::string& text, Side side = Side::right,
                std::string_view style = "ink");
 

@@ -101,8 +101,8 @@ Drawing shifted()
     return drawing;
 }
 
-// The principal moments of a free box. In its body frame, L moves on the sphere |L| = 1 and keeps
-// the energy ½ Σ L_i²/J_i.
+// The principal moments of a free box [kg m²]. In its body frame, L moves on the sphere
+// |L| = 1 kg m²/s and keeps the energy ½ Σ L_i²/J_i.
 constexpr double J1 = 5, J2 = 10, J3 = 13;
 
 // A polhode: the path of L on the sphere, around the axis with the largest or the smallest moment.

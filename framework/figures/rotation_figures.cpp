@@ -124,7 +124,7 @@ Drawing gimbal_lock()
     return drawing;
 }
 
-// The principal moments and the initial ω of the top in the scene symmetric_top.
+// The principal moments [kg m²] and the initial ω [rad/s] of the top in the scene symmetric_top.
 const Vector3d top_moments(0.04, 0.04, 0.02), top_spin(2, 4, 6);
 
 // The path of the top's axis in 1.1 s, where ω is I(t)⁻¹ L. inertia_turns: whether I(t) turns with

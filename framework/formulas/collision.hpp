@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Topic `collision`, assignment A4: level sets, collision impulses, friction.
-// Source: lecture "Inertia, rotation, impulses". Conventions: types.hpp. Everything is in world
-// space; n is unit and points from body 2 to body 1; v = v1 - v2; body 1 receives +j, body 2
-// receives -j. K = K₁ + K₂. ε is the restitution: 1 reverses vₙ, 0 takes all of it, -1 none (in A5
-// it is at most 0). μ ≥ 0 is the friction coefficient.
+// Source: lecture "Inertia, rotation, impulses". Conventions: types.hpp. In A4.1 and A4.2, points
+// and normals are in the frame of the grid; everything else is in world space. n is unit and points
+// from body 2 to body 1; v = v1 - v2; body 1 receives +j, body 2 receives -j. K = K₁ + K₂ is the
+// sum of both bodies' matrices of A4.4. ε is the restitution: 1 reverses vₙ, 0 removes all of vₙ,
+// -1 leaves vₙ as it is (in A5, -1 < ε ≤ 0). μ ≥ 0 is the friction coefficient.
 #pragma once
 
 #include "formulas/not_implemented.hpp"
@@ -34,7 +35,7 @@ Vector3d level_set_normal(const LevelSet& grid, const Vector3d& p);
 Vector3d relative_velocity(const Body& body1, const Body& body2, const Vector3d& x);
 
 /// A4.4 Impulse matrix K = δ/M + (x - X)*ᵀ I⁻¹ (x - X)* [1/kg]: an impulse j at x changes the
-/// velocity of x by K j.
+/// velocity of the body's point at x by K j.
 ///
 /// Static body (inverse_mass = 0): zero.
 Matrix3d impulse_matrix(double inverse_mass, const Matrix3d& I_inverse, const Vector3d& X,

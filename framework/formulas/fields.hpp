@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The fields of the plain types, by name and in order. All code that sends, compares or prints a
 // value, or checks it for NaN, uses these lists and skips a field that is missing in them. So the
-// name of a new field must be added to the list for its struct. The lists are here, or beside the
-// struct in validation.hpp and under_test.hpp.
+// name of a new field must be added to the list for its struct. The lists are here; those of the
+// structs for topic `validation` are in validation.hpp and under_test.hpp.
 #pragma once
 
 #include "formulas/types.hpp"

@@ -107,12 +107,12 @@ SplitMesh split_element(const TetrahedralMesh& mesh, int vertex, const Vector3d&
 /// that face is real in both: then all three corners of the face are the same vertices in both.
 /// Vertices that are not joined are separate.
 ///
-/// A copy's share of the volume is the share of its part. The cracks of a tetrahedron are applied
+/// Each copy has the share of the volume that its part has. The cracks of a tetrahedron are applied
 /// in order. Each crack cuts, along its plane, the material of those parts that have corners on
 /// both its sides. A part with all corners on one side stays whole: the crack ends there. The
 /// planes stay where they are: unlike in A7.6, no corner that is near a plane counts as lying on
-/// it. So the shares of a tetrahedron sum to 1. Along one plane they follow from the heights
-/// n·(x - point) of the corners alone, for a tetrahedron without volume too.
+/// it. So the shares of a tetrahedron sum to 1. With a single crack, the heights n·(x - point) of
+/// the corners alone determine the shares, so a tetrahedron without volume has shares too.
 ///
 /// @param cracks  any number of cracks for each tetrahedron, in the order in which they opened
 /// @return  copies in the order of their parents, those of one parent ordered by their first real

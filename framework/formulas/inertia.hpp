@@ -21,8 +21,8 @@ MassProperties particle_mass_properties(const std::vector<Particle>& particles);
 /// Lecture: "Inertia tensor simplified 2".
 Matrix3d world_inertia(const Matrix3d& R, const Matrix3d& I_body);
 
-/// A2.3 Inverse inertia in world space, I(t)⁻¹ = R I_body⁻¹ Rᵀ [1/(kg m²)]. I_body⁻¹ is computed
-/// only once.
+/// A2.3 Inverse inertia in world space, I(t)⁻¹ = R I_body⁻¹ Rᵀ [1/(kg m²)]. The caller computes
+/// I_body⁻¹ once for each body; this function inverts no matrix.
 Matrix3d world_inverse_inertia(const Matrix3d& R, const Matrix3d& I_body_inverse);
 
 /// A2.4 Principal axes: a rotation Q (det +1) and ascending moments J with I = Q diag(J) Qᵀ.
@@ -114,7 +114,7 @@ MassProperties mesh_mass_properties(const TriangleMesh& mesh, double density);
 ///
 /// The sum I₁ + I₂ alone would be wrong. If one body has zero mass, the result is the other body.
 /// If both do, all results are zero. A mass may be negative: a hole, or a mesh inside out. If two
-/// masses add up to 0, there is no center of mass, and any result is correct.
+/// masses m and -m ≠ 0 add up to 0, there is no center of mass, and any result is correct.
 MassProperties combine(const MassProperties& a, const MassProperties& b);
 
 /// A2.17 Approximation by a simpler shape: mass properties of a solid box that bounds the vertices,

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The dimension of every argument and result of the formulas and of every field of their structs,
 // and how its value changes when the scene is turned. The headers of the topics say the same in
-// words. From this table follow the laws that the graded tests check for every formula.
+// words. The graded tests derive laws from this table, such as the same result in all units
+// (tests/graded/laws/). A law is left out for a formula to which it does not apply.
 #pragma once
 
 #include "formulas/dimension.hpp"

@@ -16,15 +16,16 @@ namespace rigor {
 /// The result drifts away from a rotation. The function is here to show this.
 Matrix3d advance_matrix(const Matrix3d& R, const Vector3d& omega, double time_step);
 
-/// A3.2 Gram–Schmidt on the columns of R, from the first to the last. It is expensive and biased;
-/// the function is here to show this.
+/// A3.2 Gram–Schmidt on the columns of R, from the first to the last. It is expensive, and biased
+/// towards the first column; the function is here to show this.
 ///
 /// The first column keeps its direction, the second loses its part along the first, and the third
 /// follows from both, so the result is a rotation (orthonormal, det +1). If a column is zero or
 /// linearly dependent on those before it, any completion to a rotation is correct.
 Matrix3d gram_schmidt(const Matrix3d& R);
 
-/// A3.3 Rotation matrix of Euler angles (φ, θ, ψ): R = R_z(ψ) R_y(θ) R_x(φ), so x is turned first.
+/// A3.3 Rotation matrix of Euler angles (φ, θ, ψ): R = R_z(ψ) R_y(θ) R_x(φ). The
+/// rotation about x comes first.
 ///
 /// @param angles  (φ, θ, ψ): roll about x, pitch about y, yaw about z [rad]
 Matrix3d euler_to_matrix(const Vector3d& angles);
@@ -103,7 +104,7 @@ RigidState step_symplectic_euler(const RigidState& state, const BodyInertia& bod
 ///     Ω  = ω + Δt/2 ω̇ + Δt²/12 (ω̇ × ω)  q' = advance_exact(q, Ω, Δt)  L' = L + Δt τ
 ///
 /// The last term of Ω appears in third-order methods, because rotations do not commute. Compared
-/// with such a method, only the term with ω̈/6 is omitted. If the last term of Ω has the wrong
+/// with such a method, only the term Δt²/6 ω̈ of Ω is omitted. If the last term of Ω has the wrong
 /// sign, the order is still 2, so only the size of the error shows the mistake. Static body:
 /// unchanged.
 RigidState step_buss(const RigidState& state, const BodyInertia& body, const Wrench& wrench,

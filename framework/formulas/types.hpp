@@ -9,7 +9,8 @@
 //     A1.8 any point.
 //   * R and the unit quaternion q rotate object space into world space: x = R p + X.
 //   * Bodies 1 and 2: the unit normal n points from 2 to 1, v = v1 - v2, body 1 receives +j and
-//     body 2 receives -j. The bodies approach where v·n < 0.
+//     body 2 receives -j. The bodies approach where v·n < 0. The normal part of v is vₙ = v·n, its
+//     tangential part v_T = v - vₙ n; jₙ and j_T are those of j.
 //   * δ is the identity matrix, and w* the cross-product matrix of w: w* x = w × x.
 //   * A static body is one whose velocity nothing changes. It has inverse mass 0 and inverse
 //     inertia 0, and no formula divides by its mass.
@@ -106,8 +107,8 @@ struct RigidState {
     Vector3d angular_momentum = Vector3d::Zero(); // L [kg m²/s]
 };
 
-/// The inverse mass and the inverse inertia of a body, as its equations of motion use them. A body
-/// whose inverse inertia alone is 0 is a point mass: it moves, but it never turns.
+/// The inverse mass and the inverse inertia of a body, as its equations of motion use them. If the
+/// inverse inertia is 0 but the inverse mass is not, the body is a point mass, which never turns.
 struct BodyInertia {
     double inverse_mass = 0;                     // 1/M [1/kg], 0 if static
     Matrix3d inverse_inertia = Matrix3d::Zero(); // I_body⁻¹, object space [1/(kg m²)], 0 if static
@@ -129,7 +130,7 @@ struct Body {
 struct ContactPoint {
     Vector3d point = Vector3d::Zero();             // x, world space [m]
     Vector3d normal = Vector3d::UnitY();           // n, unit, from body 2 to body 1
-    double depth = 0;                              // penetration, positive inside [m]
+    double depth = 0;                              // penetration depth, negative for a gap [m]
     Vector3d relative_velocity = Vector3d::Zero(); // v = v1 - v2 at x [m/s]
 };
 
@@ -138,7 +139,7 @@ struct BodyContact {
     int body1 = 0, body2 = 0;            // indices of the bodies
     Vector3d point = Vector3d::Zero();   // x, world space [m]
     Vector3d normal = Vector3d::UnitY(); // n, unit, from body 2 to body 1
-    double depth = 0;                    // penetration, positive inside [m]
+    double depth = 0;                    // penetration depth, negative for a gap [m]
     double friction = 0;                 // μ
     double separation_speed = 0;         // s [m/s], the smallest v·n allowed after the contact is
                                          // resolved; if the bodies may still close a gap in the
@@ -192,7 +193,7 @@ struct VertexOrigin {
 struct SplitMesh {
     TetrahedralMesh mesh;
     std::vector<VertexOrigin> origins; // one for each vertex
-    std::vector<int> parents;          // for each tetrahedron, its index before the split
+    std::vector<int> parents;          // for each tetrahedron, the old one that it is a part of
 };
 
 /// A plane that cracks one tetrahedron.

@@ -16,7 +16,8 @@
 
 namespace rigor {
 
-/// The velocities of two bodies on a line [m/s]. After a collision they are u₁ and u₂.
+/// The velocities of two bodies on a line [m/s]. In the result of a collision, the field v1 is u₁
+/// and v2 is u₂.
 struct LineVelocities {
     double v1 = 0, v2 = 0;
 };

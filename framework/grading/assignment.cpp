@@ -179,7 +179,8 @@ void check_scenes(const Assignment& assignment, const std::vector<std::string>& 
                           fmt::format("expected files of scenes/, found {}", in_quotes(scene))};
 }
 
-// Checks that each formula of the topic has exactly one task.
+// Checks that each tag has only one task, that each formula of the topic has a task, and that the
+// scenes of the tasks exist.
 void check_tasks(const Draft& draft)
 {
     std::set<std::string_view> tags;

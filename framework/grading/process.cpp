@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Runs a program as a child process. Its output and its messages come through two pipes. What
-// arrives is split into lines while the program runs. A program that is silent for too long gets
-// SIGTERM, and two seconds later SIGKILL.
+// Runs a program as a child process. Its output comes through one pipe, and what it writes to
+// `message_descriptor` through another. Both are split into lines while the program runs. A program
+// that is silent for too long gets SIGTERM, and two seconds later SIGKILL.
 #include "grading/process.hpp"
 
 #include "sandbox/argument_pointers.hpp"
@@ -159,7 +159,7 @@ void collect(pid_t child, const Command& command, LinePipe& output, LinePipe& me
         if (!ended.timed_out && command.silence > 0 && seconds_since(heard) > command.silence) {
             ended.timed_out = true;
             asked_to_end = Clock::now();
-            kill(child, SIGTERM); // ninja passes it on to the compilers
+            kill(child, SIGTERM); // ninja passes this signal on to the compilers
         } else if (ended.timed_out && seconds_since(asked_to_end) > 2) {
             kill(child, SIGKILL);
         }

@@ -15,7 +15,7 @@ namespace rigor {
 struct Command {
     std::vector<std::string> arguments;   // first the program, which is looked up in PATH
     std::filesystem::path folder;         // working directory; empty: the current one
-    double silence = 0;                   // longest time without output [s]; 0: no limit
+    double silence = 0;                   // longest time without output or message [s]; 0: no limit
     std::uint64_t memory = 0;             // address space [bytes]; 0: no limit
     std::vector<std::string> environment; // "NAME=value", besides the inherited ones
     bool shares_stderr = false;           // whether its stderr is that of this process
@@ -38,7 +38,7 @@ using OnLine = std::function<void(std::string_view line)>;
 /// writes to the descriptor `message_descriptor` goes to `on_message`. The program is ended when
 /// this process ends.
 ///
-/// A line longer than 1 MiB is handed over in pieces. @throws std::runtime_error if the program
+/// A line longer than 1 MiB is passed on in pieces. @throws std::runtime_error if the program
 /// cannot be started
 Ended run(const Command& command, const OnLine& on_output, const OnLine& on_message = {});
 

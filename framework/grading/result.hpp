@@ -98,8 +98,9 @@ Result ungraded(const Assignment& assignment, const std::vector<std::string>& ta
                 const std::vector<std::string>& counted, SubmissionStatus status,
                 const std::string& message);
 
-/// The result of a task from its test cases. The task gets all of its points if there are test
-/// cases and each passed; otherwise it gets the points of each part whose law held.
+/// The result of a task from its test cases. If there are none, or if the worst outcome is
+/// `skipped`, the task has 0 of 0 points. Otherwise it gets all of its points if each test case
+/// passed, and else the points of each part whose law held.
 TaskResult score_task(const Task& task, std::vector<TestCase> tests);
 
 /// Removes from the result what its task does not disclose. Nothing can be judged again afterwards.
@@ -108,8 +109,9 @@ void hide_undisclosed(TaskResult& result);
 /// Whether a test case failed in a random case, whose seed it names.
 bool failed_at_random(const TestCase& test);
 
-/// If a test case failed in a random case, and the reference fails in it too, this is a fault of
-/// the test. Counts each such test case as passed, and scores the task again if there is one.
+/// If a test case failed in a random case, and the reference fails in this test case too, there is
+/// a fault in the test. Counts each such test case as passed, and scores the task again if there is
+/// one.
 /// @param of_reference  the verdicts on the reference, with the same random cases
 /// @return the names of these test cases
 std::vector<std::string> forgive_faults_of_tests(const std::vector<TestCase>& of_reference,

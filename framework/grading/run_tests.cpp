@@ -64,7 +64,7 @@ std::string doubt()
 }
 
 // The argument that tells Catch2 which test cases to run: those with these tags that have no
-// verdict yet.
+// verdict yet, and without an oracle no hidden ones.
 std::string specification(const std::vector<std::string>& tags, bool has_oracle,
                           const Verdicts& before)
 {
@@ -89,8 +89,9 @@ constexpr std::size_t memory_of_tests = std::size_t{6} << 30; // [bytes]
 // Whose code runs when a task calls the formulas of other tasks: the submission or the reference.
 enum class Others { submission, reference };
 
-// The longest time that the test program may compute between two calls of formulas [s]. It is
-// shorter once a test case has exceeded the limit, since more test cases of the task may do so.
+// The longest time that the test program may be on a processor between two calls of formulas [s].
+// After the first test case that exceeds this limit the limit is shorter, since other test cases
+// may exceed it too.
 double longest_stall(const Verdicts& before)
 {
     return before.stalled().empty() ? 8 : 2;
@@ -141,10 +142,10 @@ std::string fault_of(const Ended& ended, const Verdicts& verdicts,
 }
 
 // Runs the test cases of these tags. If the answers of a submission make our engine compute without
-// end, the test program ends itself after the verdict on this test case, and a new one runs the
-// test cases that are left.
+// end in a test case, the test program sends the verdict on this test case and ends itself. Then a
+// new test program runs the test cases that are left.
 // @param spent    the time budget that an earlier run has used, see Verdicts::spent
-// @param on_line  called after each line that the test program sends about a test case
+// @param on_line  called after each line that the test program sends
 Ended run_tests(
     const GradingRun& run, const Implementation& implementation,
     const std::vector<std::string>& tags, Others others, const std::string& spent,
@@ -166,13 +167,13 @@ Ended run_tests(
 
 constexpr const char* not_followed = "not judged with the reference's other formulas: ";
 
-// Judges the tasks that did not get all points a second time, now with the reference in place of
+// Judges a second time the tasks that did not get all points, now with the reference in place of
 // the formulas of other tasks that they call. Each task keeps the result with more points or, for
 // the same points, the one that tells the student more. A task whose formula took too long is left
 // out. If the reference itself fails in a test case, the test case counts as failed, and a note
-// says so. There is no note if the time for the reference was over, because the answers of the
-// submission give it work without end or the machine is busy: then nobody is to blame. After a
-// failure of the reference, a task keeps its first result unless the second one has more points.
+// says so. There is no note if the reference was only too late: the answers of the submission may
+// give it endless work, or the machine may be busy. After a failure of the reference, a task keeps
+// its first result unless the second one has more points.
 void follow_through(const GradingRun& run, const Implementation& implementation,
                     const Verdicts& before, Result& result)
 {
@@ -190,7 +191,7 @@ void follow_through(const GradingRun& run, const Implementation& implementation,
         result.notes.push_back(not_followed + fault);
         return;
     }
-    std::set<std::string> failed; // only tags: a message may tell what must stay hidden
+    std::set<std::string> failed; // tags only: a message could reveal a hidden test
     for (const auto& [tag, what] : verdicts.own_failures())
         if (failed.insert(tag).second && !verdicts.was_reference_late(tag))
             result.notes.push_back(not_followed + ("the reference failed in a test of " + tag));
@@ -294,7 +295,7 @@ Result grade(const Selection& selection, const Implementation& implementation,
     if (!fault.empty()) {
         result.status = SubmissionStatus::internal_error;
         result.message = fault + (last_words.empty() ? "" : "; its last words: " + last_words);
-        // Points of the tests that ran would look like a grade.
+        // The points of the tests that did run are removed, since they would look like a grade.
         result.tasks =
             ungraded(selection, run, SubmissionStatus::internal_error, result.message).tasks;
         return result;

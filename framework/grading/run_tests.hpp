@@ -29,9 +29,10 @@ struct GradingRun {
 
 /// Runs the tests of the selected tasks against an implementation and scores them.
 ///
-/// A fault of the test program (it dies, matches no test, checks nothing, prints a line that cannot
-/// be parsed) makes the result `internal_error`, never a pass: it has no points and no tests, and
-/// stands for no grade. If the topic's file did not compile, the result is `compile_error`.
+/// If the test program fails (it dies, hangs, runs no test of a task, checks nothing in a test
+/// case, or sends a line that cannot be parsed), or if the reference fails in a test case, the
+/// result is `internal_error`. Such a result has no points and no tests, and is no grade. If the
+/// topic's file did not compile, the result is `compile_error`.
 Result grade(const Selection& selection, const Implementation& implementation,
              const GradingRun& run);
 

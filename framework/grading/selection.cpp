@@ -48,7 +48,8 @@ bool is_number(std::string_view text)
            std::all_of(text.begin(), text.end(), [](unsigned char c) { return std::isdigit(c); });
 }
 
-// The range of existing tags, as a hint for a word that looks like a tag, such as a6.11 or a9.
+// A hint for a word that looks like a tag, such as a6.11 or a9: the range of the assignment's tags,
+// or the command that lists all tags. Empty for any other word.
 std::string tags_there_are(const std::string& word, const std::vector<Assignment>& assignments)
 {
     const std::size_t point = word.find('.');

@@ -22,8 +22,8 @@ std::string text_of(const json& line, const char* key)
     return found->dump();
 }
 
-// The lines of the message without repetitions. The line with the seed is left out, since it has a
-// field of its own.
+// The lines of the message without repetitions. The line with the seed is left out, since the seed
+// has a field of its own.
 std::string message_of(const json& line)
 {
     std::istringstream lines(text_of(line, "message"));

@@ -16,7 +16,7 @@ namespace rigor {
 /// Parses the lines of the test program as they come, and keeps the verdicts.
 class Verdicts {
 public:
-    /// Parses one line. An error is kept in `fault`.
+    /// Parses one line. An error is kept in `fault`, and further lines are then ignored.
     void take(std::string_view line);
 
     const std::vector<TestCase>& of(const std::string& tag) const;
@@ -27,7 +27,7 @@ public:
     /// Whether the last line was the one that the test program prints after all test cases.
     bool is_complete() const { return is_complete_; }
     /// The first error: a line that could not be parsed, a test case that checked nothing, or one
-    /// that stalled twice. Empty if there is none.
+    /// that stalled twice (see `stalled`). Empty if there is none.
     const std::string& fault() const { return fault_; }
     /// The test cases in which the framework or the reference failed, not the submission: pairs of
     /// the tag of the task and a sentence. Such a test case counts as failed.

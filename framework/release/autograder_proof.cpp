@@ -142,8 +142,8 @@ std::string prove_autograder(const fs::path& zip, const fs::path& layout,
     const std::string solved = results_json_after(
         solved_submission(source / "reference", layout.string() + ".solved", file), layout, user);
     const nlohmann::json json = nlohmann::json::parse(solved, nullptr, false);
-    // The solved submission should get all points. They include those of hidden tasks if the
-    // sandbox is strong enough to run these.
+    // How many points there are depends on the machine: hidden tasks count only if the sandbox is
+    // strong enough to run them. So the score is compared with the sum of the tests' maxima.
     const double most = json.is_object() ? json.value("score", 0.0) : 0.0;
     if (most <= 0) throw std::runtime_error("the autograder gives a solution no points");
     if (const std::string fault = fault_of_results(solved, most, most); !fault.empty())

@@ -30,6 +30,7 @@ inline constexpr int steps_of_tree_proof = 2;
 /// What is wrong with the output of `rigor check --json`; empty if every visible task has the
 /// expected status and points and no hidden task counts.
 /// @param solved  true: every point of the visible tasks is expected; false: none is
+/// @param proof   gets the number and the points of the visible tasks
 std::string fault_of_tree(const std::string& json, bool solved, TreeProof& proof);
 
 /// Writes the reference as a student would hand it in: one source for each topic, and the headers.

@@ -19,9 +19,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// The parts of the project that both trees have. A name that ends with a slash is a folder.
-// Whatever is not named here is left out, so a new folder of the project is not handed out by
-// accident.
+// The parts of the project that both trees have, except for those in `grading_parts`. A name that
+// ends with a slash is a folder. Whatever is not named here is left out, so a new folder of the
+// project is not handed out by accident.
 constexpr std::string_view shared_parts[] = {
     ".clang-format",  ".editorconfig",       ".gitignore",
     "CMakeLists.txt", "CMakePresets.json",   "LICENSE",

@@ -22,9 +22,9 @@ struct JudgedFile {
 /// All files of the engine that were judged. Files that only call formulas are not among them.
 std::span<const JudgedFile> judged_files();
 
-/// Visible tests that write out the answer of a formula in plain arithmetic, to compare with it.
-/// They are kept, since without them the task could not be checked; so the points of these tasks
-/// say less about a student who reads the tests.
+/// Visible tests that compute in plain arithmetic what a formula must return, and compare the
+/// results. They are kept, since without them the task could not be checked; so the points of these
+/// tasks say less about a student who reads the tests.
 std::span<const JudgedFile> telling_tests();
 
 /// The file whose text replaces that of `path` in the students' tree; empty if the file is kept.

@@ -8,7 +8,7 @@
 
 namespace rigor::colors {
 
-/// The color of the n-th moving body.
+/// The color of moving body n, counted from 0. After seven colors they repeat.
 Vector4f palette(std::size_t n);
 
 /// The color of a quantity from 0 to 1: from dark blue through red to pale yellow, in steps that

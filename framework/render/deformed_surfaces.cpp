@@ -3,7 +3,8 @@
 // the tetrahedra and move with their nodes. An edge is sharp if the normals of its two triangles
 // differ by more than 30 degrees, or if only one of them was opened by a crack. The normal at a
 // corner of a triangle is the mean of the normals of all triangles at this corner, weighted by
-// their angles there. Left out are triangles whose edge with this triangle would be sharp.
+// their angles there. Triangles whose common edge with this triangle is or would be sharp are left
+// out.
 #include "render/deformed_surfaces.hpp"
 
 #include "deformable/surface/surface.hpp"
@@ -115,9 +116,9 @@ void DeformedSurface::add_line(const Edge& edge, const Edge& other_side)
         lines_[point].push_back(along);
 }
 
-// Looks for a sharp edge of other triangles that lies about in the plane of this triangle and
-// touches this triangle only in this corner. Such an edge is drawn on this triangle too, since the
-// line along the edge would have gaps otherwise.
+// Looks for a sharp edge of other triangles that lies within 30 degrees of the plane of this
+// triangle and touches this triangle only in this corner. Such an edge is drawn on this triangle
+// too, since the line along the edge would have gaps otherwise.
 // @return the direction of the edge; nullptr: there is none
 const Vector3d* DeformedSurface::line_through(int triangle, int corner) const
 {
@@ -144,8 +145,8 @@ double DeformedSurface::angle(int triangle, int corner) const
     return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
-// The mean of the normals of all triangles around the corner, weighted by their angles there. Left
-// out are triangles whose edge with this triangle would be sharp.
+// The mean of the normals of all triangles around the corner, weighted by their angles there.
+// Triangles whose common edge with this triangle is or would be sharp (`is_sharp`) are left out.
 Vector3d DeformedSurface::normal(int triangle, int corner) const
 {
     const int point = triangles_[triangle].points[corner];

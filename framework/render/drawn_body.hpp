@@ -15,11 +15,13 @@ struct DrawnBody {
     bool is_static = false;
     std::vector<Part> parts;                    // relative to the center of mass
     Vector3d center_of_mass = Vector3d::Zero(); // in the body's frame of the scene file [m]
-    // For each part, its index in `Picture::models`; -1 for a box, a ball, an ellipsoid or a plane.
+    // For each part, the index of its surface in `Picture::models`; -1 for a box, a ball, an
+    // ellipsoid or a plane.
     std::vector<int> models;
     // I_body⁻¹ [1/(kg m²)]; it is zero along an axis about which the body has no inertia.
     Matrix3d inverse_inertia = Matrix3d::Zero();
-    double mass = 0, mean_inertia = 0; // [kg], [kg m²]
+    // Mass [kg] and mean of the principal moments of inertia [kg m²]; 0 for a static body.
+    double mass = 0, mean_inertia = 0;
     // Radius of a ball around the center of mass that contains all parts but planes [m].
     double radius = 0;
     Vector4f color;

@@ -41,7 +41,7 @@ bool is_frame(const std::string& name)
                        [](char c) { return c >= '0' && c <= '9'; });
 }
 
-/// Makes the directory and removes the frames of an earlier run.
+/// Makes the directory and removes the frames and the video of an earlier run.
 /// @return the number of removed files
 std::size_t clear_directory(const std::filesystem::path& directory)
 {

@@ -38,7 +38,7 @@ struct FrameReport {
 /// same files.
 class FrameSequence {
 public:
-    /// Prepares the directory and the renderer.
+    /// Makes the directory and the renderer. Frames and video of an earlier run are removed.
     /// @throws InputError for a directory, a size or a video that cannot be used
     explicit FrameSequence(const FrameOptions& options);
 

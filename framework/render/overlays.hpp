@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Adds to a picture what is drawn besides the bodies. `thickness` is the radius of a rod [m].
+// Adds to a picture what is drawn besides the bodies. `thickness` is about the radius of a rod [m].
 #pragma once
 
 #include "render/drawn_body.hpp"
@@ -30,7 +30,7 @@ void add_title(Picture& picture, const std::string& scene, double time);
 void add_legend(Picture& picture, const Overlays& overlays);
 
 /// The names of bodies and solids. A name is above its body or solid; a static body has it at its
-/// middle.
+/// center of mass. A body that consists of planes only has none.
 void add_names(Picture& picture, const Frame& frame, const std::vector<DrawnBody>& bodies,
                const std::vector<SolidDescription>& solids, float thickness);
 

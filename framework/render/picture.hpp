@@ -30,11 +30,12 @@ inline constexpr double smooth = 0.866;
 /// A corner of a triangle.
 struct SurfaceVertex {
     Vector3f position, normal;
-    /// Distances to the triangle's sides that are sharp; a large number for other sides.
+    /// Distances to the three sides of the triangle [m]; a large number for a side that is not
+    /// sharp. Side i runs from corner i to the next corner.
     Vector3f edges = Vector3f::Constant(1e6F);
 };
 
-/// Triangles with three vertices each, relative to the middle of their bounding box.
+/// Triangles with three vertices each. Positions are relative to the middle of the bounding box.
 struct Surface {
     std::vector<SurfaceVertex> triangles;
     /// A surface has two tones, which alternate from octant to octant and show the rotation of a
@@ -73,7 +74,7 @@ struct ColorScale {
 struct Ground {
     Matrix3f axes = Matrix3f::Identity(); // a rotation
     Vector3f position = Vector3f::Zero(); // [m]
-    bool solid = true;                    // false: only grid lines, for a scene without a plane
+    bool solid = true;                    // false: only grid and shadows, if no body is a plane
     bool grid = true;
 };
 
@@ -105,7 +106,7 @@ struct Picture {
     std::optional<ColorScale> color_scale;
 };
 
-/// The linear light of an sRGB color, opaque by default.
+/// The linear light of an sRGB color with components from 0 to 1, opaque by default.
 Vector4f linear_color(double red, double green, double blue, double opacity = 1);
 
 /// Adds a rod of this radius between two points.

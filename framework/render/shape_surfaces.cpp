@@ -112,7 +112,7 @@ float contrast(const Shape& shape, const TriangleMesh& mesh, const std::vector<V
     const auto edges = mesh_edges(mesh, normals);
     const bool is_round = std::any_of(edges.begin(), edges.end(), [&](const MeshEdge& edge) {
         const double c = normals[edge.left].dot(normals[edge.right]);
-        // The two normals differ by more than one degree, but the edge is not sharp.
+        // The two normals differ by more than about one degree, but the edge is not sharp.
         return c > smooth && c < 0.9998;
     });
     return is_round ? 0.3F : 0.0F;

@@ -16,14 +16,14 @@ class SolidVisualizer {
 public:
     SolidVisualizer() = default;
 
-    /// @param first_color  index of the first solid's color in the palette; if the scene gives a
-    ///                     solid a color, that one is used instead
+    /// @param first_color  index of the first solid's color in the palette; a solid for which the
+    ///                     scene gives a color has the color of the scene instead
     SolidVisualizer(const std::vector<SolidDescription>& solids, const Overlays& overlays,
                     std::size_t first_color);
 
     std::size_t count() const { return colors_.size(); }
 
-    /// Half the diagonal of a solid's bounding box, at the start of the scene [m].
+    /// Half the diagonal of the bounding box of a solid's mesh at rest [m].
     double radius(std::size_t solid) const { return radii_[solid]; }
 
     void draw(Picture& picture, const Frame& frame) const;

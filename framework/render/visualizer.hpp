@@ -29,8 +29,8 @@ public:
     Picture picture(const Frame& frame) const;
 
     /// Two runs of the scene at one time in one picture: `frame` as `picture` draws it, and as
-    /// ghosts those bodies and solids of `other` that lie apart from it. A line joins the two
-    /// centers of such a body. The legend names both runs.
+    /// ghosts (translucent) the bodies and solids of `other` whose states visibly differ from those
+    /// in `frame`. A line joins the two centers of such a body. The legend names both runs.
     Picture comparison(const Frame& frame, const Frame& other, const std::string& name,
                        const std::string& other_name) const;
 

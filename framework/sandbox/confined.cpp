@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Starts a program in four steps. The launcher is spawned with the options for the sandbox. It
-// reports that the sandbox is up, and hands over the listener of blocked calls. If there is a
+// reports that the sandbox is up, and sends the listener of blocked calls with it. If there is a
 // listener and the program is a worker, the grader allows the one call that starts the program.
 // Then the launcher's end of the socket closes, which shows that the program has started. To end
-// the program, a signal is sent to the monitor, which ends all other processes before it ends
-// itself.
+// the program, a signal is sent to the monitor, which ends the program and all that it started
+// before it ends itself.
 #include "sandbox/confined.hpp"
 
 #include "sandbox/argument_pointers.hpp"
@@ -214,7 +214,8 @@ bool ends_within(pid_t child, int milliseconds)
     if (handle < 0) return false;
     pollfd ended = {handle, POLLIN, 0};
     int result;
-    while ((result = poll(&ended, 1, milliseconds)) < 0 && errno == EINTR) { // by a signal: again
+    // If a signal interrupts the waiting, it begins anew with the whole time.
+    while ((result = poll(&ended, 1, milliseconds)) < 0 && errno == EINTR) {
     }
     close(handle);
     return result > 0;

@@ -5,9 +5,9 @@
 // The grader starts the launcher `confine`. The launcher stays outside the walls as the monitor.
 // Its child puts up the walls around itself and becomes the program. The monitor ends in the way in
 // which the program ends, and nothing that the program started outlives the monitor. If the grader
-// has a listener, a system call that is not allowed waits for the grader, who learns from the
-// kernel which call it is. The program never gets an answer. Without a listener, such a call ends
-// the process that makes it.
+// has a listener (a descriptor through which the kernel reports blocked system calls), a blocked
+// call waits for the grader, who learns which call it is. The program never gets an answer. Without
+// a listener, a blocked call ends the process that makes it.
 #pragma once
 
 #include "sandbox/descriptor.hpp"
@@ -28,7 +28,7 @@ namespace rigor {
 /// kinds are limited in the same way.
 enum class Profile {
     worker,  // a static program that computes: it opens and starts nothing
-    compiler // a program that reads /usr and the readable paths, and starts others from there
+    compiler // a program that reads and starts files of /usr and of `Confinement::readable`
 };
 
 /// Limits for each process. If a limit has no value here, only the system's limit for the user
@@ -47,13 +47,13 @@ struct ResourceLimits {
 struct Confinement {
     Profile profile;
     Tier tier; // usual_tier() for programs that students wrote
-    /// For a compiler: the paths from which it may read and start programs, and the paths that it
-    /// may change. Namespaces or Landlock keep it from all other paths, besides those of the
+    /// For a compiler: the paths whose files it may read and start, and the paths that it may
+    /// change. Namespaces or Landlock keep it from all other paths, besides those of the
     /// system. In a sandbox with neither of the two it reaches every path that its user reaches. If
     /// it runs as another user, that user becomes the owner of the writable paths, and the readable
     /// paths must be readable for everybody.
     std::vector<std::filesystem::path> readable = {}, writable = {};
-    std::filesystem::path folder = "/";        // its working directory
+    std::filesystem::path folder = "/";        // the program's working directory
     std::vector<std::string> environment = {}; // "NAME=value" for each variable
     ResourceLimits limits = {};
 };
@@ -63,8 +63,8 @@ struct Confinement {
 /// namespace of its own. The kernel never limits root.
 bool can_limit_processes(const Walls& walls);
 
-/// Keeps other processes of the same user, unless it is root, from looking at the memory, the
-/// descriptors and the environment of this process (`/proc/PID/mem`, `fd`, `environ`).
+/// Keeps other processes of the same user, unless the user is root, from looking at the
+/// memory, the descriptors and the environment of this process (`/proc/PID/mem`, `fd`, `environ`).
 void make_undumpable();
 
 class Confined {
@@ -90,11 +90,12 @@ public:
     /// monitor ends in the same way as the program, and stops when the program stops.
     pid_t monitor() const { return monitor_; }
 
-    /// The process id of the program. Use it only to look at what the program does, in `/proc`
-    /// or by its clock.
+    /// The process id of the program; -1 before `await_start` has returned. Use it only to observe
+    /// the program, in `/proc` or by the clock of its processor time: after the program's end,
+    /// another process may get this id.
     pid_t program() const { return program_; }
 
-    /// The first system call that was not allowed; empty if there was none, or if there is no
+    /// The number of the first blocked system call; empty if there was none, or if there is no
     /// listener. The process that made the call, the program or one that it started, waits forever.
     /// Without a listener it is killed by SIGSYS instead.
     std::optional<int> blocked_call();

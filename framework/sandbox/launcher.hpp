@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The path of the launcher, the program that puts up the sandbox around itself (`main/`) and
-// becomes another program.
+// The path of the launcher (`main/`), the program that starts another program in a sandbox.
 #pragma once
 
 namespace rigor {

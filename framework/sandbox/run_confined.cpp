@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Waits for three events at once: output, the end of the monitor, and a blocked call. In every
-// case, the rest of the output is read after all processes have ended.
+// Waits for three events at once: output, the end of the monitor, and a blocked call, but not
+// longer than the limit on time. The rest of the output is read after all processes have ended,
+// unless the program has printed too much.
 #include "sandbox/run_confined.hpp"
 
 #include <algorithm>

@@ -27,7 +27,7 @@ namespace rigor {
 
 namespace {
 
-// What the launcher prints when it probes.
+// What the launcher prints with --probe: the walls that work, in one line.
 std::string probed()
 {
     Ends ends = output_pipe();

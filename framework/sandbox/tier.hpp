@@ -8,9 +8,11 @@
 // | B    | filter of system calls, Landlock, for root also another user               |
 // | C    | limits on resources only                                                   |
 //
-// On a machine without Landlock, tier A does without it if the grader can learn which call was
-// blocked. Tier B does not, because nothing else would keep the compiler of a submission from
-// reading the reference or the hidden tests.
+// Landlock is a part of Linux that denies access to files. If the machine lacks it, tier A is still
+// possible, provided that the grader can learn which call was blocked. Tier B always needs
+// Landlock, because nothing else would keep the compiler of a submission from reading the reference
+// or the hidden tests. Another user is a user id that nobody has; only root can start a program
+// with it.
 //
 // All tiers have limits on resources, and in all tiers nothing that the program starts outlives it.
 // The results of the grading name the tier. A tier below the strongest possible one is used only if
@@ -34,7 +36,7 @@ struct Walls {
 };
 
 /// The walls (parts of the sandbox) that this machine and this user allow, determined once by
-/// trying each. @throws std::system_error
+/// trying each. @throws std::system_error if the launcher, which tries them, cannot be started
 const Walls& possible_walls();
 
 /// Whether these walls (parts of the sandbox) are enough for this tier.

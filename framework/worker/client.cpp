@@ -15,7 +15,8 @@ namespace rigor {
 
 namespace {
 
-/// A request to advance states takes states until their size reaches this [bytes].
+/// `advance` divides its start states among several requests. A request is full when its states
+/// reach this size [bytes].
 constexpr std::size_t piece = std::size_t{1} << 18;
 
 std::string text_of(const Bytes& bytes)

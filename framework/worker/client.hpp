@@ -30,8 +30,8 @@ class Worker {
 public:
     using Start = Moment;
 
-    /// @param oracle  the worker of the reference, which is asked how long a slow request may take;
-    ///                it must outlive this worker
+    /// @param oracle  the worker of the reference, which gets each slow request too, to measure how
+    ///                long the reference takes; it must outlive this worker
     explicit Worker(std::filesystem::path executable, Limits limits = {}, Worker* oracle = nullptr);
 
     /// The encoded result of a formula on encoded arguments, valid until the next request.
@@ -58,11 +58,12 @@ public:
     void renew();
 
     /// The beginning of what the implementation printed since the last call of this function, made
-    /// printable.
+    /// printable. What it printed before a `WorkerFailure` is in that exception instead.
     std::string take_output();
 
     /// Starts the process if there is none and waits until it is ready. Each request does this by
-    /// itself.
+    /// itself. After two failed starts in a row no further start is tried: the second failure is
+    /// thrown again.
     /// @throws WorkerFailure
     void start();
 
@@ -94,8 +95,9 @@ private:
     Worker* oracle_;
     std::unique_ptr<Session> session_;
     /// The previous process, which may still be ending, and a spare process for the next fresh
-    /// start. The sandbox around the spare process is ready, but its program has not started. A
-    /// spare process is made only after the first `renew`, since more calls of `renew` will follow.
+    /// start. The sandbox of the spare process is prepared; its program waits for
+    /// `Confined::await_start`, or already runs if the sandbox has no listener. A spare process is
+    /// made only after the first `renew`, because more calls of `renew` are then likely.
     std::unique_ptr<Session> ending_, spare_;
     std::string subject_; // what the current request is about, for messages of failures
     std::string output_;

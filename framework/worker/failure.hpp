@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The ways in which an implementation can fail to give a valid answer. These and `NotImplemented`
-// are all exceptions that a student's code can cause in a call of a `Worker`; a call through the
-// proxy also throws std::out_of_range (proxy/answer_sizes.hpp). Any other exception is a fault of
-// the framework.
+// The ways in which an implementation can fail to give a valid answer. A student's code can cause
+// no other exceptions in a call of a `Worker` than these and `NotImplemented`. A call through the
+// proxy can also throw std::out_of_range (proxy/answer_sizes.hpp). Any other exception is a fault
+// in the framework.
 #pragma once
 
 #include <stdexcept>
@@ -15,9 +15,9 @@ namespace rigor {
 /// `A4.10 apply_impulse crashed: segmentation fault`.
 struct WorkerFailure : std::runtime_error {
     enum Cause {
-        crashed,   // a signal ended or stopped the process
+        crashed,   // a signal ended or stopped the process, or it made a forbidden system call
         exited,    // the process ended itself, with an exit status
-        timed_out, // no answer within the time limit
+        timed_out, // no answer within the time limit, or the formula was given up (TimeBudget)
         flooded,   // the process printed or streamed more bytes than its limit
         malformed, // the process sent bytes that are not a valid answer
         threw,     // the formula threw an exception
@@ -36,8 +36,8 @@ struct WorkerFailure : std::runtime_error {
     std::string output;  // the beginning of what the implementation printed
 };
 
-/// The test itself, or one of its scenes, takes too long. So it is no failure of the formula that
-/// is being called.
+/// The test itself, or the engine in one of its scenes, takes too long. The formula that is being
+/// called is not the cause.
 struct OwnTimeOver : WorkerFailure {
     OwnTimeOver(const std::string& about, const std::string& what_happened)
         : WorkerFailure(timed_out, about, what_happened)
@@ -48,7 +48,7 @@ struct OwnTimeOver : WorkerFailure {
 /// A formula that the implementation does not define, or defines with another signature. what()
 /// is, for example, `A4.10 apply_impulse is not defined`.
 struct FormulaMissing : std::runtime_error {
-    /// @param asked    the formula that was called, maybe with the scene that called it
+    /// @param asked    what the client asked for: a formula, a formula in a scene, or a scene
     /// @param missing  the formula that is not defined: the same one, or one that `asked` calls
     FormulaMissing(const std::string& asked, const std::string& missing)
         : std::runtime_error(asked.starts_with(missing)
@@ -58,7 +58,7 @@ struct FormulaMissing : std::runtime_error {
     }
 };
 
-/// An answer that contains NaN or infinity. what() is, for example,
+/// An answer, or a state in a scene, that contains NaN or infinity. what() is, for example,
 /// `A4.10 apply_impulse: angular_momentum.y is NaN`.
 struct NotFinite : std::runtime_error {
     NotFinite(const std::string& about, const std::string& which)

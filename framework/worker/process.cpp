@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Starts and ends a worker process. The launcher starts it with only a null input, a pipe for its
-// output and the shared memory, and with limits on its resources. Its output is read without
-// waiting. The monitor of its sandbox ends it and all that it started.
+// Starts and ends a worker process. The launcher starts it with only /dev/null as its input, a pipe
+// for its output and the shared memory, and with limits on its resources. Its output is read
+// without waiting. The monitor of its sandbox ends it and all that it started.
 #include "worker/process.hpp"
 
 #include "sandbox/blocked_calls.hpp"
@@ -144,8 +144,9 @@ std::optional<Broken> Process::ending()
 std::optional<Process::Progress> Process::progress() const
 {
     const std::string folder = "/proc/" + std::to_string(program_.program());
-    // The main thread's time on a processor [ns], see proc(5). The same file has the time that the
-    // thread waited for a processor, but that number grows only when the waiting is over.
+    // The main thread's time on a processor [ns], see sched-stats.rst of the Linux kernel. The same
+    // file has the time that the thread waited for a processor, but that number grows only when the
+    // waiting is over.
     std::ifstream times(folder + "/schedstat");
     std::int64_t on_processor = 0;
     // The state of the process is the letter after its name. The name is in brackets and may have

@@ -65,7 +65,7 @@ struct Limits {
     /// do not have this limit.
     std::size_t memory = std::size_t{2} << 30;
     std::size_t output = std::size_t{1} << 20;     // how much a request may print [bytes]
-    std::size_t trajectory = std::size_t{1} << 30; // how much a scene may stream [bytes]
+    std::size_t trajectory = std::size_t{1} << 30; // longest streamed trajectory [bytes]
     std::size_t output_kept = 4096; // how much of the output is kept, from its beginning [bytes]
 };
 

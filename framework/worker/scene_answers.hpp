@@ -67,7 +67,7 @@ private:
     std::size_t at_ = 0; // how much of `part_` was taken [bytes]
     // The bytes taken before `part_`, plus the bytes given to the worker.
     std::size_t taken_before_ = 0;
-    int exceptions_ = std::uncaught_exceptions(); // number of exceptions when the scene began
+    int exceptions_ = std::uncaught_exceptions(); // uncaught exceptions when the scene began
     Seconds waited_{};                            // time of all waits so far
     std::array<Seconds, formula_count> waited_for_{};
     std::optional<Pace> reference_pace_;

@@ -92,10 +92,12 @@ const Reply& Session::ask(const Question& question, Allowance& allowance)
     return take_reply();
 }
 
-/// The part of `passed` that counts for the time limit: all of it if the worker sleeps, otherwise
-/// the time that it was on a processor since `before`. A busy machine may leave a process waiting
-/// for seconds. At least a tenth of the time counts, since a worker could keep the machine busy
-/// itself to gain time.
+/// The part of `passed` that counts for the time limit: all of it if the worker sleeps or if /proc
+/// does not tell, otherwise the time that the worker was on a processor since `before`. The time in
+/// which it waits for a processor does not count, because this may take seconds on a busy machine.
+/// But at least a tenth of `passed` counts, since a worker could keep the machine busy itself to
+/// gain time.
+/// @param before       the progress at the previous call, which this call replaces
 /// @param has_replied  whether the worker has sent something; if it sleeps then, it is done, and
 ///                     its sleep does not count in full
 Allowance::Seconds Session::counted(Allowance::Seconds passed,

@@ -37,7 +37,7 @@ struct Question {
     FormulaSet given = {};          // formulas whose answers the scene gets by `Session::give`
 };
 
-/// A reply as the worker wrote it. Only its size has been checked.
+/// A reply as the worker wrote it. Only its status and its size have been checked.
 struct Reply {
     ReplyStatus status;
     Bytes payload;
@@ -57,7 +57,7 @@ public:
     Allowance::Seconds on_processor() const { return process_.on_processor(); }
 
     /// Asks a question and waits for the reply, which is valid until the next question.
-    /// @throws Broken, what the sink throws; after both, the session cannot be used any more
+    /// @throws Broken, what the sink throws; after either, the session cannot be used any more
     const Reply& ask(const Question& question, Allowance& allowance);
 
     /// Does what `ask` does, in separate calls: this one sends the question, whose sink is not
@@ -68,8 +68,8 @@ public:
     Bytes next_part(Allowance& allowance);
     const Reply& take_reply();
 
-    /// Gives the worker an encoded answer that its scene waits for. This call waits only if the
-    /// worker is far behind in reading such answers. @throws Broken
+    /// Gives the worker an encoded answer that its scene waits for. This call waits only while the
+    /// ring buffer of such answers is full. @throws Broken
     void give(FormulaIndex formula, std::span<const std::byte> answer, Allowance& allowance);
 
     /// What the worker had streamed before the conversation broke, without the parts that were read

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Limits the time of all requests of one submission together. A formula that did not return in time
-// twice, or that is far slower than the reference, is given up: tests do not call it any more, and
-// scenes only until it has failed in two of them. So an endless loop costs only seconds, however
-// many tests and other formulas call it. Time counts as in `Limits` in process.hpp: while the
-// worker is on a processor, or asleep while the client waits.
+// Limits the time of all requests of one submission together. A formula is given up if it did not
+// return in time twice, if its calls without an answer took too long together, or if it is far
+// slower than the reference. Tests do not call such a formula any more, and scenes only until it
+// has failed in two of them. So an endless loop costs only seconds, however many tests and other
+// formulas call it. Time counts as in `Limits` in process.hpp: while the worker is on a processor,
+// or asleep while the client waits.
 //
 // All calls together have a budget of time, and so have all scenes (`Limits::all_calls` and
 // `all_scenes`). When it is used up, the floor (the lowest time limit) of a call or a scene is only
-// a tenth of its usual value. The limit is this floor or `Limits::multiple` times the time of the
+// a tenth of its usual value; after the budget of the calls, a formula is given up as soon as it
+// does not return in time once. The limit is this floor or `Limits::multiple` times the time of the
 // reference, whichever is longer. So a solution that is slow and right is graded to its end, and a
 // solution that does not return is soon given up.
 //
@@ -81,7 +83,9 @@ public:
     /// gets two short chances in scenes, because its arguments may differ there.
     bool ends_scenes(FormulaIndex formula) const;
 
-    /// The floors (lowest time limits) of `Limits`, which are shorter once a budget is used up.
+    /// The floors (lowest time limits) of `Limits`, which are shorter once a budget is used up. The
+    /// floor of a wait is also shorter if the formula was given up; the floor of a scene is at most
+    /// `Limits::call` if there is a reference.
     Seconds floor_of_call() const { return floor_factor() * limits_.call; }
     Seconds floor_of_wait(FormulaIndex formula) const;
     Seconds floor_of_scene() const;

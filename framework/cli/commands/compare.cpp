@@ -57,8 +57,8 @@ void print(const std::vector<Difference>& differences)
         fmt::print("  and {} more\n", differences.size() - most_shown);
 }
 
-// Prints how the differences grow: the largest difference of each quantity at about ten moments of
-// the run, from the step `first` to the end.
+// Prints how the differences grow: the largest difference of each quantity at equal intervals from
+// the frame with index `first` on, at most at 18 moments. The last frame may be left out.
 void print_growth(const Comparison& comparison, const Trajectory& actual, std::size_t first)
 {
     std::vector<const char*> quantities;

@@ -42,13 +42,14 @@ Found find_task(const std::string& tag)
                                  suggestion(tag, tags, "`rigor list` names them")));
 }
 
-// The file in the build folder that stores how many hints of a task were shown.
+// The file in the build folder that stores the number of the hint that was shown last for a task.
 std::filesystem::path memory_of(const Task& task)
 {
     return places().build / "hints" / task.tag;
 }
 
-// How many hints of a task were shown: at most `count`, whatever the file says.
+// The number of the hint that was shown last, from 1; 0 if none was shown. If the file has a number
+// above `count`, the result is `count`.
 std::size_t shown_before(const Task& task, std::size_t count)
 {
     std::size_t shown = 0;

@@ -42,7 +42,7 @@ struct SolidExtremes {
     }
 };
 
-// The numbers that --stats prints, collected frame by frame.
+// The numbers that --stats and --json print, collected frame by frame.
 struct Summary {
     FrameStatistics first, last;
     double largest_energy = 0, deepest = 0; // total energy [J], penetration [m]

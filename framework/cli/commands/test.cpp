@@ -66,7 +66,8 @@ void check_usage(const TestOptions& options)
                                          fmt::join(known_presets, ", "), preset));
 }
 
-// Checks the format of the sources, then runs every suite of each requested build.
+// Checks the format of the sources, then runs the test suites of each requested build: all of them
+// with --all, otherwise the short ones.
 std::vector<SuiteResult> run_suites(const TestOptions& options)
 {
     std::vector<SuiteResult> results = {check_format()};

@@ -7,26 +7,27 @@
 namespace rigor {
 
 /// Applies a collision impulse to each node that would be inside a body after `time_step`, and the
-/// opposite impulse to the body. It is `collision_impulse` with K = δ/m + K_b, where δ is the unit
-/// matrix, m the mass of the node (infinite if a handle holds it) and K_b the `impulse_matrix` of
-/// the body.
+/// opposite impulse to the body. The impulse is `collision_impulse` with K = δ/m + K_b, where δ is
+/// the unit matrix, m the mass of the node (infinite if a handle holds it) and K_b the
+/// `impulse_matrix` of the body.
 ///
 ///   * With restitution, only contacts that rebound get an impulse. A contact does not rebound if
 ///     its restitution is 0, or if gravity would stop the rebound within two time steps.
 ///   * Without restitution, a node may still close its gap within the time step.
 ///
-/// A substep of explicit integration calls this function twice: before the forces with restitution,
-/// and after them without. An implicit step calls it once, with restitution.
+/// A substep of explicit integration calls this function twice: with restitution when half of the
+/// forces have acted, and without when all have. An implicit step calls it once, with restitution.
 void collide_nodes(Deformable& solid, const std::vector<char>& is_held,
                    const NodeContacts& contacts, RigidColliders& rigid, double time_step,
                    bool with_restitution, Counters& counters);
 
 /// Position correction: moves nodes that are inside rigid bodies and that no handle holds outwards,
-/// without changing velocities.
+/// without changing velocities. The penetration is that of the latest `NodeContacts::measure`,
+/// before the nodes moved.
 ///
 /// @param step_share  length of the substep divided by that of the step; a whole step removes about
 ///                    a fifth of the penetration
-/// @param farthest    the largest correction of a node [m]
+/// @param farthest    the largest correction for one contact [m]
 void correct_node_positions(Deformable& solid, const std::vector<char>& is_held,
                             const NodeContacts& contacts, double step_share, double farthest);
 

@@ -30,7 +30,7 @@ double reach_of(const Deformable& solid, const Body& body, double radius, const 
     // trial.
     constexpr double for_acceleration = 1.5;
     // Above this radius [m] the rotation of the body is left out. A body with a plane does not
-    // rotate, but its radius is infinite, and 0 times infinity is no number.
+    // rotate, but its radius is infinite, and 0 times infinity is NaN.
     constexpr double unbounded = 1e9;
     double speed = 0;
     for (const Vector3d& v : solid.velocities)

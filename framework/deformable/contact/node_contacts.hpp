@@ -20,7 +20,7 @@ struct NodeContact {
 class NodeContacts {
 public:
     /// Finds the nodes on the surface of the solid (`is_surface`) that may reach a body within a
-    /// step.
+    /// step. Their gaps and normals are not set until `measure` is called.
     void find(const Deformable& solid, const std::vector<char>& is_surface,
               const RigidColliders& rigid, double time_step, Counters& counters);
     /// Recomputes the gaps and normals of all contacts, for the current positions of nodes and

@@ -23,9 +23,9 @@ struct RigidColliders {
     /// Adds the velocity that gravity gives in this time [s] to the bodies that nothing rigid
     /// carries. The step of the rigid bodies adds it too, so `end_substeps` takes it back.
     void fall(double time);
-    /// Writes the velocities after the impulses to the world, and wakes the bodies that got an
-    /// impulse. A body that only nodes carry has to move as they do; the part of this motion that
-    /// the integrator of the rigid bodies will leave out is added to its position.
+    /// Writes the velocities of the bodies that got an impulse to the world, and wakes these
+    /// bodies. A body that only nodes carry has to move as they do. The part of this motion that
+    /// the integrator of the rigid bodies leaves out is added to the position of the body.
     void apply_to(World& to, double time_step) const;
     void push(int body, const Vector3d& point, const Vector3d& impulse);
 

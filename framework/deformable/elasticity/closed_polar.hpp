@@ -95,10 +95,11 @@ inline bool is_exact(double conditioning, double last_step)
     return conditioning > least_conditioning && std::abs(last_step) < small_step;
 }
 
+/// R and s of one matrix F, or of several at once, by the formulas at the top of this file.
 /// @param norm2   ‖F‖²
 /// @param start   where Newton's method starts: √3 ‖F‖, which is never below s
 /// @param is_end  is_end(x) tells whether Newton's method stops after a step, where x is the step
-///                divided by s; near rest it stops after the fourth step
+///                divided by s; near rest it stops after at most four steps
 template <class Number, class IsEnd>
 [[gnu::always_inline]] inline ClosedPolar<Number>
 closed_polar(const Square3<Number>& F, Number norm2, Number start, const IsEnd& is_end)

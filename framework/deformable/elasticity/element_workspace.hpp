@@ -14,8 +14,8 @@ struct ElementWorkspace {
     Elements elements;
     std::vector<ElementStrain> strains; // at the positions for which they were last computed
     std::vector<std::array<int, 4>> face_neighbours;
-    // For each element, its neighbours across faces without a crack. Its stress is averaged with
-    // their stresses.
+    // For each element, its neighbours across faces without a crack. For fracture, its stress is
+    // averaged with their stresses.
     std::vector<std::vector<int>> stress_neighbours;
 };
 

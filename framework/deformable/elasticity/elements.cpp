@@ -43,8 +43,8 @@ struct Symmetric {
     return D;
 }
 
-// R, S and s = Tr S of both elements of a pair. Where the closed form is inaccurate, R comes from
-// an eigenvector.
+// R, S and s = Tr S of both elements of a pair. Where the closed form is inaccurate, R and s come
+// from an eigenvector.
 struct PolarPair {
     Square3<Two> R;
     Symmetric S;

@@ -23,9 +23,9 @@ double shear_strain2(const Matrix3d& strain)
     return 1.5 * dev.squaredNorm();
 }
 
-// The limit of ‖ε_p‖. Plastic flow may shorten an element to a third of its length at most. So the
-// eigenvalues of its shape without stress, δ + ε_p, have to stay above ⅓, and those of ε_p above
-// -⅔. As ε_p has no trace, its eigenvalues are at least -√⅔ ‖ε_p‖.
+// The limit of ‖ε_p‖. Plastic flow may shorten an element, but not below a third of its length.
+// So the eigenvalues of its shape without stress, δ + ε_p, have to stay above ⅓, and those of ε_p
+// above -⅔. As ε_p has no trace, its eigenvalues are at least -√⅔ ‖ε_p‖.
 constexpr double most = 0.8; // √(3/2) ⅔ = 0.816, rounded down
 
 // Whether an element with this elastic strain yields, by the yield test of the solid.

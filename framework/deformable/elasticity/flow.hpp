@@ -29,7 +29,7 @@ private:
     const Deformable* solid_;
     double lambda_, G_, yield_stress_;
     // Whether this class makes the yield test itself: it compares the strain of each element with
-    // `bound_` and calls no formula for the element.
+    // `bound_`. For elements that do not yield, it then calls no formula.
     bool is_optimised_;
     double bound_; // the yield strain, if `is_optimised_`
 };

@@ -89,7 +89,7 @@ std::array<Vector3d, 4> corners(const TetrahedralMesh& mesh, int element)
     return x;
 }
 
-// The nodes of elements that cracked in this step.
+// The nodes of the elements chosen to crack in this step; no other element at these nodes cracks.
 class CrackedNodes {
 public:
     explicit CrackedNodes(const Deformable& solid) : is_taken_(solid.rest.vertices.size(), 0) {}

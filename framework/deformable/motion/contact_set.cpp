@@ -25,7 +25,7 @@ constexpr double penetration_tolerance = 1e-6;
 constexpr double friction_tolerance = 1e-3;
 // The largest damping of a sliding contact, divided by the trace of the diagonal block of its node
 // in the matrix. At this damping the node hardly slides, and a larger value would make the system
-// ill-conditioned, so the contact sticks.
+// ill-conditioned. So a sliding contact that needs a larger value becomes a sticking one.
 constexpr double largest_damping = 1e3;
 
 } // namespace

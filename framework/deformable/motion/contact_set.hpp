@@ -28,6 +28,7 @@ class ContactSet {
 public:
     /// Makes a first guess for each contact: it holds its node if the node would otherwise be
     /// inside the body after the step. With friction the node sticks, without friction it slides.
+    /// The contacts of a node that a handle holds are open.
     void guess(const ContactStep& step);
 
     /// Chooses for each node, among the contacts that hold it, the one with the smallest gap. Only
@@ -41,7 +42,8 @@ public:
     /// The constraint by which contact k ties its node in the linear system.
     TiedNode tie(int k) const;
 
-    /// The impulse that the tie of a contact gave its node in the latest solve [N s].
+    /// The impulse that contact k gave its node in the latest solve in which it tied the node
+    /// [N s]; zero if there was no such solve in this step.
     void set_impulse(int k, const Vector3d& impulse) { impulses_[k] = impulse; }
     const Vector3d& impulse(int k) const { return impulses_[k]; }
 

@@ -20,11 +20,11 @@ namespace {
 // divided by the yield stress, is below this number. The error falls quadratically, so that a
 // larger tolerance would hardly save a round.
 constexpr double flow_tolerance = 1e-9;
-// The rounding error of a stress, relative to the trial stress.
+// The rounding error of a stress, divided by 2 G ‖e‖ with the trial elastic strain e.
 constexpr double rounding = 1e-13;
-// The guess is the velocities of the previous linearisation. On the way from there to the latest
-// velocities, the minimised function first falls. The latest velocities have gone too far beyond
-// the minimum if the function rises there with more than this share of its first slope.
+// On the way from the velocities of the previous linearisation to those of the latest solve, the
+// minimised function first falls. If its slope at the end of this way, divided by the size of its
+// slope at the start, is above this number, the latest velocities lie too far beyond the minimum.
 constexpr double largest_turn = 0.5;
 
 Matrix3d deviatoric(const Matrix3d& a)

@@ -24,7 +24,8 @@ public:
                double time_step);
 
     /// Compares the flow of each element with the flow that the latest solve has assumed. If they
-    /// differ for any element, linearises the flow again and puts it into the system.
+    /// differ for any element, linearises the flow again and puts it into the system. If the
+    /// velocities of the solve overshoot (see `backtrack`), it first moves them back.
     ///
     /// @return whether any element differs, so that the system has to be solved again
     bool revise(VelocitySystem& system);
@@ -45,7 +46,7 @@ private:
     const ElementWorkspace* work_ = nullptr;
     std::optional<FlowRule> rule_;
     double time_step_ = 0, lambda_ = 0, G_ = 0; // h [s], λ, G [Pa]
-    bool is_first_ = true;                      // whether the latest solve assumed no flow
+    bool is_first_ = true;                      // no flow has been linearised in this step yet
     std::vector<Vector3d> elastic_momenta_;     // right-hand side of the system without flow [N s]
     std::vector<Vector3d> guess_; // the velocities that the flow was linearised about [m/s]
     // The linearised flow in the latest solve, and in the next one; sorted by element.

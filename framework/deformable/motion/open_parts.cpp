@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Keeps track of the parts of a solid that an implicit step still has to solve for. All parts are
 // open at first; after each solve they are closed, and those whose contacts or plastic flow have
-// changed are opened again.
+// changed are opened again, together with parts that rigid bodies couple with them.
 #include "deformable/motion/open_parts.hpp"
 
 #include <algorithm>

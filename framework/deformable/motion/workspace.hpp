@@ -37,7 +37,8 @@ struct Workspace : ElementWorkspace {
     std::vector<SystemBody> no_bodies; // always empty; passed to a solve without rigid bodies
 };
 
-/// The workspace of a solid. It is made again if the mesh or the material has changed.
+/// The workspace of a solid. It is made again if the mesh or the material has changed (apart from
+/// `SolidMaterial::surface`, on which it does not depend).
 Workspace& workspace_of(Deformable& solid);
 
 } // namespace rigor

@@ -24,7 +24,8 @@ namespace rigor {
 /// says this.)
 enum class NodeIntegrator {
     explicit_step,  ///< symplectic Euler, in substeps no longer than the mesh and material allow
-    implicit_step,  ///< backward Euler, one sparse linear system for each step
+    implicit_step,  ///< backward Euler: one sparse linear system, solved again while contacts or
+                    ///< plastic flow change
     velocity_modes, ///< as one rigid body: the six velocity modes of the lecture
     matrix,         ///< as one rigid body, turned by `advance_matrix`, which makes it grow
 };
@@ -118,17 +119,18 @@ struct Deformable {
     std::vector<double> inverted_times;
 
     // For each element and face, whether a crack runs along the face, even if its two sides are not
-    // separated yet. The list is empty if there are no cracks. With virtual nodes, elements and
+    // separated yet. The list may be empty if there are no cracks. With virtual nodes, elements and
     // faces are those of `uncracked`, and the list marks only the faces along which inverted
     // elements were separated.
     std::vector<std::array<bool, 4>> crack_faces;
-    // The smallest height of an element that a cut may leave [m]. It is 0 before the first cut.
+    // For `FractureMethod::elements`: no cut may leave an element with a height, over any of its
+    // faces, below this [m]. It is 0 until an element is to be cut for the first time.
     double least_height = 0;
 
-    // For virtual nodes: `uncracked` is the mesh without cracks, `cracks` lists the cracks of its
-    // elements, and `embedded` is the mesh of the copies of its elements, with the share of each
-    // copy that material fills. Before the first crack `embedded` is empty, and material fills
-    // every element.
+    // For virtual nodes: `uncracked` is the mesh without cracks (split only around elements that
+    // stayed inverted), `cracks` lists the cracks of its elements, and `embedded` is the mesh of
+    // the copies of its elements, with the share of each copy that material fills. Before the first
+    // crack `embedded` is empty, and material fills every element.
     TetrahedralMesh uncracked;
     std::vector<ElementCrack> cracks;
     EmbeddedMesh embedded;

@@ -15,7 +15,7 @@ struct HeldNode {
     Vector3d velocity = Vector3d::Zero();
 };
 
-/// Records, for each handle that has no record yet, the initial places of its nodes.
+/// Sets `first_places` of each handle that has none yet to the present positions of its nodes.
 void remember_first_places(Deformable& solid);
 
 /// Sets `held` to the nodes that handles hold in the substep that ends at `time`, each once, with
@@ -27,7 +27,8 @@ void hold_nodes(const Deformable& solid, double time, double time_step,
 /// Gives the held nodes their prescribed velocities, in the coordinates that are prescribed.
 void move_held(const std::vector<HeldNode>& held, std::vector<Vector3d>& velocities);
 
-/// Adds gravity and the loads that act at `time` to the forces on nodes [N].
+/// Adds the weight of each node and the loads that act at `time` to the forces on the nodes [N].
+/// @param gravity  acceleration [m/s²]
 void add_loads(const Deformable& solid, const Vector3d& gravity, double time,
                std::vector<Vector3d>& forces);
 

@@ -17,7 +17,7 @@ struct SolidMaterial {
     double damping = 0;          // β [s] in the force -β K v, where K is the stiffness
     double drag = 0;             // α [1/s] in the force -α m v on each node
     double yield_stress = never; // σ_Y [Pa]; if it is `never`, there is no plastic flow
-    double strength = never;     // largest principal stress that opens no crack [Pa]
+    double strength = never;     // principal stress above which a crack opens [Pa]
     Material surface;            // restitution and friction in contacts
 
     double lame_lambda() const // λ [Pa]

@@ -72,7 +72,7 @@ void BlockFactor::place_entries(const std::vector<int>& row_starts, const std::v
 }
 
 // Grows the elimination tree and counts the blocks in each column of L. The blocks of row k of L
-// are in those columns that lie on the paths up the tree from the columns of row k of A.
+// are in those columns that lie on the paths up the tree from the columns of row k of A to k.
 bool BlockFactor::grow_tree(double most_work)
 {
     const int n = static_cast<int>(diagonal_.size());

@@ -34,10 +34,11 @@ public:
     /// connects with one of them, but that is not among them, would be left out.
     void steps_of(const std::vector<int>& nodes, std::vector<int>& steps) const;
 
-    /// Computes L and D. @param blocks  the blocks of A, in the order of A's pattern
+    /// Computes the rows of L and D for these steps (see `steps_of`).
+    /// @param blocks  all blocks of A, in the order of A's pattern
     void factorise(const std::vector<int>& steps, const std::vector<Matrix3d>& blocks);
 
-    /// x ← A⁻¹ x
+    /// x ← A⁻¹ x, for the nodes of these steps. @param x  one vector for each node of A
     void solve(const std::vector<int>& steps, std::vector<Vector3d>& x) const;
 
 private:
@@ -45,8 +46,8 @@ private:
     bool grow_tree(double most_work);
     void place_rows();
 
-    // In all members below, a node is numbered by its step of elimination. These two convert
-    // between the indices of nodes in A and the steps.
+    // In all members below, a node is numbered by its step of elimination. `node_of_` and
+    // `step_of_` convert between these steps and the indices of nodes in A.
     std::vector<int> node_of_, step_of_;
     // A's blocks left of the diagonal, row by row: their indices in the list of A's blocks, and
     // whether that list has the transposed block. `diagonal_` has the indices of the diagonal
@@ -66,7 +67,7 @@ private:
     std::vector<int> column_starts_, rows_, row_block_starts_;
     std::vector<RowBlock> row_blocks_;
     std::vector<Matrix3d> L_, inverse_D_;
-    std::vector<Matrix3d> row_; // the row of L that is being computed
+    std::vector<Matrix3d> row_; // the row of L D that is being computed
     double work_ = 0;
 };
 

@@ -18,9 +18,10 @@ void ImplicitSystem::analyse(const Elements& elements, int nodes)
     nodes_ = nodes;
     inverse_diagonal_.resize(nodes);
     // The largest number of products of two blocks that a factorisation may take, divided by the
-    // number of blocks of A. Such a product costs as much as three products of a block and a
-    // vector, and an iteration of conjugate gradients takes two of these for each block of A. So
-    // the limit is the cost of 60 iterations; above it, iterating is cheaper.
+    // number of stored blocks of A. A product of two blocks costs as much as three products of a
+    // block and a vector. An iteration of conjugate gradients takes two products of a block and a
+    // vector for each stored block. So the limit is the cost of 40 · 3 / 2 = 60 iterations; above
+    // it, iterating is cheaper.
     constexpr double most_work = 40;
     is_factor_cheap_ = factor_.analyse(matrix_.row_starts(), matrix_.columns(),
                                        most_work * static_cast<double>(matrix_.blocks().size()));
@@ -217,7 +218,8 @@ int ImplicitSystem::solve(const Vectors& b, const std::vector<int>& nodes,
     return iterations;
 }
 
-// Iterates from x_ and r_ = b until r·z is at most `enough`. @return the number of iterations
+// Iterates from x_ and r_ = b until r·z is at most `enough`, or until a largest number of
+// iterations. @return the number of iterations
 int ImplicitSystem::iterate(double enough)
 {
     const auto for_each = [&](const auto& visit) {

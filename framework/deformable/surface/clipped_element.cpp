@@ -86,8 +86,8 @@ void cut(std::vector<ClippedFace>& faces, const std::array<Vector3d, 4>& corners
     if (closing.weights.size() >= 3) faces.push_back(std::move(closing));
 }
 
-// The coefficients r of a linear function. For a point with the weights x, r · x is the signed
-// area of the triangle a b x, divided by the area of the face.
+// The coefficients r of a linear function. For a point with the barycentric coordinates x, r · x is
+// the signed area of the triangle a b x, divided by the area of the face.
 Weights triangle_height(const Weights& a, const Weights& b, int face)
 {
     const auto& [i, j, k] = tetrahedron_faces[face];

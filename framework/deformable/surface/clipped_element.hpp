@@ -12,16 +12,19 @@ struct ClippedFace {
     int face = -1;                        // index of the element's face around it; -1: on a crack
 };
 
-/// The faces that bound the material of a copy. They are the faces of its tetrahedron, clipped by
-/// one crack after the other, and the polygons that close the cuts. A crack counts if it separates
-/// the corners with material from corners that earlier cracks left connected to them.
+/// The faces that bound the material of a copy (a cracked element has one copy for each piece of
+/// its material). They are the faces of its tetrahedron, clipped by one crack after the other, and
+/// the polygons that close the cuts. A crack counts if it separates the corners with material from
+/// corners that earlier cracks left connected to them.
+/// @param element  index of the copy in `Deformable::embedded`
 std::vector<ClippedFace> clipped_element(const Deformable& solid, int element);
 
 /// Cuts `polygon` into convex pieces and returns those that `cover` does not cover. Both are convex
 /// polygons in the same face of an element. Pieces with less than 1e-12 of the area of the face are
 /// rounding errors and are omitted.
 ///
-/// @param polygon, cover  barycentric coordinates of the vertices in this element
+/// @param polygon, cover  barycentric coordinates of the vertices in the element
+/// @param face            index of the face in the element, 0 … 3
 std::vector<std::vector<Eigen::Vector4d>> uncovered(std::vector<Eigen::Vector4d> polygon,
                                                     const std::vector<Eigen::Vector4d>& cover,
                                                     int face);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Asks for a lease for reading again and again. It is granted only if nobody has the file open for
-// writing.
+// Asks again and again for a lease for reading (F_SETLEASE). The kernel grants a lease only if no
+// process has the file open for writing.
 #include "grading/build/await_no_writer.hpp"
 
 #include <cerrno>

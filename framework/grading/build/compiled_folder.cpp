@@ -40,7 +40,7 @@ fs::path contract()
     return places().source / "framework/formulas";
 }
 
-// A hash of the headers that the compiler reads besides the submission, and of the time when the
+// A hash of the headers in framework/formulas and of no_file_queries.hpp, and of the time when the
 // precompiled header was made.
 std::uint64_t hash_of_contract(const Toolchain& tools)
 {
@@ -65,8 +65,9 @@ fs::path made(const fs::path& folder)
     return folder;
 }
 
-// Whether the disk is full. The message of a compiler alone does not prove this, because a
-// submission can make the compiler print the same text.
+// Whether the disk is full, so that the largest allowed object would not fit. The message of a
+// compiler alone does not prove this, because a submission can make the compiler print the same
+// text.
 bool is_full(const fs::path& disk)
 {
     std::error_code error;

@@ -53,6 +53,7 @@ public:
     /// Compiles the files of these topics, if the folder has them and their objects are out of
     /// date.
     /// @param steps  gets a line for each file that was compiled
+    /// @return for each topic that the folder has, its object or why there is none
     std::map<std::string, CompiledTopic> compile(const std::vector<std::string>& topics,
                                                  const OnBuildStep& on_step,
                                                  std::vector<std::string>& steps);

@@ -7,7 +7,7 @@
 
 namespace rigor {
 
-/// The lines of a text, without their ends.
+/// The lines of a text, without the line breaks.
 inline std::vector<std::string> lines_of(const std::string& text)
 {
     std::vector<std::string> lines;

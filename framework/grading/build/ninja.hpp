@@ -20,7 +20,8 @@ struct NinjaRun {
     double seconds = 0;
 };
 
-/// Longest time to compile a single file of a student [s]: a file can keep a compiler busy forever.
+/// Most processor time to compile a single file of a student [s]: a file can keep a compiler busy
+/// forever.
 inline constexpr double compile_limit = 120;
 
 /// Runs ninja in the build folder.
@@ -33,8 +34,8 @@ std::vector<std::string> ninja_commands(const std::string& target);
 /// The names of the build's programs that begin with `prefix`, sorted and without the prefix.
 std::vector<std::string> ninja_programs(const std::string& prefix);
 
-/// The first errors of a compiler's or linker's output: at most 20 lines, beginning with the first
-/// one that names an error.
+/// The first errors of a compiler's or linker's output: at most 20 lines, each cut to 400
+/// characters. They begin with the first one that names an error, or at the start if none does.
 std::string first_errors(const std::vector<std::string>& lines);
 
 } // namespace rigor

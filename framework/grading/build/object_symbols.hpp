@@ -11,7 +11,9 @@ namespace rigor {
 
 /// The names of one object, as the linker sees them.
 struct ObjectSymbols {
-    std::set<std::string> defined;   // defined here, and visible to other objects
+    /// Defined here, and visible to other objects. Weak names that objects share, such as those of
+    /// inline functions, are left out.
+    std::set<std::string> defined;
     std::set<std::string> undefined; // used but not defined
 };
 

@@ -7,8 +7,8 @@
 
 namespace rigor {
 
-/// An empty folder for the files of tools, which is removed with all that a tool left there,
-/// whatever the tool did.
+/// An empty folder for the files of tools. When this object ends, the folder is removed with all
+/// that the tools have left in it.
 class ScratchFolder {
 public:
     explicit ScratchFolder(std::filesystem::path folder) : folder_(std::move(folder))

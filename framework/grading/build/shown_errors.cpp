@@ -32,7 +32,8 @@ void remove_between(std::string& line, std::string_view begin, std::string_view 
     if (last != std::string::npos) line.erase(first, last + end.size() - first);
 }
 
-// Replaces the path of the precompiled header, or of a header or source that it was made from.
+// Replaces the path of the precompiled header, or of a header or source that it was made from, by
+// plain words.
 void name_precompiled_header(std::string& line)
 {
     constexpr std::string_view name = "cmake_pch.hxx", ends = " '\"()<>,";
@@ -46,14 +47,15 @@ void name_precompiled_header(std::string& line)
     }
 }
 
-// Where the compiler sees names outside of the submission, its message must not tell which of them
-// there are: the reason is always that there is no such file.
+// The compiler may see the names of files outside of the submission. Its message must not tell
+// which of them exist: it always says that there is no such file.
 void hide_what_there_is(std::string& line)
 {
     for (const char* reason : {"Permission denied", "Not a directory"})
         replace_all(line, reason, "No such file or directory");
     constexpr std::string_view cannot = "cannot open file '", none = "': No such file or directory";
-    if (mentions(line, cannot) && line.ends_with(none)) { // Clang, which says "not found" elsewhere
+    // Clang has other words for a file that does not exist: "file not found".
+    if (mentions(line, cannot) && line.ends_with(none)) {
         line.replace(line.size() - none.size(), none.size(), "' file not found");
         line.erase(line.find(cannot), cannot.size() - 1);
     }
@@ -92,7 +94,7 @@ std::string shown_errors(const std::string& output)
     std::string text = printable(output);
     replace_all(text, "{standard input}: Assembler messages:\n", "");
     // A message may hold text of the student, and line breaks. With a bar before each line nobody
-    // takes it for a verdict.
+    // takes such text for a verdict.
     std::string barred;
     for (const std::string& line : lines_of(first_errors(lines_of(text))))
         if (!is_empty_talk(line)) barred += "| " + in_plain_words(line) + "\n";

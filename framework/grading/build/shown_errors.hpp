@@ -7,14 +7,14 @@
 namespace rigor {
 
 /// The first errors in what a tool printed, without control characters and without the paths of
-/// this machine, each line after a bar. Limits that a student cannot change are told in plain
+/// this machine. Each line begins with a bar. Limits that a student cannot change are told in plain
 /// words, without the names of options.
 std::string shown_errors(const std::string& output);
 
 /// The limits of a tool that is run for a submission.
 enum class ToolLimit { none, file_size, memory, time };
 
-/// Which limit a tool met, as its output tells.
+/// Which limit a tool has exceeded, judged by its output.
 ToolLimit limit_met(const std::string& output);
 
 } // namespace rigor

@@ -27,7 +27,8 @@ struct SubmissionBuild {
 /// Builds the worker of a folder with some topics' files. Builds of one folder run one after the
 /// other. Other builds wait only for what they share: the framework and student/.
 /// @throws InputError if the folder has no file of any topic, std::system_error if the sandbox
-///     cannot be set up, std::runtime_error otherwise, as if code of the framework does not compile
+///     cannot be set up, std::runtime_error for other faults, such as code of the framework that
+///     does not compile
 SubmissionBuild build_submission(const std::filesystem::path& folder, const OnBuildStep& on_step);
 
 /// Builds what all submissions share: the framework's part of a worker, and the objects of

@@ -74,7 +74,7 @@ void exchange_compiler(std::vector<std::string>& words)
                was_clang = words[0].find("clang") != std::string::npos;
     words[0] = chosen;
     if (is_clang == was_clang) return;
-    // Only gcc has settings like this one, which is about its memory.
+    // Only gcc has the option --param, with which the build sets how gcc uses memory.
     std::erase_if(words, [](const std::string& word) { return word.starts_with("--param="); });
     const auto at = std::find(words.begin(), words.end(), "-include");
     if (at == words.end())
@@ -100,7 +100,7 @@ void take_compile(Toolchain& tools, const std::string& command)
             tools.compile.push_back(words[i]);
     }
     exchange_compiler(tools.compile);
-    // The next header follows the precompiled header, which has to come first.
+    // no_file_queries.hpp follows the precompiled header, which has to come first.
     const bool is_clang = tools.compile[0].find("clang") != std::string::npos;
     const std::string queries = no_file_queries().string();
     if (is_clang)
@@ -139,8 +139,8 @@ constexpr double busy = 4;
 
 } // namespace
 
-// Half of the machine's memory, so that the grader keeps the other half, within the limits below. A
-// solution needs far less.
+// Half of the machine's memory, but at least `least` and at most `most`. The grader keeps the rest.
+// A solution needs far less.
 std::uint64_t memory_of_a_tool()
 {
     constexpr std::uint64_t most = std::uint64_t{6} << 30,
@@ -243,7 +243,7 @@ void take_over(const fs::path& made, const fs::path& place)
 
 void let_others_read(const fs::path& path)
 {
-    if (geteuid() != 0) return; // then tools run as this user, not as another
+    if (geteuid() != 0) return; // without root, tools run as this user
     using fs::perms;
     const auto open = [](const fs::path& file) {
         const bool is_folder = fs::is_directory(file);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Finds the submissions whose results are missing or out of date. An engine (engine.hpp) grades
-// these and hands over the texts of the files to write. Among these files, result.json is written
+// these and passes on the texts of the files to write. Among these files, result.json is written
 // last, and whole. So a run that is killed loses only what it was grading, and the next run finds
 // the other results by their fingerprints.
 #include "grading/class/grade_class.hpp"

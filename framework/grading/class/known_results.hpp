@@ -13,7 +13,8 @@ class KnownResults : public Engine {
 public:
     /// @param known  the folder with the results; if a control has not confirmed some of them yet
     ///     (class_folder.hpp), no result is taken
-    /// @param engine  grades the other submissions; nullptr: if there are any, InputError is thrown
+    /// @param engine  grades the other submissions. With nullptr, `grade` throws InputError if
+    ///     there are other submissions.
     KnownResults(const ClassFolder& known, Engine* engine) : known_(known), engine_(engine) {}
 
     std::string grade(const ClassWork& work, const std::vector<std::size_t>& numbers,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Reads archives by libarchive. Every byte of every file is read and counted, so that a damaged
-// file is found, and an archive that grows without end is left as soon as it passes a limit. Only
+// file is found. An archive that passes a limit is refused at once, not read to its end. Only
 // compressions that libarchive has built in are allowed, since it would start a program for any
 // other; and an archive may not be compressed twice.
 #include "grading/intake/archive.hpp"

@@ -13,7 +13,7 @@ enum class LearningSystem { canvas, moodle };
 /// What the name of a downloaded file or folder says.
 struct DownloadedName {
     LearningSystem system = LearningSystem::canvas;
-    std::string name;            // the student's, as the system writes it: "doejane", "Jane Doe"
+    std::string name;            // the student's name in the system: "doejane", "Jane Doe"
     std::string number;          // the student's id in the system: "4711"
     std::string file;            // the name that the student gave the file; empty for a folder
     bool is_online_text = false; // whether it is a text typed into a page of Moodle
@@ -24,8 +24,8 @@ struct DownloadedName {
 
 /// Parses a name from Canvas or Moodle; empty for any other name. Canvas:
 /// `doejane_LATE_4711_99_collision.cpp`. Moodle: `Jane Doe_17_assignsubmission_file` for a folder,
-/// or `Jane Doe_17_assignsubmission_file_collision.cpp` where Moodle makes no folder. The name of a
-/// submission, which lacks the ending of its file, gives the same student.
+/// or `Jane Doe_17_assignsubmission_file_collision.cpp` where Moodle makes no folder. Such a name
+/// without the ending of the file, as submissions are called here, gives the same student.
 std::optional<DownloadedName> downloaded_name(const std::string& name);
 
 /// Whether the student's name for a file is the wanted one. Canvas adds a number when a file is

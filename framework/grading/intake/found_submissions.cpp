@@ -40,7 +40,7 @@ bool is_downloaded_alone(const std::string& file, bool is_folder)
 struct Listing {
     std::vector<fs::path> folders, archives, links, others;
     std::vector<fs::path> downloaded; // single files and typed texts, named by Canvas or Moodle
-    std::vector<fs::path> dotted;     // folders and archives whose names begin with a dot
+    std::vector<fs::path> dotted;     // folders and archives that programs made
 
     bool is_empty() const
     {
@@ -235,8 +235,8 @@ private:
         }
     }
 
-    // Adds a note for each student with several submissions, since only the instructor knows which
-    // one counts.
+    // Adds a note for each student with several submissions, and for each submission that may be a
+    // copy of another, since only the instructor knows which one counts.
     void add_notes_about_several(std::vector<std::string>& notes) const
     {
         std::map<std::string, std::vector<std::string>> files; // by student
@@ -268,7 +268,7 @@ private:
         return has_number ? name.substr(0, open) : "";
     }
 
-    // A name in printable ASCII, which can be shown and given to a folder, for a name that cannot.
+    // Turns a name that cannot be shown into printable ASCII, which can also name a folder.
     static std::string escaped(const std::string& name)
     {
         constexpr std::size_t longest = 200; // [bytes]; a file system takes 255

@@ -42,7 +42,8 @@ struct FoundSubmissions {
 ///    no other submission.
 /// @param wanted  name of the file that the assignment asks for
 /// @param reserved  names that the results need for their own files
-/// @throws InputError if a path does not exist, or if there is no submission
+/// @throws InputError if a path does not exist, if there is no submission, or if a folder has both
+///     the wanted file and what looks like the submissions of a class
 FoundSubmissions find_submissions(const std::vector<std::string>& paths, const std::string& wanted,
                                   const std::set<std::string>& reserved);
 

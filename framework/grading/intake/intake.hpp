@@ -27,11 +27,12 @@ Intake take_files_for(const std::string& wanted, const Contents& contents);
 std::string only_archive_in(const Contents& folder);
 
 /// Reads an archive, a folder or a single source, and takes the files for an assignment. A folder
-/// with nothing but an archive counts as this archive. @throws Refused if it cannot be read or
-/// lacks the wanted file
+/// with nothing but an archive counts as this archive. @throws Refused if the submission cannot be
+/// read or lacks the wanted file
 Intake take_submission(const std::filesystem::path& path, const std::string& wanted);
 
-/// The first names of a list, in quotes, and how many more there are: `"a", "b" and 4 more`.
+/// At most four names from the front of a list, in quotes, and how many more there are:
+/// `"a", "b", "c", "d" and 2 more`.
 std::string first_names(const std::vector<std::string>& names);
 
 } // namespace rigor

@@ -36,10 +36,12 @@ private:
     std::vector<unsigned char> file_;
     std::vector<std::uint8_t> atlas_;
     std::map<std::pair<char32_t, int>, Glyph> glyphs_;
-    int row_x_ = 1, row_y_ = 1, row_height_ = 0; // where the next glyph is painted [pixels]
+    // Where the next glyph is painted, and the height of the row of glyphs there [pixels].
+    int row_x_ = 1, row_y_ = 1, row_height_ = 0;
 };
 
-/// The letters of a UTF-8 text. Bytes that are not UTF-8 become U+FFFD.
+/// The letters of a UTF-8 text. Bytes that are not UTF-8 become U+FFFD, and control characters
+/// become spaces.
 std::u32string letters(std::string_view text);
 
 } // namespace rigor

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Cuts the visible square of a ground into the part inside the sun's shadow map and the rest. The
-// edges of the map are projected to the ground along the light. They cut the square into a grid of
-// 3 × 3 cells in the map's coordinates. The middle cell is the part with shadows.
+// Cuts the visible part of a ground into the part inside the sun's shadow map and the rest. The
+// edges of the map are projected to the ground along the light. They cut the ground into a grid of
+// 3 × 3 cells in the map's coordinates. The middle cell is the part with shadows. If the map
+// reaches beyond the visible part, or if the light grazes the ground, the ground is not cut.
 #include "render/gl/ground_mesh.hpp"
 
 #include <array>

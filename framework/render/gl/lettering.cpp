@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Draws the texts of a picture. Each letter is a rectangle that shows its part of the font's atlas,
 // at whole pixels. Labels are centered above the projections of their points, and other texts are
-// lines in the top left corner. The color bar has its title and its numbers.
+// lines in the top left corner. The color bar gets its title above and its numbers to the right.
 #include "render/gl/lettering.hpp"
 
 #include "render/gl/layout.hpp"
@@ -81,7 +81,7 @@ void Lettering::add_label(const Text& text, const View& view)
 {
     const Eigen::Map<const Eigen::Matrix4f> to_clip(view.to_clip);
     const Vector4f p = to_clip * text.point->homogeneous();
-    if (!(p.w() > 0) || !p.allFinite()) return; // behind the camera
+    if (!(p.w() > 0) || !p.allFinite()) return; // behind the camera, or not finite
     const float x = (0.5F + 0.5F * p.x() / p.w()) * static_cast<float>(width_);
     const float y = (0.5F + 0.5F * p.y() / p.w()) * static_cast<float>(height_);
     if (!(std::abs(x) < 4.0F * static_cast<float>(width_)) ||

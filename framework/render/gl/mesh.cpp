@@ -11,7 +11,7 @@ namespace rigor {
 namespace {
 
 // Sets an attribute of the shaders. For each vertex: 0 position, 1 normal, 7 edges. For each
-// instance: 2, 3, 4 axes, 5 position, 6 color.
+// instance: 2, 3, 4 axes, 5 position, 6 color (which a deforming surface has for each vertex).
 void attribute(GLuint index, int size, std::size_t stride, std::size_t offset, GLuint divisor)
 {
     glEnableVertexAttribArray(index);

@@ -14,8 +14,8 @@ public:
     /// @throws std::runtime_error if there is no memory for the framebuffers
     Target(int width, int height);
 
-    void start() const;   // from now on, drawing has four samples for each pixel
-    void resolve() const; // from now on, drawing goes to the resolved, encoded pixels
+    void start() const;   // clears; from now on, drawing has four samples for each pixel
+    void resolve() const; // averages the samples; from now on, colors have to be sRGB-encoded
     Image read() const;
 
 private:

@@ -19,7 +19,7 @@ std::string cell_of(const Row& row, double points)
     return row.has_points() ? csv_number(points) : "";
 }
 
-// The rows of the submissions that were judged. One that does not compile was judged too.
+// The rows of the submissions that were judged, also of those that do not compile.
 std::vector<const Row*> judged(const std::vector<Row>& rows)
 {
     std::vector<const Row*> result;
@@ -84,8 +84,8 @@ std::string listed_name(const Row& row)
     return name ? name->student() : row.submission;
 }
 
-// Names in lines of at most 100 columns. Each line begins after `indent` columns; those of the
-// first line are written by the caller.
+// Names in lines of about 100 columns. Each line begins after `indent` columns; for the first line
+// the caller writes these columns.
 std::string wrapped(const std::vector<std::string>& names, std::size_t indent)
 {
     constexpr std::size_t width = 100;

@@ -38,7 +38,7 @@ struct Drag {
 
 /// How long a body has been at rest, and whether it sleeps.
 struct Rest {
-    double duration = 0; // time for which the body has stayed at `place` [s]
+    double duration = 0; // time for which the body has stayed near `place`, see step/sleep [s]
     RigidState place;
     int group = -1; // id of the group of bodies that fell asleep together; -1: the body is awake
 
@@ -62,9 +62,12 @@ struct RigidBody {
     // Not used for a body with `only_axis`, whose I_body⁻¹ comes from `let_turn_about` (mass.hpp).
     Matrix3d principal_axes = Matrix3d::Identity();
     Vector3d inverse_moments = Vector3d::Zero(); // J [1/(kg m²)]
-    bool is_isotropic = false; // I_body = i δ (i: a number, δ: identity), so I(t)⁻¹ = I_body⁻¹
-    // Symmetry axis a of a body of revolution: a unit vector in object space with I_body⁻¹ = i δ +
-    // k a aᵀ for two numbers i and k. Zero if the body has no such axis or is isotropic.
+    // Whether I_body = i δ (i: a number, δ: identity), so that I(t)⁻¹ = I_body⁻¹ in every
+    // orientation. False for a static body and for a body with `only_axis`.
+    bool is_isotropic = false;
+    // Symmetry axis a of a body of revolution, or of a body whose inertia has the same form, such
+    // as a box with a square base: a unit vector in object space with I_body⁻¹ = i δ + k a aᵀ
+    // for two numbers i and k. Zero if the body has no such axis or is isotropic.
     Vector3d symmetry_axis = Vector3d::Zero();
     // The only axis about which the body turns: a unit vector in object space, or zero if the body
     // never turns. Without a value the body turns freely.
@@ -72,7 +75,8 @@ struct RigidBody {
     RigidState state;
     Rest rest;
 
-    /// Whether the body is a ball, which occupies the same space in every orientation.
+    /// Whether the body is a ball, which occupies the same space in every orientation: its only
+    /// part is a sphere about the center of mass.
     bool is_ball() const
     {
         return parts.size() == 1 && std::holds_alternative<Sphere>(parts[0].shape) &&
@@ -81,11 +85,12 @@ struct RigidBody {
 
     bool is_body_of_revolution() const { return !symmetry_axis.isZero(0); }
 
-    /// Whether the pose of the body stays the same in this step: the body sleeps, or it is static
-    /// and no drive moves it. A belt counts as still, although its surface moves the bodies on it.
+    /// Whether the body sleeps, or is static without a drive or with a belt. Its pose then stays
+    /// the same in this step; a belt moves only the bodies that touch its surface.
     bool is_still() const { return (is_static && !changes_place()) || rest.is_asleep(); }
 
-    /// Whether a drive moves or turns the body itself. Of a belt only the surface moves.
+    /// Whether the body has a drive that moves or turns the body itself, as a belt does not. The
+    /// result is the same at all times, also before the drive starts and after it ends.
     bool changes_place() const { return drive && !drive->is_belt; }
 };
 

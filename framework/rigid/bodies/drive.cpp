@@ -53,9 +53,9 @@ DriveVelocity drive_velocity(const Drive& drive, double time)
 DriveVelocity mean_drive_velocity(const Drive& drive, double time, double time_step)
 {
     if (!(time_step > 0)) return drive_velocity(drive, time);
-    // The difference of two positions would lose digits in a short step. So the displacement is
-    // computed without one. The body moves only in the part of the step from `start` to `end`. The
-    // change of the sine is a product: sin b - sin a = 2 cos((a + b)/2) sin((b - a)/2).
+    // The displacement is not computed as the difference of two positions, which would lose digits
+    // in a short step. The body moves only in that part of the step that lies between `start` and
+    // `end`. The change of the sine is a product: sin b - sin a = 2 cos((a + b)/2) sin((b - a)/2).
     const double waits = std::max(0.0, drive.start - time);
     const double rests = std::max(0.0, time + time_step - drive.end);
     const double moves = std::max(0.0, time_step - waits - rests);

@@ -35,12 +35,13 @@ struct DriveVelocity {
 /// The velocity at a time: the derivative of the path; zero before `start` and from `end` on.
 DriveVelocity drive_velocity(const Drive& drive, double time);
 
-/// The mean velocity over a step: with it the body moves from its pose at the start of the step
-/// exactly to its pose at the end.
+/// The mean velocity over the step that starts at `time`: with this velocity the body moves from
+/// its pose at the start of the step exactly to its pose at the end. For a time step of 0 it is
+/// `drive_velocity`.
 DriveVelocity mean_drive_velocity(const Drive& drive, double time, double time_step);
 
 /// The state of a driven body at a time. Its angular momentum is zero, since a driven body is
-/// static and its mass is 0.
+/// static and its mass is 0. A belt has its first pose and velocity zero at all times.
 RigidState driven_state(const Drive& drive, double time);
 
 } // namespace rigor

@@ -20,13 +20,13 @@ inline Vector3d up_direction(const Vector3d& gravity)
     return g > 0 ? Vector3d(-gravity / g) : Vector3d::UnitY();
 }
 
-/// Rounds lengths to a unit that follows from the extent of a set of points and not from their
-/// distance to the origin. So a set of points is rounded in the same way wherever it is, unless its
-/// distance to the origin is more than about a thousand times its extent.
+/// Rounds lengths to multiples of a unit that follows from the extent of a set of points and not
+/// from their distance to the origin. So a set of points is rounded in the same way wherever it is,
+/// unless its distance to the origin is more than about a thousand times its extent.
 class RoundedLength {
 public:
-    /// @param points  the points whose lengths will be rounded
-    /// @param at      returns the coordinates of one point [m]
+    /// @param points  the points whose coordinates and heights will be rounded
+    /// @param at      a function that returns the position of an element of `points` [m]
     template <typename Points, typename At> RoundedLength(const Points& points, At at)
     {
         constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -42,11 +42,11 @@ public:
     }
 
     /// Rounds x to a multiple of 2^(e - 36), where 2^e is the largest power of two up to the extent
-    /// (the largest difference of two coordinates). Adding and subtracting the shift
+    /// (the longest side of the points' bounding box). Adding and subtracting the shift
     /// 1.5 · 2^(e + 16) does so, because a double of this size has no smaller digits. Far from the
-    /// origin, coordinates are less exact than that. So the unit is at least 2^(f - 46), where 2^f
-    /// is the largest power of two up to the largest coordinate: 64 times the spacing of doubles of
-    /// this size.
+    /// origin, coordinates are less exact than 2^(e - 36). So the unit is at least 2^(f - 46),
+    /// where 2^f is the largest power of two up to the largest absolute coordinate. This unit is 64
+    /// times the spacing of doubles that are as large as this coordinate.
     double operator()(double x) const { return (x + shift_) - shift_; }
 
     /// The position of x relative to the corner of the points' bounding box where all coordinates
@@ -56,7 +56,7 @@ public:
 private:
     static int exponent_of(double x)
     {
-        constexpr int none = -1000; // the exponent for 0, far below that of any length
+        constexpr int none = -1000; // for 0 and infinity: far below that of any length
         return std::isnormal(x) ? std::ilogb(x) : none;
     }
 
@@ -64,7 +64,8 @@ private:
     double shift_;
 };
 
-/// Makes sort keys of points: by height, lowest first, then by x, z and y.
+/// Makes sort keys of points: by height, lowest first, then by x, z and y, all rounded by
+/// `RoundedLength`.
 class HeightOrder {
 public:
     struct Key {

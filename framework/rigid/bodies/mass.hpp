@@ -10,10 +10,10 @@ namespace rigor {
 /// Mass properties of parts, each with its own density, in the frame in which the parts' poses are
 /// given.
 ///
-/// Calls the formula for each part's shape. There is no formula for cones, tori and the round
-/// ends of a capsule, so closed forms of the engine are used. `world_inertia` is called only for a
-/// part whose inertia changes with its rotation, and `combine` only for a capsule and for several
-/// parts.
+/// Calls the formula of topic `inertia` for each part's shape. There is no formula for cones, tori
+/// and the round ends of a capsule, so closed forms of the engine are used. `world_inertia` is
+/// called only for a rotated part whose inertia is not isotropic, and `combine` only for a capsule
+/// and for several parts.
 MassProperties mass_properties(const std::vector<Part>& parts);
 
 /// Whether I = i δ (i: a number, δ: identity), where each element may differ by up to 64 times the
@@ -25,7 +25,8 @@ bool is_isotropic(const Matrix3d& inertia);
 /// the origin of object space is the center of mass. The parts of a static body stay in place, and
 /// its mass is 0.
 ///
-/// @return  the center of mass in the frame in which the parts were given [m]
+/// @return  the center of mass in the frame in which the parts were given; zero for a static body
+///          [m]
 /// @throws NonFiniteState if the mass, center of mass, inertia, 1/M or I_body⁻¹ is not finite
 Vector3d set_mass_from_parts(RigidBody& body);
 
@@ -37,8 +38,9 @@ Vector3d set_mass_from_parts(RigidBody& body);
 /// @throws NonFiniteState if the mass, the inertia, 1/M or I_body⁻¹ is not finite
 void set_mass(RigidBody& body, double mass, const Matrix3d& inertia);
 
-/// Lets a body turn about one axis a alone, by I_body⁻¹ = a aᵀ/(aᵀ I a). If the axis is zero, the
-/// body never turns. Call this function after the mass is set.
+/// Lets a body turn only about the axis a through its center of mass, by I_body⁻¹ = a aᵀ/(aᵀ I a).
+/// If the axis is zero, the body never turns. Call this function after the mass is set. It does
+/// nothing to a static body.
 ///
 /// @param axis  in object space, of any length
 void let_turn_about(RigidBody& body, const Vector3d& axis);

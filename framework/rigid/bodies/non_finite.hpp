@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Checks that results of formulas are finite, since formulas may return any value.
+// Checks that results of formulas are finite, since a student's formula may return any value.
 #pragma once
 
 #include "rigid/bodies/world.hpp"
@@ -17,7 +17,7 @@ struct NonFiniteState : std::runtime_error {
     double time = 0;            // [s]
 };
 
-/// @throws NonFiniteState if X, q, V or L is not finite; it names the first of them that is not
+/// @throws NonFiniteState if X, q, V or L is not finite; names the first of these that is not
 void require_finite(const RigidBody& body, const RigidState& state, double time);
 
 } // namespace rigor

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Formulas of topic `collision` in a form that the compiler can inline. They replace only the
-// reference's formulas. A test checks that they give the same results as those.
+// formulas of the reference implementation, never those of a student. A test checks that both give
+// the same results up to rounding.
 #pragma once
 
 #include "rigid/bodies/inlined_product.hpp"
@@ -29,7 +30,8 @@ namespace rigor::optimised {
     return K;
 }
 
-/// Inlined form of `apply_impulse`.
+/// Inlined form of `apply_impulse`, which changes the body in place. Do not call it for a static
+/// body, whose angular momentum would change.
 inline void apply_impulse(Body& body, const Vector3d& x, const Vector3d& j)
 {
     const Vector3d torque = (x - body.position).cross(j);

@@ -19,7 +19,8 @@ Matrix3d inverse_inertia(Integrator integrator, const RigidBody& body, const Rig
 /// ω = I(t)⁻¹ L [rad/s]
 Vector3d angular_velocity(Integrator integrator, const RigidBody& body, const RigidState& state);
 
-/// The body in world space, as the formulas take it. Of a static body only the position is set.
+/// The body in world space, as the formulas take it. Of a static body only the position is set, so
+/// the velocities of a driven body are 0 here.
 Body body_in_world(Integrator integrator, const RigidBody& body);
 
 /// The quaternion of a rotation matrix, by `quaternion_of`: of q and -q the one nearer to `p`.

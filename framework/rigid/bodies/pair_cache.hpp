@@ -30,7 +30,8 @@ struct PairCache {
 
     std::vector<Bounds> fat_bounds; // one for each body; empty if the cache is empty
     std::vector<Kind> kinds;        // one for each body, as it was when the fat bounds were made
-    // The pairs whose fat bounds overlap, sorted by `body1`, then `body2`.
+    // The pairs that `near_pairs` (detection/broad_phase) found with the fat bounds, sorted by
+    // `body1`, then `body2`.
     std::vector<BodyPair> pairs;
 };
 

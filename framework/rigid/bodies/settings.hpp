@@ -14,10 +14,10 @@ enum class Integrator {
     linear, ///< by the formula `step_symplectic_euler`
     exponential,  ///< symplectic Euler with `advance_exact`
     buss,         ///< by the formula `step_buss`
-    runge_kutta,  ///< fourth order on (X, q, V, L)
+    runge_kutta,  ///< methods of fourth order on (X, q, V, L), see free_flight.hpp
     gram_schmidt, ///< symplectic Euler with `advance_matrix` and `gram_schmidt`; shows the bias of
                   ///< Gram–Schmidt
-    euler_angles, ///< symplectic Euler with `euler_rates`; shows how it fails at gimbal lock
+    euler_angles, ///< symplectic Euler with `euler_rates`; shows that these fail at gimbal lock
     /// The default: a body that only gravity acts on flies exactly, by Jacobi's solution for the
     /// free rotor. A body that springs, forces, drag or contacts act on takes `runge_kutta`. The
     /// value `exact` has to stay the last, because checks take the number of integrators from it.
@@ -45,7 +45,8 @@ struct Optimisations {
     bool early_exit = true;   ///< ends the sweeps as soon as their changes are negligible
     bool stress_bound = true; ///< skips eigenvalues of a stress that is too low for a crack
     /// Runs faster forms of the formulas of the reference implementation, which give the same
-    /// results. Formulas of other implementations are always called as they are written.
+    /// results up to rounding. Formulas of other implementations are always called as they are
+    /// written.
     bool optimised_formulas = true;
 };
 

@@ -10,13 +10,13 @@
 
 namespace rigor {
 
-/// A contact of the previous step with its mean force, from which the sweeps of the next step
-/// start. `warm_contacts` (contact/warm_start) makes it when a step ends, and `start_warm` reads it
-/// when the contact problem of the next step is made.
+/// A contact of one step with its mean force, from which the sweeps of the next step start.
+/// `warm_contacts` (contact/warm_start) makes it when a step ends, and `start_warm` reads it when
+/// the contact problem of the next step is made.
 struct WarmContact {
     int body1 = 0, body2 = 0;
     Vector3d point = Vector3d::Zero();      // in object space of body 1 [m]
-    Vector3d mean_force = Vector3d::Zero(); // impulse on body 1, divided by the time step [N]
+    Vector3d mean_force = Vector3d::Zero(); // on body 1: contact-stage impulse / time step [N]
 };
 
 /// A contact that got an impulse in a step.
@@ -24,10 +24,11 @@ struct ContactRecord {
     int body1 = 0, body2 = 0;
     Vector3d point = Vector3d::Zero();   // [m]
     Vector3d normal = Vector3d::UnitY(); // from body 2 to body 1
-    // Penetration, negative for a gap: at the start of the step, or at the later time at which
-    // a part of a divided step or `bounce_at_impacts` solved the contact [m].
+    // Penetration, negative for a gap [m]: at the start of the step or, if the step was divided, at
+    // the start of the part that solved the contact. If `bounce_at_impacts` moved a bounce to its
+    // time of impact: at this time.
     double depth = 0;
-    Vector3d impulse = Vector3d::Zero(); // on body 1, summed over the step or its part [N s]
+    Vector3d impulse = Vector3d::Zero(); // on body 1, summed over the step or this part [N s]
 };
 
 /// A contact of a sleeping body, with the impulse of the step in which the body fell asleep.

@@ -99,7 +99,8 @@ struct TwoMotions {
         return difference(v);
     }
 
-    /// Inlined form of `apply_impulse`: j acts on body 1 and -j on body 2.
+    /// Inlined form of `apply_impulse`: j acts on body 1 and -j on body 2. Changes V and ω only;
+    /// the angular momenta are not stored here.
     [[gnu::always_inline]] void apply(const TwoMasses& of, const TwoVectors& r, const Vector3d& j)
     {
         const TwoVectors p = broadcast(j);

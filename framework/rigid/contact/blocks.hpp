@@ -6,10 +6,10 @@
 
 namespace rigor {
 
-/// Splits an island of many bodies into blocks. The bodies are divided into upright slabs; a block
-/// holds the pairs within a slab or between two neighbouring slabs. The last block holds the
-/// pairs of slabs that are farther apart. Blocks of the same color share no moving body (graph
-/// coloring). Within a block the pairs keep their order.
+/// Splits an island of at least 192 bodies into blocks; a smaller one gets a single block. The
+/// bodies are divided into upright slabs; a block holds the pairs within a slab or between two
+/// neighbouring slabs. The last block holds the pairs of slabs that are farther apart. Blocks of
+/// the same color share no moving body (graph coloring). Within a block the pairs keep their order.
 ///
 /// @return the former list `island.pairs` if the island was split, otherwise an empty list
 std::vector<ContactPair> split_into_blocks(const ContactProblem& problem, Island& island);

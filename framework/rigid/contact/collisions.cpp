@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The collision stage (Guendelman, Bridson and Fedkiw 2003). For each pair of bodies it collects
 // the points that would penetrate, lets the formula `deepest_approaching_point` choose one of them,
-// averages the points that are equally deep, and applies the impulse of the formula
-// `collision_impulse` at their mean.
+// averages this point with the points that are about as deep, and applies the impulse of the
+// formula `collision_impulse` at their mean.
 #include "rigid/contact/collisions.hpp"
 
 #include "formulas/collision.hpp"
@@ -106,8 +106,8 @@ Vector3d without_energy_gain(const Matrix3d& K, const Vector3d& v, const Vector3
     return std::max(0.0, -work / stored) * j;
 }
 
-// Lets the pair bounce once, at its deepest approaching point together with the equally deep
-// points.
+// Lets the pair bounce once: one impulse acts at the mean of the deepest approaching point and the
+// points that are about as deep (`equally_deep`).
 // @return whether the pair bounced
 bool bounce(ContactProblem& problem, const Candidates& candidates)
 {

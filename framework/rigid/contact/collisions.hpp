@@ -10,12 +10,12 @@ namespace rigor {
 /// that resting bodies do not bounce because of their own weight.
 ///
 /// The stage visits islands one after the other. In an island it sweeps over the pairs of bodies
-/// until no pair bounces, at most ten times. A sweep visits the pairs by the height of their lowest
-/// contact, lowest first; if the island was split into blocks (blocks.hpp), it does so in each
-/// block.
+/// until no pair bounces, at most ten times; in a sweep, a pair may bounce up to four times. A
+/// sweep visits the pairs by the height of their lowest contact, lowest first; if the island was
+/// split into blocks (blocks.hpp), it does so in each block.
 ///
-/// In a pair, the deepest point that still approaches is handled first
-/// (`deepest_approaching_point`); depths are those at the end of the step if nothing bounces. Other
+/// In a pair, the deepest point that still approaches bounces first (`deepest_approaching_point`);
+/// depths are predicted for the end of the step from the current velocities and the forces. Other
 /// points of the pair count as touching at the same time if they approach along the same normal and
 /// their depth differs from this depth by at most 10 % of the larger one. One impulse acts at the
 /// mean of all these points, so that a box that lands flat does not start to spin.

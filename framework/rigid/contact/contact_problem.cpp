@@ -33,7 +33,7 @@ double tangential_eigenvalue(const Matrix3d& K, const Vector3d& n)
 // normal of their contacts. A body with several contacts counts once for each of them.
 struct Touching {
     Vector3d velocity = Vector3d::Zero(); // [m/s]
-    Vector3d normal = Vector3d::Zero();   // away from the driven body; zero if nothing touches it
+    Vector3d normal = Vector3d::Zero();   // unit, away from the driven body; or zero: no contact
 };
 
 Touching touching(const ContactProblem& problem, const Island& island, int driven)
@@ -66,12 +66,13 @@ std::size_t contact_count(std::span<const ContactPair> pairs)
 
 bool is_pile(const Island& island)
 {
-    // A stack has about one pair of touching bodies for each body, a pile has more. An island is a
-    // pile if it has more than `pairs_of_a_body` pairs for each body, plus `more_pairs`. An island
-    // of at most `few_bodies` bodies never counts as a pile, and one of more than `many_bodies`
-    // always does, because the method for stacks would be too expensive. The values were chosen by
-    // trial: tests/stress has towers, which must count as stacks, and `bench pile` has a pile. With
-    // 1, and also with 3, instead of 1.25 pairs for each body, a test of tests/classics fails.
+    // A stack has about one pair of touching bodies for each body, a pile has more. An island of n
+    // bodies is a pile if it has more than `pairs_of_a_body` n + `more_pairs` such pairs. But an
+    // island of at most `few_bodies` bodies never counts as a pile, and one of more than
+    // `many_bodies` always does, because Newton's method would be too expensive. The values were
+    // chosen by trial: tests/stress has stacks, which must not count as piles, and `bench pile` has
+    // a pile. With 1, and also with 3, instead of 1.25 pairs for each body, a test of
+    // tests/classics fails.
     constexpr std::size_t many_bodies = 256;
     constexpr double pairs_of_a_body = 1.25, more_pairs = 2;
     const std::size_t bodies = island.bodies.size();

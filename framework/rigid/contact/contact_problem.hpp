@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The bodies and contacts of one time step, which all stages of contact work on.
+// The bodies and contacts of one time step: the data of the collision stage, the contact stage and
+// the position correction.
 #pragma once
 
 #include "formulas/collision.hpp"
@@ -13,22 +14,24 @@
 
 namespace rigor {
 
-/// A contact while a step is being solved. Its data belong to the positions of the bodies at the
-/// start of the step, and lever arms are measured from these positions, so momentum and angular
-/// momentum are conserved up to rounding.
+/// A contact while a step is being solved. Its point, normal and gap belong to the poses of the
+/// bodies at the start of the step, except in cases 3 and 4 below. Both of its impulses, j and -j,
+/// act at the same point, so momentum and angular momentum are conserved up to rounding.
 struct ContactConstraint : Contact {
     double restitution = 0, friction = 0;
     double radius = 0; // radius of the body that can move, or of the smaller one if both can [m]
-    // `turning_speed` is the part of v·n by which rotation moves a point towards the other body
-    // without reaching it in this step, ≤ 0 [m/s]. `passes_by` [m] is added to gap + h v·n, the gap
-    // that the speed predicts for the end of the step (`predicted_gap`; h: time step). It is not 0
-    // in these cases:
+    // `turning_speed` is the part of v·n by which rotation moves the point towards the other body,
+    // ≤ 0 [m/s]. It is set only if this rotation does not close the gap (the front of a rolling
+    // wheel) or if the gap already includes it (case 3). `predicted_gap` adds `passes_by` [m] to
+    // gap + h v·n, the gap that v·n predicts for the end of the step (h: time step).
+    // `passes_by` is not 0 in these cases:
     // 1. The front of a rolling wheel moves down, but also forward, so that it does not reach the
     //    ground. `passes_by` is the depth that the rotation alone would reach on a straight line.
-    // 2. Two balls fly past each other. `passes_by` is how much larger their gap really is.
-    // 3. `gap` belongs to the orientation at the end of the step (`ContactCandidates::turned`), so
-    //    it already includes the rotation. `passes_by` is -h times the part of v·n by rotation, so
-    //    that the rotation does not count twice.
+    // 2. Two balls fly past each other. `passes_by` is by how much their gap at the end of the step
+    //    is larger than gap + h v·n.
+    // 3. `gap` belongs to the orientation at the end of free flight (`ContactCandidates::turned`),
+    //    so it already includes the rotation. `passes_by` is -h times the part of v·n by rotation,
+    //    so that the rotation does not count twice.
     // 4. The contact was solved in the middle of the step (step/midpoint_contact). Then h v·n +
     //    passes_by is h times the mean of v·n over the step, where v is the velocity at its end.
     double turning_speed = 0, passes_by = 0;
@@ -52,7 +55,8 @@ inline constexpr double touching_gap = 1e-10;
 /// ended before it converged: the solver of the last step, or the search for the time of an impact.
 inline constexpr double nearly_touching_gap = 1e-6;
 
-/// The contacts [first, last) of one pair of bodies, sorted by height, lowest first.
+/// The contacts of one pair of bodies: those with the indices [first, last) in
+/// `ContactProblem::contacts`, sorted by height, lowest first.
 struct ContactPair {
     int first = 0, last = 0;
 
@@ -64,7 +68,9 @@ struct IndexRange {
     int first = 0, last = 0;
 };
 
-/// Bodies that are not static and that contacts connect, directly or through other such bodies.
+/// Bodies that are not static and that contacts connect, directly or through other such bodies. If
+/// the optimisation `islands` is off, all bodies that have contacts and are not static make one
+/// island.
 struct Island {
     std::vector<int> bodies;
     // Sorted by blocks, and within a block by the height of each pair's lowest contact.
@@ -77,19 +83,20 @@ struct Island {
 
 std::size_t contact_count(std::span<const ContactPair> pairs);
 
-/// An island of up to this many bodies is always cheap enough to be solved like a stack, since
-/// Newton's method has 6 unknowns for each body, so at most 48 here.
+/// An island of up to this many bodies is never a pile (`is_pile`): Newton's method, which does not
+/// solve piles, is cheap for it. The method has 6 unknowns for each body, so at most 48 here.
 inline constexpr std::size_t few_bodies = 8;
 
-/// Whether the island is a pile rather than a stack: many bodies with many contacts between them.
+/// Whether the island is a pile rather than a stack: it has more than `few_bodies` bodies, and many
+/// pairs of touching bodies or more than 256 bodies.
 bool is_pile(const Island& island);
 
 /// A driven body that has contacts: its mean velocity over the step, and its velocity at the end.
 ///
-/// Along a contact's normal a driven body moves with its mean velocity, so that other bodies do not
-/// end up inside it. Along the surface its points move with their velocity at the end of the step.
-/// With the velocity at the start, a body on a turntable would move along tangents and creep
-/// outwards.
+/// In the contact stage (`ContactProblem::set_drives`), a driven body has its mean velocity along
+/// the normal of its contacts, so that other bodies do not end up inside it. Along the surface its
+/// points move with their velocity at the end of the step. With the velocity at the start, a body
+/// on a turntable would move along tangents and creep outwards.
 struct DrivenBody {
     int body = 0;
     DriveVelocity mean, last;
@@ -133,7 +140,7 @@ struct ContactProblem {
     {
         return velocity_between(bodies, contact, x);
     }
-    /// v₁ - v₂ at a point, if the bodies have these states instead of `bodies` [m/s].
+    /// v₁ - v₂ at a point, with the list `states` in place of the list `bodies` [m/s].
     Vector3d velocity_between(std::span<const Body> states, const Contact& contact,
                               const Vector3d& x) const;
     /// The size of rounding errors in v₁ - v₂ [m/s]. A smaller speed counts as zero.
@@ -147,14 +154,14 @@ struct ContactProblem {
     void set_impulse_matrix(ContactConstraint& contact) const;
     /// Sets the velocities of the driven bodies that an island touches, for the contact stage of
     /// this island. Along the mean normal of its contacts, a driven body keeps its mean velocity.
-    /// Along the surface it gets V_d + h ω × (V - V_d), where V_d is its velocity at the end of the
-    /// step, ω its mean angular velocity, h the time step, and V the mean velocity of the bodies
-    /// that touch it. The reason: in the step, the contact points move over its surface by
+    /// Along the surface it gets V_d + h ω × (V - V_d), where V_d is its velocity at the end of
+    /// the step, ω its mean angular velocity, h the time step, and V the mean velocity of the
+    /// bodies that touch it. The reason: in the step, the contact points move over its surface by
     /// h (V - V_d), so the velocity of the surface at these points changes by h ω × (V - V_d).
     void set_drives(const Island& island);
     /// Gives all driven bodies their mean velocities again.
     void reset_drives();
-    /// Applies j to body 1 and -j to body 2.
+    /// Applies the impulse j at x to body 1 and -j at x to body 2 [N s].
     void apply(const ContactConstraint& contact, const Vector3d& x, const Vector3d& j);
     /// Applies j at x to one body, which is a body of this problem or a copy of one. A static body
     /// stays as it is.

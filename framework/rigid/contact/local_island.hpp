@@ -9,7 +9,7 @@ namespace rigor {
 /// An island as input for the formulas of topic `contact`: a list of bodies, and the contacts
 /// between them. The contacts refer to the bodies by their indices in this list.
 struct LocalIsland {
-    std::vector<int> indices; // for each of `bodies`, its index in the world
+    std::vector<int> indices; // for each of `bodies`, its index in `ContactProblem::bodies`
     std::vector<Body> bodies; // all bodies that an active contact touches, static ones too
     std::vector<BodyContact> contacts;
 };
@@ -18,7 +18,8 @@ struct LocalIsland {
 ///                order
 LocalIsland local_island(const ContactProblem& problem, std::span<const int> active);
 
-/// Stores the result of a formula in the problem.
+/// Stores the result of a formula in the problem: the velocities of the bodies that are not static,
+/// and the impulses as the `contact_impulse` of the active contacts.
 ///
 /// @param formula  the name of the formula, for the error message
 /// @throws std::out_of_range if the result does not have one body for each body of `local` and one

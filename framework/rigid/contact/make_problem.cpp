@@ -32,7 +32,8 @@ Body static_in_world(const RigidBody& rigid, double time, double time_step)
 }
 
 // Copies the bodies that have contacts: as they are at the start of the step to `problem.bodies`,
-// and with the velocities that the forces would give them in this step to `after_forces`.
+// and with the velocities that the forces would give them in this step to `after_forces`. Also
+// lists the driven ones in `problem.driven`.
 void take_bodies(const World& world, std::span<const RigidState> flown,
                  std::span<const Contact> contacts, ContactProblem& problem,
                  UninitializedVector<Body>& after_forces)
@@ -99,10 +100,10 @@ double sum_of_radii(const RigidBody& body1, const RigidBody& body2)
     return body1.is_ball() && body2.is_ball() ? radius(body1) + radius(body2) : 0;
 }
 
-// Finds the part of v·n with which the rotation of rolling bodies moves a point towards the other
-// body without closing the gap (`turning_speed`, `passes_by`). The solver moves a point along a
-// straight line. On this line the point may reach the other body, although its real path, an arc of
-// a circle, does not.
+// Sets `turning_speed` to the part of v·n by which the rotation of rolling bodies moves the point
+// towards the other body. The solver moves the point along a straight line. On this line it may
+// reach the other body, although its real path, an arc of a circle, does not; then `passes_by` is
+// set too. If the point also reaches the other body on the arc, both values stay 0.
 void set_turning(const ContactProblem& problem, bool rolls1, bool rolls2, ContactConstraint& c)
 {
     // The real path of a point bends away from the straight line. The bend is computed for a fixed
@@ -256,8 +257,9 @@ void take_contacts(const Filter& filter, ContactProblem& problem)
         });
 }
 
-// Finds the islands, while other threads find the impulses from which the sweeps start. The methods
-// `one_at_a_time` and `shock_propagation` have no such impulses.
+// Finds the islands, while other threads find the impulses from which the sweeps start (warm
+// start). The methods `one_at_a_time` and `shock_propagation` have no such impulses, and no method
+// has them if the optimisation `warm_start` is off.
 void find_islands(const World& world, const ContactCandidates& candidates, ContactProblem& problem)
 {
     const std::vector<ContactPair> pairs = pairs_of(problem.contacts);

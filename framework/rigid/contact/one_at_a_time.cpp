@@ -66,7 +66,7 @@ void resolve_one_at_a_time(ContactProblem& problem, std::span<const int> active,
 {
     const LocalIsland local = local_island(problem, active);
     ContactResult result = resolved(problem, local, iterations);
-    if (shock) { // shock propagation loses load that has not reached the ground yet
+    if (shock) { // a load has to reach the ground now: `shock_propagation` pushes no lower body
         const double enough = enough_share * fastest_approach(local.bodies, local.contacts);
         const int most = most_visits / static_cast<int>(active.size());
         for (int n = growth * iterations;

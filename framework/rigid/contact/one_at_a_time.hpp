@@ -5,7 +5,8 @@
 
 namespace rigor {
 
-/// Resolves the active contacts by `resolve_contacts`. If `shock` is true, `contact_levels` and
+/// Resolves the active contacts by the formula `resolve_contacts` in ten iterations. If `shock` is
+/// true, the formula may run again with more iterations, and the formulas `contact_levels` and
 /// `shock_propagation` follow.
 ///
 /// @param active  indices in `problem.contacts`, at least one

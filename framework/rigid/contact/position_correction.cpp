@@ -95,7 +95,7 @@ Rows rows_of(const ContactProblem& problem, const Island& island, const IndexRan
             const double v_n = problem.velocity_at(c, c.point).dot(c.normal);
             const double gap = problem.predicted_gap(c, v_n);
             const double radius = c.radius;
-            if (gap > correction_rate * radius * h) continue; // corrections cannot close this gap
+            if (gap > correction_rate * radius * h) continue; // larger than the largest correction
             double distance = -gap;
             if (gap < 0) {
                 const double excess = -gap - slop * radius;

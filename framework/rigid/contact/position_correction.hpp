@@ -19,7 +19,7 @@ struct Displacement {
 /// The method is projected Gauss–Seidel on pseudo velocities along the contacts' normals (Catto
 /// 2014, "Understanding constraints", Game Developers Conference), also known as split impulses.
 /// Since the velocities stay the same, the correction adds no kinetic energy and bodies do not
-/// jump.
+/// jump. In a large island the number of sweeps is small, so less may be removed in one step.
 ///
 /// The slop is an overlap that remains, and overlap below twice the slop is not corrected at all.
 /// In a stack, the slop is tiny (1e-6 of the radius); otherwise the errors of the contacts would

@@ -74,9 +74,9 @@ struct Match {
 };
 
 // Gives the contacts of one pair of bodies their initial impulses. The nearest contacts are matched
-// first; otherwise a contact that carries nothing could take the impulse of its neighbour.
+// first; otherwise a contact that carries no load could take the impulse of its neighbour.
 // @param matches  working memory, reused to save allocations; its old content is not used
-// @return the number of contacts that got an impulse
+// @return the number of contacts that were matched
 std::uint64_t start_pair_warm(std::span<const WarmContact> before, const std::vector<Pose>& poses,
                               double time_step, std::span<ContactConstraint> contacts,
                               std::vector<Match>& matches)

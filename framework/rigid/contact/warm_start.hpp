@@ -16,15 +16,17 @@ namespace rigor {
 /// @param before  the contacts of the previous step, sorted by `body1`, then `body2`
 /// @param poses   the poses of all bodies at the start of the step
 /// @param pairs   the ranges of contacts of pairs of bodies, sorted by `body1`, then `body2`
-/// @return the number of contacts that got an impulse
+/// @return the number of new contacts that were matched
 std::uint64_t start_warm(std::span<const WarmContact> before, const std::vector<Pose>& poses,
                          double time_step, std::span<const ContactPair> pairs,
                          std::span<ContactConstraint> contacts);
 
-/// The impulses of the contacts of this step, divided by the time step, from which the next step
-/// can start. The list is empty if the time step is 0. `collect_contacts` calls this function, and
-/// `finish_step` stores the result in `StepMemory::warm_contacts` (both in step/step_result.hpp).
+/// The contacts to which the contact stage of this step gave an impulse, with this impulse divided
+/// by the time step, from which the next step can start. The list is empty if the time step is 0.
+/// `collect_contacts` calls this function, and `finish_step` stores the result in
+/// `StepMemory::warm_contacts` (both in step/step_result.hpp).
 ///
+/// @param poses     the poses of all bodies at the start of the step
 /// @param contacts  the contacts of this step, sorted by `body1`, then `body2`
 std::vector<WarmContact> warm_contacts(const std::vector<Pose>& poses,
                                        std::span<const ContactConstraint> contacts,

@@ -22,7 +22,8 @@ std::vector<BodyPair> near_pairs(const World& world, const std::vector<Pose>& po
 /// bounds, pair_cache.hpp), only the pairs of the cache are tested. Changes the world's pair cache
 /// and its counters.
 ///
-/// @param margins  for each moving body, by how much its fat bounds exceed its bounds [m]
+/// @param margins  for each body, by how much new fat bounds exceed its bounds on each side [m];
+///                 used only for moving bodies
 std::vector<BodyPair> cached_near_pairs(World& world, const std::vector<Pose>& poses,
                                         const std::vector<Bounds>& bounds,
                                         const std::vector<double>& margins, ThreadPool& pool);

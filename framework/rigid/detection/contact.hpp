@@ -5,12 +5,12 @@
 
 namespace rigor {
 
-/// Penetration slop: the overlap that the position correction leaves uncorrected in piles, relative
-/// to the radius of the smaller body. Where detection looks ahead to the end of the step, shapes
-/// that overlap by less than this fraction of a length count as separated. The length is the radius
-/// for a sphere and a box, the smallest half edge for two boxes, and otherwise half the diagonal of
-/// the smaller shape's bounds. With a much smaller slop a pile would never come to rest, see
-/// `position_corrections` (position_correction.hpp).
+/// Penetration slop: the overlap that the position correction leaves uncorrected in piles, divided
+/// by the radius of the contact (`ContactConstraint::radius`). With a much smaller slop a pile
+/// would never come to rest, see `position_corrections` (position_correction.hpp). Where detection
+/// looks ahead to the end of the step, shapes that overlap by less than this fraction of a length
+/// count as separated. The length is the radius for a sphere and a box, the smallest half edge for
+/// two boxes, and otherwise half the diagonal of the smaller shape's bounds.
 inline constexpr double resting_overlap = 1e-4;
 
 /// A contact: a pair of close points of two shapes, or of two bodies of a world. Its point lies in

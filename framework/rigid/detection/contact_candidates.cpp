@@ -24,7 +24,7 @@ namespace rigor {
 
 bool never_collide(const World& world, int i, int j)
 {
-    if (world.bodies[i].is_static && world.bodies[j].is_static) return true; // static: never pushed
+    if (world.bodies[i].is_static && world.bodies[j].is_static) return true; // nothing pushes them
     const int group = world.bodies[i].group;
     if (group != 0 && group == world.bodies[j].group) return true;
     const PairLaw* law = law_of(world.pair_laws, i, j);
@@ -112,9 +112,10 @@ bool come_near(const ContactSearch& search, const BodyPair& pair, double reach)
     return bounds.overlaps(search.bounds[pair.body2]);
 }
 
-// The margin of body i if impulses may move it by `farthest`. The limit, chosen by trial, keeps one
-// fast body from giving all others margins as large as its own path. If a collision moves a body
-// farther than its margin, step/missed_contacts looks for what lies beyond the margin.
+// The margin of body i if it may move by `farthest` [m]: this distance, but at most half the
+// radius of the body. The limit, chosen by trial, keeps one fast body from giving all others
+// margins as large as its own path. If a collision moves a body farther than its margin,
+// step/missed_contacts looks for what lies beyond the margin.
 double margin(const ContactSearch& search, int i, double farthest)
 {
     constexpr double most = 0.5; // largest margin, divided by the radius of the body
@@ -264,8 +265,9 @@ NarrowPhaseResult run_narrow_phase(const ContactSearch& search, std::span<const 
     return found;
 }
 
-// Turns the bodies that roll over their facets (`turns_over_facets`) to their orientations at the
-// end of free flight.
+// Makes `search.turned`: a copy of the poses in which the bodies that roll over their facets
+// (`turns_over_facets`) have their orientations at the end of free flight. Without such bodies it
+// stays empty.
 void turn_ahead(ContactSearch& search, std::span<const RigidState> flown)
 {
     for (std::size_t i = 0; i < flown.size(); ++i) {
@@ -304,8 +306,9 @@ ContactSearch start_search(const World& world, std::span<const RigidState> flown
             search.bounds[i].include(body_bounds(body, end));
             const double radius = body.is_static ? body_radius(body) : search.candidates.radii[i];
             const double angle = angle_turned(world, body, body.state, time_step);
-            // In between a body may reach farther than at both ends. If it turns by less than a
-            // right angle, the margin of a body that can be pushed covers this.
+            // During the step a body may reach farther than at its start and its end. If it turns
+            // by at most a right angle, the margin of a body that can be pushed covers this. A
+            // driven body has no margin, so its bounds are enlarged here.
             if (angle > std::numbers::pi / 2)
                 for (const Vector3d& X : {search.candidates.poses[i].X, end.X})
                     search.bounds[i].include({X.array() - radius, X.array() + radius});

@@ -42,8 +42,8 @@ void find_sphere_contacts(const PlacedSphere& a, const PlacedSphere& b, double r
     contacts.push_back({b.center + (b.radius + gap / 2) * n, n, gap});
 }
 
-// A sphere and a box: the normal at the point of the box that is nearest to the sphere, and the gap
-// along this normal.
+// A sphere and a box, in the frame of the box: the normal at the point of the box that is nearest
+// to the sphere, and the gap along this normal.
 struct SphereBoxGap {
     Vector3d n = Vector3d::Zero();
     double gap = 0;
@@ -76,11 +76,11 @@ struct NormalAhead {
     double now, then;
 };
 
-// Finds the normal along which the sphere at c and the box overlap least after the move d of the
-// sphere, among the normals along which they are apart now or overlap by less than the slop.
-// Candidates are the normals of the faces and, if the shapes overlap by less than the slop after
-// the move, their contact normal there. So a sphere that rolls over the joint between two boxes, or
-// falls onto it, does not run into the edge of the second box.
+// Replaces `best` by the normal along which the sphere at c and the box overlap least after the
+// move d of the sphere, among the normals along which they are apart now or overlap by less than
+// the slop. Candidates are the normals of the faces and, if the shapes overlap by less than the
+// slop after the move, their contact normal there. So a sphere that rolls over the joint between
+// two boxes, or falls onto it, does not run into the edge of the second box.
 void improve_by_looking_ahead(const Vector3d& half, const Vector3d& c, const Vector3d& d,
                               double radius, NormalAhead& best)
 {
@@ -198,16 +198,16 @@ struct MovingPair {
 // Appends the contacts with the part of a concave shape that another shape reaches in this step, as
 // in a bowl, where the wall ahead is steeper than the wall below. Such a contact is found with
 // shape 1 after its move relative to shape 2, and its gap is measured along the same normal before
-// the move. It is kept if the shapes would overlap there, do not overlap now, and have no other
-// contact with this normal. Without it, a shape would move into the wall, and the position
-// correction would lift the shape, which adds energy.
+// the move. It is kept if the shapes would overlap there, do not overlap there now by more than the
+// slop, and have no other contact with this normal. Without such contacts, a shape would move into
+// the wall, and the position correction would lift the shape, which adds energy.
 //
 // @param first  the contacts of these two shapes start at this index
 void find_contacts_ahead(const Shape& shape1, const Pose& pose1, const Shape& shape2,
                          const Pose& pose2, const MovingPair& pair, Counters& counters,
                          std::size_t first, Contacts& contacts)
 {
-    constexpr double overlapping = 0;    // reach of the search
+    constexpr double overlapping = 0;    // reach of the search [m]: finds only overlaps
     constexpr double same_normal = 1e-4; // normals are the same if their difference is shorter
     const double way = pair.move.norm();
     const auto any_known = [&](const auto& is_such) {

@@ -29,7 +29,7 @@ Travel travel_of(const RigidState& from, const RigidState& to, double angle, dou
     // direction.
     constexpr double angle_per_distance = 2.5;
     double turned = angle_per_distance * orientation_distance(from.orientation, to.orientation);
-    if (angle > std::numbers::pi) turned = std::max(turned, 2.0); // a point comes to the other side
+    if (angle > std::numbers::pi) turned = std::max(turned, 2.0); // a point moves by up to 2 radii
     return {to.position - from.position, time_step * to.velocity, turned * radius};
 }
 

@@ -9,7 +9,8 @@
 namespace rigor {
 
 /// The angle by which a body that is not still turns in a step [rad], if it keeps the angular
-/// velocity of a state; that of a driven body is given. No formula is called for this estimate.
+/// velocity that it has in `state`. The angle of a driven body follows from its drive instead. No
+/// formula is called for this estimate.
 double angle_turned(const World& world, const RigidBody& body, const RigidState& state,
                     double time_step);
 
@@ -33,13 +34,15 @@ Travel travel_of(const RigidState& from, const RigidState& to, double angle, dou
 double path_between(const Travel& a, const Travel& b);
 
 /// The motions relative to which the travel of bodies is measured: those of still and of driven
-/// bodies, without duplicates. In a world without such bodies it is the motion of the center of
-/// mass.
+/// bodies, without duplicates. In a world without such bodies, the only motion in the list is
+/// that of the center of mass of all bodies.
+/// @param flown  the states after free flight
 std::vector<Travel> frames_of(const World& world, std::span<const RigidState> flown,
                               double time_step);
 
-/// The displacement that is subtracted from each body's path before its bounds are swept. It is
-/// zero if any body is still, because the bounds of still bodies are not swept.
+/// The displacement that is subtracted from each body's position at the end of free flight before
+/// its bounds are swept [m]. It is zero if any body is still, because the bounds of still bodies
+/// are not swept.
 /// @param frames  what `frames_of` returned
 Vector3d frame_of_bounds(const World& world, const std::vector<Travel>& frames);
 

@@ -6,7 +6,7 @@
 namespace rigor {
 
 /// The method for the rotation of a body on which no torque acts and whose three principal moments
-/// differ.
+/// differ: the series for Ω in `constant_wrench_step`, or the exact Ω of free_rotation.hpp.
 enum class FreeRotation { fourth_order, exact };
 
 /// A step of fourth order under a wrench that is constant over it: Buss's augmented fourth-order
@@ -26,7 +26,8 @@ enum class FreeRotation { fourth_order, exact };
 /// rotates exactly, by any angle, without a matrix.
 ///
 /// A body of revolution about the axis a, without torque, rotates exactly too: the body rotates
-/// about a while a rotates about L. With J = i δ + k a aᵀ and a in world space:
+/// about a while a rotates about L. With J = i δ + k a aᵀ, a in world space, and exp(v) the
+/// rotation by the rotation vector v:
 ///
 ///     q' = exp(h i L) exp(h k (L·a) a) q
 ///

@@ -16,7 +16,7 @@ namespace rigor {
 namespace {
 
 // The series leave out terms of sixth order. So they are exact to rounding if the arguments differ
-// from their mean A by at most this fraction of A, (ε/4)^(1/6).
+// from their mean A by at most this fraction of A, (ε/4)^(1/6) with the machine epsilon ε.
 const double spread_left = std::pow(std::numeric_limits<double>::epsilon() / 4, 1.0 / 6);
 
 // The arithmetic and the geometric mean converge quadratically. If they differ by less than this
@@ -111,7 +111,8 @@ EllipticFunctions elliptic_functions(double u, double m1)
     const double limit = (a + b) / 2;
     EllipticFunctions f{std::sin(limit * u), std::cos(limit * u), 1};
     if (f.sn == 0) return f;
-    // c = a cn/sn for each pair of means, from the last pair to the first
+    // Landen's transformation, from the last pair of means back to the first: c = a cn/sn at each
+    // pair (a: arithmetic mean).
     double slope = f.cn / f.sn, c = limit * slope;
     for (; n >= 0; --n) {
         slope *= c;

@@ -20,7 +20,8 @@ struct Motion {
 /// in [time, time + step]. False for static bodies.
 std::vector<bool> pulled_bodies(const World& world, double time_step);
 
-/// The list of `pulled_bodies`, where each awake body with drag that is not static is also true.
+/// The list `pulled` (from `pulled_bodies`), with true also for each body that has drag, is awake
+/// and is not static.
 std::vector<bool> with_dragged_bodies(std::vector<bool> pulled, const World& world);
 
 /// A rate, and the index of the body that has it; -1 if no body has a rate above 0.
@@ -36,12 +37,12 @@ struct ForceRate {
 ///     is at most √(Σ k (K₁ + K₂)), and the rate of a decay at most Σ c (K₁ + K₂). Here K₁ and K₂
 ///     belong to the two ends of a spring: K = 1/M + r² |I⁻¹| at the distance r from the center of
 ///     mass of a body that can move, and K = 0 at any other end.
-///   * An oscillating force: 2π f.
+///   * An oscillating force: 2π f. The `factor` of a force is not considered.
 ///   * A medium: (c + 2 k |V|)/M and d |I⁻¹|, with c, k and d of `Drag`.
 ForceRate fastest_force_rate(const World& world);
 
 /// The wrench of gravity alone. For the integrator `matrix` it is a point force at the center of
-/// mass, through `net_wrench`; for all others it comes from `gravity_wrench`. Without gravity no
+/// mass X, through `net_wrench`; for all others it comes from `gravity_wrench`. Without gravity no
 /// formula is called.
 Wrench gravity_on(const Settings& settings, const RigidBody& body, const Vector3d& X);
 

@@ -80,7 +80,7 @@ int substeps_for(Integrator integrator, const RigidBody& body, const RigidState&
     if (integrator == Integrator::matrix) return 1;
     if (body.is_isotropic && integrator != Integrator::linear) return 1;
     // The bound |ω| ≤ |I⁻¹| |L| shows without computing ω that most bodies are slow enough. A NaN
-    // passes this test. Later in the step, `require_finite` reports it.
+    // counts as slow enough; later in the step, `require_finite` reports it.
     const double bound = body.inverse.inverse_inertia.norm() * state.angular_momentum.norm();
     if (!(bound * h > quarter_turn)) return 1;
     const double limit = max_time_step(angular_velocity(integrator, body, state));
@@ -92,9 +92,10 @@ int substeps_for(Integrator integrator, const RigidBody& body, const RigidState&
 
 // The least number of equal substeps for which `fastest_force_rate` times the length of a substep
 // is at most 0.5. It is 1 if the integrator under forces is not `runge_kutta`. At 0.5, the
-// splitting method has an error of 2e-4 of the amplitude after 30 oscillations of a spring.
-// Runge–Kutta 4, which replaces it where a spring damps or a medium brakes a body, has an error of
-// 4e-3 at a twentieth of the critical damping, and up to 0.1 if the damping is very weak.
+// splitting method (`fly_by_splitting`) has an error of at most 2e-4 of the amplitude in 30
+// oscillations of a spring. Runge–Kutta 4, which replaces this method where a spring damps or a
+// medium brakes a body, has an error of at most 4e-3 at a twentieth of the critical damping, and of
+// up to 0.1 if the damping is very weak.
 // @throws std::domain_error if more than `most_substeps` are needed
 int substeps_for_forces(const World& world, double h)
 {
@@ -163,7 +164,7 @@ void fly_by_runge_kutta(const World& world, AppliedWrenches& wrenches,
 }
 
 // The splitting method of Blanes and Moan (2002), in which impulses (kicks) and free flights
-// alternate; see free_flight.hpp. The coefficients are fractions of the step.
+// alternate; see free_flight.hpp. The coefficients are fractions of the substep h.
 void fly_by_splitting(const World& world, AppliedWrenches& wrenches, std::span<const int> together,
                       std::vector<RigidState>& states, double h, const StepTimes& times)
 {

@@ -13,18 +13,18 @@
 //   3. If any spring damps or a medium brakes a body, all pulled bodies take the method of
 //      Munthe-Kaas.
 //
-// Methods 2 and 3 advance all pulled bodies together, in equal substeps h. The number of substeps
-// is so large that it suffices for the rotation of each of these bodies (`substeps_for` in
-// free_flight.cpp) and that `fastest_force_rate` times h is at most 0.5. The integrators other than
-// `exact` and `runge_kutta` do not divide the step for forces, so that students can watch where
-// springs make them unstable.
+// Methods 2 and 3 advance all pulled bodies together, in equal substeps h. There are so many
+// substeps that each of these bodies rotates by at most a quarter turn in a substep (with the limit
+// in `substeps_for`, free_flight.cpp), and that `fastest_force_rate` times h is at most 0.5. The
+// integrators other than `exact` and `runge_kutta` do not divide the step for forces, so that
+// students can watch where springs make them unstable.
 //
 // SRKN6b, in which kicks (impulses) and free flights alternate, is a symplectic
 // Runge–Kutta–Nyström method of Blanes and Moan (2002, "Practical symplectic partitioned
 // Runge–Kutta and Runge–Kutta–Nyström methods", J. Comput. Appl. Math. 142).
 //
 //     kick by bᵢ:    V += bᵢ h F/M,  L += bᵢ h τ
-//     flight by aᵢ:  the free flight without a wrench that takes aᵢ h
+//     flight by aᵢ:  a free flight without forces and torques over the time aᵢ h
 //     order:         b₁ a₁ b₂ a₂ b₃ a₃ b₄ a₃ b₃ a₂ b₂ a₁ b₁
 //
 // On a pendulum this method is as accurate as Runge–Kutta 4 with steps a sixth as long, and its
@@ -60,7 +60,7 @@ enum class Gravity { acts, left_out };
 ///   3. a body of revolution by `runge_kutta`
 ///   4. any body by `matrix`, because assignment A1 uses `matrix` and `max_time_step` belongs to A3
 ///
-/// @param gravity  `left_out` for a body that contacts hold. It moves by
+/// @param gravity  `left_out` for a body that contacts hold. Such a body moves by
 ///                 `Settings::integrator_under_forces`, so never by `exact`.
 RigidState fly(const Settings& settings, const RigidBody& body, RigidState state, double time_step,
                Counters& counters, Gravity gravity = Gravity::acts);
@@ -70,8 +70,8 @@ RigidState fly(const Settings& settings, const RigidBody& body, RigidState state
 /// the step.
 double fall_in_step(Integrator integrator);
 
-/// Calls work(first, last, counters) for ranges that cover [0, count), shared by the threads of the
-/// pool, and adds up what the calls counted.
+/// Calls work(first, last, counted) for ranges that cover [0, count), shared by the threads of the
+/// pool, and adds to `counters` what the calls counted.
 template <class Work>
 void fly_in_parallel(ThreadPool& pool, std::size_t count, Counters& counters, const Work& work)
 {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Jacobi's solution for the free rotor, in four stages: the ellipse on which the angular momentum
-// circles in the body, the elliptic functions at the end of the step by the addition theorem, the
-// angle about the fixed momentum by Carlson's integrals, and the rotation of the body. For the last
-// one, axis 3 and the momentum span a frame at the start of the step and another one at its end.
+// Jacobi's solution for the free rotor, in four stages: the closed curve on which the angular
+// momentum moves in the body, the elliptic functions at the end of the step by the addition
+// theorem, the angle about the fixed momentum by Carlson's integrals, and the rotation of the body.
+// The rotation follows from two frames that axis 3 and the momentum span in the body, one at the
+// start of the step and one at its end.
 // Differences of squares are written as sums of positive terms, so that nothing cancels near the
 // unstable axis or where two moments are nearly equal. The exception is `s` of `path_of`. There the
 // rounding of the arguments causes an error as large as the cancellation.
@@ -21,8 +22,8 @@ namespace rigor {
 namespace {
 
 // The smallest 1 - m that is used (m: parameter of the elliptic functions). Smaller values would
-// make no difference: even with this one, the argument u has to grow by about 115 before the
-// momentum M passes the unstable axis.
+// make no difference: even with this one, the argument u has to grow from 0 to a quarter period of
+// about 117 before the momentum M passes the unstable axis (axis 2).
 constexpr double least_m1 = 1e-100;
 
 // The closed curve of the unit vector M/|M| in the body.

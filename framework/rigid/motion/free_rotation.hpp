@@ -7,7 +7,7 @@
 namespace rigor {
 
 /// A constant angular velocity Ω that gives the same rotation over a time h as the free motion of
-/// the body, in its principal frame at the start [rad/s].
+/// the body. Ω is in the principal frame of the body at the start of this time [rad/s].
 ///
 /// The angular momentum M in the body follows Euler's equations, which Jacobi solved (1849; Landau
 /// and Lifshitz, "Mechanics", § 37). The inverse moments J are numbered so that J₁ > J₂ > J₃ or
@@ -18,8 +18,8 @@ namespace rigor {
 /// with amplitudes A that the energy and |M| give, and r = (J₁ - J₂) M₂² + (J₁ - J₃) M₃², which is
 /// constant. In world space the angular momentum L is constant, and axis 3 turns about it by an
 /// angle φ. Van Zon and Schofield (2007, "Numerical implementation of the exact dynamics of free
-/// rigid bodies", J. Comput. Phys. 225) compute φ by a theta series, this function by an integral
-/// of Carlson's:
+/// rigid bodies", J. Comput. Phys. 225) compute φ by a theta series; this function computes φ by
+/// Carlson's integrals (`carlson_rj`):
 ///
 ///     φ̇ = |L| (J₂ + (J₁ - J₂) M₁² / (M₁² + M₂²))
 ///

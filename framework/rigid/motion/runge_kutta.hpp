@@ -58,7 +58,8 @@ struct MatrixScheme {
         return {s.position, rotation_matrix(s.orientation), s.velocity, s.angular_momentum};
     }
 
-    /// Makes R a rotation again. Of its two quaternions, the one nearer to `previous` is taken.
+    /// Makes R a rotation again, by converting R to a unit quaternion. Of the two quaternions of
+    /// the rotation, q and -q, the one nearer to `previous` is taken.
     static RigidState to(const State& s, const RigidState& previous)
     {
         return {s.position, nearer_quaternion_of(s.rotation, previous.orientation), s.velocity,

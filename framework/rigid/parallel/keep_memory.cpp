@@ -12,7 +12,7 @@ namespace rigor {
 void keep_freed_memory()
 {
 #ifdef __GLIBC__
-    constexpr int kept = 1 << 30; // freed memory that the process keeps [bytes]
+    constexpr int kept = 1 << 30; // the most freed memory that the process keeps [bytes]
     // Blocks of at least this size are given back as soon as they are freed [bytes]. mallopt
     // accepts no larger value.
     constexpr int largest_block = 32 << 20;

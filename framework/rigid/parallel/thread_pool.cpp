@@ -99,7 +99,7 @@ void ThreadPool::run_by_workers(int tasks, const void* what, Call call)
 int ThreadPool::range_count(std::size_t count, std::size_t grain_size) const
 {
     if (count == 0 || threads_ < 2) return count == 0 ? 0 : 1;
-    constexpr int ranges_per_thread = 4; // so that other threads can relieve a delayed one
+    constexpr int ranges_per_thread = 4; // several, so other threads can take ranges of a slow one
     const auto most =
         static_cast<std::size_t>(ranges_per_thread) * static_cast<std::size_t>(threads_);
     return static_cast<int>(std::clamp<std::size_t>(count / grain_size, 1, most));

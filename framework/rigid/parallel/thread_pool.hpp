@@ -22,8 +22,10 @@ public:
     ThreadPool(ThreadPool&& other) noexcept;
     ThreadPool& operator=(ThreadPool other) noexcept;
 
-    /// Calls work(k) once for each k in [0, tasks). If several calls throw, the exception of the
-    /// lowest k is thrown again here.
+    /// Calls work(k) once for each k in [0, tasks). If calls throw, the exception of the lowest k
+    /// is thrown again here. Several threads first do all other tasks; one thread alone stops at
+    /// the first exception.
+    /// @throws std::length_error if several threads get more than 65535 tasks
     template <class Work> void for_each_task(int tasks, const Work& work)
     {
         if (threads_ < 2 || tasks < 2) {
@@ -51,7 +53,8 @@ public:
         });
     }
 
-    /// Does the same as `for_each_range`, and calls beside() at the same time, as one more task.
+    /// Does the same as `for_each_range`, and calls beside() at the same time, as one more task. A
+    /// single thread calls beside() first.
     template <class Beside, class Work>
     void for_each_range_beside(const Beside& beside, std::size_t count, std::size_t grain_size,
                                const Work& work)

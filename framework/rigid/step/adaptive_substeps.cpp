@@ -173,8 +173,8 @@ struct Division {
 // The first bounce that divides the step. Bounces with ε > 0 of these pairs count:
 // 1. Two moving balls.
 // 2. A ball and a static body, in an island of at most `few_bodies` bodies where several pairs
-//    bounced and no contact carried a load. (The mean force of such a contact, from which the next
-//    step starts, would come from a very short part of a step.)
+//    bounced and no contact carried a load. (If one did, its mean force, from which the next step
+//    starts, might come from a very short part of this step.)
 //
 // A bounce that `bounce_at_impacts` has moved to its time of impact does not count. The exact time
 // matters, as in billiards: balls part along the line of centers that they have at the impact. The

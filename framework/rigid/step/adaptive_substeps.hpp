@@ -27,16 +27,18 @@ inline constexpr int most_divisions = 10;
 /// Repeats the step of an island in two parts, in these cases:
 /// 1. The overlap of two bodies has grown too much. The step is divided in the middle. During a
 ///    step, a contact acts along one fixed normal. Sliding in the plane of the contact does no
-///    harm, but the points of a body that rotates by θ move out of this plane by up to θ² r/2 (r:
-///    its radius), and sweeps that ended early leave some approach speed. The overlap may grow by
-///    1/200 of the thinner body's thickness if the rotation could exceed this, otherwise by 1/20.
-/// 2. Two moving balls bounce off each other. The step is divided at the time of impact, because
-///    the balls part along the line of their centers at that time.
+///    harm, but the points of a body that rotates by θ move out of this plane by up to θ² r/2
+///    (r: its radius), and sweeps that ended early leave some approach speed. The overlap may grow
+///    by 1/200 of the thinner body's thickness if the sum of θ² r/2 of both bodies exceeds this,
+///    otherwise by 1/20.
+/// 2. Two moving balls bounce off each other with ε > 0. The step is divided at the time of
+///    impact, because the balls part along the line of their centers at that time.
 /// 3. In an island of at most `few_bodies` bodies, several pairs bounce, among them a ball off a
-///    static body, and no contact carries a load. The step is divided at the first impact.
+///    static body with ε > 0, and no contact carries a load. The step is divided at the first
+///    impact.
 ///
-/// In cases 2 and 3, a bounce of two bodies that get no other impulse does not count:
-/// `bounce_at_impacts` (impact.hpp) has already moved it to its time of impact.
+/// In cases 2 and 3, a bounce does not count if `bounce_at_impacts` (impact.hpp) has already moved
+/// it to its time of impact.
 ///
 /// An island is refined only if it has at most 32 bodies and none of them is `pulled`.
 ///

@@ -37,8 +37,8 @@ struct PairWorld {
 struct Approach {
     double gap = 0, speed = 0, rate = 0;
 
-    // The time t when the gap closes, gap + speed t + ½ rate t² = 0: infinity if it never closes, 0
-    // if it is closed now.
+    // The time t when the gap closes, gap + speed t + ½ rate t² = 0: infinity if it never closes,
+    // 0 if it is closed now.
     double closes() const
     {
         if (gap <= 0) return 0;
@@ -136,9 +136,9 @@ std::optional<PairWorld> pair_at_impact(const World& world, const ContactConstra
     return pair;
 }
 
-// The contact problem at the impact, with the contacts that close within the rest of the step
-// (`rest`: its length [s]). The counters of the pair's world are not added to those of the whole
-// world, since the bounce was counted there already.
+// The contact problem at the impact, for the rest of the step (`rest`: its length [s]), with all
+// contacts of `pair`, which are moved out of it. The counters of the pair's world are not added to
+// those of the whole world, since the bounce was counted there already.
 ContactProblem problem_at_impact(PairWorld& pair, double radius, double rest)
 {
     std::vector<RigidState> flown;
@@ -204,8 +204,8 @@ bool bounced_on_two_sides(const ContactProblem& problem, const ContactPair& pair
 }
 
 // Lets the pair bounce at its impact. Changes the states of the pair unless it returns nothing.
-// @return the contacts with their impulses; an empty list if the computed time of impact is after
-//         the end of this step; or nothing if the impact is not a single bounce within the step
+// @return the contacts with their impulses; an empty list if the computed time of impact is not
+//         before the end of this step; or nothing if no single bounce within the step was found
 std::optional<std::vector<ContactRecord>> bounce_at_impact(const World& world,
                                                            const ContactProblem& problem,
                                                            const ContactPair& contacts,

@@ -10,7 +10,8 @@ namespace rigor {
 /// Whether a contact of the pair got an impulse in the collision stage of this step.
 bool bounced(const ContactProblem& problem, const ContactPair& pair);
 
-/// Whether two contacts with these normals keep a pair of bodies apart on the same side.
+/// Whether two contacts of a pair of bodies lie on the same side: their normals differ by less than
+/// 60°.
 inline bool are_on_one_side(const Vector3d& n1, const Vector3d& n2)
 {
     return n1.dot(n2) > 0.5;
@@ -25,10 +26,10 @@ double time_of_impact(const World& world, const ContactProblem& problem, const C
 
 /// Moves bounces to their times of impact: the two bodies fly until they meet, bounce there, and
 /// fly on for the rest of the step. Such a bounce has the order of accuracy of free flight and
-/// conserves the energy if ε = 1. If the two bodies turn out not to meet in this step, they only
-/// fly. This is done for a pair of bodies if all of these are true:
+/// conserves the energy if ε = 1 and μ = 0. If the two bodies turn out not to meet in this step,
+/// they only fly. This is done for a pair of bodies if all of these are true:
 /// 1. The pair bounced in this step, and its contacts carry no load.
-/// 2. No other body gave an impulse to one of the two bodies, unless that one is static.
+/// 2. Each of the two bodies is static or got no impulse from a third body.
 /// 3. No other pair of the island got an impulse, or those of the two bodies that can move are
 ///    balls.
 /// 4. The bodies did not touch at the start of the step, met on one side only, and do not meet

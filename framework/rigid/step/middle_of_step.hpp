@@ -14,8 +14,8 @@ namespace rigor {
 struct HeldContact {
     int index = 0;       // in `ContactProblem::contacts`
     Contact middle = {}; // in the middle of the step
-    // v₁ - v₂ at the contact point at the start and at the one in the middle of the step, both with
-    // the bodies' velocities at the start [m/s].
+    // v₁ - v₂ at the contact point at the start and at the one in the middle of the step, both
+    // with the velocities and angular momenta of the bodies at the start [m/s].
     Vector3d v_start = {}, v_middle = {};
     // By how much v·n changes from the start to the middle of the step, with the velocities of the
     // start or with those after the contact stage, whichever changes more [m/s].
@@ -23,17 +23,19 @@ struct HeldContact {
     double negligible = 0; // a speed at this contact that counts as 0 [m/s]
 };
 
-/// The held contacts of an island, grouped by pairs of bodies, and its bodies that move, by their
-/// indices: in their poses in the middle of the step, with their velocities of the start.
+/// The contacts of an island that got an impulse, grouped by pairs of bodies, and its bodies by
+/// their indices in the world. The bodies have their poses in the middle of the step, and their
+/// velocities and angular momenta of the start.
 struct MiddleOfStep {
     std::vector<HeldContact> contacts;
     std::map<int, Body> bodies;
 };
 
-/// The middle of the step of an island whose held contacts move along a curve. Islands are left out
-/// that are large, that touch no static body, that have or touch a mesh, or that touch a belt or a
-/// body which is driven otherwise than along a line at a constant velocity. So are all islands
-/// under the methods `one_at_a_time` and `shock_propagation`.
+/// The middle of the step of an island whose contacts with an impulse move along a curve. These
+/// islands are left out: large ones (more than `few_bodies` bodies or 32 contacts), those that
+/// touch no static body, those that have or touch a mesh, and those that touch a belt or a body
+/// driven otherwise than along a line at a constant velocity. With the contact methods
+/// `one_at_a_time` and `shock_propagation`, all islands are left out.
 ///
 /// @param first    the bodies after the collision stage, before the forces
 /// @param problem  after the contact stage

@@ -22,9 +22,9 @@ namespace rigor {
 namespace {
 
 // v·n of a contact changes by `HeldContact::change` from the start to the middle of a step. If the
-// last step was solved with the contacts of its start, it has left a v·n of twice this change, and
-// where contacts stick a slip of this size. A v·n or slip above this multiple of the change is
-// therefore a hit, or the beginning of sticking. Chosen by trial between 2 and 4; tests/classics
+// last step was solved with the contacts of its start, it has left a v·n, and where contacts stick
+// also a slip, of twice this change. A v·n above this multiple of the change is therefore a hit,
+// and a slip above it the beginning of sticking. Chosen by trial between 2 and 4; tests/classics
 // has bodies that roll.
 constexpr double most_changes = 3;
 // A v·n below this share of the speed that the forces add in a step is no hit either: where a body
@@ -32,14 +32,15 @@ constexpr double most_changes = 3;
 // last step has left is not small. Chosen by trial, with the same tests as `most_changes`.
 constexpr double negligible_share = 0.1;
 // The share β of an open gap that a step closes. With β = 1, the gap and v·n of a contact that
-// stays for many steps would swing without end: their changes from step to step have the
-// eigenvalues λ with λ² - (1 - β) λ + β = 0. The two eigenvalues are equal, and small, for
-// (1 - β)² = 4 β.
+// stays for many steps would oscillate without end: the linear map from their values in one step to
+// those in the next has the eigenvalues λ with λ² - (1 - β) λ + β = 0, thus |λ| = 1.
+// The two eigenvalues are equal, and small, for (1 - β)² = 4 β.
 constexpr double closed_share = 0.1716;
 
 // The part of a contact's v at the start of the step that the law of contact does not allow: v·n,
-// and the slip of a contact that sticks. This part is the error of the last step. It is returned
-// with the normal in the middle of the step.
+// and the slip of a contact that sticks. This part is the error of the last step [m/s]. In the
+// result, v·n points along the normal in the middle of the step, and the slip is perpendicular to
+// that normal.
 // @return nothing if the contact has just closed, or has just begun to stick
 std::optional<Vector3d> error_of(const ContactProblem& problem, const HeldContact& contact)
 {
@@ -63,9 +64,11 @@ struct MidpointProblem {
     ContactProblem problem;
     // For each moving body, by its index in the world: its index in `problem.bodies`.
     std::map<int, int> places;
-    // One for each contact. An error at the start must not come back at the end with the other
-    // sign, so the sum has to keep it. Therefore each contact with a static body has a copy of this
-    // body that moves with the error.
+    // The error of each contact at the start of the step (`error_of`) [m/s]. If the sum of the
+    // velocities at the start and at the end were 0, the end would have the opposite error. So the
+    // sum has to equal the error. Therefore each contact with a static body has its own copy of
+    // this body, which moves with the error; between two moving bodies, only the normal part of the
+    // error counts, as a target speed.
     std::vector<Vector3d> errors;
 
     bool is_on_ground(const ContactConstraint& c) const
@@ -115,7 +118,7 @@ void add_contact(const ContactProblem& whole, const std::vector<Body>& first,
     mid.errors.push_back(error);
 }
 
-// @param forced  the bodies of the island with their velocities after the forces, in its order
+// @param forced  the bodies with their velocities after the forces, in the order of `island.bodies`
 MidpointProblem midpoint_problem(const ContactProblem& whole, const Island& island,
                                  const std::vector<Body>& first, const std::vector<Body>& forced,
                                  const MiddleOfStep& middle, const std::vector<Vector3d>& errors)
@@ -158,8 +161,8 @@ Vector3d at_start(const Vector3d& x, const Contact& c, const MiddleOfStep& middl
     return x - moved / count;
 }
 
-// Whether a contact of the island that has no impulse would close. For example, when a ball slides
-// over several boxes, the next box takes over the ball from the edge of the box before it.
+// Whether a contact of the island that has no impulse would close. For example, a ball that slides
+// from one box onto the next one still touches the edge of the first when it reaches the second.
 bool any_other_closes(const MidpointProblem& mid, const Island& island,
                       const std::vector<Body>& first, const ContactProblem& problem)
 {

@@ -23,13 +23,14 @@ struct Path {
     Vector3d X = Vector3d::Zero();     // center of mass at the start of the step [m]
     Vector3d moved = Vector3d::Zero(); // displacement of the center [m]
     double angle = 0;                  // by how much the body turns [rad]
-    double radius = 0;                 // largest distance of a point that turns from X [m]
+    double radius = 0;                 // largest distance from X to a point of the body [m]
     Bounds swept;                      // bounds of the body over the step
 
     double length() const { return moved.norm() + radius * std::min(angle, 2.0); }
 
-    // How far the body at least recedes along n from another one that is at a distance `gap` from
-    // its point x. However the body turns, its points stay within the radius.
+    // A lower bound of the distance by which the body recedes along n from another body, to which
+    // it has the distance `gap` at the contact point x [m]. If the bound is negative, the body may
+    // approach. However the body turns, its points stay within the radius about its center.
     double recedes(const Vector3d& x, const Vector3d& n, double gap) const
     {
         const double height = n.dot(X - x) - gap; // least height of the center above the surface
@@ -84,12 +85,13 @@ private:
                         angle_turned(world_, body, states_[i], problem_.time_step));
     }
 
-    // Whether a body turns far and the center of a body comes to the other side of their contact.
+    // Whether one of the two bodies of a contact turns far, and the center of one of them comes to
+    // the other side of the contact.
     bool is_passed(const Contact& c) const
     {
         const double n_moved = c.normal.dot(moved(c.body1) - moved(c.body2));
         if (n_moved >= 0) return false;
-        // @param height  height of the center above the middle of the gap
+        // @param height  height of the center above the contact point, along the normal [m]
         const auto passes = [&](int i, double height) {
             return height > 0 && height + c.gap / 2 + n_moved < 0 && !world_.bodies[i].is_static;
         };
@@ -135,7 +137,7 @@ private:
         path.radius = body.is_static // driven
                           ? (path.swept.high - path.X).cwiseMax(path.X - path.swept.low).norm()
                           : candidates_.radii[i];
-        // Where a body is hit, it is on its path of free flight.
+        // Until a body is hit, it moves along its free flight, so the bounds also cover this path.
         const Bounds start = path.swept;
         for (const Vector3d& d : {path.moved, Vector3d(flown_[i].position - path.X)})
             path.swept.include({start.low + d, start.high + d});
@@ -143,7 +145,7 @@ private:
         return path;
     }
 
-    // Whether a contact of bodies i < j closes that the problem does not have.
+    // Whether a contact of bodies i < j that is not in the problem may close.
     bool would_meet(int i, int j) const
     {
         const Path &path1 = paths_[i], &path2 = paths_[j];
@@ -158,8 +160,8 @@ private:
     }
 
     // Whether the problem has a contact of the pair on the same side, which keeps the bodies apart
-    // there. A body that is a whole room has other sides. A contact of balls that fly past each
-    // other (`passes_by`) holds only as long as they do so.
+    // there. A body that is a whole room has other sides. A contact of two balls with `passes_by`
+    // does not count: it is right only if the balls fly past each other as in free flight.
     bool is_in_problem(const BodyPair& pair, const Vector3d& normal) const
     {
         const bool are_balls =

@@ -7,19 +7,19 @@
 
 namespace rigor {
 
-/// Whether two bodies have got into each other or through each other in a step because its contacts
-/// are not enough. This may happen in two ways:
+/// Whether two bodies may have got into each other or through each other in a step because the
+/// contacts found for this step are not enough. This may happen in two ways:
 /// 1. A collision has sent a body farther than the search for contacts looked: a ball bounces off
 ///    a wall and reaches the wall behind it within the same step.
 /// 2. A body turns so far in the step that its contacts do not hold it, since the contact stage
-///    lets their points move along straight lines. Its center passes a contact.
+///    lets their points move along straight lines. The center of the body passes a contact.
 ///
 /// Both are judged by the contacts at the start of the step and the displacements until its end. So
-/// the result may also be true for bodies that pass each other closely. Contacts must have been
-/// found in the step.
+/// the result may also be true for bodies that pass each other closely.
 ///
-/// @param flown   the states after free flight, by which `candidates` was found
-/// @param states  the states at the end of the step
+/// @param candidates  has to contain at least one contact
+/// @param flown       the states after free flight, with which `candidates` was found
+/// @param states      the states at the end of the step
 bool has_missed_contact(const World& world, const ContactProblem& problem,
                         const ContactCandidates& candidates, const std::vector<RigidState>& flown,
                         const std::vector<RigidState>& states);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The position update. Each body that got an impulse flies once more, by the integrator of free
-// flight, with its velocity after the contact stage or, in some islands (`by_mean`), with the mean
-// of this velocity and that after the collision stage. A body that only bounced and that no spring,
-// force or drag pulls takes its velocity after the collision stage, and this flight adds gravity.
-// The displacements of the position correction are added last.
+// flight, with its velocity after the contact stage. In some islands (`by_mean`), it flies with the
+// mean of this velocity and that after the collision stage. A body that only bounced and that no
+// spring, force or drag pulls takes its velocity after the collision stage, and this flight adds
+// gravity. The displacements of the position correction are added last.
 #include "rigid/step/position_update.hpp"
 
 #include "formulas/rotation.hpp"
@@ -86,8 +86,8 @@ void update_positions(World& world, const ContactProblem& problem, const std::ve
                             for (std::size_t at = first; at < last; ++at)
                                 move(island.bodies[at], by_mean_velocity, counted);
                         });
-        // The stage of free flight counted every body as a flight. Only bodies that keep their
-        // state after that stage shall count, and `move` has counted these again.
+        // The stage of free flight counted a flight for every body of the island. Only bodies
+        // without an impulse shall count, and `move` has counted these a second time.
         counters.free_flights -= island.bodies.size();
     }
 }

@@ -7,20 +7,22 @@
 
 namespace rigor {
 
-/// Computes the positions after the contact stages.
+/// Computes the poses and velocities at the end of the step, after the collision stage, the contact
+/// stage and the position correction.
 ///
 /// A body that only bounced and is not `pulled` flies on with its velocity after the collision, and
 /// its integrator adds gravity. Any other body that got an impulse moves with its velocity at the
 /// end of the step: the contacts have made this velocity such that the body does not move into
 /// the bodies that hold it. The bodies of some islands move with the mean of their velocities at
 /// the start and the end of the step instead (mean_velocity.hpp), which is exact for a constant
-/// acceleration.
+/// acceleration. The displacements are added to the resulting poses.
 ///
 /// @param pulled            for each body, whether springs, applied forces or drag act on it
 /// @param after_collisions  the bodies after the collision stage, before the forces
 /// @param by_mean           for each island, whether its bodies move with their mean velocities
-/// @param displacements     one for each body, or an empty list
-/// @param states            the states after free flight; replaced for bodies that got an impulse
+/// @param displacements     the position corrections, one for each body, or an empty list
+/// @param states            the states after free flight; changed for bodies that got an impulse or
+///                          a displacement
 void update_positions(World& world, const ContactProblem& problem, const std::vector<bool>& pulled,
                       const std::vector<Body>& after_collisions, const std::vector<char>& by_mean,
                       const std::vector<Displacement>& displacements,

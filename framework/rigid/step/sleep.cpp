@@ -54,7 +54,8 @@ void add_rest_times(World& world, const Island& island, const std::vector<double
     }
 }
 
-// Whether all bodies of the island have been at rest for long enough.
+// Whether all bodies of the island have been at rest for long enough, and no spring or applied
+// force pulls on one of them.
 bool has_rested(const World& world, const Island& island, const std::vector<bool>& forced)
 {
     return std::all_of(island.bodies.begin(), island.bodies.end(), [&](int i) {

@@ -49,21 +49,22 @@ void apply_forces(ContactProblem& problem, const World& world, const std::vector
             problem.bodies[i] = with_forces(problem.bodies[i], world.bodies[i].state, flown[i]);
 }
 
-// The step of a whole world is divided into at most 2⁶ parts. So a world whose bodies shoot about,
-// as wrong formulas may make them, takes at most so many times as long.
+// The step of a whole world is divided into at most 2⁶ parts. This bounds the run time of a world
+// whose bodies fly about at high speeds, as wrong formulas may make them.
 constexpr int most_halvings = 6;
 
 std::vector<ContactRecord> step(World& world, double time_step, int divisions);
 
 // A function that advances a world by a part of a divided step.
-// @param divisions  how often the original step was divided to get the step that is divided now
+// @param divisions  the number of divisions from the original step to the one that is divided now
 Step step_of_parts(int divisions)
 {
     return
         [divisions](World& part, double time_step) { return step(part, time_step, divisions + 1); };
 }
 
-// The step of the whole world in two halves. Each contact is listed for both of them.
+// The step of the whole world in two halves. A contact is listed once for each half in which it got
+// an impulse.
 std::vector<ContactRecord> step_in_halves(World& world, double time_step, int divisions)
 {
     const Step half = step_of_parts(divisions);
@@ -101,7 +102,7 @@ Flight fly_and_find_contacts(World& world, const std::vector<bool>& forced, doub
     }
 }
 
-// @param divisions  how often the original step was divided to get this one
+// @param divisions  the number of divisions from the original step to this one; 0: not divided
 std::vector<ContactRecord> step(World& world, double time_step, int divisions)
 {
     // Only the reference's formulas are known to be thread-safe. With any other implementation, the

@@ -56,12 +56,13 @@
 // simultaneous          the same `contact_law`             the formula `resolve_simultaneously`,
 //                                                          which simultaneous_sweeps calls
 //
-// Where these sweeps do not converge, Newton's method continues, with its own law (`projected` in
-// newton_row). If a scene turns the optimisation `optimised_formulas` off, the reference is treated
-// as any other implementation. The contact methods `one_at_a_time` and `shock_propagation` always
-// call formulas of topic `contact`, from contact/one_at_a_time, and stage 3 always calls
-// `collision_impulse`. The impulses from which sweeps start are put into the friction cone where
-// they are made: in contact/warm_start and contact/load_estimate.
+// Where these sweeps do not converge, Newton's method may continue (island_solver.hpp lists when),
+// with its own law (`projected` in newton_row). If a scene turns the optimisation
+// `optimised_formulas` off, the reference is treated as any other implementation. The contact
+// methods `one_at_a_time` and `shock_propagation` always call formulas of topic `contact`, from
+// contact/one_at_a_time, and stage 3 always calls `collision_impulse`. The impulses from which
+// sweeps start are put into the friction cone where they are made: in contact/warm_start and
+// contact/load_estimate.
 //
 // In a world with deformable solids, deformable/step/step.cpp moves the solids first and then calls
 // this step. Their nodes have friction and position correction of their own: `collide_nodes` and

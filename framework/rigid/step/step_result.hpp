@@ -14,8 +14,9 @@ struct StepResult {
     std::vector<WarmContact> warm_contacts; // for the next step; sorted by `body1`, then `body2`
 };
 
-/// Adds the contacts of the problem, and of the islands whose step was repeated in parts
-/// (`refined`), to the result, and counts contacts and islands in `world.counters`.
+/// Adds the contacts that got an impulse to the result: those of the problem, and those of the
+/// islands whose step was repeated in parts (`refined`). Also counts contacts and islands in
+/// `world.counters`.
 ///
 /// @throws NonFiniteState if a state of the result is infinite or not a number
 void collect_contacts(World& world, const ContactProblem& problem,

@@ -133,10 +133,10 @@ std::vector<Rule> worker_rules(const OwnNumbers& own, bool grader_allows_start)
     std::vector<Rule> rules(std::begin(worker_table), std::end(worker_table));
     // abort() and raise() send a signal to their own process.
     rules.push_back({SYS_tgkill, allowed, {Condition::equals, 0, own.process}});
-    // Two more calls follow before the program starts, sendmsg and execveat. Both name a descriptor
-    // that is closed when the program starts. Since an execveat with an absolute path ignores the
-    // descriptor, either the grader allows only the first execveat, or Landlock allows only this
-    // program.
+    // The launcher needs two more calls to start the program, sendmsg and execveat. Both name a
+    // descriptor that is closed when the program starts, so the program cannot make these calls.
+    // But an execveat with an absolute path ignores the descriptor. Therefore the grader allows
+    // only the first execveat, or else Landlock allows no other program to be started.
     rules.push_back({SYS_sendmsg, allowed, {Condition::equals, 0, own.report}});
     if (!grader_allows_start)
         rules.push_back({SYS_execveat, allowed, {Condition::equals, 0, own.program}});

@@ -7,8 +7,8 @@
 
 namespace rigor::confine {
 
-/// A condition on one argument of a call. Flags, descriptors and process ids are 32-bit; only
-/// `is_null` looks at all 64 bits.
+/// A condition on one argument of a call. `equals` and `lacks_bits` (no bit of `value` is set) look
+/// at the lower 32 bits, enough for flags, descriptors and process ids; `is_null` looks at all 64.
 struct Condition {
     enum Kind { always, equals, lacks_bits, is_null } kind = always;
     unsigned argument = 0; // counted from 0
@@ -38,10 +38,13 @@ struct OwnNumbers {
     std::uint32_t program; // the descriptor of the program's file
 };
 
-/// The calls of a worker; all others are refused.
+/// The calls that a worker may make, and those that are declined; all others are refused. With
+/// `grader_allows_start`, the execveat that starts the program is refused too, so it waits until
+/// the grader lets it happen.
 std::vector<Rule> worker_rules(const OwnNumbers& own, bool grader_allows_start);
 
-/// The calls that are forbidden to a compiler; all others are allowed.
+/// The calls that are forbidden to a compiler, `clone` only with some flags. All others are
+/// allowed.
 std::vector<Rule> compiler_rules();
 
 } // namespace rigor::confine

@@ -22,9 +22,9 @@ struct Grant {
     Access access;
 };
 
-/// Gives up access to all files but these, and to TCP ports. Also gives up signals and abstract
-/// sockets to all other processes except those that this process starts later. An older version of
-/// Landlock restricts only a part of this. Descriptors that are open already stay as they are.
+/// Gives up access to all files but the granted ones, and to TCP ports. Also gives up signals and
+/// abstract sockets to all processes except those that this process starts later. An older Landlock
+/// restricts only a part of this. Descriptors that are open already stay as they are.
 void restrict_files(const std::vector<Grant>& grants);
 
 } // namespace rigor::confine

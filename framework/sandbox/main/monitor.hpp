@@ -19,9 +19,10 @@ void become_monitor();
 /// To be called in a child of the monitor: unblocks the signals that the monitor waits for.
 void leave_monitor();
 
-/// Waits until the program ends or until SIGTERM comes, ends every other descendant, and then ends
-/// this process in the way in which the program ended. If the program is stopped, this process
-/// stops too. `init` is the first process of the program's process namespace, 0 if it has none.
+/// Waits until the program ends or until SIGTERM comes, ends every descendant that is left, and
+/// then ends this process: in the way in which the program ended, or after SIGTERM with exit
+/// status 0. If the program is stopped, this process stops too. `init` is the first process of the
+/// program's process namespace, 0 if it has none.
 [[noreturn]] void watch(pid_t program, pid_t init);
 
 } // namespace rigor::confine

@@ -22,7 +22,7 @@ void enter_namespaces(bool user_namespace);
 
 /// Makes a root folder that has only these paths, and moves there. The paths are read-only, except
 /// those that may be written. `enter_namespaces` must have been called before; otherwise, if this
-/// process is root's, the new root would hide /tmp from the whole machine.
+/// process runs as root, the new root would hide /tmp from the whole machine.
 void enter_empty_root(const std::vector<OpenPath>& paths);
 
 } // namespace rigor::confine

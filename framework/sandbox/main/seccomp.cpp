@@ -25,7 +25,7 @@ constexpr std::uint32_t architecture = AUDIT_ARCH_X86_64;
 #elif defined(__aarch64__)
 constexpr std::uint32_t architecture = AUDIT_ARCH_AARCH64;
 #endif
-// On x86-64, numbers from here on are those of the x32 interface: the same calls once more.
+// On x86-64, numbers from here on are those of the x32 interface, which has the same calls again.
 constexpr std::uint32_t second_interface = 0x40000000;
 
 class Program {

@@ -70,7 +70,7 @@ int open_program(const char* path)
 
 void set_limit(__rlimit_resource resource, std::uint64_t most)
 {
-    // The limit is not raised: a limit of the user's own may be lower.
+    // If the process has a lower hard limit already, that limit stays.
     rlimit now = {};
     must(getrlimit(resource, &now), "read a limit");
     if (now.rlim_max < most) most = now.rlim_max;
@@ -127,7 +127,7 @@ void drop_capabilities()
 
 void become_program(const Options& options)
 {
-    setsid(); // a new process group, which can be killed without the monitor
+    setsid(); // a new process group, which can be killed without killing the monitor
     const int program = open_program(options.program[0]);
     const std::vector<OpenPath> paths = open_paths(options);
     if (options.namespaces) enter_empty_root(paths);

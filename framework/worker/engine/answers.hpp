@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The formulas as the worker's engine calls them. Each call is passed on to the implementation. Its
-// answer can also be streamed to the client, which runs the same scene with an engine of its own.
+// The formulas as the worker's engine calls them. Each call is passed on to the implementation,
+// apart from the formulas that the client answers. The implementation's answer can also be streamed
+// to the client, which runs the same scene with an engine of its own.
 #pragma once
 
 #include "formulas/table.hpp"

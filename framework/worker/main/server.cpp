@@ -98,7 +98,8 @@ void Server::reply_text(ReplyStatus status, std::string text)
 }
 
 // Writes to the ring, which the client reads while the scene goes on. Waking the client takes
-// longer than most writes, so the client is woken rarely. It also looks by itself regularly.
+// longer than most writes, so the client is woken rarely. Without being woken, the client looks at
+// the ring by itself after at most 20 ms.
 void Server::stream(std::span<const std::byte> bytes)
 {
     // The client is woken only for this many new bytes, because each wake-up costs a system call.

@@ -39,7 +39,7 @@ private:
     bool is_reference_;
     wire::Bytes answer_; // the current answer; its memory is kept for the next one
     // The number of bytes that the scene has streamed, and this number when the client was last
-    // woken.
+    // woken because of enough new bytes, both modulo 2^32.
     std::uint32_t streamed_ = 0, announced_ = 0;
     std::uint32_t used_ = 0;     // number of bytes read from the client's answers to the scene
     std::uint32_t sequence_ = 1; // number of the current request; the greeting has number 1

@@ -26,8 +26,9 @@ using Microseconds = std::chrono::duration<double, std::micro>;
 // busy, spinning only keeps the other process from answering. So the time to spin is halved each
 // time that spinning fails, down to zero, and spinning is tried again from time to time. The
 // longest time to spin is longer than a test needs to compare an answer and to ask again: when it
-// was 20 µs, most calls of a test had to wake a process. The first waits of a process are for the
-// start of the other one, and longer than any spinning.
+// was 20 µs, most calls of a test had to wake a process. In its first waits, a process waits for
+// the start of the other one, which takes longer than any spinning; so it begins with the short
+// time.
 constexpr Microseconds longest_spin(100), spin_of_a_try(20);
 constexpr int waits_between_tries = 32;
 

@@ -29,8 +29,9 @@ namespace rigor {
 enum class Request : std::uint32_t {
     call,      // calls the formula with index `argument`; the payload has the encoded arguments
     run_scene, // runs a scene: the payload has its text and name, `argument` the SceneOptions
-    // Does time steps of a scene. The payload has its text and name, the number of steps and the
-    // first states; the reply has the states after these steps.
+    // Does time steps of a scene from given states. The payload has the scene's text and name, the
+    // number of steps, and a list of start states with their times; the reply has, for each of
+    // them, the states after these steps.
     advance,
 };
 

@@ -178,7 +178,8 @@ public:
         rest_ = rest_.subspan(size);
     }
 
-    /// The length of a container whose elements take at least `least` bytes each.
+    /// Reads the length of a container whose elements take at least `least` bytes each.
+    /// @throws Malformed if the remaining bytes cannot hold so many elements
     std::size_t count(std::size_t least)
     {
         std::uint64_t n = 0;

@@ -4,8 +4,8 @@
 //
 // A timer counts the time on a processor, several times in a second. A run that calls formulas
 // without end fails at one of these calls. A program that computes for too long between two calls
-// writes its last words and ends itself at once, because it may never reach a place that could look
-// at the time.
+// writes a message (`LastWords`) and ends itself at once, because it may never come to the next
+// call, where it could fail.
 #pragma once
 
 #include "formulas/table.hpp"
@@ -26,7 +26,7 @@ struct LastWords {
 };
 
 /// Begins to count the time of a test case on a processor.
-/// @param stall  longest time between two calls of formulas [s]
+/// @param stall  longest time on a processor between two calls of formulas [s]
 void watch_own_time(LastWords words, double stall);
 
 /// Limits the time on a processor as long as this object lives. If a second such object is made
@@ -57,7 +57,8 @@ void check();
 
 } // namespace own_time
 
-/// Called at each call of a formula. @throws OwnTimeOver if a limit is exceeded
+/// Called at each call of a formula. The limits are checked only if the timer has ticked since the
+/// previous call, so most calls do not read the clock. @throws OwnTimeOver if a limit is exceeded
 inline void note_formula(FormulaIndex formula)
 {
     own_time::last_formula = static_cast<std::sig_atomic_t>(formula);

@@ -18,7 +18,8 @@ namespace rigor {
 void use_worker(const std::filesystem::path& executable,
                 const std::optional<std::filesystem::path>& oracle = {}, const Limits& limits = {});
 
-/// The worker that the formulas ask. @throws std::logic_error before use_worker
+/// The worker under test, which the formulas ask as long as no `AskOracle` lives.
+/// @throws std::logic_error before use_worker
 Worker& worker();
 
 /// The worker that runs the reference; nullptr if there is none.
@@ -29,8 +30,9 @@ Worker* oracle();
 void answer_from(SceneAnswers* run);
 
 /// Until the next call of this function, the reference answers these formulas in place of the
-/// worker under test. Outside of scenes, the worker sees only those answers that become an argument
-/// for one of its own formulas. @throws std::logic_error if there is no reference
+/// worker under test. In a scene, that worker gets these answers too. Outside of scenes, it sees an
+/// answer only if a test passes it on as an argument of another formula.
+/// @throws std::logic_error if there is no reference
 void replace_by_reference(const FormulaSet& these);
 
 /// The formulas that the reference answers at present.

@@ -6,8 +6,9 @@
 
 namespace rigor {
 
-/// The same as `run_scene`, with the worker's formulas.
-/// @throws NotImplemented, FormulaMissing, WorkerFailure, NotFinite
+/// Runs a scene as `run_scene` does, with the formulas of the worker under test.
+/// @throws NotImplemented, FormulaMissing, WorkerFailure, NotFinite; OracleFailure if the reference
+///     replaces formulas and fails; std::out_of_range as in answer_sizes.hpp
 void run_scene_with_worker(const Scene& scene, Record record, const ByteSink& write);
 
 } // namespace rigor

@@ -24,7 +24,7 @@ struct ArrayJob {
 /// @throws InputError if Slurm's commands are not in PATH
 void require_installed();
 
-/// Hands a job to Slurm. The user's environment variables, such as SBATCH_PARTITION, choose
+/// Submits a job to Slurm. The user's environment variables, such as SBATCH_PARTITION, choose
 /// partition, account, time and memory. @return the job id
 /// @throws InputError with Slurm's reason if it does not take the job
 std::string submit(const ArrayJob& job);

@@ -26,7 +26,7 @@ std::optional<std::string> text_in(const fs::path& file)
     return std::string{std::istreambuf_iterator<char>(in), {}};
 }
 
-// Names of the files in a folder. A file that is being written has the ending `.new`.
+// Names of the files in a folder, without the files that are still being written (ending `.new`).
 std::set<std::string> names_in(const fs::path& folder)
 {
     std::set<std::string> names;

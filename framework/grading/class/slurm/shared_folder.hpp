@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// A folder inside the results' folder, through whose files the machine that grades a class and the
-// nodes of a cluster talk. Every file but the logs is written whole, so a reader finds all of the
-// file or nothing. The controls in this list are submissions whose points are known.
+// A folder inside the results' folder. By its files, the machine that grades a class exchanges data
+// with the nodes of a cluster. Every file but the logs is written whole, so a reader finds all of
+// the file or no file. The controls in this list are submissions whose points are known.
 //
 //     plan_1.json     what the tasks of the first job are to grade, and how
-//     job             the id of the job that runs now
+//     job             the id of the job that was submitted last
 //     graded/NAME     the result files of a submission; NAME is its fingerprint
 //     ended/1.3       task 3 of the first job has ended, and its controls were right
 //     control_fault   what was wrong with a control
@@ -47,7 +47,7 @@ public:
     /// @return the path of the plan's file
     std::filesystem::path write_plan(const Plan& plan) const;
 
-    /// The id of the job that runs; empty if none does.
+    /// The id of the job that was submitted last; empty if there is none.
     std::string job() const;
     void write_job(const std::string& job) const;
 

@@ -3,8 +3,8 @@
 // It takes each result as soon as its file is there, and asks Slurm from time to time whether the
 // tasks still wait or run. A task grades the controls too, which are submissions with known points.
 // If these were right, the task writes a file at its end. The round is over when all tasks have
-// written this file, or when no task waits or runs any more, as Slurm says. The submissions without
-// a result are graded in the next round.
+// written this file, when no task waits or runs any more, as Slurm says, or when a control was
+// wrong, which ends the whole run. The submissions without a result are graded in the next round.
 #include "grading/class/slurm/slurm_engine.hpp"
 
 #include "errors/input_error.hpp"

@@ -42,8 +42,9 @@ vec3 lit(vec3 color, vec3 point, vec3 normal, float gloss) {
 }
 )";
 
-// How a vertex shader passes on its color. With `flat` a whole triangle has one color, that of its
-// instance. Where drawing.cpp defines TINT as `smooth`, the colors of the corners are interpolated.
+// How a vertex shader passes its color to the fragment shader. With `flat` a whole triangle has one
+// color, that of its instance. Where drawing.cpp defines TINT as `smooth`, the colors of the
+// corners are interpolated.
 constexpr const char* tint = R"(
 #ifndef TINT
 #define TINT flat

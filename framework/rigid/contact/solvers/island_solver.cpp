@@ -24,8 +24,8 @@ namespace {
 // little time. Islands with at most `few_bodies` bodies have it too if Newton's method may follow.
 constexpr int few_contacts = 16;
 
-// The sweeps of a larger island end after a limited amount of work, and the remaining error is
-// corrected in the next steps. A pile at rest gets more work; otherwise the remaining error would
+// The sweeps of an island end at the latest after a limited amount of work, and the error that
+// remains is corrected in the next steps. A pile at rest gets more work; otherwise this error would
 // let the pile creep, and it would never fall asleep. The numbers were chosen by trial; `bench
 // pile` shows the run time and the overlap to which they lead.
 constexpr int most_visits = 4000; // contacts visited in all sweeps together
@@ -65,8 +65,9 @@ double largest(const ContactProblem& problem, std::span<const int> active, const
     return *std::max_element(found.begin(), found.end());
 }
 
-// The highest speed of a body at a contact, relative to the motion of `ground` [m/s]. Changes of
-// velocities below the rounding error of this speed are noise.
+// The highest speed |V| + |ω| r of a body at a contact (r: length of the lever arm), relative to
+// the motion of `ground` [m/s]. Changes of velocities below the rounding error of this speed are
+// noise.
 // @param ground  with a body that does not move, the speed is that in world space
 double fastest(const ContactProblem& problem, const Island& island, std::span<const int> active,
                const Body& ground)
@@ -202,7 +203,8 @@ bool solve_by_newton(ContactProblem& problem, const Island& island, std::span<co
 struct SolvePlan {
     double approach = 0; // result of `fastest_approach` [m/s]
     SweepLimits limits;
-    bool may_use_newton = false; // whether Newton's method follows sweeps that do not converge
+    // Whether Newton's method follows sweeps that do not converge. If not, `is_far_off` decides.
+    bool may_use_newton = false;
     // Whether the island is not a pile. The sparse matrix of a pile has too much fill-in for
     // Newton's method.
     bool is_stack = false;

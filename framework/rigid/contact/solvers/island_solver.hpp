@@ -8,12 +8,12 @@ namespace rigor {
 /// Solves all active contacts of an island at once and applies their impulses.
 ///
 /// Sweeps (sweeps.hpp) visit the pairs of bodies by the height of their lowest contact, lowest
-/// first; in a large island they do so block by block (blocks.hpp). They are accelerated by the
-/// nonsmooth nonlinear conjugate gradient method (Silcowitz-Hansen, Niebe and Erleben 2010, "A
-/// nonsmooth nonlinear conjugate gradient method for interactive contact force problems", Visual
-/// Computer 26). The sweeps of a small island end when the remaining changes are rounding errors,
-/// those of a large island when they are too small to be seen. In both cases the number of sweeps
-/// is limited.
+/// first; in a large island they do so block by block (blocks.hpp). Up to 1000 contacts, they are
+/// accelerated by the nonsmooth nonlinear conjugate gradient method (Silcowitz-Hansen, Niebe and
+/// Erleben 2010, "A nonsmooth nonlinear conjugate gradient method for interactive contact force
+/// problems", Visual Computer 26). The sweeps of a small island end when the remaining changes are
+/// rounding errors, those of a large island when the changes are too small to be seen. In both
+/// cases the number of sweeps is limited.
 ///
 /// If the sweeps end before they have converged, Newton's method (newton_contact.hpp) continues,
 /// and further sweeps check its result. It does so for an island that is not a pile (`is_pile`) in

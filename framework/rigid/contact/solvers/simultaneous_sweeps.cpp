@@ -65,7 +65,7 @@ private:
     std::span<const int> active_;
     LocalIsland local_;
     ContactResult result_;    // result of the last sweep
-    bool is_current_ = false; // false if impulses have changed since the last sweep
+    bool is_current_ = false; // false before the first sweep, and after `add` changed impulses
 };
 
 } // namespace

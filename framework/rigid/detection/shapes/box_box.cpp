@@ -43,8 +43,9 @@ struct Axis {
     Vector3d direction = Vector3d::Zero();
 };
 
-// Numbers that the test of each axis needs: C = AᵀB with the axes of both boxes as the columns of A
-// and B, |C|, and the vector between the centers in the frame of each box.
+// Numbers that the test of each axis needs: C = AᵀB with the axes of boxes a and b as the
+// columns of A and B, |C| by elements, and the vector from the center of a to that of b in the
+// frame of each box.
 struct RelativePose {
     Matrix3d C, C_abs;
     Vector3d d_a, d_b;
@@ -95,8 +96,9 @@ Axis best_other_face(const PlacedBox& a, const PlacedBox& b, const RelativePose&
 }
 
 // The pair of edges with the largest separation (Gottschalk, Lin and Manocha 1996), if it is larger
-// than `least`; otherwise an axis with the separation `least`. Parallel edges are skipped, since a
-// face then separates the boxes as well as they do.
+// than `least`; otherwise an axis with the separation `least` and without a direction. The
+// direction points from a to b. Parallel edges are skipped, since a face then separates the boxes
+// as well as they do.
 Axis best_edges(const PlacedBox& a, const PlacedBox& b, const RelativePose& of, double least)
 {
     Axis best;
@@ -139,7 +141,7 @@ struct FaceAhead {
     for (const bool is_of_first : {true, false})
         for (int i = 0; i < 3; ++i) {
             const PlacedBox& box = is_of_first ? a : b;
-            // Component of the vector from the center of `box` to that of the other box.
+            // Component along axis i of the vector from the center of `box` to that of the other.
             const double d = is_of_first ? of.d_a[i] : -of.d_b[i];
             const double reach =
                 is_of_first ? of.C_abs.row(i).dot(b.half) : of.C_abs.col(i).dot(a.half);

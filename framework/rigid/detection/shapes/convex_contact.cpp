@@ -27,9 +27,9 @@ constexpr double line_rounding = 1e-9;
 // a smaller angle make a contact at each end of their common part, so that a body that rests on an
 // edge does not rock.
 constexpr double crossing_sine = 0.1;
-// If the gap of the deepest corner is larger than that of the closest points by at most this,
-// relative to the distance of the closest point from the origin of shape 1, the closest points make
-// no contact, because so small a difference may be an error of the search for them.
+// The closest points make a contact of their own only if their gap is smaller than the gap of every
+// corner by more than this, relative to the distance of the closest point of shape 1 from the
+// origin of shape 1. A smaller difference may be an error of the search for the closest points.
 constexpr double gap_tolerance = 1e-6;
 
 // A feature projected along the contact normal: places in the tangent plane, and heights along the
@@ -139,7 +139,8 @@ Outline clipped(Outline o, const Outline& by)
     return o;
 }
 
-// The common part of two nearly parallel segments, along the first one.
+// The common part of two nearly parallel segments, along the first one. It is empty if the segments
+// are not parallel, or if one ends before the other begins.
 Outline common(const Outline& a, const Outline& b)
 {
     const Vector2d d = a.places[1] - a.places[0], e = b.places[1] - b.places[0];
@@ -157,7 +158,7 @@ Outline common(const Outline& a, const Outline& b)
 }
 
 // The region where both features face each other, with heights on feature 1. It is empty if a
-// single contact is enough.
+// feature is a point, if two segments cross, or if the features do not face each other.
 Outline overlap(const Outline& a, const Outline& b)
 {
     if (a.count() < 2 || b.count() < 2) return {};
@@ -180,8 +181,9 @@ bool contains(const Outline& polygon, const Vector2d& place)
     return true;
 }
 
-// The vertices of a mesh that stands for a round body. Within a step, such a body can roll
-// from the facet that faces the other shape to the next facets. The list is empty for other shapes.
+// The vertices of a mesh that stands for a round body (its `facet_angle` is not 0). Within a step,
+// such a body can roll from the facet that faces the other shape to the next facets. The list is
+// empty for other shapes.
 std::span<const Vector3d> vertices_of_round(const Shape& shape)
 {
     const Mesh* mesh = std::get_if<Mesh>(&shape);

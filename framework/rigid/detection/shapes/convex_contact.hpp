@@ -12,7 +12,8 @@ namespace rigor {
 /// All contacts have the same normal: the direction in which the shapes are closest, or, if they
 /// overlap, in which they separate soonest. If both shapes turn a face or a line to each other, one
 /// is clipped against the other (Sutherland and Hodgman 1974), and each corner of the result is a
-/// contact with its own gap. Otherwise there is one contact. A mesh that stands for a round body
+/// contact with its own gap. If no corner is as near as the closest points of the shapes, or if
+/// there is no corner, the closest points make a contact too. A mesh that stands for a round body
 /// (`SolidMesh::facet_angle` is not 0) also touches a flat face with those of its vertices that are
 /// over the face and closer than `reach`, because it rolls to its next facets within a step. Of all
 /// contacts a few are kept (reduce_contacts.hpp).

@@ -199,7 +199,8 @@ void find_ball_torus_contacts(const Sphere& sphere, const Vector3d& center, cons
 }
 
 // The contacts of a ball on a mesh: one for each local minimum of the distance from the center to
-// the surface, so both walls of a corner are found.
+// the surface, so both walls of a corner are found. If the center is inside the mesh, there is only
+// the contact of `DistanceField::ball`.
 void find_ball_mesh_contacts(const Core& core, const SolidMesh& mesh, const DistanceField& field,
                              const Pose& pose2, double reach, std::vector<Contact>& contacts)
 {
@@ -244,7 +245,7 @@ void find_core_contacts(const Shape& shape1, const Pose& pose1, const Shape& sha
     if (!mesh) return;
     std::vector<Contact> points;
     find_point_contacts(shape1, pose1, *mesh->solid, pose2, reach, counters, points);
-    constexpr double all = 1; // `share`: contacts of the core lie on shape 1, the whole gap away
+    constexpr double all = 1; // `share`: core contacts lie on shape 1, one whole gap from the mesh
     remove_points_ahead(points, shape1, pose1, std::span(contacts).subspan(first), all);
     contacts.insert(contacts.end(), points.begin(), points.end());
     reduce_contacts(contacts, first, reach);

@@ -14,8 +14,9 @@ namespace rigor {
 
 namespace {
 
-// Below this cosine of the angle between the gradient and the way to the surface, the gradient
-// points backward: the angle is more than 120°. Then the exact direction replaces the gradient.
+// A correct gradient points away from the surface, so against the way to the surface. If the
+// cosine of the angle between the two is below this value (the angle is above 120°), the gradient
+// counts as correct, and the exact direction replaces it.
 constexpr double points_back = -0.5;
 // Largest error of a correct `sample_level_set` about a cell before the surface, divided by the
 // size of a cell. Linear interpolation of a distance is off by less, even at an edge or a vertex.

@@ -35,8 +35,9 @@ public:
     /// The distance of `ball` without its normal.
     double ball_distance(const Vector3d& center, double radius) const;
 
-    /// The result of `ball` as for a center outside the grid, but with a given point `target` of
-    /// the surface, which the center faces, in place of the nearest one.
+    /// For a mesh only: the distance and the normal of a ball, as `ball` finds them for a center
+    /// outside the grid. But the level set is sampled on the way to the point `target` of the
+    /// surface instead of the nearest point.
     SurfaceDistance ball_towards(const Vector3d& center, double radius,
                                  const Vector3d& target) const;
 
@@ -44,7 +45,8 @@ public:
     /// lower bound of `distance`, inside them 0, although `distance` may be negative there. For any
     /// other shape, a number below every distance.
     double at_least(const Vector3d& p) const;
-    /// An error bound of the distance where its gradient changes direction within a cell [m].
+    /// An error bound of the distance where its gradient changes direction within a cell; 0 if the
+    /// distance is exact [m].
     double uncertainty() const { return grid_ ? grid_->cell_size : 0; }
 
 private:

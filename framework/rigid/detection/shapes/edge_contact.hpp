@@ -11,9 +11,9 @@ namespace rigor {
 /// distance below `reach`.
 ///
 /// The normal of such a contact is perpendicular to both edges. Two edges make a contact only if
-/// the plane perpendicular to the normal separates the faces at one edge from the faces at the
-/// other. Overlaps deeper than a twentieth of the longest side of the bounds of the mesh's edges
-/// are left to surface points (mesh_contact.hpp).
+/// the angle between them is above 3°, and if the plane perpendicular to the normal separates the
+/// faces at one edge from the faces at the other. Overlaps deeper than a twentieth of the longest
+/// side of the bounds of the mesh's edges are left to surface points (mesh_contact.hpp).
 ///
 /// @param shape1   a mesh or a box, which have sharp edges; other shapes have no edge contacts
 /// @param pose     pose of shape 1 in the frame of the mesh; the contacts are in this frame too

@@ -111,11 +111,11 @@ private:
         gradients_.push_back(gradient);
     }
 
-    // Removes those contacts of a round mesh for which all of this holds:
+    // Removes those contacts of a mesh that stands for a round body for which all of this holds:
     //   1. The contact has a gap.
-    //   2. Its normal differs from the gradient by more than the angle of a facet.
+    //   2. Its normal differs from the gradient by more than `SolidMesh::facet_angle`.
     //   3. Another contact at the same flat face has a smaller gap, and a normal that differs from
-    //      the gradient by at most the angle of a facet.
+    //      the gradient by at most this angle.
     // The points of such contacts lie on the front of a rolling wheel, and the wheel turns them
     // away before they touch.
     void remove_points_ahead_of_round(std::vector<Contact>& contacts, std::size_t first) const

@@ -21,7 +21,8 @@ namespace rigor {
 /// gradient of the distance. So a point in the middle of a face pushes along the normal of the
 /// face, also at an edge of the other shape. Points ahead of a rolling wheel are left out. Edges
 /// are tested against edges exactly, so that crossing bars touch although no point of one bar lies
-/// inside the other.
+/// inside the other. If tested points are inside the other shape but no contact has a negative gap,
+/// the deepest of these points becomes a contact along the gradient of the distance.
 ///
 /// @param shape1  a mesh, a box, a cylinder, a cone or an ellipsoid
 /// @param shape2  a mesh
@@ -30,7 +31,7 @@ void find_mesh_contacts(const Shape& shape1, const Pose& pose1, const Shape& sha
                         std::vector<Contact>& contacts);
 
 /// Appends the contacts of a mesh's surface points that are closer than `reach` to a shape that is
-/// not a mesh. The contacts are not reduced.
+/// not a mesh. Several points close together make one contact. `reduce_contacts` is not called.
 void find_point_contacts(const Shape& shape1, const Pose& pose1, const SolidMesh& mesh2,
                          const Pose& pose2, double reach, Counters& counters,
                          std::vector<Contact>& contacts);

@@ -19,7 +19,8 @@ constexpr double alike = 0.98; // least cosine of directions that count as the s
 constexpr int most_steps = 4;  // limits an iteration whose gradient goes on turning
 // An iteration has converged if 1 - cosine of the angle between its last two gradients is smaller.
 constexpr double converged = 1e-12;
-constexpr double zero_length = 1e-9; // a shorter sum of parts of unit vectors is rounding
+constexpr double zero_length = 1e-9; // a sum of parts of unit vectors that is shorter is only a
+                                     // rounding error
 
 // Of the outward normals of a convex shape at a point p of its surface, the one closest to the
 // direction d.
