@@ -86,7 +86,8 @@ private:
             ++at_;
     }
 
-    // Whether a plus or minus behind `row` has no operand on its left, as in "= −1" and "(−1".
+    // Whether `row` does not end with an operand: then a plus or minus that follows is a sign, as
+    // in "= −1" and "(−1".
     static bool is_open(const std::string& row)
     {
         return row.empty() || row.ends_with("/>") || (row.ends_with("</mo>") && !is_closed(row));
@@ -122,7 +123,8 @@ private:
         return is_next(letters) || starts_with("\\frac") || starts_with("\\tfrac");
     }
 
-    // The next atom with its indices and exponents, and the space between it and the row before it.
+    // The next atom with its indices and exponents, to be appended to `row`. The name of a function
+    // has a thin space between itself and an operand before or after it.
     std::string next_after(const std::string& row)
     {
         if ((text_[at_] == '-' || text_[at_] == '+') && is_open(row))

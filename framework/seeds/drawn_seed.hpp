@@ -2,11 +2,12 @@
 // Seeds of random tests that only the owner of a secret can know.
 //
 //     key  = HMAC(secret, submission)
-//     seed = HMAC(key, name of the test)
+//     seed = the first 32 bits of HMAC(key, name of the test)
 //
-// HMAC uses SHA-256 (RFC 2104, FIPS 180-4). Whoever has the secret can draw the same seeds again
-// from the same files. Nobody else can compute them, not even from the seeds of other submissions
-// or tests, so a table of answers to known cases is useless.
+// HMAC uses SHA-256 (RFC 2104, FIPS 180-4). The key is a text of 64 hexadecimal digits. Whoever has
+// the secret can draw the same seeds again from the same files. Nobody else can compute them, not
+// even from the seeds of other submissions or tests, so a table of answers to known cases is
+// useless.
 #pragma once
 
 #include <cstdint>

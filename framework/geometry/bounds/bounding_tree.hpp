@@ -38,7 +38,8 @@ public:
     ///
     /// @param boxes    boxes of all items, finite
     /// @param members  indices of the boxes that belong to the tree
-    /// @param parts    about how many parts to build at the same time
+    /// @param parts    how many parts to build at the same time; rounded up to a power of two, but
+    ///                 a small tree has fewer parts
     /// @param share    share(n, work) calls work(k) for each k in [0, n), in any order or in
     ///                 parallel
     template <class Share>
@@ -51,7 +52,7 @@ public:
         nodes_.resize(2 * leaves_of(n) - 1);
         std::vector<Center> centers(order_.size());
         std::vector<Branch> branches = {{0, 0, 0, n}};
-        std::vector<int> above; // the nodes above all `branches`
+        std::vector<int> above; // the nodes above the `branches`, parents before their children
         while (branches.size() < parts && !branches[0].is_leaf()) {
             std::vector<Branch> halves;
             for (const Branch& branch : branches) {

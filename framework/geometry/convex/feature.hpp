@@ -10,8 +10,8 @@ namespace rigor {
 /// A feature of a convex surface: a polygon, a segment or a point. A circle is given as eight
 /// points.
 struct Feature {
-    /// The largest number of points. More points would represent large faces better, but take more
-    /// time.
+    /// The largest number of points; `add` ignores more. With more points, faces with many corners
+    /// would be represented better, but contacts would take more time.
     static constexpr int most = 16;
     /// Cosine and sine of about 26°. A whole face counts as turned to a direction if its normal is
     /// within this angle of the direction, an edge if it is perpendicular to the direction within

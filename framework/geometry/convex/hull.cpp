@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Treats a convex mesh as a polyhedron. The support point is found by hill climbing from vertex to
-// vertex (Gilbert, Johnson and Keerthi 1988 define it; Ericson 2005, "Real-time collision
-// detection", 9.5.4 describes the climb). The constructor first merges triangles into flat faces.
-// Then it finds the corners of the faces: vertices inside a face or along an edge belong to the
-// triangulation and not to the solid. Then it links neighbours and finds the six extreme vertices.
+// Treats a convex mesh as a polyhedron. The support point (Gilbert, Johnson and Keerthi 1988) is
+// found by hill climbing from vertex to vertex (Ericson 2005, "Real-time collision detection",
+// 9.5.4). The constructor first merges triangles into flat faces. Then it finds the corners of the
+// faces: vertices inside a face or along an edge belong to the triangulation and not to the solid.
+// Then it links neighbours and finds the six extreme vertices.
 #include "geometry/convex/hull.hpp"
 
 #include "geometry/meshes/triangle.hpp"

@@ -12,9 +12,9 @@ struct Vertex {
     Vector3d w = Vector3d::Zero(), a = Vector3d::Zero(), b = Vector3d::Zero();
 };
 
-/// The smallest part of a simplex that contains the point of the simplex nearest to the origin.
-/// That point is Σ weight · w. If the part has four vertices, the origin is inside the simplex, and
-/// no weights are set.
+/// A simplex of up to four vertices. As the result of a function below, it is the smallest part of
+/// a given simplex that contains the point nearest to the origin. This point is Σ weight · w. If
+/// the result has four vertices, the origin is inside the simplex, and no weights are set.
 struct Simplex {
     std::array<Vertex, 4> vertices;
     std::array<double, 4> weights = {};

@@ -28,18 +28,20 @@ constexpr int most_steps = 100;
 // double.
 constexpr double gjk_tolerance = 1e-12;
 
-// The following lengths are divided by `size`, the smaller bounding radius of the two shapes.
+// The lengths from `least_distance` to `shallow` are in units of `size`, which is the smaller
+// bounding radius of the two shapes.
 //
 // A distance found by GJK is used only if it is above this. At a smaller distance, the direction
 // between the nearest points is mostly a rounding error.
 constexpr double least_distance = 1e-6;
-// The same as `least_distance`, for shapes that `push_out` has moved apart by a margin.
+// After `push_out` has moved the shapes apart by a margin, their distance is used only if it is
+// above this.
 constexpr double least_gjk_length = 1e-9;
 // The shapes count as touching if the origin is nearer to the simplex of GJK than this.
 constexpr double inside_tolerance = 1e-12;
-// While the origin is not inside the simplex, the shapes are pushed together: first by
-// `first_push`, then each time ten times as far, at most by `most_push`, and by less than their
-// middles are apart.
+// EPA starts from a tetrahedron around the origin. Until GJK ends with one, the shapes are pushed
+// together: first by `first_push`, then each time ten times as far, at most by `most_push`, and by
+// less than their middles are apart.
 constexpr double first_push = 1e-6;
 constexpr double most_push = 1e-3;          // a longer push would change the result too much
 constexpr double polytope_tolerance = 1e-7; // EPA ends when a step grows the polytope by less
@@ -79,8 +81,8 @@ public:
         return v;
     }
 
-    // Signed distance of shape 1 above shape 2 along the unit vector n, negative if they overlap
-    // along n.
+    // The gap between the shapes along the unit vector n, which points from shape 2 to shape 1 [m].
+    // It is negative if their projections on n overlap.
     double along(const Vector3d& n) const { return n.dot(support_along(-n).w); }
 
     // GJK: the shortest vector from shape 2 to shape 1. If the shapes are at least `reach` apart,
@@ -165,13 +167,13 @@ std::vector<Vector3d> directions(const Shape& shape1, const Pose& pose, const Sh
 
 struct PushOut : Separation {
     // Whether the normal of the separated shapes is the direction of the push. Then the depth has a
-    // local minimum.
+    // local minimum in this direction.
     bool is_settled = false;
 };
 
-// Pushes the shapes apart along n, a margin farther than needed. Repeats this along the normal of
-// the separated shapes, as long as the depth becomes smaller. The margin shrinks from step to step,
-// because a step with a smaller margin improves the depth more.
+// Pushes the shapes apart along n until their gap along n is a small margin. Repeats this along the
+// normal of the separated shapes, as long as the depth becomes smaller. The margin shrinks from
+// step to step, because a step with a smaller margin improves the depth more.
 PushOut push_out(const MinkowskiDifference& difference, Vector3d n, double size)
 {
     double margin = first_margin * size;

@@ -15,15 +15,16 @@ struct Separation {
 };
 
 /// The distance of two convex shapes, exact to rounding, or their penetration depth: the length of
-/// the shortest translation that separates them. All vectors are in the frame of shape 2.
+/// the shortest translation that separates them. `is_convex_solid` (support.hpp) has to be true for
+/// both shapes, so spheres and capsules are excluded. All vectors are in the frame of shape 2.
 ///
 /// If the shapes are apart, the point of the Minkowski difference nearest to the origin is found
 /// (Gilbert, Johnson and Keerthi 1988, "A fast procedure for computing the distance between complex
-/// objects"). If they overlap, shape 1 is pushed out along the best of several candidate directions
-/// until the shapes are just apart. The normal between the shapes is then the next direction, as
-/// long as the depth along it is smaller. If this does not converge, or the overlap is deep, an
-/// expanding polytope (expanding_polytope.hpp) gives another first direction, and the result is the
-/// smaller of the two depths.
+/// objects"). If they overlap or nearly touch, shape 1 is pushed out along the best of several
+/// candidate directions until the shapes are just apart. The normal between the shapes is then the
+/// next direction, as long as the depth along it is smaller. If this does not converge, or the
+/// overlap is deep, an expanding polytope (expanding_polytope.hpp) gives another first direction,
+/// and the result is the smaller of the two depths.
 ///
 /// @param pose   pose of shape 1
 /// @param reach  if the shapes are farther apart than this, the result may be any lower bound of

@@ -85,8 +85,8 @@ SurfaceDistance signed_distance(const Cone& cone, const Vector3d& p)
     const Cylindrical at(p);
     const double base = -cone.height / 4;
     const double length = std::hypot(cone.radius, cone.height);
-    // Coordinates relative to the rim [m]: x points away from the axis and y up. In the frame of
-    // the slope, `along` points to the tip, and `away` out of the cone, perpendicular to the slope.
+    // Coordinates of p relative to the rim [m]: x away from the axis, y upwards; `along` the slope
+    // towards the tip, and `away` from the cone, perpendicular to the slope.
     const double x = at.distance - cone.radius, y = at.height - base;
     const double along = (-cone.radius * x + cone.height * y) / length;
     const double away = (cone.height * x + cone.radius * y) / length;

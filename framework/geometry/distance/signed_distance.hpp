@@ -13,8 +13,8 @@ struct SurfaceDistance {
     Vector3d normal = Vector3d::UnitY();
 };
 
-// If several points of a surface are equally near to p (p on an axis or in a center), the result is
-// always for the same one.
+// The point p is in the frame of the shape [m]. If several points of a surface are equally near to
+// p (p on an axis or in a center), the result is always for the same one of them.
 SurfaceDistance signed_distance(const Sphere& sphere, const Vector3d& p);
 SurfaceDistance signed_distance(const Capsule& capsule, const Vector3d& p);
 SurfaceDistance signed_distance(const Torus& torus, const Vector3d& p);

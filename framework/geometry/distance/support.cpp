@@ -36,11 +36,11 @@ Feature point(const Vector3d& p)
     return feature;
 }
 
-// Eight points of a circle about y. One of them is the farthest along d, unless the circle is
-// perpendicular to d up to rounding.
+// Eight points of a circle about y. One of them is the farthest along d, unless d is along y up to
+// rounding: then all are equally far.
 Feature circle(double radius, double height, const Vector3d& d)
 {
-    // Sine of the angle between d and the y axis. A smaller angle is only rounding.
+    // Sine of the angle between d and the y axis. An angle up to this is only rounding.
     constexpr double perpendicular = 1e-6;
     const bool is_tilted = std::hypot(d.x(), d.z()) > perpendicular;
     const Vector3d first = is_tilted ? outward(d) : Vector3d::UnitX();

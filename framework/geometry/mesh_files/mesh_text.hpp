@@ -14,7 +14,8 @@ namespace rigor {
 /// @param end  words to show for an empty token, which stands for the end of a line or text
 std::string quoted(std::string_view token, const char* end);
 
-/// Reads the whole token as a number, with or without a plus sign. Returns whether it is a number.
+/// Reads the whole token as a number, which may begin with a plus sign. Returns whether the token
+/// is such a number.
 template <class Number> bool parse(std::string_view token, Number& number)
 {
     if (!token.empty() && token[0] == '+') token.remove_prefix(1);

@@ -44,7 +44,8 @@ private:
         read_.mesh.vertices.push_back(read_coordinates(words, line_));
     }
 
-    // The index of a vertex, counted from 0, for "7", "7/1", "7//2" or "-1/-1/-1".
+    // The index of a vertex, counted from 0, for "7", "7/1", "7//2" or "-1/-1/-1": only the first
+    // number counts, and -1 is the last vertex so far.
     int vertex_index(std::string_view word) const
     {
         const int count = static_cast<int>(read_.mesh.vertices.size());

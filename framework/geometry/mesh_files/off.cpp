@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Reads an OFF file line by line: the header, the numbers of vertices and faces, and then as many
-// lines of each. Last, vertices that no face uses are removed.
+// Reads an OFF file line by line: the header, the numbers of vertices and faces, then a line for
+// each vertex and a line for each face. Last, vertices that no face uses are removed.
 #include "geometry/mesh_files/off.hpp"
 
 #include "geometry/mesh_files/mesh_text.hpp"

@@ -154,7 +154,8 @@ private:
         }
     }
 
-    // Reads the rest of an element, after its kind. Elements that are not tetrahedra are skipped.
+    // Reads the rest of an element, after its kind. Curved tetrahedra are refused, and elements
+    // that are not tetrahedra are skipped.
     void element(long long kind)
     {
         constexpr long long linear = 4, curved[] = {11, 29, 30, 31};

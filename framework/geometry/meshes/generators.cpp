@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Builds triangle meshes of simple solids, as surfaces of revolution, as extrusions, or vertex by
 // vertex. Outlines are divided into triangles by clipping ears (Meisters 1975, "Polygons have
-// ears"). Each generator adds its vertices first, and then its triangles, as indices of vertices.
+// ears").
 #include "geometry/meshes/generators.hpp"
 
 #include <algorithm>
@@ -33,9 +33,10 @@ bool is_inside(const PlanePoint& p, const PlanePoint& a, const PlanePoint& b, co
     return turn(a, b, p) >= 0 && turn(b, c, p) >= 0 && turn(c, a, p) >= 0;
 }
 
-// The triangles of a simple polygon, found by clipping one ear after the other. An ear is a
-// triangle of three successive corners with no other corner inside. The next ear is always the one
-// with the largest ratio of its area to the squared length of its new edge, which avoids slivers.
+// The triangles of a simple counter-clockwise polygon, found by clipping one ear after the other.
+// An ear is a counter-clockwise triangle of three successive corners with no other corner inside.
+// The next ear is always the one with the largest ratio of its area to the squared length of its
+// new edge, which avoids slivers.
 std::vector<std::array<int, 3>> triangulated(const std::vector<PlanePoint>& polygon)
 {
     std::vector<int> rest(polygon.size());
@@ -181,7 +182,8 @@ TriangleMesh cross_mesh(double length, double width)
     for (int axis = 0; axis < 3; ++axis)
         for (const int side : {0, 1}) {
             const int u = 1 << (axis + 1) % 3, v = 1 << (axis + 2) % 3, w = side << axis;
-            std::array<int, 4> root = {w, w | u, w | u | v, w | v}; // counter-clockwise from +axis
+            // The cube's corners where the bar begins, counter-clockwise seen from the bar's tip.
+            std::array<int, 4> root = {w, w | u, w | u | v, w | v};
             if (side == 0) std::swap(root[1], root[3]);
             const int first = static_cast<int>(mesh.vertices.size());
             for (const int corner : root) {

@@ -25,7 +25,7 @@ TriangleMesh surface_of_revolution(const std::vector<PlanePoint>& profile, int s
 /// @param outline  (x, y), counter-clockwise seen from +z, without self-intersections
 TriangleMesh extruded(const std::vector<PlanePoint>& outline, double thickness);
 
-/// A box of twelve triangles about the origin.
+/// A box of twelve triangles, centered at the origin.
 TriangleMesh box_mesh(const Vector3d& size);
 
 /// A ball: an icosahedron whose triangles are each divided into four, `levels` times. All vertices
@@ -39,7 +39,7 @@ TriangleMesh torus_mesh(double radius, double tube, int sides, int tube_sides);
 /// A ring whose cross-section is a rectangle.
 TriangleMesh ring_mesh(double inner_radius, double outer_radius, double height, int sides);
 
-/// Three square bars along x, y and z, joined in the middle.
+/// Three bars of square cross-section along x, y and z, which cross at the origin.
 ///
 /// @param length, width  length and width of each bar, width < length
 TriangleMesh cross_mesh(double length, double width);

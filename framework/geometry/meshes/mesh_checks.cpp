@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Checks that a triangle mesh is the surface of a solid. Edges are matched as half-edges,
-// intersections are found with a bounding tree, and pieces are told apart by winding numbers, from
-// solid angles (van Oosterom and Strackee 1983, "The solid angle of a plane triangle"). The cheap
-// checks come first, because the later ones rely on what they have established.
+// Checks that a triangle mesh is the surface of a solid. Edges are matched as half-edges, and
+// intersections are found with a bounding tree. Whether a piece lies inside another is found by
+// winding numbers, which are computed from solid angles (van Oosterom and Strackee 1983, "The solid
+// angle of a plane triangle"). Each check relies on the checks before it.
 #include "geometry/meshes/mesh_checks.hpp"
 
 #include "geometry/meshes/mesh_edges.hpp"
@@ -23,7 +23,8 @@ namespace {
 constexpr double least_area = 1e-12;
 
 // A mesh has no volume if its volume, divided by the cube of the longest side of its bounds, is at
-// most this: such a volume is a rounding error.
+// most this: such a volume is a rounding error. The same number, times the cube of the longer of
+// edge and face, is the tolerance of `pierces`.
 constexpr double least_volume = 1e-12;
 
 // Two unit normals count as opposite if the length of their sum is below this.

@@ -10,8 +10,8 @@
 
 namespace rigor {
 
-/// Coordinates in mesh files above this limit [m] are refused, so that volumes and products of
-/// volumes do not overflow.
+/// Coordinates in mesh files with an absolute value above this limit [m] are refused, so that
+/// volumes and products of volumes do not overflow.
 inline constexpr double largest_coordinate = 1e12;
 
 /// Larger meshes are refused: the limits bound run time and memory.
@@ -23,9 +23,9 @@ double signed_volume(const TriangleMesh& mesh);
 
 /// Refuses a mesh that is not the surface of a solid. It must have triangles, and not too many. The
 /// vertices of faces must exist and be finite, and each face must have an area. Each edge must have
-/// two faces, which pass it in opposite directions. Faces must be counter-clockwise seen from
-/// outside, and the surface must not intersect itself. A closed piece of surface inside another
-/// piece must be the wall of a hollow. At most 64 pieces are allowed.
+/// two faces, which traverse the edge in opposite directions. Faces must be counter-clockwise seen
+/// from outside, and the surface must not intersect itself. A closed piece of surface inside
+/// another piece must be the wall of a hollow. At most 64 pieces are allowed.
 ///
 /// @param lines  for each triangle, its line in the text of the mesh, which the error names; empty
 ///               if the mesh has no text

@@ -45,8 +45,8 @@ std::vector<MeshEdge> mesh_edges(const TriangleMesh& mesh, const std::vector<Vec
 double facet_angle(const TriangleMesh& mesh)
 {
     // The angle is between the normals of two faces. Below `flat` the faces lie in one plane, up to
-    // rounding; above `largest` the mesh has a real edge there, and not a round surface. A wheel
-    // with nine sides bends by 40 degrees at each edge, which is just below `largest`.
+    // rounding; above `largest` they meet at a real edge of the body and do not approximate a round
+    // surface. A wheel with nine sides bends by 40 degrees at each edge, just below `largest`.
     constexpr double flat = 1e-6, largest = 0.7; // [rad]
     const std::vector<Vector3d> normals = triangle_normals(mesh);
     double angle = 0;

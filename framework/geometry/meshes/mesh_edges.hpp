@@ -11,7 +11,7 @@ namespace rigor {
 /// A half-edge: an edge as a side of one triangle.
 struct HalfEdge {
     int low = 0, high = 0; // its vertices, low < high
-    bool is_upward = true; // whether its triangle runs along it from `low` to `high`
+    bool is_upward = true; // whether `low` is followed by `high` in the order of the triangle
     int triangle = 0;
 
     bool same_edge(const HalfEdge& other) const { return low == other.low && high == other.high; }
@@ -24,7 +24,7 @@ std::vector<HalfEdge> sorted_half_edges(const TriangleMesh& mesh);
 /// An edge of a closed mesh, with the triangles on both sides.
 struct MeshEdge {
     int from = 0, to = 0;    // vertices
-    int left = 0, right = 0; // triangles; the left one runs along the edge from `from` to `to`
+    int left = 0, right = 0; // triangles; in the order of the left one, `to` follows `from`
     double bend = 0;         // sine of the angle between the normals, > 0 at a convex edge
 };
 
@@ -33,8 +33,8 @@ struct MeshEdge {
 std::vector<MeshEdge> mesh_edges(const TriangleMesh& mesh, const std::vector<Vector3d>& normals);
 
 /// The largest angle between the normals of two facets that share an edge, in a closed mesh that
-/// approximates a round surface [rad]. Only convex edges with an angle of at most 40 degrees count.
-/// The result is 0 if there are none.
+/// approximates a round surface [rad]. Only convex edges with an angle below 0.7 rad (40 degrees)
+/// count, because a larger angle is a real edge of the body. The result is 0 if there are none.
 double facet_angle(const TriangleMesh& mesh);
 
 /// Unit normal of each triangle.

@@ -20,9 +20,9 @@ namespace {
 // the facets of a round surface meet in such edges.
 constexpr double sharp = 0.17;
 
-// Unit vectors count as equal if the length of their difference is below this, and as orthogonal if
-// their dot product is below it. The value is far above the rounding of normals and, in radians,
-// far below the angle of any edge that matters.
+// Unit vectors count as equal if the length of their difference is below this. The angle between
+// them counts as acute if their dot product is above this. The value is far above the rounding of
+// normals and, in radians, far below the angle of any edge that matters.
 constexpr double same = 1e-6;
 
 // A triangle is a sliver if its height is below this fraction of its longest side. It gets no point

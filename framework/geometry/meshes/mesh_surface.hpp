@@ -23,10 +23,11 @@ struct SharpEdge {
 };
 
 /// The sample points and the sharp edges of a surface. Points lie on all vertices, along convex
-/// edges at most one spacing apart, and in rows on faces about two spacings apart. Sharp edges are
-/// convex edges at which the normals of the faces differ by more than about ten degrees. Points and
-/// edges have a bounding tree each. Concave edges have no points along them, because another body
-/// always touches another part of the surface first.
+/// edges at most one spacing apart, and in rows on faces at most two spacings apart. A short edge
+/// or a small face has a point in its middle if its vertices cannot be touched, as in a round hole.
+/// Sharp edges are convex edges at which the normals of the faces differ by more than about ten
+/// degrees. Points and edges have a bounding tree each. Concave edges have no points along them,
+/// because another body always touches another part of the surface first.
 class MeshSurface {
 public:
     /// @param spacing  largest distance of neighbouring points on an edge, > 0 [m]

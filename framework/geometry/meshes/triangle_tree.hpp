@@ -11,7 +11,7 @@ namespace rigor {
 /// distance.
 class TriangleTree {
 public:
-    /// @param mesh  a mesh that lives longer than the tree, which refers to it
+    /// @param mesh  must live longer than the tree, which keeps only a reference to the mesh
     explicit TriangleTree(const TriangleMesh& mesh);
 
     /// The nearest point of one triangle, and the index of the triangle.
@@ -27,7 +27,8 @@ public:
 
     /// The local minima of the distance to p that are below `within` [m], each once, the nearest
     /// first. Each triangle contributes its point nearest to p, unless this point lies on a vertex
-    /// or edge of another triangle with a point nearer to p.
+    /// or edge of another triangle that has a point nearer to p. A point that several triangles
+    /// contribute counts once.
     std::vector<Found> local_minima(const Vector3d& p, double within) const;
 
     const BoundingTree& tree() const { return tree_; }

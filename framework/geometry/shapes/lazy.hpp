@@ -10,7 +10,8 @@ namespace rigor {
 /// ask meanwhile wait.
 template <class T> class Lazy {
 public:
-    /// @param make  function that computes the value and returns it as a std::unique_ptr<T>
+    /// @param make  function that computes the value and returns it as a std::unique_ptr<T>; only
+    ///              the first call of `get` calls it
     template <class Make> const T& get(const Make& make) const
     {
         std::call_once(flag_, [&] { value_ = make(); });

@@ -57,7 +57,7 @@ struct Mesh {
     std::shared_ptr<const SolidMesh> solid; // never null
 };
 
-/// The half-space y ≤ 0. Only static bodies have this shape.
+/// The half-space y ≤ 0. Only static bodies that are not driven have this shape.
 struct Plane {};
 
 using Shape = std::variant<Sphere, Capsule, Torus, Box, Cylinder, Cone, Ellipsoid, Mesh, Plane>;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Computes the bounding box of each shape at a pose, from its half extents along the axes of the
-// outer frame, and the radius of a ball that contains the shape. Both are visitors with one
-// function for each shape.
+// outer frame, and the radius of a ball that contains the shape. Each of the two is computed by a
+// visitor, which has one function for each shape.
 #include "geometry/shapes/shape_bounds.hpp"
 
 #include "geometry/shapes/solid_mesh.hpp"

@@ -38,19 +38,21 @@ public:
     const TriangleMesh& mesh() const { return mesh_; }
     const std::string& name() const { return name_; }
     const Bounds& bounds() const { return bounds_; }
-    /// The bounding ball. Its center is the middle of the bounds; its radius is in metres.
+    /// A ball that contains the mesh: its center is the middle of the bounds, and its radius the
+    /// distance from there to the farthest vertex [m].
     Vector3d center() const { return (bounds_.low + bounds_.high) / 2; }
     double radius() const { return radius_; }
     double volume() const { return volume_; } // [m³]
 
     /// Whether the mesh is convex and has few enough vertices for a hull (`is_hull` in
-    /// convex/hull.hpp). Contacts of such meshes use the hull, and rarely need the level set.
+    /// convex/hull.hpp). Contacts of such a mesh with a box, cylinder, cone, ellipsoid or another
+    /// such mesh use the hull instead of the level set.
     bool is_convex() const { return is_convex_; }
     /// The hull of the mesh. Call it only if `is_convex()`: for another mesh the hull is wrong.
     const Hull& hull() const;
 
-    /// `facet_angle` (meshes/mesh_edges.hpp): the largest angle between the normals of two
-    /// neighbouring facets of a round surface [rad].
+    /// The largest angle between the normals of two neighbouring facets of a round surface [rad];
+    /// 0 if the mesh has no round surface (`facet_angle` in meshes/mesh_edges.hpp).
     double facet_angle() const;
 
     /// Sample points and sharp edges of the surface, with one cell of the level set as `spacing`.
@@ -59,7 +61,7 @@ public:
     /// A bounding tree of the mesh's triangles.
     const TriangleTree& triangles() const;
 
-    /// Signed distances on a grid.
+    /// The signed distances to the mesh on a grid (level_sets/level_set.hpp).
     /// @param made  function that is called just before the distances are computed. Only the first
     ///              call of `level_set` computes them.
     template <class Made> const LevelSet& level_set(const Made& made) const

@@ -32,7 +32,7 @@ double tetrahedron_volume(const TetrahedralMesh& mesh, int tetrahedron);
 struct SortedFace {
     std::array<int, 3> vertices;
     bool is_even; // whether `vertices` is an even permutation of the counter-clockwise order
-    int tetrahedron, face;
+    int tetrahedron, face; // indices; `face` is from 0 to 3, as in `tetrahedron_faces`
 };
 
 /// All faces of all tetrahedra, sorted so that faces with the same vertices are neighbours.

@@ -18,7 +18,8 @@ namespace rigor {
 TetrahedralMesh block_tetrahedra(const Vector3d& size, const std::array<int, 3>& cells);
 
 /// A block with a notch in the middle of its upper side. The notch runs through the whole block
-/// along z.
+/// along z. If an odd number of cells remains beside it along x, the notch is half a cell off the
+/// middle, towards -x.
 ///
 /// @param notch  size of the notch in cells: along x, and from the top down along y; each less
 ///               than the number in `cells` along that axis

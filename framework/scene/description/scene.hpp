@@ -51,9 +51,9 @@ struct BodyDescription {
     std::optional<Matrix3d> inertia;
     MassMethod mass_method = MassMethod::exact;
     // For `samples` the number of random points, for `grid` and `particles` the number of cells
-    // along the longest edge; 0: the default.
+    // along the longest edge of the bounding box; 0: the default of approximate_mass.cpp.
     int mass_samples = 0;
-    Vector3d position = Vector3d::Zero(); // position of the frame's origin [m]
+    Vector3d position = Vector3d::Zero(); // the frame's origin in world space [m]
     Quaternion orientation;
     Vector3d velocity = Vector3d::Zero();         // velocity of the center of mass [m/s]
     Vector3d angular_velocity = Vector3d::Zero(); // world space [rad/s]
@@ -70,7 +70,7 @@ struct SolidDescription {
     FractureMethod fracture_method = FractureMethod::faces;
     YieldTest yield_test = YieldTest::strain;
     FlowTime flow_time = FlowTime::in_step;
-    Vector3d position = Vector3d::Zero(); // position of the frame's origin [m]
+    Vector3d position = Vector3d::Zero(); // the frame's origin in world space [m]
     Quaternion orientation;
     Vector3d velocity = Vector3d::Zero();         // velocity of the center of mass [m/s]
     Vector3d angular_velocity = Vector3d::Zero(); // world space [rad/s]
@@ -106,7 +106,7 @@ inline Settings settings_on_earth()
 }
 
 struct Scene {
-    std::string name;        // name of the file, without its ending
+    std::string name;        // name of the file, without `.json`
     std::string description; // one sentence about what there is to see
     std::string text;        // text of the file, with the texts of its mesh files added
     std::vector<BodyDescription> bodies;
@@ -114,7 +114,7 @@ struct Scene {
     std::vector<Spring> springs;             // points in the frame of their body, or in the world
     std::vector<AppliedForce> forces;        // points in the bodies' frames, but see `world_forces`
     std::vector<int> world_forces;           // indices of `forces` with points in world space
-    std::vector<PairLaw> pairs;              // for pairs of bodies, sorted by the indices
+    std::vector<PairLaw> pairs;              // for pairs of bodies, sorted by the bodies' indices
     Settings settings = settings_on_earth(); // the settings of the world
     double time_step = 0.01;                 // [s]
     double end = 1;                          // [s]

@@ -219,7 +219,7 @@ void read_mass(BodyDraft& draft)
         part.density = total > 0 ? mass / total : part.density;
 }
 
-// Reads the number of samples, which only some methods use.
+// Reads the number of samples. Refuses it beside a method that uses no samples.
 void read_mass_samples(BodyDraft& draft)
 {
     if (!draft.samples) return;
@@ -233,7 +233,8 @@ void read_mass_samples(BodyDraft& draft)
         integer(*draft.samples, "a number of samples", 1, is_random ? 1'000'000 : 100));
 }
 
-// Refuses a body whose mass the method of the key "mass_by" cannot compute.
+// Refuses the key "mass_by" where its method cannot compute the mass, and where no mass is to be
+// computed: beside "inertia", and for a body that is static or driven.
 void check_mass_method(const BodyDraft& draft)
 {
     const BodyDescription& body = draft.body;
@@ -288,7 +289,8 @@ void read_driven(BodyDraft& draft)
     body.is_static = true;
 }
 
-// Reads the only axis about which the body may turn, if any. Refuses an initial angular velocity
+// Reads the keys "turns_about" and "turns": the only axis about which the body can turn, or the
+// zero vector if it never turns. Refuses "filmed" beside them, and an initial angular velocity
 // about another axis.
 void read_turning(BodyDraft& draft)
 {

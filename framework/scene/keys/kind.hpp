@@ -22,8 +22,8 @@ T read_kind(const Value& value, Keys<T> keys, std::initializer_list<std::string_
     return kind;
 }
 
-/// Refuses a length that is not less than `limit`, which is computed from another length of the
-/// same object.
+/// Refuses the length under `key` if it is not less than `limit` [m], which the caller computes
+/// from another length of the object.
 inline void less(const Value& object, std::string_view key, double limit)
 {
     const Value& value = *find(object, key);

@@ -24,7 +24,8 @@ namespace rigor {
 
 namespace {
 
-// Longer files and runs are refused: the limits bound memory and run time.
+// Files of more bytes and runs of more time steps are refused: the limits bound memory and run
+// time.
 constexpr std::uintmax_t most_bytes = 16'000'000;
 constexpr double most_steps = 10'000'000;
 

@@ -12,7 +12,8 @@ namespace {
 
 using SharedTetrahedra = std::shared_ptr<const TetrahedralMesh>;
 
-// The values of the keys of a mesh made of equal boxes, `cells`. Only a notched plate has a notch.
+// The values of the keys of a mesh that consists of equal boxes, the `cells`. Only a notched plate
+// uses `notch`.
 struct BlockDraft {
     Vector3d size = Vector3d::Zero();
     std::array<int, 3> cells = {1, 1, 1};

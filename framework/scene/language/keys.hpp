@@ -12,7 +12,8 @@
 
 namespace rigor {
 
-/// A row of a table: a key of a JSON object whose values are read into a T.
+/// A row of a table: a key of a JSON object that is read into a T. `read` stores the value of this
+/// key in the T.
 template <class T> struct Key {
     std::string_view name;
     std::string_view meaning; // as documented in assignments/scenes.md

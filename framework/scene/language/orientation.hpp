@@ -7,7 +7,8 @@
 namespace rigor {
 
 /// Reads an orientation: {"axis": …, "degrees": …}, {"quaternion": [s, x, y, z]} or
-/// {"euler_degrees": [roll, pitch, yaw]}.
+/// {"euler_degrees": [roll, pitch, yaw]}, which are rotations about the fixed axes x, y and z, in
+/// this order.
 /// @throws Mistake
 Quaternion orientation(const Value& value);
 

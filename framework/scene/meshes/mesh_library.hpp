@@ -27,7 +27,8 @@ public:
     /// surface, see geometry/meshes/terrain.hpp.
     /// @param file   the value in the scene that holds the file name
     /// @param depth  [m]; 0: the surface in the file is closed
-    /// @param cells  number of cells along the longest side of the level set; 0: chosen by the mesh
+    /// @param cells  number of cells of the level set along the longest side of the mesh's bounds;
+    ///               0: `suggested_cells` (geometry/level_sets/level_set.hpp)
     /// @throws Mistake
     SharedMesh from_file(const Value& file, const Vector3d& scale, double depth, int cells);
 

@@ -30,7 +30,9 @@ constexpr std::uintmax_t most_mesh_bytes = 64'000'000, most_scene_bytes = 16'000
 struct NamedFile {
     const Value* name;
     bool is_solid; // whether it is a mesh of tetrahedra
-    bool is_open;  // whether the scene gives a depth: then `MeshLibrary::from_file` checks the mesh
+    // Whether the scene gives a depth. Then the surface is open, and the mesh is checked later,
+    // when `MeshLibrary::from_file` has closed it.
+    bool is_open;
 };
 
 // Collects the names of mesh files, {"mesh": {"file": …}}, in a value and in all values inside it.
@@ -44,8 +46,8 @@ void find_files(const Value& value, bool in_solids, std::vector<NamedFile>& file
     }
 }
 
-// Checks a mesh and writes it again as a short text, which has only its vertices and its triangles
-// or tetrahedra.
+// Checks a mesh, unless its surface is open, and writes it again as a short text, which has only
+// its vertices and its triangles or tetrahedra.
 std::string checked_text(std::string_view text, const NamedFile& file)
 {
     if (file.is_solid) {

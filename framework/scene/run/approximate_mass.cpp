@@ -75,7 +75,7 @@ MassProperties by_random_points(const std::vector<Part>& parts, int count)
 {
     const Bounds bounds = whole_bounds(parts);
     const Vector3d extent = bounds.high - bounds.low;
-    std::mt19937_64 random(1); // same samples in each run: the C++ standard defines its numbers
+    std::mt19937_64 random(1); // same numbers in each run: the C++ standard defines them
     const auto share = [&] { return static_cast<double>(random() >> 11) * 0x1p-53; }; // 0 … 1
     std::vector<DensitySample> samples;
     for (int i = 0; i < count; ++i) {

@@ -36,7 +36,7 @@ private:
     std::map<const SolidMesh*, std::shared_ptr<const SolidMesh>> own_;
 };
 
-// Makes a deformable solid at its position. It starts with the velocities of a rigid body.
+// Makes a deformable solid at its position. Its nodes start with the velocities of a rigid body.
 Deformable make_solid(const SolidDescription& described)
 {
     Deformable solid = make_deformable(described.name, *described.mesh, described.material,
@@ -143,7 +143,7 @@ RecordedWorld make_recorded_world(const Scene& scene, const RunSettings& setting
         made.bodies.push_back({body.is_static, body.mass, center, body.inertia});
     }
     // Moves a point from a body's frame of the scene file to object space, whose origin is the
-    // center of mass.
+    // center of mass. A point that is fixed in the world (body -1) stays.
     const auto shift = [&](int body, Vector3d& point) {
         if (body >= 0) point -= made.bodies[static_cast<std::size_t>(body)].center_of_mass;
     };

@@ -14,8 +14,9 @@ struct RunSettings {
     int threads = 1;
 };
 
-/// The rigid bodies of a scene. Formulas of topic `inertia` are called for the bodies that move,
-/// and the formula `angular_velocity` for those with the key "filmed".
+/// The rigid bodies of a scene. Formulas of topic `inertia` are called for the bodies that are
+/// neither static nor driven, the formula `angular_velocity` for bodies with the key "filmed", and
+/// the formula `object_point` for forces with the key "world_point".
 World make_world(const Scene& scene, const RunSettings& settings = {});
 
 /// The rigid bodies and the deformable solids of a scene.

@@ -14,8 +14,8 @@ namespace rigor {
 
 namespace {
 
-// Does the time step with this number, counted from 1. Time is computed from the number of steps,
-// so that rounding errors do not accumulate.
+// Does the time step with this number, counted from 1. The times at its start and end are computed
+// from the number, so that rounding errors do not accumulate.
 std::vector<ContactRecord> step_to(DeformableWorld& world, const Scene& scene, std::int64_t number)
 {
     double& time = world.rigid.time;

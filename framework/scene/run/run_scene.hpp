@@ -21,8 +21,9 @@ void run_scene(const Scene& scene, Record record, const ByteSink& write,
 /// A time [s] and the states of all bodies at that time.
 using Moment = std::pair<double, std::vector<RigidState>>;
 
-/// For each moment of `starts`, the states after `steps` time steps. Deformable solids are in
-/// their initial state at each of these moments.
+/// For each moment of `starts`, the states after `steps` time steps. At each of these moments all
+/// bodies are awake, nothing is known of earlier contacts, and deformable solids are in their
+/// initial state.
 /// @param starts  each time is a multiple of the time step, and each moment has a state for every
 ///     body
 std::vector<std::vector<RigidState>> advance(const Scene& scene, const std::vector<Moment>& starts,

@@ -24,8 +24,8 @@
 namespace rigor {
 
 /// FNV-1a with 64 bits (Fowler, Noll and Vo) over the bodies and frames of a trajectory. Mass,
-/// inertia, states, contacts and deformable solids are part of it; names and the text of the scene
-/// are not.
+/// inertia, states, contacts and deformable solids are hashed; names, the text of the scene and the
+/// counters are not.
 class MotionHash {
 public:
     void take(const std::vector<RecordedBody>& bodies);

@@ -10,8 +10,9 @@
 namespace rigor {
 
 /// Reads the bytes of a trajectory as they arrive, in chunks of any size, and calls a handler for
-/// each complete record. The bytes are not trusted: every count is checked before it is used, and a
-/// number that is infinite or NaN is an error. After an error, the reader accepts no more bytes.
+/// the header and for each complete record. The bytes are not trusted: every count is checked
+/// before it is used, and a number that is infinite or NaN is an error. After an error, the reader
+/// accepts no more bytes.
 class TrajectoryReader {
 public:
     struct Handlers {

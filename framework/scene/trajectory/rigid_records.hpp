@@ -14,8 +14,8 @@ namespace rigor {
 constexpr std::size_t body_bytes = 1 + 13 * sizeof(double), state_bytes = 13 * sizeof(double),
                       contact_bytes = 2 * sizeof(std::int32_t) + 10 * sizeof(double);
 
-/// Reads a body in the header of a trajectory. @throws InputError if the body is static here
-/// but not in the scene, or the reverse, or if a number is not finite
+/// Reads a body in the header of a trajectory. @throws InputError if the body is static in the
+/// trajectory but not in the scene, or the reverse, or if a number is not finite
 RecordedBody read_recorded_body(ByteCursor& bytes, const BodyDescription& described);
 
 /// Reads the state of a body. @throws InputError if a number is not finite

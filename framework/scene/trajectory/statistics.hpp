@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Energy, momentum and penetration along a trajectory. They are computed by the framework itself,
-// without formulas of the assignments, so that the error of a wrong formula stays visible.
+// Energy, momentum and penetration along a trajectory. They are computed from the recorded states
+// without formulas of the assignments, so that the error of a wrong formula stays visible. The
+// totals of a deformable solid are taken from the trajectory; its elastic energy there was computed
+// with the formula `isotropic_stress`.
 #pragma once
 
 #include "deformable/elasticity/totals.hpp"

@@ -39,7 +39,7 @@
 namespace rigor {
 
 /// The mesh of a deformable solid, as far as it is needed for drawing. It changes only when the
-/// solid cracks.
+/// solid cracks or when elements that stay inverted are separated from it.
 struct SolidTopology {
     std::size_t nodes = 0;
     std::vector<std::array<int, 4>> elements; // the nodes of each element
@@ -70,7 +70,7 @@ struct Frame {
 /// Mass and inertia of a body, as computed by the process that runs the scene (the worker).
 struct RecordedBody {
     bool is_static = false;
-    double mass = 0;                            // [kg]
+    double mass = 0;                            // [kg], 0 if static
     Vector3d center_of_mass = Vector3d::Zero(); // in the body's frame of the scene file [m]
     Matrix3d inertia = Matrix3d::Zero();        // I_body [kg m²]
 };
