@@ -18,7 +18,8 @@ std::string quoted(std::string_view token, const char* end);
 /// is such a number.
 template <class Number> bool parse(std::string_view token, Number& number)
 {
-    if (!token.empty() && token[0] == '+') token.remove_prefix(1);
+    // std::from_chars takes a minus, but no plus.
+    if (token.starts_with('+') && !token.starts_with("+-")) token.remove_prefix(1);
     const auto [end, error] = std::from_chars(token.data(), token.data() + token.size(), number);
     return error == std::errc() && end == token.data() + token.size();
 }

@@ -12,6 +12,18 @@
 
 namespace rigor {
 
+namespace {
+
+// A mistake in the text of a mesh, which is on this line of the scene. A line 0 of the text means
+// that no single one is wrong.
+Mistake mistake_in(const std::string& mesh, int line, const MeshError& error)
+{
+    const std::string place = error.line > 0 ? fmt::format(":{}", error.line) : "";
+    return {line, fmt::format("{}{}: {}", in_quotes(mesh), place, error.what())};
+}
+
+} // namespace
+
 void MeshLibrary::read_texts(const Value& value)
 {
     constexpr std::string_view what = "texts of meshes by name {\"ring.obj\": \"v 0 0 0 …\"}";
@@ -51,8 +63,7 @@ SharedMesh MeshLibrary::from_file(const Value& file, const Vector3d& scale, doub
         check_mesh(read.mesh, read.lines);
         mesh = std::make_shared<SolidMesh>(std::move(read.mesh), name, cells);
     } catch (const MeshError& error) {
-        throw Mistake{text.line,
-                      fmt::format("{}:{}: {}", in_quotes(name), error.line, error.what())};
+        throw mistake_in(name, text.line, error);
     }
     return mesh;
 }
@@ -68,8 +79,7 @@ std::shared_ptr<const TetrahedralMesh> MeshLibrary::tetrahedra(const Value& file
         check_mesh(read.mesh, read.lines);
         return std::make_shared<TetrahedralMesh>(std::move(read.mesh));
     } catch (const MeshError& error) {
-        throw Mistake{text.line,
-                      fmt::format("{}:{}: {}", in_quotes(file.text), error.line, error.what())};
+        throw mistake_in(file.text, text.line, error);
     }
 }
 

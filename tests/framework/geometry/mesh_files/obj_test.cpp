@@ -24,6 +24,14 @@ const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 
 } // namespace
 
+TEST_CASE("obj: a number has one sign", "[geometry]")
+{
+    REQUIRE(read_obj("v +1 -2 +3e+1\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").mesh.vertices.at(0) ==
+            Vector3d(1, -2, 30));
+    for (const char* number : {"+-1", "-+1", "++1", "--1", "+", "-"})
+        CHECK(refusal(std::string("v 0 0 ") + number + "\n") != "accepted");
+}
+
 TEST_CASE("obj: every way to write a face names the same vertices", "[geometry]")
 {
     const std::vector<std::array<int, 3>> fan = {{0, 1, 2}, {0, 2, 3}};
