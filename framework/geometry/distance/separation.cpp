@@ -34,8 +34,8 @@ constexpr double gjk_tolerance = 1e-12;
 // A distance found by GJK is used only if it is above this. At a smaller distance, the direction
 // between the nearest points is mostly a rounding error.
 constexpr double least_distance = 1e-6;
-// After `push_out` has moved the shapes apart by a margin, their distance is used only if it is
-// above this.
+// After `push_out` has moved the shapes apart, GJK's normal and nearest points are used only if the
+// distance is above this. It is at least the margin, so that only rounding can bring it below.
 constexpr double least_gjk_length = 1e-9;
 // The shapes count as touching if the origin is nearer to the simplex of GJK than this.
 constexpr double inside_tolerance = 1e-12;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// OpenGL 3.3 core. No loader is needed, since the library that a module links has the symbols.
+// OpenGL 3.3 core. No loader of its functions is needed: the library that a drawing module links
+// (renderer.hpp), libOSMesa or libOpenGL, exports them.
 #pragma once
 
 #define GL_GLEXT_PROTOTYPES
