@@ -77,7 +77,7 @@ void require_sums(Sum sum, const std::vector<T>& elements, const Formula& formul
 }
 
 const Wrench no_wrench = {Vector3d::Zero(), Vector3d::Zero()};
-const Vector3d X(0.1, -0.2, 0.3);
+const Vector3d center(0.1, -0.2, 0.3);
 
 } // namespace
 
@@ -86,7 +86,7 @@ TEST_CASE("kinematics: the generalized mass is a sum over any number of particle
 {
     require_sums(
         Matrix6d::Zero().eval(), some_particles(),
-        [](const std::vector<Particle>& particles) { return generalized_mass(particles, X); },
+        [](const std::vector<Particle>& particles) { return generalized_mass(particles, center); },
         [](const Particle& particle) { return 8 * particle.mass; }); // distances are less than 2 m
 }
 
@@ -97,7 +97,8 @@ TEST_CASE("kinematics: a wrench is a sum over any number of forces", "[A1.8][kin
         forces.push_back(
             {particle.mass * Vector3d(1, particle.position.z(), -2), particle.position});
     require_sums(
-        no_wrench, forces, [](const std::vector<PointForce>& some) { return net_wrench(some, X); },
+        no_wrench, forces,
+        [](const std::vector<PointForce>& some) { return net_wrench(some, center); },
         [](const PointForce& force) { return 4 * force.force.norm(); }); // levers of less than 2 m
 }
 
@@ -108,7 +109,7 @@ TEST_CASE("kinematics: inertial forces are a sum over any number of particles",
     require_sums(
         no_wrench, some_particles(),
         [&](const std::vector<Particle>& particles) {
-            return inertial_wrench(particles, X, V, omega);
+            return inertial_wrench(particles, center, V, omega);
         },
         [](const Particle& particle) {
             return 100 * particle.mass; // distances × speeds × |ω|
