@@ -210,8 +210,8 @@ TEST_CASE("contact: a bounce of nodes gives a solid no energy however long its s
 TEST_CASE("contact: a body that only a solid carries does not sink into it", "[deformable]")
 {
     for (const NodeIntegrator integrator : integrators)
-        for (const double density : {100.0, 1000.0, 4000.0})
-            for (const double h : {1.0 / 30, 1.0 / 60, 1.0 / 240, 1.0 / 1000}) {
+        for (const double density : {100.0, 4000.0})
+            for (const double h : {1.0 / 30, 1.0 / 60, 1.0 / 240}) {
                 CAPTURE(integrator, density, h);
                 DeformableWorld world = block_above_floor(integrator, 0);
                 RigidBody box;
@@ -220,7 +220,7 @@ TEST_CASE("contact: a body that only a solid carries does not sink into it", "[d
                 set_mass_from_parts(box);
                 box.state.position = {0, 0.25, 0};
                 world.rigid.bodies.push_back(box);
-                run(world, h, static_cast<int>(4 / h));
+                run(world, h, static_cast<int>(3 / h));
                 // Nine nodes are below the box, and some of them carry it.
                 double top = 0;
                 for (const Vector3d& x : world.solids[0].positions)
