@@ -58,7 +58,7 @@ void print(const std::vector<Difference>& differences)
 }
 
 // Prints how the differences grow: the largest difference of each quantity at equal intervals from
-// the frame with index `first` on, at most at 18 moments. The last frame may be left out.
+// the frame with index `first` on, and in the last frame, at most at 18 moments.
 void print_growth(const Comparison& comparison, const Trajectory& actual, std::size_t first)
 {
     std::vector<const char*> quantities;
