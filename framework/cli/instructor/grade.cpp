@@ -272,9 +272,10 @@ Action declare_grade(Options& options)
     options.option("--out", "DIR", chosen->out,
                    "Folder for the results: empty, new, or that of an earlier run, of which what "
                    "has not changed is kept");
-    options.option("--jobs", "N", chosen->jobs,
-                   "Submissions that are graded at the same time (as many as processors; with "
-                   "Slurm as many as it gives)");
+    options.option(
+        "--jobs", "N", chosen->jobs,
+        "Submissions that are graded at the same time, each on one processor (as many as "
+        "processors; with Slurm as many as it gives)");
     options.option("--engine", "local|slurm", chosen->engine,
                    "Where: on this machine (local), or on the nodes of a Slurm cluster");
     options.option("--chunk", "N", chosen->chunk,

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "grading/class/control.hpp"
 
-#include "grading/class/isolated.hpp"
-
 #include <fmt/format.h>
 #include <fstream>
 
@@ -35,8 +33,9 @@ std::string fault_of_control(const Result& result, bool is_complete)
     return "";
 }
 
-std::string fault_of_controls(const ClassWork& work, const WorkFolders& folders, unsigned jobs,
-                              const std::string& when, const std::function<void()>& on_wait)
+std::string fault_of_controls(const ClassWork& work, const WorkFolders& folders,
+                              const Isolation& how, const std::string& when,
+                              const std::function<void()>& on_wait)
 {
     std::string fault;
     const auto fault_text = [&](std::size_t i) {
@@ -47,7 +46,7 @@ std::string fault_of_controls(const ClassWork& work, const WorkFolders& folders,
         const std::string wrong = ended.text ? *ended.text : "could not be graded: " + ended.fault;
         if (!wrong.empty()) fault = fmt::format("control {}: {} {}", when, what, wrong);
     };
-    run_isolated(work.reference ? 2 : 1, jobs, fault_text, on_done, on_wait);
+    run_isolated(work.reference ? 2 : 1, how, fault_text, on_done, on_wait);
     return fault;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "grading/class/engine.hpp"
+#include "grading/class/isolated.hpp"
 #include "grading/class/work_folders.hpp"
 #include "grading/result.hpp"
 
@@ -19,7 +20,8 @@ std::string fault_of_control(const Result& result, bool is_complete);
 /// submissions.
 /// @param when  for the message: "before the first submission" or "after the last submission"
 /// @return what is wrong with a control; empty if nothing is
-std::string fault_of_controls(const ClassWork& work, const WorkFolders& folders, unsigned jobs,
-                              const std::string& when, const std::function<void()>& on_wait);
+std::string fault_of_controls(const ClassWork& work, const WorkFolders& folders,
+                              const Isolation& how, const std::string& when,
+                              const std::function<void()>& on_wait);
 
 } // namespace rigor

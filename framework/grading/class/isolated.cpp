@@ -3,6 +3,7 @@
 
 #include "errors/input_error.hpp"
 #include "errors/printable.hpp"
+#include "grading/class/processors.hpp"
 
 #include <algorithm>
 #include <array>
@@ -140,44 +141,64 @@ std::string Isolated::fault() const
                        words.empty() ? "" : "; its last words: ", words);
 }
 
-void run_isolated(std::size_t count, unsigned jobs,
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+struct Running {
+    std::size_t index;
+    bool is_second_try;
+    int processor; // from `Processors::take`
+    std::unique_ptr<Isolated> process;
+    Clock::time_point start = Clock::now();
+};
+
+// How a piece of work that has ended, or was ended because it took too long, is reported.
+WorkDone report_of(const Running& ended, bool is_late, std::chrono::duration<double> longest)
+{
+    if (is_late)
+        return {ended.index, {}, fmt::format("it took more than {:.3g} s", longest.count())};
+    const std::optional<std::string> text = ended.process->text();
+    return {ended.index, text, text ? "" : ended.process->fault(), ended.is_second_try};
+}
+
+} // namespace
+
+void run_isolated(std::size_t count, const Isolation& how,
                   const std::function<std::string(std::size_t)>& work,
                   const std::function<void(const WorkDone&)>& on_done,
-                  const std::function<void()>& on_wait, std::chrono::duration<double> longest)
+                  const std::function<void()>& on_wait)
 {
-    using Clock = std::chrono::steady_clock;
-    struct Running {
-        std::size_t index;
-        bool is_second_try;
-        std::unique_ptr<Isolated> process;
-        Clock::time_point start = Clock::now();
-    };
+    Processors processors;
     std::deque<std::pair<std::size_t, bool>> waiting; // index, and whether it is the second try
     for (std::size_t i = 0; i < count; ++i)
         waiting.emplace_back(i, false);
     std::list<Running> running;
+    const auto start_next = [&] {
+        const auto [index, is_second_try] = waiting.front();
+        waiting.pop_front();
+        const int processor = how.on_one_processor ? processors.take() : -1;
+        running.push_back({index, is_second_try, processor,
+                           std::make_unique<Isolated>([&work, processor, i = index] {
+                               keep_to(processor);
+                               return work(i);
+                           })});
+    };
     while (!waiting.empty() || !running.empty()) {
-        while (!waiting.empty() && running.size() < std::max(1u, jobs)) {
-            const auto [index, is_second_try] = waiting.front();
-            waiting.pop_front();
-            running.push_back({index, is_second_try,
-                               std::make_unique<Isolated>([&work, i = index] { return work(i); })});
-        }
+        while (!waiting.empty() && running.size() < std::max(1u, how.jobs))
+            start_next();
         for (auto entry = running.begin(); entry != running.end();) {
             const bool is_late =
-                !entry->process->has_ended() && Clock::now() - entry->start > longest;
+                !entry->process->has_ended() && Clock::now() - entry->start > how.longest;
             if (is_late) entry->process->stop();
             if (!entry->process->has_ended()) {
                 ++entry;
                 continue;
             }
-            const std::optional<std::string> text = entry->process->text();
-            if (is_late)
-                on_done(
-                    {entry->index, {}, fmt::format("it took more than {:.3g} s", longest.count())});
-            else if (text || entry->is_second_try)
-                on_done({entry->index, text, text ? "" : entry->process->fault(),
-                         entry->is_second_try});
+            processors.give_back(entry->processor);
+            const WorkDone done = report_of(*entry, is_late, how.longest);
+            if (done.text || is_late || entry->is_second_try)
+                on_done(done);
             else
                 waiting.emplace_front(entry->index, true);
             entry = running.erase(entry);

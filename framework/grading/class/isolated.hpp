@@ -42,8 +42,14 @@ private:
     bool has_ended_ = false;
 };
 
-/// The value of the parameter `longest` of `run_isolated` for work without a time limit.
-inline constexpr std::chrono::duration<double> no_limit{std::numeric_limits<double>::infinity()};
+/// How `run_isolated` runs its work.
+struct Isolation {
+    unsigned jobs = 1; // how many pieces of work run at the same time
+    /// Whether a piece of work, with all that it starts, keeps to one processor.
+    bool on_one_processor = false;
+    /// Work that takes longer is ended.
+    std::chrono::duration<double> longest{std::numeric_limits<double>::infinity()};
+};
 
 /// How one piece of work ended.
 struct WorkDone {
@@ -53,14 +59,12 @@ struct WorkDone {
     bool was_tried_twice = false;
 };
 
-/// Runs `work(i)` for each `i < count`, up to `jobs` at a time, each in a separate process. Work
-/// that fails is tried once more. Work that takes longer than `longest` is ended, and not tried
-/// again. This process calls `on_done` each time that a piece of work is done, and `on_wait`
-/// repeatedly while it waits.
-void run_isolated(std::size_t count, unsigned jobs,
+/// Runs `work(i)` for each `i < count`, each in a separate process. Work that fails is tried once
+/// more, but not work that took too long. This process calls `on_done` each time that a piece of
+/// work is done, and `on_wait` repeatedly while it waits.
+void run_isolated(std::size_t count, const Isolation& how,
                   const std::function<std::string(std::size_t)>& work,
                   const std::function<void(const WorkDone&)>& on_done,
-                  const std::function<void()>& on_wait = {},
-                  std::chrono::duration<double> longest = no_limit);
+                  const std::function<void()>& on_wait = {});
 
 } // namespace rigor

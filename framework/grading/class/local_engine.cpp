@@ -39,7 +39,7 @@ std::string LocalEngine::grade(const ClassWork& work, const std::vector<std::siz
 {
     const WorkFolders folders(work.out, part_);
     const auto controls = [&](const std::string& when) {
-        return fault_of_controls(work, folders, jobs_, when, [&] { on_wait("controls", ""); });
+        return fault_of_controls(work, folders, isolation_, when, [&] { on_wait("controls", ""); });
     };
     const auto start = std::chrono::steady_clock::now();
     if (std::string fault = controls("before the first submission"); !fault.empty()) return fault;
@@ -55,8 +55,9 @@ std::string LocalEngine::grade(const ClassWork& work, const std::vector<std::siz
         folders.remove(std::to_string(i));
         on_graded(i, files_of(work, work.submissions[i], ended));
     };
-    run_isolated(
-        numbers.size(), jobs_, text_about, on_done, [&] { on_wait("grading", ""); }, longest);
+    Isolation how = isolation_;
+    how.longest = longest;
+    run_isolated(numbers.size(), how, text_about, on_done, [&] { on_wait("grading", ""); });
     return controls("after the last submission");
 }
 

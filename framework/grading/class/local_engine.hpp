@@ -2,10 +2,12 @@
 #pragma once
 
 #include "grading/class/engine.hpp"
+#include "grading/class/isolated.hpp"
 
 namespace rigor {
 
-/// Grades on this machine, each submission in a process of its own.
+/// Grades on this machine, each submission in a process of its own. An engine that grades the whole
+/// run keeps each submission to one processor, so that `jobs` is the number of processors in use.
 class LocalEngine : public Engine {
 public:
     /// @param jobs  how many submissions are graded at the same time
@@ -13,7 +15,8 @@ public:
     ///              parts of one run, each part has another beginning. For a task of Slurm it is
     ///              `<job id>_<restarts>`, where <restarts> is how often the task was restarted.
     ///              Empty for an engine that grades the whole run.
-    explicit LocalEngine(unsigned jobs, std::string part = {}) : jobs_(jobs), part_(std::move(part))
+    explicit LocalEngine(unsigned jobs, std::string part = {})
+        : isolation_{jobs, part.empty()}, part_(std::move(part))
     {
     }
 
@@ -21,7 +24,9 @@ public:
                       const OnGraded& on_graded, const OnWait& on_wait) override;
 
 private:
-    unsigned jobs_;
+    // The tasks of Slurm do not know of each other, so they leave it to the system which processor
+    // each of them gets.
+    Isolation isolation_;
     std::string part_;
 };
 

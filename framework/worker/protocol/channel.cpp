@@ -32,7 +32,16 @@ using Microseconds = std::chrono::duration<double, std::micro>;
 constexpr Microseconds longest_spin(100), spin_of_a_try(20);
 constexpr int waits_between_tries = 32;
 
+// Whether this process may use one processor only. The other process then has the same one, and
+// cannot answer as long as this one spins.
+bool has_one_processor()
+{
+    cpu_set_t allowed;
+    return sched_getaffinity(0, sizeof allowed, &allowed) == 0 && CPU_COUNT(&allowed) == 1;
+}
+
 struct Spinning {
+    bool is_useless = has_one_processor();
     Microseconds time = spin_of_a_try;
     int waits_without = 0;
 
@@ -40,6 +49,7 @@ struct Spinning {
     void failed() { time = time > Microseconds(4) ? time / 2 : Microseconds(0); }
     Microseconds next()
     {
+        if (is_useless) return Microseconds(0);
         if (time > Microseconds(0)) return time;
         if (++waits_without < waits_between_tries) return Microseconds(0);
         waits_without = 0;

@@ -223,12 +223,12 @@ std::string fault_of(const Corpus& corpus, const HostileSubmission& hostile)
     const Selection selection = corpus.selection_of(hostile);
     std::optional<WorkDone> done;
     run_isolated(
-        1, 1,
+        1, {1, false, longest},
         [&](std::size_t) {
             return packed(graded_submission(selection, found.submissions[0], corpus.run,
                                             place.path(), "fingerprint"));
         },
-        [&](const WorkDone& ended) { done = ended; }, {}, longest);
+        [&](const WorkDone& ended) { done = ended; });
     remove_submission_build(place.path());
     if (!done->text) return "the grader failed: " + done->fault;
     if (std::string fault = fault_of(hostile.expected, unpacked(*done->text)); !fault.empty())
@@ -321,7 +321,7 @@ int check(const std::vector<std::string>& arguments)
     const auto start = Clock::now();
     std::string faults;
     run_isolated(
-        lanes, lanes, [&](std::size_t lane) { return faults_of_lane(corpus, lane); },
+        lanes, {lanes}, [&](std::size_t lane) { return faults_of_lane(corpus, lane); },
         [&](const WorkDone& done) { faults += done.text ? *done.text : done.fault + "\n"; });
     const std::chrono::duration<double> seconds = Clock::now() - start;
     fmt::print("{}{} hostile submissions graded in {:.0f} s, {}\n", faults, corpus.all.size(),

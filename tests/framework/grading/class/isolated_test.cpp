@@ -2,11 +2,16 @@
 #include "grading/class/isolated.hpp"
 
 #include "support/catch.hpp"
+#include "support/temporary_folder.hpp"
 
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
+#include <filesystem>
 #include <fmt/format.h>
+#include <fstream>
 #include <map>
+#include <sched.h>
 #include <stdexcept>
 #include <unistd.h>
 
@@ -19,7 +24,7 @@ std::map<std::size_t, std::string> outcomes(std::size_t count, unsigned jobs,
                                             const std::function<std::string(std::size_t)>& work)
 {
     std::map<std::size_t, std::string> result;
-    run_isolated(count, jobs, work, [&](const WorkDone& done) {
+    run_isolated(count, {jobs}, work, [&](const WorkDone& done) {
         result[done.index] = done.text ? *done.text : "fault: " + done.fault;
     });
     return result;
@@ -76,13 +81,13 @@ TEST_CASE("isolated: what takes too long is ended once and the others go on", "[
     std::map<std::size_t, WorkDone> all;
     const auto start = std::chrono::steady_clock::now();
     run_isolated(
-        3, 2,
+        3, {2, false, std::chrono::milliseconds(500)},
         [](std::size_t i) -> std::string {
             while (i == 1)
                 pause();
             return "done";
         },
-        [&](const WorkDone& done) { all[done.index] = done; }, {}, std::chrono::milliseconds(500));
+        [&](const WorkDone& done) { all[done.index] = done; });
     REQUIRE(std::chrono::steady_clock::now() - start < std::chrono::seconds(20));
     REQUIRE(all.size() == 3);
     REQUIRE(all.at(0).text == "done");
@@ -90,6 +95,35 @@ TEST_CASE("isolated: what takes too long is ended once and the others go on", "[
     REQUIRE_FALSE(all.at(1).text);
     REQUIRE(all.at(1).fault == "it took more than 0.5 s");
     REQUIRE_FALSE(all.at(1).was_tried_twice);
+}
+
+TEST_CASE("isolated: a piece of work keeps to one processor and another one to another", "[class]")
+{
+    // The second piece of work ends only when the first one has said where it runs.
+    const TemporaryFolder folder;
+    const auto processors = [] {
+        cpu_set_t allowed;
+        sched_getaffinity(0, sizeof allowed, &allowed);
+        std::string numbers;
+        for (int i = 0; i < CPU_SETSIZE; ++i)
+            if (CPU_ISSET(i, &allowed)) numbers += fmt::format("{} ", i);
+        return numbers;
+    };
+    const std::string all = processors();
+    std::map<std::size_t, std::string> where;
+    run_isolated(
+        2, {2, true},
+        [&](std::size_t i) {
+            std::ofstream(folder.path() / std::to_string(i)) << processors();
+            while (!std::filesystem::exists(folder.path() / std::to_string(1 - i)))
+                usleep(1000);
+            return processors();
+        },
+        [&](const WorkDone& done) { where[done.index] = done.text.value(); });
+    for (const auto& [i, numbers] : where)
+        REQUIRE(std::count(numbers.begin(), numbers.end(), ' ') == 1);
+    if (std::count(all.begin(), all.end(), ' ') > 1) REQUIRE(where.at(0) != where.at(1));
+    REQUIRE(processors() == all); // the grader itself goes where it likes
 }
 
 TEST_CASE("isolated: a long result comes whole", "[class]")
