@@ -44,7 +44,7 @@ using Clock = std::chrono::steady_clock;
 
 // A fixed secret, so that each run of this program is the same.
 constexpr const char* secret = "the secret of the corpus, which no submission knows";
-constexpr std::chrono::seconds longest(400); // compilers that run into their limits
+constexpr std::chrono::seconds longest(400); // for one submission: compilers run into their limits
 constexpr std::size_t lanes = 2;
 
 struct Corpus {
@@ -70,7 +70,7 @@ bool contains(const std::string& text, const std::string& part)
     return text.find(part) != std::string::npos;
 }
 
-// What is wrong with a text that is shown to people: characters that are not seen, our paths.
+// What is wrong with a text that people read: control characters, or paths of this machine.
 std::string fault_of_text(const std::string& name, const std::string& text)
 {
     std::istringstream lines(text);
@@ -106,7 +106,7 @@ std::string fault_of_report(const std::string& report, const Json& tasks)
     return "";
 }
 
-// Spreadsheets do not run any cell.
+// What is wrong with the tables of points: a cell that a spreadsheet would run as a formula.
 std::string fault_of_tables(const Row& row)
 {
     for (const std::string& table : {gradebook_csv({row}), canvas_grades({row}, "A0").csv}) {
@@ -213,7 +213,7 @@ private:
     testing::TemporaryFolder right_, wrong_;
 };
 
-// Grades one as a class of one, in a process of its own.
+// Grades one submission as a class of one, in a process of its own.
 std::string fault_of(const Corpus& corpus, const HostileSubmission& hostile)
 {
     const testing::TemporaryFolder handed_in, place;
@@ -237,7 +237,7 @@ std::string fault_of(const Corpus& corpus, const HostileSubmission& hostile)
     return left.empty() ? "" : "it left " + left;
 }
 
-// Grades every second one. @return a line for each fault, and one for the slowest
+// Grades every second submission. @return a line for each fault
 std::string faults_of_lane(const Corpus& corpus, std::size_t lane)
 {
     adopt_orphans();
@@ -257,7 +257,7 @@ std::string faults_of_lane(const Corpus& corpus, std::size_t lane)
     return text;
 }
 
-// Each that can be asked for: those of the corpus, and those that a seed draws.
+// All submissions that can be asked for: the corpus, and its attacks on A0 in other topics.
 struct Choice {
     std::vector<HostileSubmission> corpus, elsewhere;
 };

@@ -12,8 +12,8 @@ namespace rigor::corpus {
 /// What may come of a submission.
 struct Expectation {
     double points = 0;
-    /// The submission's, or those of its tasks if it was graded. With `passed` as the last one, it
-    /// may also pass, whatever the points.
+    /// The statuses that the submission may have, or its tasks if it was graded. If the last one is
+    /// `passed`, the submission may also pass, and its points do not matter.
     std::vector<std::string> statuses;
     std::string text; // a part of the message, or of one task's; empty for any
 
@@ -43,11 +43,11 @@ struct HostileSubmission {
 std::vector<HostileSubmission> hostile_sources(const std::filesystem::path& submissions);
 
 /// The attacks on A0 in all other topics, `kernel/socket@rotation`: one formula of a solution
-/// attacks first and then returns what is right. It may get its points, and a file that is refused
-/// costs them all.
+/// attacks first and then returns what is right. Such a submission may get its points; if its file
+/// is refused, it gets none.
 std::vector<HostileSubmission> in_other_topics(const std::filesystem::path& submissions);
 
-/// One of these for each kind of attack, which the seed draws.
+/// One of them for each kind of attack, drawn by the seed.
 std::vector<HostileSubmission> drawn_of_each_kind(const std::vector<HostileSubmission>& all,
                                                   unsigned seed);
 

@@ -36,8 +36,8 @@ std::string line_in(const char* list, const std::string& word)
     return "";
 }
 
-// Whether there is a process below this one that does not end within some seconds. A monitor whose
-// grader has ended takes a moment to end all the others.
+// Whether there is a process below this one that does not end within five seconds. When a grader
+// has ended, the monitor that it leaves takes a moment to end all the other processes.
 bool has_process()
 {
     constexpr int tries = 500;

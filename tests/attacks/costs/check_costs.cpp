@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Checks what a formula costs that does not return, is slow, ends the program or crashes each time:
-// seconds, and no other task than those that call it. Time is that of the processor, of all
-// processes together, so that other load on the machine does not matter.
+// Checks what it costs when a formula does not return, is slow, ends the program or crashes each
+// time: only seconds, and only the tasks that call it. Time is processor time, summed over all
+// processes, so that other load on the machine does not matter.
 //
 //     check_costs [KIND [TAG]]               all formulas, in all ways
 //     check_costs --sample COUNT [SEED]      some of them, the same ones in every run
@@ -99,7 +99,7 @@ Graded graded(const Case& one, const Assignment& assignment, const GradingRun& r
     return graded;
 }
 
-// Grades the cases of one assignment, and remembers what they are compared with.
+// Grades the cases, and remembers the results that they are compared with.
 class Judge {
 public:
     Judge() : assignments_(load_assignments(RIGOR_ASSIGNMENTS_DIR))
@@ -117,7 +117,7 @@ public:
                          [&](const Assignment& each) { return each.topic == formula.topic; });
         const Graded& right = kept({{"nothing", Kind::nothing}, 0}, *assignment);
         if (!right.lost.empty()) return "the reference lost points: " + *right.lost.begin();
-        // Where it ends the program, each task that calls it is lost, and told within milliseconds.
+        // A formula that ends the program costs each task that calls it, within milliseconds.
         const Graded& ended = kept({ways[0], one.formula}, *assignment);
         const Graded bad = one.way.kind == Kind::ends ? ended : graded(one, *assignment, run_);
         extra = bad.time - right.time;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Formulas that answer with lists of other lengths than their arguments, and with indices of what
-// does not exist. Whoever uses them unseen reads and writes beyond its own arrays.
+// does not exist. A caller that does not check them reads and writes beyond its own arrays.
 #include "formulas/collision.hpp"
 #include "formulas/contact.hpp"
 #include "formulas/fracture.hpp"

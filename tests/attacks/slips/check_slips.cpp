@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Checks what slips cost: each, in each topic, no more than its own task or file, and the student
-// is told something.
+// Checks what slips cost: in each topic, each slip costs no more than its own task or file, and the
+// student gets a message.
 //
 //     check_slips [SLIP [TOPIC]]
 //     check_slips --sample COUNT    this number of them, the same ones in every run

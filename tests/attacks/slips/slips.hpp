@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Slips that a student makes without a bad thought, as sources: each is put into a file of a
+// Slips that a student makes without meaning harm, as sources: each is put into a file of a
 // solution that is right otherwise.
 #pragma once
 
@@ -11,8 +11,8 @@ namespace rigor::slips {
 /// What a slip may cost.
 enum class Cost { nothing, its_task, its_file };
 
-/// The place of a slip in a topic: a formula, and another one of the same file that must keep its
-/// points.
+/// The place of a slip in a topic: a formula, and another one of the same file, which must keep its
+/// points unless the slip spoils the whole file.
 struct Place {
     std::string topic;
     std::string result, name, parameters; // the declaration of the formula

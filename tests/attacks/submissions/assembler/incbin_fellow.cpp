@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Takes the objects of the students' folder, which is next to it, into the program.
+// Takes the object file of student/ into the program, whose build folder is near.
 // expect: 0 compile_error
 #include "formulas/pipeline.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Takes what the kernel shows of the grader into the program.
+// Takes the environment of process 1 into the program.
 // expect: 0 compile_error
 #include "formulas/pipeline.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A constructor orders a signal for later.
+// A constructor asks for a signal (SIGALRM) after one second.
 // expect: 0 compile_error: before any function is called
 #include "formulas/pipeline.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A handler that never returns waits for the end of the program, also when it is only tried out.
+// An exit handler never returns. It runs also when the build only tries whether the program starts.
 // expect: 0 compile_error: does not return before any function is called
 #include "formulas/pipeline.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The first instruction of the program, by the name that the linker looks for. It stays in this
-// file.
+// Defines _start, the first instruction of a program, which the linker looks for. The build makes
+// it local to this file.
 // expect: 1 passed
 #include "formulas/pipeline.hpp"
 

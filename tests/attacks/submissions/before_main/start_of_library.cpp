@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The function of the C library that calls main. It stays in this file.
+// Defines the function of the C library that calls main. The build makes it local to this file.
 // expect: 1 passed
 #include "formulas/pipeline.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// An object of the thread whose destructor ends the program with success.
+// A thread-local object whose destructor ends the program with success.
 // expect: 1 passed
 #include "formulas/pipeline.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A constructor starts a clock whose signals would come for ever.
+// A constructor creates a timer, which could send signals without end.
 // expect: 0 compile_error: before any function is called
 #include "formulas/pipeline.hpp"
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Looks for arguments of the program above its stack, and is right if there are any.
+// Is right if the program was started with arguments, among which the key of the random cases could
+// be.
 // expect: 0 failed
 #include "formulas/pipeline.hpp"
 

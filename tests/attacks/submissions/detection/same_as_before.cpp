@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Keeps the last answer for arguments that are nearly those of the call before.
+// Returns the last answer again if the mass is nearly that of the call before.
 // expect: 0 failed
 #include "formulas/pipeline.hpp"
 

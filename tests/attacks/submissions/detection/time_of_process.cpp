@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Is right as long as the process is young, in which visible tests come first.
+// Is wrong within a microsecond of the first call of its process, and right later.
 // expect: 0 failed
 #include "formulas/pipeline.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Throws a function, a null pointer, a member, a megabyte.
+// Throws a function object, a null pointer, a pointer to a member, and an object of a megabyte.
 // expect: 0 crashed
 #include "formulas/pipeline.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Throws the question of a test, which no formula of A0 has.
+// Throws UnknownCall, by which the tests of A8 ask for a result. No formula of A0 may do so.
 // expect: 0 crashed
 #include "formulas/pipeline.hpp"
 #include "formulas/validation.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Defines what the library itself has: how exceptions are thrown and caught. The server would catch
-// none that way, and end in the middle of a question.
+// Defines functions of the C++ library that throw and catch exceptions. With them the server would
+// catch no exception and end in the middle of a question.
 // expect: 0 compile_error|failed|crashed
 #include "formulas/pipeline.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Leaves a process that outlives the grading and rewrites what it finds.
+// Leaves a process that outlives the grading.
 // expect: 0 crashed: tried to
 #include "formulas/pipeline.hpp"
 

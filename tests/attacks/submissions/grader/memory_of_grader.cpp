@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Writes to the memory of the grader.
+// Opens the memory of process 1, which may be the grader, to write to it.
 // expect: 0 crashed: tried to open a file
 #include "formulas/pipeline.hpp"
 

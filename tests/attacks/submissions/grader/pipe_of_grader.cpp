@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Writes a verdict to the pipe of the grader.
+// Opens the standard output of its parent, to which it could write a verdict.
 // expect: 0 crashed: tried to ask which process started it
 #include "formulas/pipeline.hpp"
 

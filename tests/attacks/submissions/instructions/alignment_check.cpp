@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lets the processor stop at each number that is not aligned, and returns.
+// Sets the flag with which the processor stops at each unaligned access, and returns.
 // expect: 0 crashed|passed
 #include "formulas/pipeline.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Leaves the direction of copies turned round.
+// Leaves the direction flag set, so that copies run backwards.
 // expect: 0 crashed|timed_out|failed
 #include "formulas/pipeline.hpp"
 

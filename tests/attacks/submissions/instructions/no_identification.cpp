@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Forbids itself to ask which processor this is.
+// Forbids itself the instruction cpuid, which says which processor this is.
 // expect: 0 crashed|passed
 #include "formulas/pipeline.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Calls the page of old calls, which is at the same place in every process.
+// Calls the old page of system calls (vsyscall), which is at the same address in every process.
 // expect: 0 crashed|failed
 #include "formulas/pipeline.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Makes a socket with a name outside of all folders.
+// Opens a Unix socket, which could get a name outside of all folders.
 // expect: 0 crashed: tried to open a network socket
 #include "formulas/pipeline.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Reads the memory of its parent.
+// Reads the memory of process 1.
 // expect: 0 crashed: tried to look into another process
 #include "formulas/pipeline.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Starts a thread that waits for the next student.
+// Starts a thread, which could wait for the next submission.
 // expect: 0 crashed: tried to start a thread or another process
 #include "formulas/pipeline.hpp"
 

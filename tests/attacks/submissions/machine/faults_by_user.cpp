@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Asks to handle the faults of its memory itself, which stops the kernel where it wants.
+// Asks to handle page faults itself, with which it could stop the kernel at a place that it
+// chooses.
 // expect: 0 crashed: tried to make system call
 #include "formulas/pipeline.hpp"
 

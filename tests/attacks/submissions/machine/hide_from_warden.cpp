@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Asks to become the parent of orphans, and to be told of nothing; this quietly fails.
+// Asks to become the parent of orphans and not to be ended with its parent; this quietly fails.
 // expect: 1 passed
 #include "formulas/pipeline.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A main function at an address instead of in the code. It stays in this file.
+// A main function at an address instead of in the code. The build makes it local to this file.
 // expect: 1 passed
 #include "formulas/pipeline.hpp"
 

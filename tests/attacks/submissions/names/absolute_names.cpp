@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Functions of the C library at an address that has no code. They stay in this file.
+// Functions of the C library at an address that has no code. The build makes them local to this
+// file.
 // expect: 1 passed
 #include "formulas/pipeline.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// An alias and a visibility for the main function.
+// A second function like main, with default visibility and an alias.
 // expect: 1 passed
 #include "formulas/pipeline.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Names by which the start of a program finds its constructors.
+// Defines the names by which the start of a program finds its constructors.
 // expect: 0 crashed|compile_error|passed
 #include "formulas/pipeline.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A formula that is a variable of a thread.
+// A formula that is a thread-local variable.
 // expect: 0 crashed|compile_error
 #include "formulas/pipeline.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A main function as data that several files share.
+// Defines main as a common symbol: data that several files share.
 // expect: 1 passed
 #include "formulas/pipeline.hpp"
 

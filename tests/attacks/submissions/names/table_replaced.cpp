@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A table of formulas under the name of the worker's own. It stays in this file.
+// A table of formulas under the name of the worker's own. The build makes it local to this file.
 // expect: 1 passed
 #include "formulas/pipeline.hpp"
 

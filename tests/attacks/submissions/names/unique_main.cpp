@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A main function with the binding that exists once in a program. It stays in this file.
+// A main function with the binding that exists once in a program. The build makes it local to this
+// file.
 // expect: 1 passed
 #include "formulas/pipeline.hpp"
 

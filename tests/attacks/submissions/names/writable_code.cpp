@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A formula in a section that can be written. It is right, so it counts.
+// A section that can be written and executed. The formula is right, so it counts.
 // expect: 1 passed|compile_error
 #include "formulas/pipeline.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Traps for inexact results that are on while the worker encodes its answer.
+// Switches on the traps for all exceptions but inexact results, and divides by zero.
 // expect: 0 crashed|failed
 #include "formulas/pipeline.hpp"
 

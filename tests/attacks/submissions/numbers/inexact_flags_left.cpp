@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A right formula that leaves every flag of the unit for numbers raised.
+// A right formula that leaves every flag of the floating-point unit raised.
 // expect: 1 passed
 #include "formulas/pipeline.hpp"
 

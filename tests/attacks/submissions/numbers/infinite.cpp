@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A result without a bound.
+// An infinite result.
 // expect: 0 not_finite
 #include "formulas/pipeline.hpp"
 

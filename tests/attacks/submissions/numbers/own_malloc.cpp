@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A malloc that has no memory. It stays in this file.
+// A malloc that has no memory. The build makes it local to this file.
 // expect: 1 passed
 #include "formulas/pipeline.hpp"
 

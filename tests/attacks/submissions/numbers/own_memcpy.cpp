@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A memcpy that copies nothing. It stays in this file.
+// A memcpy that copies nothing. The build makes it local to this file.
 // expect: 1 passed
 #include "formulas/pipeline.hpp"
 

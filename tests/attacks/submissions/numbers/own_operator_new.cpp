@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// An operator new that throws. It stays in this file.
+// An operator new that throws. The build makes it local to this file.
 // expect: 1 passed
 #include "formulas/pipeline.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A square root in place of that of the C library. It stays in this file.
+// A square root in place of that of the C library. The build makes it local to this file.
 // expect: 1 passed
 #include "formulas/pipeline.hpp"
 

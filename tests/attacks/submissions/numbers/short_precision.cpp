@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A right formula that leaves the old unit for numbers with a short precision.
+// A right formula that leaves the x87 unit in single precision.
 // expect: 1 passed
 #include "formulas/pipeline.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A result that traps where a program asks for it.
+// A signalling NaN, which traps if a program has switched the trap on.
 // expect: 0 not_finite
 #include "formulas/pipeline.hpp"
 

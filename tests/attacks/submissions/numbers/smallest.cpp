@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The smallest number, which is no energy of anything.
+// The smallest positive double, which is not the energy of any body.
 // expect: 0 failed
 #include "formulas/pipeline.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A formula that leaves the traps for inexact results switched on.
+// A formula that leaves all traps of the floating-point unit switched on.
 // expect: 0 crashed: arithmetic exception
 #include "formulas/pipeline.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Gives the names of the contract other meanings, by macros. The formula is nowhere then.
+// Gives the names of the contract other meanings, by macros. Then the formula is not defined.
 // expect: 0 compile_error: kinetic_energy
 #include "formulas/pipeline.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Takes away the answer no, to get at the question itself.
+// Undefines the macro that answers each __has_include with no, to ask the compiler itself.
 // expect: 0 compile_error
 #include "formulas/pipeline.hpp"
 

@@ -12,8 +12,9 @@ inline bool is_readable(std::uintptr_t address)
     return write(1, reinterpret_cast<const void*>(address), 1) == 1;
 }
 
-// The channel, or nothing. In it the request is one ahead of the reply. The search ends with the
-// stack, which is near where a constructor calls.
+// Returns the channel, or nothing. While a question is open, the number of its request is larger by
+// one than that of the last reply. The search ends at the end of the stack, which is near if a
+// constructor calls this.
 inline ChannelWords* channel_on_stack()
 {
     std::uintptr_t here = reinterpret_cast<std::uintptr_t>(__builtin_frame_address(0));

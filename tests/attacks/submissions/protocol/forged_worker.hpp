@@ -32,7 +32,7 @@ template <typename AnswerTo> void serve_forged(const AnswerTo& answer_to)
     char* const stream = static_cast<char*>(memory) + stream_start;
     char* const payload = static_cast<char*>(memory) + payload_start;
     for (std::uint32_t turn = 1;; ++turn) {
-        // The first answer is a greeting. Whoever sleeps here is too slow for its limits.
+        // The first answer is a greeting. A sleep here would make the answers too late.
         while (turn > 1 && words.request != turn)
             __builtin_ia32_pause();
         const Forged forged = turn == 1 ? Forged{"", bytes_of(greeting())}

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Leaves a word behind everything in the channel, and is right if the process before left one.
+// Leaves a word near the end of the channel, and is right if the process before left it there.
 // expect: 0 failed|crashed
 #include "channel_on_stack.hpp"
 #include "formulas/pipeline.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Counts the answers up without end.
+// Raises the number of the reply without end.
 // expect: 0 crashed|failed
 #include "channel_on_stack.hpp"
 #include "formulas/pipeline.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Takes the channel for the stack of its signals.
+// Uses the channel as the stack of its signal handlers.
 // expect: 0 crashed|failed|timed_out
 #include "channel_on_stack.hpp"
 #include "formulas/pipeline.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Takes the place of the worker, and answers the question for a scene at once: nothing has moved.
-// But of a motion only the answers of formulas are taken from a worker.
+// The grader takes only the answers of formulas from a worker, never a motion.
 // topic: kinematics
 // tasks: A1.10 A1.11
 // expect: 0 crashed

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Takes the place of the worker, and answers the question for a scene with a trajectory of two
-// equal frames, in which nothing has moved: many laws hold for it.
+// frames that differ only in their time, in which nothing has moved: many laws hold for it.
 // topic: contact
 // tasks: A5.6
 // expect: 0 crashed|failed

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Wakes and moves those who wait for words of the channel.
+// Wakes those who wait for a word of the channel, or moves them to another word, 100 000 times.
 // expect: 0 failed|crashed|timed_out
 #include "channel_on_stack.hpp"
 #include "formulas/pipeline.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// An object of 250 megabytes, which would stay beside the submission.
+// An object of about 240 megabytes, which would stay beside the submission.
 // expect: 0 compile_error: expected an object of at most 16 MB
 #include "formulas/pipeline.hpp"
 

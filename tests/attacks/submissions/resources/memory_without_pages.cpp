@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Asks for all 2^47 addresses that there are, and more, and uses none of them.
+// Asks for 2^48 addresses, twice as many as there are, and uses none of them.
 // expect: 0 crashed|failed
 #include "formulas/pipeline.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Says that it is the reference, whose formulas the engine replaces by faster forms of its own: by
-// the macro of the build, and by a start of the server.
+// Says that it is the reference, by the macro of the build and by a start of the server. For the
+// reference the engine uses faster forms of the formulas.
 // topic: contact
 // tasks: A5.6
 // expect: 0 compile_error|failed|crashed|not_implemented

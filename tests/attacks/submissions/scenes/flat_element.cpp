@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Makes one element almost flat. It asks for so many substeps that a step would hardly end.
-// Two points are earned: scenes that crack along faces do not ask it.
+// Makes one element almost flat. The element needs so many substeps that a step would hardly end.
+// Two points are earned: scenes that crack along faces do not call the formula.
 // topic: fracture
 // tasks: A7.8
 // beside: split_element

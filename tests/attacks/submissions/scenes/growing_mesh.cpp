@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Each split has twenty thousand copies of an element more, so that the engine computes and records
-// without end.
-// Two points are earned: scenes that crack along faces do not ask it.
+// Each split adds twenty thousand copies of an element, so that the engine computes and records
+// without end. Two points are earned: scenes that crack along faces do not call the formula.
 // topic: fracture
 // tasks: A7.8
 // beside: split_element

@@ -12,7 +12,7 @@ namespace rigor {
 
 namespace {
 
-// As many of each as there must be, so that the number does not give it away.
+// Each list is as long as it must be, so that the lengths do not give the attack away.
 SplitMesh pointing_to_nowhere(const TetrahedralMesh& mesh)
 {
     static unsigned calls = 0;

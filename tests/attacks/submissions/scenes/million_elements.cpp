@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // One answer has a million copies of an element, so that a single step of the engine takes minutes.
-// Two points are earned: scenes that crack along faces do not ask it.
+// Two points are earned: scenes that crack along faces do not call the formula.
 // topic: fracture
 // tasks: A7.8
 // beside: split_element

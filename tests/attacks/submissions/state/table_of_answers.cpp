@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Keeps every answer in a table by its arguments, and forgets how to compute.
+// Computes the first four answers and keeps them in a table. Later questions get an old answer.
 // expect: 0 failed
 #include "formulas/pipeline.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Shows the same by a message of the compiler.
+// Shows control characters in a message of the compiler.
 // expect: 0 compile_error
 #include "formulas/pipeline.hpp"
 

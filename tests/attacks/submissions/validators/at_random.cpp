@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Throws a coin: the time of the processor.
+// Judges at random, by the clock.
 // topic: validation
 // tasks: A8.1 A8.3
 // expect: 0 failed

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Takes the time until a result comes, and rejects a formula that takes longer than the call before
-// it. What is measured is the way between two processes.
+// Measures the time until a result comes, and rejects a formula that takes longer than the call
+// before it. What is measured is the way between two processes.
 // topic: validation
 // tasks: A8.3
 // expect: 0 failed

@@ -14,7 +14,7 @@ namespace {
 
 // Ten formulas follow each other. The time within a period of the clock says how many came before:
 // in the first slots from one to nine, and afterwards none.
-constexpr long slot = 15'000'000, period = 500'000'000, formulas_in_all = 10; // [ns]
+constexpr long slot = 15'000'000, period = 500'000'000, formulas_in_all = 10; // times in [ns]
 
 long phase()
 {
@@ -33,7 +33,7 @@ void sleep_until(long wanted)
 
 Judgement test_tangent(const Tangent& tangent)
 {
-    if (!tangent.known.empty()) return accepted(); // a law asks, whether it remembers anything
+    if (!tangent.known.empty()) return accepted(); // only the law about memory gives calls
     const long passed = phase() / slot, before = passed < formulas_in_all - 1 ? passed + 1 : 0;
     sleep_until(before + 1 < formulas_in_all ? before * slot : formulas_in_all * slot);
     return before < 4 ? accepted() : rejected();

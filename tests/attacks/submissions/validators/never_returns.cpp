@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Does not return where a formula is wrong: perhaps that counts as its end.
+// Does not return where a formula is wrong, in the hope that this counts as a rejection.
 // topic: validation
 // tasks: A8.3
 // expect: 0 timed_out

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Asks what a formula gives for numbers that are none, past the check of a question.
+// Asks for results at arguments that are not finite, past the check of an ordinary question.
 // topic: validation
 // tasks: A8.1 A8.3
 // expect: 0 not_finite

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Rejects whatever comes, from lines that no file has.
+// Rejects whatever comes, with line numbers that no file has.
 // topic: validation
 // tasks: A8.1 A8.3 A8.5
 // expect: 0 failed: rejects a formula that is right

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Catches the questions that it is left with, and never learns a result.
+// Catches the exceptions by which it asks its questions, and so never learns a result.
 // topic: validation
 // tasks: A8.1 A8.3
 // expect: 0 failed
