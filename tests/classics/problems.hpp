@@ -15,7 +15,7 @@ namespace rigor::testing {
 using std::numbers::pi;
 
 /// Which cases of a long sweep are run: all, or under sanitizers, which take twenty times as long,
-/// every eleventh. (No loop of a sweep has eleven turns, so those taken differ in every loop.)
+/// every eleventh. (No loop of a sweep has eleven turns, so the cases taken differ in every loop.)
 class Sweep {
 public:
     bool takes_next()
@@ -39,7 +39,7 @@ inline World solved(std::vector<RigidBody> bodies, const Vector3d& gravity = {0,
     return world;
 }
 
-/// Takes steps of length h until the time T.
+/// Takes steps of length h for the duration T [s].
 inline void run_until(World& world, double T, double h)
 {
     run(world, static_cast<int>(std::lround(T / h)), h);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Bodies on tables, belts and rollers that move as they are told: the answers are those of
-// textbooks, and the carried bodies must neither creep nor gain.
+// Bodies on tables, belts and rollers whose motion is given: the answers are those of textbooks,
+// and the carried bodies must neither creep nor gain energy.
 #include "classics/problems.hpp"
 
 #include <cmath>
@@ -14,7 +14,7 @@ using namespace rigor::testing;
 namespace {
 
 const Box table{{20, 1, 20}};
-const Vector3d under(0, -0.5, 0); // where the table's top is at y = 0
+const Vector3d under(0, -0.5, 0); // center of a table whose top is at y = 0 [m]
 
 } // namespace
 
@@ -38,7 +38,7 @@ TEST_CASE("classics: a ball on a turntable rolls in circles", "[classics]")
                     spin(ball, Vector3d::UnitY().cross(slip) / -radius);
                     World world =
                         solved({driven(table, rough, under, turning({0, Omega, 0})), ball});
-                    double off = 0; // from the circle, over the whole path
+                    double off = 0; // largest distance from the circle, over the whole path [m]
                     const Vector3d center =
                         start + Vector3d(0, 1, 0).cross(Vector3d(0, 0, v)) / rate;
                     for (int i = 1; i <= steps; ++i) {
@@ -191,7 +191,7 @@ TEST_CASE("classics: what lies on a shaken table leaves it if it is shaken harde
         }
 }
 
-// Under a ball a table that moves to and fro pulls it along by 2/7 of its way, a hoop by 1/2: by
+// A table that moves to and fro takes a ball along by 2/7 of the table's way, and a hoop by 1/2, by
 // the law of the moment of momentum about the point of contact.
 TEST_CASE("classics: a table that is shaken rolls a ball along by two sevenths", "[classics]")
 {
@@ -251,8 +251,8 @@ TEST_CASE("classics: a plank on two rollers swings by friction alone", "[classic
 }
 
 // A table that waits, moves and waits again takes along what sleeps on it: with a at most μ g the
-// block is as fast as the table after v/(μ g), and slides as far after the stop. When each of the
-// two begins is known to a step.
+// block is as fast as the table after v/(μ g), and slides as far after the stop. The times at
+// which these two slides begin are known only to one step.
 TEST_CASE("classics: what sleeps on a table wakes when the table sets out", "[classics]")
 {
     const double v = 0.5, mu = 0.3, starts = 2, stops = 4;

@@ -127,7 +127,7 @@ TEST_CASE("classics: a torque that turns with a body spins it up evenly", "[clas
         }
 }
 
-// A ball on a rope falls freely until the rope is tight, and then swings on it as on a spring:
+// A body on a rope falls freely until the rope is tight, and then swings on it as on a spring:
 // y = l + g/ω² (1 - cos ω t) + v/ω sin ω t below the hook.
 TEST_CASE("classics: a rope is slack until it is tight", "[classics]")
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A body on a fixed axle swings under a steady force as a pendulum, ω² = F R/I with its moment
-// about the axle (Bessel 1828), and one that is braked by d ω under the torque τ nears τ/d. The
-// axle takes up all other moments.
+// A body on a fixed axle swings under a steady force as a pendulum, ω² = F R/I with the moment of
+// inertia I about the axle (Bessel 1828), and one that is braked by d ω under the torque τ nears
+// τ/d. The axle takes up all other moments.
 #include "classics/problems.hpp"
 
 using namespace rigor;

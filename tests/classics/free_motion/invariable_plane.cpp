@@ -24,7 +24,7 @@ TEST_CASE("classics: the angular velocity of a free body stays in a plane", "[cl
             for (int n = 0; n < steps; ++n) {
                 step(world, 4. / steps);
                 REQUIRE_THAT(world.bodies[0].state.angular_momentum,
-                             IsClose(L, Rounding(0, 1))); // its bits
+                             IsClose(L, Rounding(0, 1))); // equal in every bit
                 off = std::max(off, std::abs(L.dot(angular_velocity(world.bodies[0])) / E2 - 1));
             }
             errors.push_back(off);

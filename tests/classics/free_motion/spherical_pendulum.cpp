@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A spherical pendulum goes round level with ω² = F d/(I cos θ) (Lagrange 1788, "Mécanique
-// analytique"), and pushed a little off it nods with ω √(1 + 3 cos² θ). Here a ball without spin
-// about its own axis, which a steady force pulls at the distance d from its center.
+// analytique"), and pushed a little off it nods with ω √(1 + 3 cos² θ). The body here is a ball
+// without spin about its own axis, which a steady force pulls at the distance d from its center.
 #include "classics/problems.hpp"
 
 using namespace rigor;
@@ -18,7 +18,7 @@ TEST_CASE("classics: a spherical pendulum goes round level and nods", "[classics
             const double a = degrees * pi / 180, w = std::sqrt(F * d / (I * std::cos(a)));
             const double nods = w * std::sqrt(1 + 3 * std::pow(std::cos(a), 2));
             const double T = push == 0 ? 3 * pi / w : 5 * pi / nods; // the nod is at its middle
-            const Vector3d start(std::sin(a), -std::cos(a), 0);      // d times this is the point
+            const Vector3d start(std::sin(a), -std::cos(a), 0);      // towards the pulled point
             std::vector<double> errors;
             for (const int steps : {100, 200, 400}) {
                 RigidBody ball = free_box();

@@ -13,7 +13,7 @@ TEST_CASE("classics: friction shortens each swing by the same", "[classics]")
     for (const double mu : {0.05, 0.2}) {
         const double lost = 2 * mu * M * g / k, half = pi / w;
         std::vector<double> errors;
-        for (const int steps : {100, 200, 400}) { // a half swing
+        for (const int steps : {100, 200, 400}) { // steps in half a swing
             RigidBody block = body_of(Box{{0.4, 0.05, 0.4}}, {A, 0.025, 0}, {0, mu});
             set_mass(block, M, block.inertia * (M / block.mass));
             World world = solved({fixed(Plane{}, {0, mu}), block});

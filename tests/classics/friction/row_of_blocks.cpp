@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A row of blocks that is pushed from behind on a smooth floor: all have F/Σ M, and each contact
-// bears what the blocks before it need (Newton's second and third law).
+// bears what the blocks in front of it need (Newton's second and third law).
 #include "classics/problems.hpp"
 
 using namespace rigor;

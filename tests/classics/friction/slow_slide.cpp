@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A block on a slope a little steeper than its angle of friction slides with the acceleration
-// g (sin α - μ cos α), whatever its size and however weak gravity is: it is not at rest because it
-// has moved by little of its size so far.
+// g (sin α - μ cos α), whatever its size and however weak gravity is. A short way, compared with
+// its size, does not mean that it is at rest.
 #include "classics/problems.hpp"
 
 using namespace rigor;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // A block slides down a wedge that itself slides on the ground, both without friction. The wedge of
 // mass M under a block of mass m is pushed away with the acceleration
-// g sin α cos α / (M/m + sin² α) (Lamb 1914, "Dynamics"; Goldstein, "Classical mechanics"). Nothing
-// but gravity changes with time, so velocities and places are those of even accelerations, up to
-// the tolerance of the solver.
+// g sin α cos α / (M/m + sin² α) (Lamb 1914, "Dynamics"; Goldstein, "Classical mechanics"). All
+// forces are constant, so velocities and places are those of even accelerations, up to the
+// tolerance of the solver.
 #include "classics/problems.hpp"
 
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A ball flies to and fro between two walls: unfolded by mirrors, its path is a straight line. If a
-// wall comes on slowly, speed times room stays (Fermi 1949; Ehrenfest's adiabatic invariant): each
-// meeting with the wall adds twice its speed.
+// wall comes on slowly, speed times room stays constant (Fermi 1949; Ehrenfest's adiabatic
+// invariant): each meeting with the wall adds twice the wall's speed.
 #include "classics/problems.hpp"
 
 using namespace rigor;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A ball that meets the end of a free rod feels a quarter of its mass, M/(1 + M b²/I) at the
-// distance b from its center: if it weighs as much, it stops (Routh 1905, "Dynamics of a system of
-// rigid bodies").
+// A ball that meets a free rod at the distance b from its center feels the mass M/(1 + M b²/I), at
+// the end of a thin rod a quarter of M. A ball of exactly that mass stops (Routh 1905, "Dynamics of
+// a system of rigid bodies").
 #include "classics/problems.hpp"
 
 using namespace rigor;
@@ -13,7 +13,7 @@ TEST_CASE("classics: a ball stops at the end of a rod four times as heavy", "[cl
     const double v = 3;
     RigidBody rod = body_of(Capsule{0.001, 1}, {0, 0, 0}, elastic);
     for (const double b : {0., 0.3, 0.5})
-        for (const double share : {0.5, 1., 3.}) { // its mass over the one that it feels
+        for (const double share : {0.5, 1., 3.}) { // mass of the ball over the mass that it feels
             CAPTURE(b, share);
             const double felt = 1 / (1 / rod.mass + b * b / rod.inertia(2, 2));
             if (b == 0.5) CHECK_THAT(felt, IsClose(rod.mass / 4, Order(0.002 * rod.mass)));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A ball between a wall and a ball 100ⁿ times as heavy that comes along: the number of all impacts
-// has the first n + 1 digits of π: 3, 31, 314 (Galperin 2003, "Playing pool with π", Regul. Chaotic
-// Dyn. 8). In the plane of √M x and √m y each impact is a reflection.
+// A ball between a wall and a ball 100ⁿ times as heavy that comes towards it: the number of all
+// impacts has the first n + 1 digits of π: 3, 31, 314 (Galperin 2003, "Playing pool with π", Regul.
+// Chaotic Dyn. 8). In the plane of √M x and √m y each impact is a reflection.
 #include "classics/problems.hpp"
 
 using namespace rigor;
@@ -26,7 +26,7 @@ TEST_CASE("classics: two balls and a wall count the digits of pi", "[classics]")
         }
         CAPTURE(n);
         const int digits = static_cast<int>(pi * std::pow(10., n));
-        // Of the last ones, two may fall into one step.
+        // Two of the last impacts may fall into one step.
         CHECK(std::abs(impacts - digits) <= (n < 2 ? 0 : 1));
         // After j impacts of the balls the angle of the motion is j times 2 arctan √(m/M).
         const double a = std::atan(std::sqrt(1 / M)), angle = (digits + 1) / 2 * 2 * a;

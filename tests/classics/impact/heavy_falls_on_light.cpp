@@ -168,7 +168,7 @@ TEST_CASE("classics: a heavy slab that falls on light legs stops with them", "[c
                                 leaves = std::max(leaves, body.state.velocity.y());
                         }
                         const double ends = world.bodies.back().state.position.y();
-                        // Where no solver converges in a step, single legs keep some speed.
+                        // If the solver does not converge in a step, single legs keep some speed.
                         check_at_most(leaves, 0.06 * impact_speed, "speed of leaving");
                         // The position correction lifts the slab out of what it has sunk in.
                         check_at_most(gain, 2e-3, "gain of energy");

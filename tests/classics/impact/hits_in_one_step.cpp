@@ -80,8 +80,8 @@ TEST_CASE("classics: a body at rest takes no energy from a bounce beside it", "[
 {
     const double R = 0.1;
     for (const double h : {0.01, 0.004})
-        // The flight past the ball at rest is predicted up to a few times g h², the way of a free
-        // fall in a step.
+        // The flight past the ball at rest is predicted only to a few times g h², the way of a
+        // free fall in a step.
         for (const double gap : {4 * g * h * h, 5e-3, 0.02})
             for (int i = 0; i < 25; ++i) {
                 const double fall = 0.5 + 0.02 * i;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What an impact loses is the energy of the approach in the frame of the center of mass:
-// ½ M₁ M₂/(M₁ + M₂) (1 - ε²) v² (Carnot 1803; König). The frame does not matter.
+// ½ M₁ M₂/(M₁ + M₂) (1 - ε²) v² (Carnot 1803; König). The loss is the same in every frame.
 #include "classics/problems.hpp"
 
 using namespace rigor;

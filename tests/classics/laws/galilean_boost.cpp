@@ -131,7 +131,7 @@ World meeting(const Vector3d& gravity)
                   gravity);
 }
 
-// Without gravity a speed drives bodies apart that overlap, and adds energy.
+// Bodies that overlap are driven apart with a speed, which without gravity adds energy.
 World overlap()
 {
     return solved({deck(dead), body_of(Box{{1, 1, 1}}, {0, 0.48, 0}, dead),

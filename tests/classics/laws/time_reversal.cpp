@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Without friction and loss a motion runs backwards by the same laws: if all velocities are turned
 // round, it comes back to where it began. The method for bodies on springs is symmetric in time, so
-// it comes back up to rounding, and after a bounce too.
+// the motion comes back up to rounding.
 #include "classics/problems.hpp"
 
 using namespace rigor;

@@ -67,9 +67,8 @@ TEST_CASE("classics: a ball leaves a sphere with all of its energy", "[classics]
 
 TEST_CASE("classics: a disk that rolls on its rim keeps its energy", "[classics]")
 {
-    // The error of steps of a millisecond in the first second. A flat disk turns in a circle of
-    // almost its own size, at 3 degrees with 27 rad/s, and its contact goes all the way around
-    // twenty times in a second.
+    // The error after one second, with steps of a millisecond. At 3 degrees the disk has
+    // ω = 7 rad/s, and its contact goes around a circle of almost the disk's radius twenty times.
     struct Disk {
         double degrees, lost;
     };

@@ -186,8 +186,8 @@ TEST_CASE("classics: a loaded ball rocks with the period of a pendulum", "[class
                     before = w;
                 }
                 REQUIRE(swings == 5);
-                // The midpoint rule makes a swing of the frequency w longer by (w h)²/12. Where the
-                // ball turns back, a step may be off by a part of itself.
+                // The midpoint rule makes a swing of the frequency w longer by (w h)²/12. The time
+                // at which the ball turns back is interpolated, to a tenth of a step.
                 const double angle = 2 * pi * h / T;
                 const double bound = angle * angle / 10 * T + h / 10;
                 CHECK_THAT((last - first) / swings, IsClose(T, Order(bound)));

@@ -60,7 +60,8 @@ TEST_CASE("classics: a ring hangs on an axle", "[classics]")
                     }
                     // Down the slope of a cone of 1 m, a ring slides to where the cone is thinner.
                     const bool slides = std::holds_alternative<Cone>(axle) && length == 1;
-                    const double allowed = slides ? 0.15 : 0.01; // radii; the error of the facets
+                    // [radii of the hole]. The facets have an error of 0.01.
+                    const double allowed = slides ? 0.15 : 0.01;
                     check_at_most(hangs - lowest, allowed * ring.radius, "sinking [m]");
                 }
 }

@@ -21,7 +21,7 @@ TEST_CASE("classics: a bar hangs down by its own weight and by another", "[class
         const std::vector<int> end = end_nodes(bar, 1);
         if (is_loaded) bar.loads = {{end, {W, 0, 0}, 0, never}};
         DeformableWorld world = world_of(std::move(bar));
-        const double weight = 0.1; // gravity, so small that the strain is [m/s²]
+        const double weight = 0.1; // gravity [m/s²], so small that the strain is small
         world.rigid.settings.gravity = {is_loaded ? 0 : weight, 0, 0};
         run(world, 100, 12); // long steps of backward Euler: it comes to rest
         double stretch = 0;

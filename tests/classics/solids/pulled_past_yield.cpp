@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A weight at the end of a neck that is pulled λ times harder than the neck bears. The neck is a
+// A weight at the end of a neck is pulled with λ F_Y, where F_Y makes the neck yield. The neck is a
 // spring of stiffness k until it yields (an oscillator, x = λ F_Y/k (1 - cos ωt), ω = √(k/m)); from
 // then on it holds back with F_Y alone, so that the weight speeds up by (λ - 1) F_Y/m. Let go, it
 // stops after m v²/(2 F_Y), springs back by F_Y/k and keeps the rest (Newmark 1959, "A method of
@@ -184,7 +184,7 @@ TEST_CASE("classics: a neck keeps what it flowed while its weight was pulled and
             const double h = neck.let_go / n;
             DeformableWorld world = world_of_neck(neck);
             for (NodeLoad& load : world.solids[0].loads)
-                load.end -= h / 2; // so that rounding does not decide on a step more
+                load.end -= h / 2; // so that rounding does not decide whether it acts a step longer
             double work = 0, flow_work = 0;
             for (int i = 0; i * h < T; ++i) {
                 const Deformable before = world.solids[0];
@@ -200,7 +200,7 @@ TEST_CASE("classics: a neck keeps what it flowed while its weight was pulled and
                 REQUIRE(sum.kinetic_energy + sum.elastic_energy + flow_work <=
                         work + 1e-6 * F_Y * keeps);
             }
-            double strain = 0; // the mean ε_p of all elements, which are as large
+            double strain = 0; // the mean ε_p of all elements, which are equally large
             for (const Matrix3d& e : world.solids[0].plastic_strains)
                 strain += e(0, 1) / static_cast<double>(world.solids[0].plastic_strains.size());
             kept.push_back(std::abs(2 * strain * neck.length / keeps - 1));

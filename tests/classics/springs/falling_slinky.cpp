@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A hanging chain of springs that is let go: its center of mass falls freely, but its lower end
 // stays where it is until the wave from above arrives (Calkin 1993, "Motion of a falling spring",
-// Am. J. Phys. 61). The wave passes k/M links a second squared: n masses take n √(M/k).
+// Am. J. Phys. 61). The wave passes √(k/M) links a second: n masses take n √(M/k).
 #include "classics/problems.hpp"
 
 using namespace rigor;
