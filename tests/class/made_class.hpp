@@ -28,7 +28,7 @@ std::vector<ClassMember> empty_class(int count);
 void write_class(const std::vector<ClassMember>& members, const std::string& topic,
                  const std::filesystem::path& folder);
 
-/// The text with another name for what a name stands for. Members of that name keep it.
+/// The text in which `to` takes the place of the name `name`, except for members of that name.
 std::string renamed(const std::string& text, const std::string& name, const std::string& to);
 
 /// The text with other definitions of some formulas. The text's own ones get the prefix `right_`,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Numbers that arguments have: by one of them a wrong answer may differ from the right one, and
-// one of them may decide whether it does.
+// Numbers that follow from the arguments, such as a length or a dot product. A wrong answer may
+// differ from the right one by such a number, or only where such a number is negative or small.
 #pragma once
 
 #include "diagnosis/layout.hpp"

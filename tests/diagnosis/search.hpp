@@ -18,14 +18,14 @@ struct Finding {
     std::string sentence; // "Your answer is twice the right one, on all 48 random inputs."
 };
 
-/// Searches for a relation that holds on every input, none being accidental: at least
-/// `enough` inputs must have a wrong answer. Nothing if there is no such relation.
+/// Searches for a relation that holds on every input. At least `enough` inputs must have a wrong
+/// answer, so that the relation is no accident. Nothing if there is no such relation.
 std::optional<Finding> explain(const Evidence& evidence, const Ask& student);
 
 constexpr std::size_t enough = 6;
 
-/// The argument's place `words` of a condition under which the answers of these cases are wrong,
-/// such as "where `v`·`n` is negative". Empty if no feature separates them from the right ones.
+/// The condition on the arguments under which the answers are wrong, such as "`v`·`n` is negative".
+/// Empty if no feature separates the wrong cases from the right ones.
 std::string condition_of(const Layout& arguments, const std::vector<const Case*>& wrong,
                          const std::vector<const Case*>& right);
 

@@ -35,7 +35,7 @@ void scale(const Layout& arguments, Value& value, int role, double factor)
                 x *= factor;
 }
 
-// Takes the arguments in turns.
+// Collects changed inputs. It takes the drawn arguments in turns.
 class Inputs {
 public:
     Inputs(const Layout& arguments, const std::vector<Value>& drawn)

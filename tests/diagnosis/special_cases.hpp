@@ -10,11 +10,12 @@ namespace rigor::diagnosis {
 struct Input {
     Value arguments;
     bool is_drawn = true;
-    double smallest = 1; // by which factor numbers may have become smaller
+    double smallest = 1; // the factor by which numbers may have become smaller
 };
 
 /// Special cases of these arguments: numbers that are 0 or tiny, equal vectors, static bodies,
-/// other units, shorter lists. Unit vectors and rotations stay what they are.
+/// other units, lists of equal elements, special matrices (diagonal, of rank 1). Unit vectors and
+/// rotations stay what they are.
 std::vector<Input> special_cases(const Layout& arguments, const std::vector<Value>& drawn);
 
 /// Inputs like this one: the numbers of each place grow or shrink by a factor of their own, so that

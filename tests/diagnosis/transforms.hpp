@@ -20,7 +20,7 @@ struct Transform {
 /// The changes of arguments of these types, the simplest first.
 std::vector<Transform> transforms(const Layout& arguments);
 
-/// A change of the numbers of one place, of a matrix column by column.
+/// A change of the numbers of one place; those of a matrix are in the order of its columns.
 struct LeafChange {
     std::string words, advice;
     std::function<bool(std::span<double>)> apply;
@@ -31,7 +31,7 @@ std::vector<LeafChange> changes_of(const Role& role);
 
 /// A change of the numbers of one place by those of another.
 struct PairChange {
-    std::string words, advice; // {} in them stands for the two places
+    std::string words, advice; // the words name both places
     std::function<bool(std::span<double>, std::span<double>)> apply;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The bugs that the handouts give to find, as they stand there. Each is in a function that no task
-// asks for. bugs_test.cpp has the law that each of them breaks.
+// The functions with a bug that the handouts ask to find, as they stand there. They belong to no
+// task. bugs_test.cpp has the law that each of them breaks.
 #pragma once
 
 #include "formulas/validation.hpp"

@@ -23,7 +23,8 @@ TEST_CASE("A1: steps of the derivation", "[numbers]")
 
 TEST_CASE("A2: the standard deviation of a sample", "[numbers]")
 {
-    // of y² + z²: in the ball ⟨y⁴⟩ = 3/35 and ⟨y² z²⟩ = 1/35, in the cube ⟨y⁴⟩ = 1/80
+    // The standard deviation of y² + z²: in the ball ⟨y⁴⟩ = 3/35 and ⟨y² z²⟩ = 1/35, in the cube
+    // ⟨y⁴⟩ = 1/80.
     const double mean = 2.0 / 5, square = 2 * 3.0 / 35 + 2 * 1.0 / 35;
     check_shown("A2", "it is 0.2619 in a ball", {std::sqrt(square - mean * mean)});
     check_shown("A2", "and 0.1054 in a cube", {std::sqrt(2 * (1.0 / 80 - 1.0 / 144))});

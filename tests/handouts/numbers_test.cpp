@@ -235,7 +235,7 @@ TEST_CASE("A4: friction that jams and friction that adds energy", "[numbers]")
         return body.velocity.squaredNorm() / 2 + body.angular_velocity.squaredNorm() / 24;
     };
     const Matrix3d K_rod = impulse_matrix(1, I_inverse, X, Vector3d::Zero());
-    // K couples nothing with z
+    // K does not couple z with the other directions.
     const Vector3d bounce = collision_impulse(K_rod, tip, up, 1, 100);
     const Body after = apply_impulse(rod, Vector3d::Zero(), bounce);
     check_shown("A4",
@@ -250,7 +250,8 @@ TEST_CASE("A4: friction that jams and friction that adds energy", "[numbers]")
 TEST_CASE("A4: what deepest point and first point miss", "[numbers]")
 {
     check_shown("A4", "40 m/s and 60 steps a second, a plate moves 0.667 m", {40, 60, 40.0 / 60});
-    // A fall of √(2/g), then bounces of twice that time, each half as long as the one before.
+    // A fall of √(2/g), then bounces that together take twice that time, each half as long as the
+    // one before.
     const double fall = std::sqrt(2 / 9.81);
     check_shown("A4", "lies still after 1.354571 s", {fall * (1 + 2 * 0.5 / (1 - 0.5))});
 }

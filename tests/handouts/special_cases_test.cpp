@@ -12,7 +12,7 @@ using namespace rigor::handouts;
 
 namespace {
 
-// Words of a header, and words of which the handout has to have some.
+// Two regular expressions: if the first matches a header, the handout has to match the second.
 struct SpecialCase {
     const char *header, *handout;
 };

@@ -15,7 +15,7 @@ struct Mutant {
     int number;              // from 1
     std::string function;    // the function that is wrong
     std::string name;        // what is wrong: "old line => new line", in one line of text
-    std::size_t first, last; // its lines in the generated text, from 1; 0 if it has none
+    std::size_t first, last; // its lines in the generated text, from 1
 };
 
 struct Generated {

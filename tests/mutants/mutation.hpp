@@ -28,7 +28,7 @@ Mutations changed_operators(const Source& source, Range range);
 /// Sums without one of their terms, products without a factor, conditions without a part.
 Mutations dropped_operands(const Source& source, Range range);
 
-/// Other numbers: n + 1, n - 1 and 0 for n, thresholds that are much larger or zero, and absolute
+/// Other numbers: n + 1 and n - 1 for n, thresholds that are much larger or zero, and absolute
 /// thresholds where something is compared with zero.
 Mutations changed_numbers(const Source& source, Range range);
 
@@ -39,11 +39,12 @@ Mutations changed_words(const Source& source, Range range);
 /// Other variables of the same type, and arguments of a call in another order.
 Mutations changed_variables(const Source& source, const Function& function);
 
-/// Statements that are left out, branches that are always or never taken, results that are empty.
+/// Statements that are left out, branches that are always or never taken, loops that run once,
+/// results that are empty.
 Mutations changed_statements(const Source& source, Range range);
 
-/// Variables that start with another value: positive, never negative, in single precision, or the
-/// one of the last call.
+/// Variables that start with another value: positive, never negative, in single precision, or
+/// their value in the last call.
 Mutations changed_starts(const Source& source, Range range);
 
 } // namespace rigor::mutants

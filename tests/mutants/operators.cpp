@@ -20,8 +20,8 @@ const std::map<std::string_view, Texts> others = {
     {"||", {"&&"}},
 };
 
-// The rank of an operator of two operands: a higher one binds its operands more closely. 0 for what
-// ends every operand.
+// The rank of an operator of two operands: a higher one binds its operands more closely. 0 for
+// all other tokens.
 int rank(const Token& token)
 {
     static const std::map<std::string_view, int> ranks = {

@@ -121,7 +121,7 @@ Mutations changed_statements(const Source& source, Range range)
             result.push_back({tokens[start].begin, tokens[end].end, ";"});
         if (text == "if") change_condition(source, start, result);
         if (text != "for") continue;
-        const std::size_t body = closing(tokens, start + 1) + 1; // only once
+        const std::size_t body = closing(tokens, start + 1) + 1; // runs only once
         const std::size_t body_end = statement_end(tokens, body);
         result.push_back({tokens[body].begin, tokens[body_end].end,
                           "{ " + source.between(body, body_end) + " break; }"});

@@ -81,8 +81,7 @@ const std::map<std::string_view, Texts> other_words = {
 const std::set<std::string_view> left_out = {"transpose", "normalized", "stableNormalized",
                                              "cwiseAbs",  "cwiseAbs2",  "rbegin"};
 
-// Functions whose arguments are joined by commas and are left alone because their order does not
-// matter.
+// Functions whose arguments are not exchanged, because their order does not matter.
 const std::set<std::string_view> symmetric = {"min", "max", "hypot"};
 
 bool is_component(std::string_view word)
@@ -135,7 +134,7 @@ Variables variables_of(const Source& source, const Function& function)
 // The variables of the same type that come next in the order of their names.
 Texts next_of_type(const Variables& variables, std::string_view name)
 {
-    constexpr std::size_t most = 3; // more would be compiled for long and tell little
+    constexpr std::size_t most = 3; // more would take long to compile and tell little
     Texts result;
     const auto self = variables.find(name);
     if (self == variables.end()) return result;

@@ -47,7 +47,7 @@ void slide(Record& record, double friction, double restitution)
     watch.limit_energy(64 * steps * eps);
 }
 
-// A spinning ball that rubs on the ground, and a pile. For any μ, energy may only be lost.
+// A spinning ball rubs on the ground. For any μ, energy may only be lost.
 void rub(Record& record, double friction)
 {
     const Material material{0.5, friction};

@@ -71,8 +71,8 @@ void add_spins(Suite& suite)
 
 // Free rotation of a body with a physically possible inertia (no moment above the sum of the
 // others). L does not change. For any time step, the energy lies between L²/2I of the largest and
-// of the smallest moment (I). If the steps resolve the spin, it changes only by the error of a
-// fourth-order method (O), n (|ω|h)⁵; if not, it must not grow without bound.
+// that of the smallest moment. If the n steps resolve the spin, it changes only by the error of a
+// fourth-order method, n (|ω|h)⁵; if not, it must not grow without bound.
 void tumble(Record& record, const Vector3d& moments, const Vector3d& angular_velocity)
 {
     constexpr int steps = 1000;

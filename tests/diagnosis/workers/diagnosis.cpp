@@ -87,7 +87,7 @@ std::vector<Input> drawn_inputs_of(const FormulaType& type, unsigned seed)
     return inputs;
 }
 
-// Special cases of the drawn arguments, and the calls of tests with some like them.
+// Special cases of the drawn arguments, and the calls of tests, each with a few inputs like it.
 std::vector<Input> special_inputs_of(const FormulaType& type, const std::vector<Input>& drawn,
                                      const std::vector<Bytes>& calls)
 {

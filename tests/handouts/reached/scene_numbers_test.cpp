@@ -21,7 +21,7 @@ TEST_CASE("scenes: a matrix without repair swells, and the velocity modes hardly
     };
     const double swollen = growth("a3-rotation/unrepaired_matrix");
     const Run bar = run("a3-rotation/unrepaired_matrix", {});
-    // √(1 + |ω|² h²) in each step, and twice that power in the energy
+    // The length grows by √(1 + |ω|² h²) in each of the 250 steps, the energy by its square.
     const double longer = std::sqrt(bar.last.solids[0].totals.kinetic_energy /
                                     bar.first.solids[0].totals.kinetic_energy);
     CHECK(std::abs(longer - std::pow(1 + 9 * 0.02 * 0.02, 125)) < 1e-9 * longer);
