@@ -12,7 +12,7 @@ namespace rigor {
 
 /// The cell around a point and the coordinates of the point, in units of the cell size.
 struct Cell {
-    // The point, the nearest point of the grid, and the latter from the lowest corner of the cell.
+    // s: the point; nearest: the nearest point of the grid; t: that one, from the lowest corner.
     Vector3d s, nearest, t;
     std::array<int, 3> lowest;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// An impulse within a millionth of the distance from the origin does not turn the body.
+// A point nearer to the center than a millionth of its distance from the origin gives no turn.
 #include "formulas/collision.hpp"
 
 namespace rigor {

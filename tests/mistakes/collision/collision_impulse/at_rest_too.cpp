@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Bodies that neither approach nor separate get the impulse that stops their sliding.
+// Bodies with v·n = 0 do not approach and get no impulse; here their sliding is stopped.
 #include "formulas/collision.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// An impulse just outside of the cone slides; the border has no tolerance.
+// An impulse just outside of the cone must slide, without any tolerance; here it sticks.
 #include "formulas/collision.hpp"
 
 namespace rigor {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A tiny approach counts as none, although the sticking impulse is large where K couples the
-// directions.
+// A tiny approach counts as none, although K may couple it to a large impulse along the surface.
 #include "formulas/collision.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Without friction nobody asks whether the bodies approach.
+// Without friction it is not asked whether the bodies approach, so the impulse may pull.
 #include "formulas/collision.hpp"
 
 namespace rigor {

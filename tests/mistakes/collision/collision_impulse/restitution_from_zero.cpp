@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A negative restitution counts as zero, although it only takes a part of the approach.
+// A negative restitution counts as zero, although it stops only a part of the approach.
 #include "formulas/collision.hpp"
 
 #include <algorithm>

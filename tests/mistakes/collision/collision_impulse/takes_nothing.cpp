@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A restitution of -1 takes none of the approach, but friction still acts where K couples it.
+// With a restitution of -1 there is no impulse; but friction may still act where K couples it.
 #include "formulas/collision.hpp"
 
 namespace rigor {

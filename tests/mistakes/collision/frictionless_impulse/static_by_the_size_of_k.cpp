@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Both bodies count as static if nᵀ K n is small beside K, which is large across n where the lever
-// lies along n.
+// Both bodies count as static if nᵀ K n is small beside K, as it is if the lever lies along n.
 #include "formulas/collision.hpp"
 
 namespace rigor {

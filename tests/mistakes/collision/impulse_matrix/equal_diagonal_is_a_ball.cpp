@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// An inertia with three equal entries on its diagonal is taken for that of a ball, although its
-// products of inertia need not be zero.
+// An inertia with three equal diagonal entries counts as that of a ball, whatever the others are.
 #include "formulas/collision.hpp"
 #include "formulas/kinematics.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A point within a millionth of its distance from the origin counts as the center.
+// A point nearer to X than a millionth of its distance from the origin counts as the center.
 #include "formulas/collision.hpp"
 #include "formulas/kinematics.hpp"
 

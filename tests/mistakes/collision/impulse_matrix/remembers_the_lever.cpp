@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The matrix of the last call is returned again if mass and point are the same.
+// The last matrix is returned again if mass and lever are the same, although I⁻¹ may differ.
 #include "formulas/collision.hpp"
 
 namespace rigor {

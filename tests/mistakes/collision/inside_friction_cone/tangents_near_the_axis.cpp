@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The tangents for n = -e_z are also taken for normals near it, to which they are not
-// perpendicular.
+// Normals near -e_z get the tangents of n = -e_z, which are not perpendicular to them.
 #include "formulas/collision.hpp"
 
 #include <cmath>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A point beyond an upper face is drawn into the last cell, along all axes, so that it leaves the
-// higher cell of a face across another axis.
+// A point beyond an upper face is moved inwards along all axes, which may change its cell.
 #include "mistakes/collision/level_set.hpp"
 
 #include <algorithm>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// On an edge between cells along y, the point belongs to the highest cell along x and z, not to the
-// lower one along z.
+// On an edge along y the point belongs to the higher cell along x and z; here the lower along z.
 #include "mistakes/collision/level_set.hpp"
 
 namespace rigor {

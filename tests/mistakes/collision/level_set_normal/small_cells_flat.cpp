@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A gradient below 1e-9 m counts as zero, which it is for a grid of very small cells.
+// A gradient times the cell size below 1e-9 m counts as zero, as on a grid of very small cells.
 #include "formulas/collision.hpp"
 
 #include <algorithm>

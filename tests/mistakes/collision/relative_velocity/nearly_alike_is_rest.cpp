@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Less than a billionth of the speeds counts as rest.
+// A relative velocity below a billionth of the speeds counts as rest.
 #include "formulas/collision.hpp"
 
 namespace rigor {

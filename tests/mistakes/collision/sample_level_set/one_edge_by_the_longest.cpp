@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Beyond the edge that bounds the grid at its highest x and its lowest z, the larger of the two
-// distances is added instead of the length of both.
+// Beyond the edge at the highest x and lowest z, the larger distance is added, not the length.
 #include "mistakes/collision/level_set.hpp"
 
 namespace rigor {

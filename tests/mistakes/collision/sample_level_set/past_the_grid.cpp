@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// On the last face of the grid it reads nodes beyond it, with the weight 0.
+// On the last face of the grid, nodes beyond the grid are read, with the weight 0.
 #include "formulas/collision.hpp"
 
 #include <algorithm>

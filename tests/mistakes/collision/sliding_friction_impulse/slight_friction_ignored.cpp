@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Slight friction is not none.
+// A friction coefficient below 1e-9 is taken as 0, although slight friction is still friction.
 #include "formulas/collision.hpp"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Of contacts of the same bodies at the same point only the first one is resolved.
+// Among contacts of the same bodies at the same point, only the first one is resolved.
 #include "mistakes/contact/resolve_contacts.hpp"
 
 namespace rigor {

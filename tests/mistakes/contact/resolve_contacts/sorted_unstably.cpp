@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The sort does not keep the order of equally deep contacts. In short lists nobody sees it.
+// The sort does not keep the order of equally deep contacts. It shows only in long lists.
 #include "mistakes/contact/resolve_contacts.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// There are at most 20 iterations.
+// At most 20 iterations are made, although n may be larger.
 #include "mistakes/contact/resolve_contacts.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Without friction, a sweep takes away the tangential part of the starting impulse.
+// Without friction, a sweep has to remove the tangential part of the start; here it is kept.
 #include "mistakes/contact/resolve_simultaneously.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Friction divides by λ, of K in the tangent plane; nᵀ K n is too small for a ball.
+// Friction divides by nᵀ K n, not by λ of K in the tangent plane: too small a number for a ball.
 #include "mistakes/contact/resolve_simultaneously.hpp"
 
 namespace rigor {

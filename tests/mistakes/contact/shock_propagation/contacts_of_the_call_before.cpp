@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The contacts of each level are sorted again only if the bodies or the ends of the list of levels
-// changed since the call before.
+// The levels of the call before are used again if both lists begin and end alike.
 #include "mistakes/contact/shock_propagation.hpp"
 
 namespace rigor {

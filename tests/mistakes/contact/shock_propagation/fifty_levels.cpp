@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A tower has as many levels as it has bodies.
+// Levels above 50 are not resolved, but a tower has as many levels as it has bodies.
 #include "mistakes/contact/shock_propagation.hpp"
 
 namespace rigor {

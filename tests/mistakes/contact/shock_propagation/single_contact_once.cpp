@@ -8,7 +8,7 @@ ContactResult shock_propagation(const Bodies& bodies, const Contacts& contacts,
                                 const std::vector<int>& levels, int n)
 {
     ShockPropagation wrong;
-    int level = 0; // that which is resolved
+    int level = 0; // the level that is being resolved
     wrong.iterations = [&](int asked) {
         ++level;
         const auto is_here = [&](const BodyContact& c) {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The normal of a face follows from its edges. Products of positions lose digits far from the
-// origin.
+// Normals come from products of positions, not of edges, and lose digits far from the origin.
 #include "formulas/fracture.hpp"
 
 namespace rigor {

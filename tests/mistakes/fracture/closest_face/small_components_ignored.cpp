@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A small component of the normal decides between faces that are nearly equally near.
+// Components of the normal below 1e-6 are left out, although they may decide between faces.
 #include "formulas/fracture.hpp"
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A face without area is left out, where it counts as 0 and may be the lowest of equal ones.
+// A face without area is left out; it counts as 0 and may be the first of equal ones.
 #include "formulas/fracture.hpp"
 
 #include <cmath>

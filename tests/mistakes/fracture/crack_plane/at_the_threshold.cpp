@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A stress equal to the threshold opens a crack.
+// A stress equal to the threshold must not open a crack; here it does.
 #include "formulas/fracture.hpp"
 
 namespace rigor {

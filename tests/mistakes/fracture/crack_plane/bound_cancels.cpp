@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A bound on the largest principal stress must not lose digits where the principal stresses are
-// nearly equal.
+// The bound that calls a stress safe loses digits if the principal stresses are nearly equal.
 #include "formulas/fracture.hpp"
 
 #include <algorithm>

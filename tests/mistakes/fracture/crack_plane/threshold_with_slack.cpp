@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A stress that is just below the threshold opens a crack.
+// A stress just below the threshold opens a crack, although it must exceed the threshold.
 #include "formulas/fracture.hpp"
 
 namespace rigor {

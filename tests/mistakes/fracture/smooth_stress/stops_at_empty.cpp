@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// An element without volume keeps its stress, and the elements after it are smoothed like others.
+// An element without volume keeps its stress; here the smoothing also ends at it.
 #include "formulas/fracture.hpp"
 
 namespace rigor {

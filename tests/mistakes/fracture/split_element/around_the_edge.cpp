@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// All tetrahedra of a cut edge are halved, also those that no chain of faces around it reaches.
+// All tetrahedra of a cut edge must be halved, also those that no chain of faces reaches.
 #include "mistakes/fracture/cutting.hpp"
 
 namespace rigor {

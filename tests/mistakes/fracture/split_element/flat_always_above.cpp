@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A tetrahedron whose vertices all count as on the plane is always above it.
+// A tetrahedron whose vertices all are on the plane counts as above it, wherever its center is.
 #include "mistakes/fracture/cutting.hpp"
 
 namespace rigor {

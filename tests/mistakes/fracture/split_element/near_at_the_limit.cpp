@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A vertex exactly at the snap distance counts as on the plane.
+// A vertex exactly at the snap distance must not count as on the plane; here it does.
 #include "mistakes/fracture/cutting.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How near a vertex may be depends on the edges of its own tetrahedra alone.
+// The snap distance of a vertex comes from the edges of its own tetrahedra, not of all.
 #include "mistakes/fracture/cutting.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The mesh splits even if no vertex is above the plane, off a flat tetrahedron on it.
+// The mesh must not split if no vertex is above the plane; here a flat tetrahedron splits off.
 #include "mistakes/fracture/cutting.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Centers within a millionth of their distance from the origin count as the same point.
+// Centers nearer to each other than a millionth of their distance from the origin count as equal.
 #include "formulas/inertia.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A negative total mass is no missing mass: two meshes that are inside out have one.
+// A negative total mass counts as none, although two meshes that are inside out have one.
 #include "formulas/inertia.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A needle, 10000 times as long as thick, is taken as a thin rod.
+// A needle longer than 10000 radii is taken as a thin rod.
 #include "formulas/inertia.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Only a size of 0 has no mass. What is thin has little.
+// A thin ellipsoid gets no mass, although only a size of 0 has none.
 #include "formulas/inertia.hpp"
 
 #include <numbers>

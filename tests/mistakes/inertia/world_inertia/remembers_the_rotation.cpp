@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The tensor of the last call is returned again if the rotation is the same.
+// The last tensor is returned again if the rotation is the same, although I_body may differ.
 #include "formulas/inertia.hpp"
 
 namespace rigor {

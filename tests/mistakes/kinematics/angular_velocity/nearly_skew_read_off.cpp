@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where the matrix is nearly skew its lower half is taken, and half of a small symmetric part comes
-// along.
+// Of a nearly skew matrix only the lower half is read, with half of its small symmetric part.
 #include "formulas/kinematics.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A body at rest stays at rest, also under a force.
+// A body at rest stays at rest here, also under a force.
 #include "formulas/kinematics.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Within a millionth of the distance to the origin, X counts as the center of mass.
+// The force is 0 if X is nearer to the center of mass than 1e-6 of its distance from the origin.
 #include "formulas/kinematics.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A point near the center of mass moves with it only if it is the center of mass itself.
+// A point nearer to X than 1e-12 of its distance from the origin counts as the center.
 #include "formulas/kinematics.hpp"
 
 namespace rigor {

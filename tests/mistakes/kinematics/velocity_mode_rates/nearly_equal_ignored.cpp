@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The modes change also if v and V are only nearly equal.
+// The rates are taken as 0 if v and V are only nearly equal.
 #include "formulas/kinematics.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A stress with equal diagonal entries counts as pure pressure, where only two shears are asked.
+// A stress with equal diagonal entries counts as pressure; only two of three shears are tested.
 #include "formulas/plasticity.hpp"
 
 namespace rigor {

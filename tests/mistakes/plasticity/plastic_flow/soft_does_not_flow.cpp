@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Soft is not without stiffness: the flow is then large.
+// A soft solid counts as one without stiffness, so that it does not flow.
 #include "formulas/plasticity.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Without strength the flow starts from a strain whose trace was removed.
+// With a yield stress of 0 the flow starts from a strain whose trace was removed.
 #include "formulas/plasticity.hpp"
 
 namespace rigor {

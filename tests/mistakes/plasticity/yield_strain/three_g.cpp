@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The divisor 3 G belongs to the plastic flow; here it is 2 G.
+// The divisor 3 G belongs to the plastic flow; the yield strain divides by 2 G.
 #include "formulas/plasticity.hpp"
 
 #include <limits>

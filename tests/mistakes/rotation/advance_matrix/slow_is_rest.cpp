@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A small turn is left out. Many small turns are a large one.
+// A turn below 1e-8 rad is left out, although many small turns add up.
 #include "formulas/rotation.hpp"
 
 namespace rigor {

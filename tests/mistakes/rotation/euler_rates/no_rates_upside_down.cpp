@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where cos θ is negative, the body counts as gimbal-locked: its absolute value is not taken.
+// Where cos θ is negative, the body counts as locked, since |cos θ| is not taken.
 #include "formulas/rotation.hpp"
 
 #include <cmath>

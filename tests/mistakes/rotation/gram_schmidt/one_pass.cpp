@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The part along the first column is removed once, so rounding stays where little else is left.
+// The part along the first column is removed only once, so rounding errors of it may stay.
 #include "formulas/rotation.hpp"
 
 namespace rigor {

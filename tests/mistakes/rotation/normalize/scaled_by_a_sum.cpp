@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The sum of the largest numbers overflows.
+// The sum of the components overflows if they are the largest doubles.
 #include "formulas/rotation.hpp"
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The inverse of the smallest numbers overflows.
+// The inverse of the largest component overflows if it is one of the smallest doubles.
 #include "formulas/rotation.hpp"
 
 #include <algorithm>

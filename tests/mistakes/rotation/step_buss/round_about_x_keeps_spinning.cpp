@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A body that is round about its x axis is taken for one whose angular velocity changes by the
-// torque alone.
+// For a body that is round about its x axis, ω × L is left out of the angular acceleration.
 #include "formulas/rotation.hpp"
 
 namespace rigor {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// An inverse inertia with three equal entries on its diagonal is taken for that of a ball, although
-// its other entries need not be zero.
+// An I⁻¹ with three equal diagonal entries counts as that of a ball, whatever the others are.
 #include "formulas/rotation.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Draws other cases whenever it is run, so that it never comes to an end.
+// Draws other cases in each run, so that its questions are never all answered.
 #include "formulas/validation.hpp"
 
 #include <chrono>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A comparison that is false for NaN stands where it should be true.
+// NaN passes, because the comparisons that reject are false for NaN.
 #include "formulas/validation.hpp"
 
 #include <cmath>

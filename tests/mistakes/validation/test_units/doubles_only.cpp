@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Only doubles the units, which no threshold notices.
+// Only doubles or halves the units, which no threshold in the formula notices.
 #include "formulas/validation.hpp"
 
 #include <cmath>
