@@ -21,7 +21,7 @@ struct ClassMember {
 std::vector<ClassMember> made_class(const std::filesystem::path& source, const std::string& topic,
                                     int count, unsigned seed);
 
-/// A class of which nobody handed in the topic's file: what grading costs without a compiler.
+/// A class in which no member handed in the topic's file: what grading costs without a compiler.
 std::vector<ClassMember> empty_class(int count);
 
 /// Writes each submission to a folder of its own.

@@ -7,7 +7,7 @@
 //     check_corpus --sample COUNT SEED    this number of them, which the seed draws
 //     check_corpus --topics SEED          one of each kind in another topic, which the seed draws
 //
-// RIGOR_TIER and RIGOR_COMPILER choose the walls and the compiler of submissions.
+// RIGOR_TIER and RIGOR_COMPILER choose the tier of the sandbox and the compiler of submissions.
 #include "corpus.hpp"
 #include "errors/utf8.hpp"
 #include "grading/build/submission_build.hpp"

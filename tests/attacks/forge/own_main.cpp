@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A main function that takes the place of ours. It greets as a worker does, answers every call with
+// A main function in the place of the worker's. It greets as a worker does, answers every call with
 // zeros, and streams a scene in which nothing moves.
 #include "worker/protocol/channel.hpp"
 

@@ -107,8 +107,8 @@ double error_at(const std::vector<Point>& curve, double time)
     return curve.back().error;
 }
 
-// How many times smaller the error of `ours` is than that of `theirs` in the same time: the
-// smallest ratio at any point of `theirs`.
+// The smallest ratio, over all points of `theirs`, of the error of `theirs` to that of `ours` after
+// the same computing time.
 double advantage(const std::vector<Point>& ours, const std::vector<Point>& theirs)
 {
     double least = std::numeric_limits<double>::infinity();

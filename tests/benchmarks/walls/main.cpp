@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The cost of the walls around a program: from the start of the launcher until the first answer of
-// a small static program, in each tier that is possible here, and beside it the processor time of
-// all processes that take part, also for ending them.
+// The cost of the walls (the sandbox) around a program: from the start of the launcher until the
+// first answer of a small static program, in each tier that is possible here, and beside it the
+// processor time of all processes that take part, also for ending them.
 #include "sandbox/confined.hpp"
 #include "support/bench/bench.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Does not assemble. The message says nothing about files of ours.
+// Does not assemble. The message says nothing about files of the framework.
 // expect: 0 compile_error: instruction
 #include "formulas/pipeline.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Prints what the kernel tells a program when it starts: its path, its user, its variables. Behind
-// walls, the path of a program says nothing about where the tree is.
+// Prints what the kernel tells a program when it starts: its path, its user, its variables. In the
+// sandbox, the path of a program does not tell where the source tree is.
 // expect: 0 failed
 #include "formulas/pipeline.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Takes what the worker has freed, and looks in it for the answers of others.
+// Allocates what the worker has freed, and looks in it for answers that are not its own.
 // expect: 0 failed
 #include "formulas/pipeline.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Throws what the worker throws inside when a formula is missing.
+// Throws the type that the worker throws inside when a formula is missing.
 // expect: 0 crashed|compile_error|failed
 #include "formulas/pipeline.hpp"
 

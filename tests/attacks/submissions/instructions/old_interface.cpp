@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Makes a call by the interface of 32 bits, where the numbers mean other calls.
+// Makes a system call by the interface of 32 bits (int 0x80), where the numbers mean other calls.
 // expect: 0 crashed
 #include "formulas/pipeline.hpp"
 

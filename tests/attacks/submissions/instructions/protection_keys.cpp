@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Takes all rights to its memory from itself.
+// Takes from itself all rights to its memory, by the register of protection keys.
 // expect: 0 crashed
 #include "formulas/pipeline.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Draws its answers from the processor.
+// Draws its answers from the random numbers of the processor (rdrand).
 // expect: 0 failed|crashed
 #include "formulas/pipeline.hpp"
 

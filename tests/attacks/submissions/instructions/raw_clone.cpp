@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Starts a process, by the instruction itself.
+// Starts a process, by the instruction syscall itself.
 // expect: 0 crashed: tried to start a thread or another process
 #include "formulas/pipeline.hpp"
 

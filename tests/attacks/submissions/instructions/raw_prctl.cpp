@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Makes its memory open to others, by the instruction itself; this quietly fails.
+// Makes its memory readable by others, by the instruction syscall itself; this quietly fails.
 // expect: 1 passed
 #include "formulas/pipeline.hpp"
 

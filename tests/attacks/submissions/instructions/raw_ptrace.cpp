@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Asks to be traced, by the instruction itself.
+// Asks to be traced, by the instruction syscall itself.
 // expect: 0 crashed: tried to look into another process
 #include "formulas/pipeline.hpp"
 

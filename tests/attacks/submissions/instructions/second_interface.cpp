@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Makes a call by the numbers of the second interface of 64 bits.
+// Makes a system call by the numbers of x32, the second interface of 64 bits.
 // expect: 0 crashed
 #include "formulas/pipeline.hpp"
 

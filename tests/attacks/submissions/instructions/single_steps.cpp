@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lets the processor stop after each instruction, and returns.
+// Sets the flag with which the processor stops after each instruction, and returns.
 // expect: 0 crashed|passed
 #include "formulas/pipeline.hpp"
 

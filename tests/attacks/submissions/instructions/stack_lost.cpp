@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Returns on a stack of zeros.
+// Returns with the stack pointer in an array of zeros, so to address 0.
 // expect: 0 crashed
 #include "formulas/pipeline.hpp"
 

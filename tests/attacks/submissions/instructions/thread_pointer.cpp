@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Moves the variables of its thread to address zero.
+// Moves the thread-local variables to address zero.
 // expect: 0 crashed
 #include "formulas/pipeline.hpp"
 

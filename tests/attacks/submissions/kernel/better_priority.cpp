@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Asks for a better place in the queue for processors.
+// Asks for a higher priority.
 // expect: 0 crashed: tried to change how it is scheduled
 #include "formulas/pipeline.hpp"
 

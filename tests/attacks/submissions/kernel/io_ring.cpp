@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Asks for a ring of calls that no filter sees.
+// Asks for an io_uring, by which the kernel makes calls that no filter sees.
 // expect: 0 crashed: tried to make system call
 #include "formulas/pipeline.hpp"
 

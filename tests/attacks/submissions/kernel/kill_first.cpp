@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Sends a signal to a thread of the first process.
+// Sends a signal to a thread of process 1.
 // expect: 0 crashed: tried to send a signal to a process
 #include "formulas/pipeline.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Leaves a queue of messages by key.
+// Leaves a System V message queue.
 // expect: 0 crashed: tried to share memory with other processes
 #include "formulas/pipeline.hpp"
 

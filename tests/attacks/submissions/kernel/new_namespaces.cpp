@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Asks for namespaces of its own.
+// Asks for kernel namespaces of its own.
 // expect: 0 crashed: tried to change mounts or namespaces
 #include "formulas/pipeline.hpp"
 

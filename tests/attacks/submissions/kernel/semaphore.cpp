@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Leaves a semaphore by key.
+// Leaves a System V semaphore.
 // expect: 0 crashed: tried to share memory with other processes
 #include "formulas/pipeline.hpp"
 

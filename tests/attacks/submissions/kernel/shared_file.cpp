@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Leaves shared memory by name.
+// Leaves POSIX shared memory, which has a name.
 // expect: 0 crashed: tried to open a file
 #include "formulas/pipeline.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Leaves shared memory by key.
+// Leaves System V shared memory.
 // expect: 0 crashed: tried to share memory with other processes
 #include "formulas/pipeline.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Asks for a counter of the processor, which tells about other processes.
+// Asks for a performance counter of the processor, which tells about other processes.
 // expect: 0 crashed: tried to make system call
 #include "formulas/pipeline.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A number at a multiple of half a gigabyte.
+// Data that has to be at a multiple of half a gigabyte.
 // expect: 0 compile_error|passed
 #include "formulas/pipeline.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A function with the linker name of the loop of the worker, by a label.
+// A function that a label gives the linker name of the worker's loop.
 // expect: 1 passed
 #include "formulas/pipeline.hpp"
 

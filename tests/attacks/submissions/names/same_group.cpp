@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A group of sections with the name of a function of ours, which is dropped as a copy elsewhere.
+// A group of sections with the name of a function of the worker. The linker keeps only one copy of
+// such a group.
 // expect: 1 passed
 #include "formulas/pipeline.hpp"
 

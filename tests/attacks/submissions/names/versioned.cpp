@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Gives a name of the C library a version of its own.
+// Gives memcpy of the C library a version of its own.
 // expect: 1 passed|compile_error
 #include "formulas/pipeline.hpp"
 

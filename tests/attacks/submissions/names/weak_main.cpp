@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A weak main function beside ours.
+// A weak main function beside the worker's.
 // expect: 1 passed
 #include "formulas/pipeline.hpp"
 

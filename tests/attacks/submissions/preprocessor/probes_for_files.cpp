@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Asks the preprocessor which files there are, and is right if it finds one of ours.
+// Asks the preprocessor which files there are, and is right if it finds one of the framework.
 // expect: 0 failed|compile_error
 #include "formulas/pipeline.hpp"
 

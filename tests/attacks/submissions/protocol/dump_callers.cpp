@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Prints the code of its callers, in which there is no reference.
+// Prints the machine code of its callers, in which there is no reference.
 // expect: 0 failed
 #include "formulas/pipeline.hpp"
 

@@ -27,7 +27,7 @@ template <typename Number> std::string bytes_of(const Number& number)
 template <typename AnswerTo> void serve_forged(const AnswerTo& answer_to)
 {
     void* memory = mmap(nullptr, channel_size, PROT_READ | PROT_WRITE, MAP_SHARED, 3, 0);
-    if (memory == MAP_FAILED) return; // nobody asks
+    if (memory == MAP_FAILED) return; // without a client
     auto& words = *static_cast<ChannelWords*>(memory);
     char* const stream = static_cast<char*>(memory) + stream_start;
     char* const payload = static_cast<char*>(memory) + payload_start;

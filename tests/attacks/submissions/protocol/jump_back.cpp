@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Jumps back into the call before, whose frame is gone.
+// Jumps back (longjmp) into the call before, whose stack frame is gone.
 // expect: 0 crashed|failed|timed_out
 #include "formulas/pipeline.hpp"
 

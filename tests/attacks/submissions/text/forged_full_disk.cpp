@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Says that the disk is full, which would be a fault of ours.
+// Says that the disk is full, which would be a fault of the grader and not of the submission.
 // expect: 0 compile_error
 #include "formulas/pipeline.hpp"
 
