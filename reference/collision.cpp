@@ -12,8 +12,8 @@ namespace rigor {
 
 namespace {
 
-// The position on the grid of the point nearest to p in the grid's box: of p itself, if p is in the
-// box.
+// The place on the grid of the point in the grid's box that is nearest to p. If p is in the box,
+// this point is p itself.
 struct GridPosition {
     std::array<int, 3> cell; // the lowest node of the cell that contains the nearest point
     Vector3d t;              // position in that cell, 0 … 1 along each axis
@@ -30,7 +30,8 @@ GridPosition grid_position(const LevelSet& grid, const Vector3d& p)
     for (int i = 0; i < 3; ++i) {
         const int last = grid.size[i] - 1;
         nearest[i] = std::clamp(s[i], 0.0, static_cast<double>(last));
-        // A face belongs to the cell with the higher index, the last face to the last cell.
+        // A face between two cells belongs to the one with the higher index; the last face belongs
+        // to the last cell.
         position.cell[i] = std::min(static_cast<int>(nearest[i]), last - 1);
         position.t[i] = nearest[i] - position.cell[i];
     }

@@ -33,7 +33,7 @@ Matrix3d impulse_matrix_of(const Bodies& bodies, const BodyContact& c)
            impulse_matrix(b2.inverse_mass, b2.inverse_inertia, b2.position, c.point);
 }
 
-// +j on body 1, -j on body 2
+// Applies the impulse j to body 1 and -j to body 2.
 void apply(Bodies& bodies, const BodyContact& c, const Vector3d& j)
 {
     bodies[c.body1] = apply_impulse(bodies[c.body1], c.point, j);
@@ -129,8 +129,8 @@ struct Level {
     std::vector<int> bodies, contacts;
 };
 
-// The larger eigenvalue λ of K in the plane perpendicular to n. There, K is the matrix (a d; d c)
-// in the directions t and b.
+// The larger eigenvalue λ of K in the plane perpendicular to n [1/kg]. In the directions t and b of
+// this plane, K is the matrix (a d; d c).
 double tangential_eigenvalue(const Matrix3d& K, const Vector3d& n)
 {
     const Vector3d t = n.unitOrthogonal(), b = n.cross(t);
@@ -139,7 +139,7 @@ double tangential_eigenvalue(const Matrix3d& K, const Vector3d& n)
 }
 
 struct Stiffness {
-    double normal, tangential; // nᵀ K n and λ
+    double normal, tangential; // nᵀ K n and λ [1/kg]
 };
 
 // The total impulse of a contact after it is visited once in a sweep. Before, the total impulse was

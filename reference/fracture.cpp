@@ -19,6 +19,7 @@ namespace rigor {
 namespace {
 
 // A vertex nearer to the plane than this fraction of the longest edge counts as lying on the plane.
+// The contract, formulas/fracture.hpp, gives the value.
 constexpr double snap_distance = 0.05;
 
 // The tetrahedra that have at least `count` of the chosen vertices.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Solutions of assignment A2: mass, center of mass and inertia. Simple solids have closed forms;
 // grid cells and random samples become point masses; a triangle mesh becomes a sum over signed
-// tetrahedra. Each function first computes the mass and the center of mass, then the inertia about
-// this center.
+// tetrahedra. Each function for mass properties first computes the mass and the center of mass,
+// then the inertia about this center.
 #include "formulas/inertia.hpp"
 
 #include <numbers>
@@ -17,7 +17,7 @@ constexpr double pi = std::numbers::pi;
 // The fraction is a few thousand times the machine epsilon.
 constexpr double zero_moment = 1e-12;
 
-// One point mass at each sample, with the mass of the given volume.
+// One point mass at each sample: the density there times the given volume.
 std::vector<Particle> lumped(const std::vector<DensitySample>& samples, double volume)
 {
     std::vector<Particle> particles;

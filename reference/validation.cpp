@@ -10,7 +10,9 @@ namespace rigor {
 
 namespace {
 
-constexpr double rounding = 1e-12; // relative to the largest term
+// A larger error than this is no rounding error. It is relative to the largest term, and a few
+// thousand times the machine epsilon.
+constexpr double rounding = 1e-12;
 
 // Whether a and b are equal up to rounding; false also if one of them is not finite.
 bool is_close(double a, double b, double scale)
@@ -42,8 +44,8 @@ bool collision_keeps_laws(const LineCollision& collide, double m1, double m2, do
     const auto [u1, u2] = collide(m1, m2, v1, v2, e);
     if (v1 <= v2) return u1 == v1 && u2 == v2;
     const double v = std::max(std::abs(v1), std::abs(v2)), P = (m1 + m2) * v;
-    // Errors are relative to the larger speed: if a light body bounces off a heavy one, the
-    // rounding of the light body's velocity is that large.
+    // Errors are relative to the larger speed before the collision, because both velocities after
+    // it are sums of terms as large as this speed.
     return is_close(m1 * u1 + m2 * u2, m1 * v1 + m2 * v2, P) &&
            is_close(u1 - u2, -e * (v1 - v2), v);
 }
@@ -77,15 +79,16 @@ Judgement test_spring_force(const SpringForce& force)
         const Vector3d x1 = random.vector() * size, d = random.vector() * size;
         const Vector3d x2 = x1 + d;
         const double r = (x2 - x1).norm(), k = random.magnitude();
-        // Lengths from much shorter to much longer than the rest length, and very near to it.
+        // The spring is much shorter or much longer than its rest length L, or has nearly this
+        // length.
         const double L = i % 3 == 0 ? r * (1 + random.uniform(-1, 1) / random.magnitude())
                                     : r * std::pow(10, random.uniform(-2, 2));
         if (L < 0) continue;
         const Vector3d f = force(x1, x2, k, L), f2 = force(x2, x1, k, L);
         const double scale = k * (r + L);
 
-        // The force is along the spring and proportional to its extension, and the one on the other
-        // end is its opposite.
+        // The force is along the spring and proportional to its extension, and the force on the
+        // other end is opposite.
         if (!is_close(f.dot(x2 - x1) / r, k * (r - L), scale)) return rejected();
         if (!is_close(f.cross(x2 - x1).norm() / r, 0, scale)) return rejected();
         if (!is_close((f + f2).norm(), 0, scale)) return rejected();
@@ -127,7 +130,8 @@ Judgement test_oscillator_step(const OscillatorStep& step)
         const double x = i % 5 == 0 ? 0 : random.uniform(-1, 1) * size;
         const double v = i % 5 == 1 ? 0 : random.uniform(-1, 1) * size * w;
 
-        // x(h) = x cos ωh + v/ω sin ωh, and its derivative divided by ω
+        // The exact result is x(h) = x cos ωh + v/ω sin ωh and its derivative; the contract allows
+        // an error of (ω h)³ A in x(h) and in v(h)/ω, with the amplitude A.
         const OscillatorState after = step({x, v}, w, a / w);
         const double A = std::hypot(x, v / w), bound = (a * a * a + rounding) * A;
         if (!(std::abs(after.x - (x * std::cos(a) + v / w * std::sin(a))) <= bound))
