@@ -33,7 +33,7 @@ TEST_CASE("book: each entry of the contents leads to a chapter", "[book]")
     }
     CHECK(chapters == 12); // A0 to A8, symbols, coverage, scenes
     CHECK(page.find("<a href=\"#chapter-" + std::to_string(chapters)) == std::string::npos);
-    CHECK(page.find("Find the bug") < page.find("<section")); // its sections are listed
+    CHECK(page.find("Find the bug") < page.find("<section")); // the contents list sections too
 }
 
 TEST_CASE("book: on paper each answer can be read", "[book]")

@@ -76,8 +76,8 @@ TEST_CASE("submission: an error in an earlier assignment is paid for there alone
     const std::string wrong = "#include \"formulas/kinematics.hpp\"\nnamespace rigor {\n"
                               "Vector3d point_velocity(const Vector3d& V, const Vector3d&, "
                               "const Vector3d&, const Vector3d&)\n{\n    return V;\n}\n}\n";
-    // The whole assignment with stubs of A1; a formula and a short scene with a wrong formula of
-    // A1.
+    // First the whole assignment, where the formulas of A1 are missing; then a formula and a short
+    // scene, where a formula of A1 is wrong.
     const std::vector<std::pair<std::string, std::vector<std::string>>> cases = {
         {"", {"a2-inertia"}}, {wrong, {"A2.3", "A2.16"}}};
     for (const auto& [earlier, what] : cases) {
@@ -102,7 +102,8 @@ TEST_CASE("submission: the reference answers in place of others, and never for t
     const std::string whole(std::istreambuf_iterator<char>(file), {});
     const std::regex returned("return R \\* \\(I_body_inverse");
     const TemporaryFolder folder;
-    // What stands in for a missing formula of A1 is no answer that the submission could call.
+    // The first code calls a missing formula of A1. The reference answers such a formula where the
+    // engine or a test calls it, but not where the submission does. The second code is wrong.
     for (const std::string before : {"cross_matrix(Vector3d(0, 0, 0)) + ", "2 * "}) {
         folder.write(
             "inertia.cpp",

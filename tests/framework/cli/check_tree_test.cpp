@@ -8,10 +8,10 @@ namespace rigor::testing {
 
 namespace {
 
-/// What the reference is checked for: everything, which is the empty list. Sanitizers make the
-/// scenes of many bodies and elements 20 to 50 times as slow, minutes each, so that a sanitized
-/// build checks all formulas and the scenes of A1 to A3. Its tests of rigid, deformable and
-/// classics run the same engine.
+/// The tags of the tasks that the reference is checked for. An empty list means all tasks. With
+/// sanitizers, scenes of many bodies or elements take 20 to 50 times as long, which is minutes for
+/// each. A sanitized build therefore checks all formulas, but only the scenes of A0 to A3; its
+/// tests of rigid, deformable and classics run the same engine.
 std::vector<std::string> graded_tags()
 {
     std::vector<std::string> tags;

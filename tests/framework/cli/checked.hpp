@@ -19,7 +19,7 @@ struct Checked {
     std::string said; // the output on the terminal
 };
 
-/// Checks an implementation. @param what  as on the command line
+/// Checks an implementation. @param what  the tasks, as on the command line
 inline Checked check(const std::vector<std::string>& what, const std::filesystem::path& with)
 {
     const TemporaryFolder results;

@@ -13,10 +13,11 @@ namespace rigor::testing {
 
 struct Run {
     int status = 0;
-    std::string output; // without a note that it waited for the build of a test beside this one
+    std::string output; // without the note that `rigor` waited for another `rigor` that builds
 };
 
-/// An output without the line that `rigor` prints where it waits for another one's build.
+/// The output without the lines which say that `rigor` waits for another `rigor` that builds. Such
+/// a line depends on which other tests run at the same time.
 inline std::string without_waiting(std::string output)
 {
     const std::string waits = "rigor: another rigor is building; waiting for it\n";
@@ -34,7 +35,7 @@ inline Run run_command(const Command& command)
 }
 
 /// @param arguments  the arguments after the program's name
-/// @param only_stdout  whether to leave out what it writes to stderr
+/// @param only_stdout  whether to leave out what the program writes to stderr
 inline Run rigor(const std::vector<std::string>& arguments, bool only_stdout = false)
 {
     Command command;

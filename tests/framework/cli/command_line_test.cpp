@@ -27,7 +27,7 @@ void require_one_line(const std::vector<std::string>& arguments, const std::stri
     REQUIRE(result.output.find(words) != std::string::npos);
 }
 
-// Another rigor, which builds for a second.
+// Stands for another rigor that builds: it holds the lock of the build for a second.
 class Builder {
 public:
     Builder()
@@ -95,7 +95,8 @@ TEST_CASE("command line: figures are written all or none", "[cli]")
             if (!entry.is_directory()) found.push_back(entry.path().filename());
         return found;
     };
-    // a file where the folder of one handout would be, and a folder that even root cannot fill
+    // There is a file where the folder of one handout would be; then the folder is one in which
+    // even root cannot write.
     std::ofstream(a6) << "a file";
     require_one_line({"figures", "--out", folder.path()}, "a6-plasticity");
     REQUIRE(files() == std::vector<std::string>{"a6-plasticity"});
@@ -107,7 +108,7 @@ TEST_CASE("command line: figures are written all or none", "[cli]")
     REQUIRE(files().size() == 3);
     REQUIRE(std::filesystem::exists(a6 / "figures/yield_surface.svg"));
 
-    // a folder in the place of a figure
+    // There is a folder in the place of a figure.
     std::filesystem::remove(a6 / "figures/stretched.svg");
     std::filesystem::create_directory(a6 / "figures/stretched.svg");
     require_one_line({"figures", "A6", "--out", folder.path()}, "stretched.svg: it is a folder");

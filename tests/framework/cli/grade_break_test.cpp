@@ -39,7 +39,8 @@ Run grade(const fs::path& submissions, const fs::path& out)
 
 constexpr int not_prepared = 99; // an exit status
 
-// A run in a process group of its own. @param prepare  called in its process; false: it ends
+// A run in a process group of its own.
+// @param prepare  called in the new process, which ends if the result is false
 pid_t started(
     const fs::path& submissions, const fs::path& out, const fs::path& output = "/dev/null",
     const std::function<bool()>& prepare = [] { return true; })
@@ -67,7 +68,8 @@ int exit_status_of(pid_t process)
     return WEXITSTATUS(state);
 }
 
-// From now on the kernel has no memory for a file in memory. @return whether that can be had
+// From now on, the kernel refuses this process files in memory (memfd_create), as if there were no
+// memory left. @return whether this user can arrange that
 bool refuse_memory_files()
 {
     sock_filter lines[] = {BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, nr)),
@@ -79,7 +81,8 @@ bool refuse_memory_files()
            prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program) == 0;
 }
 
-// In a view of the file system of its own /dev/shm has one page, and no room in it.
+// Gives this process its own view of the file system (mount namespace), in which /dev/shm has a
+// single page and is full. @return whether this user can arrange that
 bool fill_shared_memory()
 {
     if (unshare(CLONE_NEWNS) != 0 ||
@@ -90,7 +93,7 @@ bool fill_shared_memory()
     return fs::file_size("/dev/shm/full") <= 4096;
 }
 
-// A file system in memory, mounted while this object lives, where this user may mount one.
+// A file system in memory, which is mounted while this object lives, if this user may mount one.
 class MemoryDisk {
 public:
     MemoryDisk(const fs::path& place, const std::string& options, unsigned long flags = 0)
@@ -168,8 +171,8 @@ TEST_CASE("grade: a run that is killed at any moment resumes to the same gradebo
     REQUIRE(grade(submissions, whole).status == 0);
     const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
 
-    // Up to three kills in a row, and then the run may end. What was killed goes on, what has ended
-    // begins anew.
+    // After three kills, or if a run has ended before its kill, a run completes the results. They
+    // are compared and removed, so that the next run begins anew.
     constexpr int kills = 10, in_a_row = 3, most_rounds = 60;
     std::mt19937 random(5);
     int broken_off = 0;

@@ -40,7 +40,8 @@ std::vector<std::string> slurm_arguments(const fs::path& submissions, const fs::
             "--chunk", "2"};
 }
 
-// A run whose output goes to a file. @param prepare  called in the new process; false: it ends
+// A run whose output goes to a file.
+// @param prepare  called in the new process, which ends if the result is false
 pid_t started(
     const fs::path& submissions, const fs::path& out, const fs::path& output,
     const std::function<bool()>& prepare = [] { return true; })
@@ -103,7 +104,7 @@ TEST_CASE("slurm: a class whose node is lost has the gradebook of one machine bi
 
     SlurmCluster cluster;
     const pid_t process = started(submissions, out, output);
-    // A node is lost in the middle: it works, and some results are there.
+    // A node is lost in the middle of the run: it is busy, and some results are there.
     const bool is_in_the_middle =
         comes_true([&] { return results_in(out) >= 1 && cluster.is_busy(2); });
     CAPTURE(text_in(output));
@@ -149,7 +150,7 @@ TEST_CASE("slurm: what goes wrong with the cluster is one line", "[.long][class]
                    output = folder.path() / "output";
     SlurmCluster cluster;
 
-    // Ctrl-C ends the job
+    // Ctrl-C ends the job.
     pid_t process = started(submissions, out, output);
     REQUIRE(comes_true([&] { return !job_of(out).empty() && cluster.is_busy(1); }));
     kill(process, SIGINT);
@@ -162,7 +163,7 @@ TEST_CASE("slurm: what goes wrong with the cluster is one line", "[.long][class]
         return counts && counts->is_over();
     }));
 
-    // somebody cancels the job
+    // Somebody cancels the job.
     process = started(submissions, out, output);
     REQUIRE(comes_true([&] { return job_of(out) != job && cluster.is_busy(1); }));
     job = job_of(out);
@@ -172,7 +173,7 @@ TEST_CASE("slurm: what goes wrong with the cluster is one line", "[.long][class]
     CHECK((WIFEXITED(state) && WEXITSTATUS(state) == 2));
     CHECK(is_one_line(without_waiting(text_in(output)), "job " + job + " was cancelled"));
 
-    // the controller does not answer
+    // The controller does not answer.
     cluster.stop_controller();
     const Run silent = rigor(slurm_arguments(submissions, out));
     CAPTURE(silent.output);
@@ -187,7 +188,8 @@ TEST_CASE("slurm: a results folder that the nodes do not see is one line", "[.lo
     const fs::path submissions = small_class(folder, 2), out = folder.path() / "own/out";
     fs::create_directories(folder.path() / "own");
     const SlurmCluster cluster;
-    // The run has a view of the file system in which the folder is another one.
+    // The run has its own view of the file system (mount namespace), in which another folder takes
+    // the place of this one.
     const fs::path output = folder.path() / "output";
     const pid_t process = started(submissions, out, output, [&] {
         return unshare(CLONE_NEWNS) == 0 &&

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// `rigor grade --regrade`: other cases judge a class again. Nobody's points change before the
-// instructor has seen whose.
+// `rigor grade --regrade`: a class is judged again with other random cases. Nobody's points change
+// before the instructor has seen whose points would change.
 #include "command.hpp"
 #include "graded_class.hpp"
 #include "support/catch.hpp"
@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Every file with its content but those that runs keep for themselves.
+// Every file with its content, except the files in .rigor/, which runs keep for themselves.
 std::map<std::string, std::string> files_in(const fs::path& out)
 {
     std::map<std::string, std::string> files;
@@ -28,7 +28,7 @@ public:
     {
         const fs::path tests = fs::path(RIGOR_SOURCE_DIR) / "tests";
         folder_.write("class/alice/pipeline.cpp", text_in(tests / "alternatives/pipeline.cpp"));
-        // knows the cases of the first thousand seeds, and no others
+        // This one knows the cases of the first thousand seeds, and no others.
         folder_.write("class/mallory/pipeline.cpp",
                       text_in(tests / "attacks/submissions/detection/known_cases.cpp"));
     }
@@ -58,7 +58,8 @@ TEST_CASE("regrade: what changes is shown before it is written", "[cli][class]")
     const auto before = files_in(some.out());
     CHECK(contains(before.at("gradebook.csv"), "mallory,graded,1,1,1\r\n"));
 
-    // Other cases: without a word of the instructor, nothing changes.
+    // With other cases, nothing changes unless the instructor has seen the changes and applies
+    // them.
     const Run refused = some.grade({"--seed", "7000"});
     CAPTURE(refused.output);
     CHECK(refused.status == 2);

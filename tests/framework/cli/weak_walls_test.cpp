@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Grading where a kernel can put up no walls: hidden tests are left out, unless the user says that
-// this will do.
+// Grading where the kernel allows no walls (no sandbox): hidden tests are left out, unless the user
+// asks for them by RIGOR_TIER=C.
 #include "command.hpp"
 #include "grading/places.hpp"
 

@@ -10,7 +10,8 @@ namespace rigor::testing {
 
 namespace {
 
-// Which strata the numbers, vectors and matrices of the arguments have.
+// Counts which strata, the classes of special values, the numbers, vectors and matrices of an
+// argument have.
 template <class T> void note_strata(T& value, const Quantity& q, StrataCounts& possible)
 {
     if constexpr (std::is_same_v<T, Quaternion>)
@@ -27,7 +28,8 @@ template <class T> void note_strata(T& value, const Quantity& q, StrataCounts& p
     });
 }
 
-// A row of the table, and the strata that are empty although an argument has them.
+// A row of the table: how often each stratum was drawn. Adds to `empty` the strata that were never
+// drawn although an argument has them.
 template <FormulaIndex f, auto& formula> std::string row_of(std::string& empty)
 {
     const FormulaQuantities& of = formula_quantities[static_cast<unsigned>(f)];

@@ -53,10 +53,11 @@ std::string verdict_of(const std::string& tag, const std::string& status)
     return begin_of(tag) + "\n" + line_of(tag, status) + "\n";
 }
 
-// The result of a test program that writes these lines to the descriptor for verdicts, if there are
-// any with a last one for the end, and then runs the shell commands `ending`.
+// The result of a test program that writes these lines, and after them a line for the end, to the
+// descriptor for verdicts, and then runs the shell commands `ending`. Without lines, it writes
+// nothing.
 // @param part  a part of the points of the first task; without a law there is none
-// @param followed  what it writes if the reference answers in place of the other formulas
+// @param followed  the lines if the reference answers in place of the other formulas
 Result graded(const std::string& lines, const std::string& ending, bool oracle = false,
               const PartOfPoints& part = {}, const std::string& followed = "")
 {
@@ -186,7 +187,8 @@ TEST_CASE("scoring: after a test that computes without end the others run", "[sc
     const auto say = [](const std::string& line) { return "echo '" + line + "' >&3; "; };
     const std::string first = say(begin_of("A2.1")) + say(stalled),
                       second = say(begin_of("A2.2")) + say(line_of("A2.2", "passed"));
-    // The second program runs what is left, with less patience, and knows what the first one cost.
+    // The second program runs the tests that are left, with a shorter limit for computing without
+    // end (--stall), and knows what the first one has cost (--spent).
     const auto with = [&](const std::string& rest) {
         return graded("", "case \"$*\" in *'--spent 1 2 A2.2'*'--stall 2'*'[A2.1]'*'~\"topic: a "
                           "law\",[A2.2]'*) " +
@@ -211,7 +213,7 @@ TEST_CASE("scoring: points without walls around the submission are doubtful", "[
 {
     const std::string lines = verdict_of("A2.1", "passed") + verdict_of("A2.2", "passed");
     const bool has_no_walls = graded(lines, "").walls.ends_with("for a sanitizer");
-    if (has_no_walls || !places().has_reference()) return; // nothing to read, or no walls at all
+    if (has_no_walls || !places().has_reference()) return; // no walls here, or no reference
     const char* before = std::getenv("RIGOR_TIER");
     const std::string tier = before ? before : "";
     setenv("RIGOR_TIER", "C", 1);
@@ -381,7 +383,7 @@ TEST_CASE("grading: what fails at random is judged once more with the reference"
     std::string seeded = verdict_of("A2.1", "failed");
     seeded.replace(seeded.find("\"seed\":-1"), 9, "\"seed\":17");
     const std::string lines = seeded + verdict_of("A2.2", "failed") + verdict_of("A2.3", "passed");
-    // the test program writes the same lines for every worker, so also for the reference
+    // The test program writes the same lines for every worker, so also for the reference.
     const Result result = graded(lines, "", true);
     CHECK(result.tasks[0].score == 2);
     CHECK(result.tasks[1].score == 0); // a case by hand

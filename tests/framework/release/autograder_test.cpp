@@ -48,7 +48,7 @@ TEST_CASE("release: an autograder has its two scripts at the top and all that gr
           "rigor/framework/rigid/bodies/optimised_forms.hpp", "rigor/student/collision.cpp"})
         CHECK(has(tree, path, false));
     for (const ReleasedFile& file : tree) {
-        // A right collision.cpp calls a formula of kinematics.
+        // A right collision.cpp calls a formula of kinematics, which is therefore solved.
         if (file.path == "rigor/student/kinematics.cpp")
             CHECK(count(file.content, "NotImplemented") == 0);
         if (file.path == "rigor/student/inertia.cpp")

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What is in the students' tree and what is not. The search knows a leak by three lines of code in
-// a row that a left-out file has too: single lines, such as a loop over bodies, are everybody's.
+// What is in the students' tree and what is not. Three lines of code in a row that a left-out file
+// has too count as a leak. Single lines do not: a loop over bodies, for example, is in many files.
 #include "release/tree.hpp"
 
 #include "errors/input_error.hpp"
@@ -55,6 +55,7 @@ std::vector<std::string> lines_of(const std::string& text)
     return lines;
 }
 
+// A passage has this many lines and at least this many characters; shorter ones are in many files.
 constexpr std::size_t in_a_row = 3, least_length = 60;
 
 std::set<std::string> passages_of(const std::string& text)
@@ -129,7 +130,7 @@ TEST_CASE("release: the students' tree has what students need and nothing else",
 TEST_CASE("release: no passage of what is left out is in the students' tree", "[release]")
 {
     const std::map<std::string, std::string> secrets = secret_passages();
-    REQUIRE(secrets.size() > 3000); // nothing to search for would find nothing
+    REQUIRE(secrets.size() > 3000); // without passages, the search would find nothing
     for (const ReleasedFile& file : students()) {
         if (tells_on_purpose(file.path)) continue;
         for (const std::string& passage : passages_of(file.content)) {
@@ -154,7 +155,7 @@ TEST_CASE("release: no name of a hidden test is in the students' tree but for pa
     }
     REQUIRE(names.size() > 20);
     for (const ReleasedFile& file : students()) {
-        // A part of a hidden task's points names its law. The scenes of the task are public too.
+        // Where a law of a hidden task earns a part of the points, assignment.json names this law.
         if (file.path.ends_with("/assignment.json")) continue;
         for (const std::string& name : names) {
             CAPTURE(file.path, name);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Small pictures, an independent PNG decoder and a folder for a test's files.
+// Small pictures and a small scene to draw, an independent PNG decoder, and other helpers for the
+// tests of pictures.
 #pragma once
 
 #include "render/image.hpp"
@@ -13,10 +14,10 @@
 
 namespace rigor {
 
-/// A box of 2 m in front of the camera, turned so that three faces show.
+/// A cube with an edge of 2 m at the origin, of which the camera sees three faces.
 Picture box_picture(const Vector4f& color);
 
-/// A ball of radius 0.5 m that hovers 1 m over a ground.
+/// A ball of radius 0.5 m, whose center is 1 m above the ground.
 Picture ball_over_ground();
 
 /// Where a point of the scene lies on a picture of this size [pixels].
@@ -31,7 +32,7 @@ int largest_difference(const Image& a, const Image& b);
 /// The image that stb_image reads from a file.
 Image decoded(const std::filesystem::path& file);
 
-/// Whether the module for this way to draw was built.
+/// Whether the module that draws with this library (OSMesa or EGL) was built.
 bool has(Gl gl);
 
 /// Runs the current program again with other environment variables. @return its output, and its

@@ -36,7 +36,8 @@ Scene bar_scene(const std::string& draw = "")
                        "bar");
 }
 
-// The first frame of the scene, with a stress that grows along x from 0 to 4 MPa at most.
+// The first frame of the scene, with a stress of 0 where x < 0, and of 4 MPa, the yield stress,
+// elsewhere.
 Frame first_frame(const Scene& scene)
 {
     const DeformableWorld world = make_deformable_world(scene);

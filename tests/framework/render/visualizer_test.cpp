@@ -122,8 +122,8 @@ TEST_CASE("visualizer: sharp edges are marked and smooth ones are not", "[render
     CHECK(marked(Cylinder{1, 2}) > 0); // its rims are marked
     const Surface cube = surface_of(Mesh{std::make_shared<SolidMesh>(box_mesh({2, 2, 2}))});
     for (std::size_t i = 0; i < cube.triangles.size(); i += 3) {
-        // Each triangle is half of a square: two edges at right angles are sharp,
-        // the diagonal is not.
+        // Each triangle is half of a square: its two edges at right angles are sharp, its diagonal
+        // is not.
         Vector3f farthest = Vector3f::Zero();
         for (std::size_t k = 0; k < 3; ++k)
             farthest = farthest.cwiseMax(cube.triangles[i + k].edges);
@@ -177,7 +177,7 @@ TEST_CASE("visualizer: a spring ends where it is fastened", "[render]")
     const Vector3d center(0.3, -0.1, 0.2), point(0.5, 0.5, 0), wall(-2, 1, 0);
     run.bodies[1].center_of_mass = center;
     run.frame.bodies[1].position = {1, 2, 3};
-    run.frame.bodies[1].orientation = {std::sqrt(0.5), {0, 0, std::sqrt(0.5)}}; // a quarter about z
+    run.frame.bodies[1].orientation = {std::sqrt(0.5), {0, 0, std::sqrt(0.5)}}; // 90° about z
     Spring spring;
     spring.body1 = -1;
     spring.point1 = wall;

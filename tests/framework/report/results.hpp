@@ -17,7 +17,7 @@ inline Task task_of(const std::string& tag, const std::string& formula, double p
     return task;
 }
 
-/// A result with one task that passed, one that failed, and one stub.
+/// A result with one task that passed, one that failed, and two that end at a stub.
 inline Result some_result()
 {
     Result result;

@@ -36,7 +36,7 @@ inline Shape mesh(const TriangleMesh& triangles)
 struct NamedShape {
     std::string name;
     Shape shape;
-    double accuracy = 0; // error of its contacts: half a percent of the size, or 0 if exact [m]
+    double accuracy = 0; // allowed error of its contacts [m], at most 1 % of its size
 };
 
 inline const std::vector<NamedShape>& all_shapes()

@@ -25,7 +25,7 @@ Run book(const fs::path& out, const fs::path& programs)
     return run_command(command);
 }
 
-// A folder with a program `chromium` that does this.
+// A folder with a program `chromium` that runs this shell script.
 fs::path with_chromium(const fs::path& folder, const std::string& script)
 {
     fs::create_directories(folder);
@@ -50,7 +50,7 @@ std::ptrdiff_t lines_in(const std::string& text)
 
 using Names = std::set<std::string>;
 
-// A Chromium that prints the address of its page into the PDF.
+// A script in place of Chromium, which writes the address of the page into the PDF.
 const char* const prints = R"(for a; do case "$a" in --print-to-pdf=*) to="${a#*=}" ;; esac; done
 echo "$a" > "$to")";
 
@@ -77,7 +77,7 @@ TEST_CASE("book: a Chromium that fails leaves the page and nothing else", "[cli]
         CHECK(made.status == 2);
         CHECK(made.output.find("expected a PDF from chromium") != std::string::npos);
         CHECK(lines_in(made.output) == 2);                     // the page, and what is wrong
-        CHECK(made.output.find("first") == std::string::npos); // one line of it
+        CHECK(made.output.find("first") == std::string::npos); // only the last line is shown
         CHECK(names_in(out) == Names{"book.html"});
     }
 }
@@ -130,7 +130,8 @@ TEST_CASE("hint: whatever the file that counts them holds, a hint is given", "[c
         CHECK(given.status == 0);
         CHECK(given.output.find("A2.17 bounding_box_mass_properties: hint ") == 0);
     }
-    // a folder in its place: the hint is given, and one line says that it is not remembered
+    // There is a folder in place of the file: the hint is given, and one line says that it is not
+    // remembered.
     fs::remove(memory);
     fs::create_directory(memory);
     const Run given = rigor::testing::rigor({"hint", "A2.17"});

@@ -37,7 +37,7 @@ void write_class(const TemporaryFolder& folder)
     folder.write("dave/a/pipeline.cpp", solved);
     folder.write("dave/b/pipeline.cpp", solved);
     folder.write("eve.tar.gz", "this is no archive");
-    // the copy of an archive that was broken off
+    // the first half of an archive, as if copying it had been broken off
     const std::string whole = text_in(folder.path() / "alice.zip");
     folder.write("frank.zip", whole.substr(0, whole.size() / 2));
     folder.write("grace/collision.cpp", source("student/collision.cpp")); // for another assignment
@@ -136,7 +136,7 @@ TEST_CASE("grade: names of people and files of any system make no difference", "
 {
     const TemporaryFolder folder;
     const std::string solved = source("tests/alternatives/pipeline.cpp");
-    std::string of_windows; // its line ends, and the mark of UTF-8 in front
+    std::string of_windows; // with the line ends of Windows and a byte order mark
     for (const char c : "\xEF\xBB\xBF" + solved)
         of_windows += c == '\n' ? std::string("\r\n") : std::string(1, c);
     folder.write("class/Zoë O'Brien/pipeline.cpp", of_windows);

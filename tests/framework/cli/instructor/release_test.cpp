@@ -60,7 +60,7 @@ TEST_CASE("release: bad input is one line and nothing is written", "[cli][releas
     }
 }
 
-// Takes as long as building two trees, the first time.
+// The first run of this test takes as long as building two trees.
 TEST_CASE("release: what is handed out is proven, and the same again", "[.long][release]")
 {
     const TemporaryFolder folder;

@@ -59,8 +59,8 @@ TEST_CASE("deformable: a box that slept on a floor is not pressed into it when a
 
 namespace {
 
-// The height at which a box without friction comes to rest on a soft block that stands on its
-// lowest nodes.
+// The height [m] at which a box without friction comes to rest on a soft block, whose lowest nodes
+// are held.
 double height_of_rest(Integrator integrator, double step_length)
 {
     DeformableWorld world = block_above_box(0.5, 0);

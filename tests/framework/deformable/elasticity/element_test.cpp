@@ -35,8 +35,8 @@ double largest(const std::vector<Vector3d>& vectors)
     return size;
 }
 
-// The slope of the energy for each component, by central differences. The error is about 1e-9 of
-// the largest one.
+// The slope of the energy for each component of each position [N], by central differences. The
+// error is about 1e-9 of the largest slope.
 std::vector<Vector3d> energy_slopes(Deformable solid, double step)
 {
     std::vector<Vector3d> slopes(solid.positions.size());

@@ -26,7 +26,7 @@ Deformable two_elements(Random& random)
     return solid;
 }
 
-// A plate with a notch whose sides are pulled apart.
+// A plate with a notch. The two ends of the plate are pulled apart.
 DeformableWorld pulled_plate()
 {
     SolidMaterial material;
@@ -86,8 +86,8 @@ TEST_CASE("crack edges: a crack that would turn by more than 60 degrees does not
     const Vector3d n = Vector3d::UnitY(), p = (x[1] + x[2] + x[3]) / 3;
     solid.cracks.push_back({0, p, n});
     const CrackEdges edges(solid);
-    // The wanted normal is along the cut: no plane through both points is near to it, but a plane
-    // through one point is.
+    // The wanted normal is along the cut. No plane through both points of the cut has a normal near
+    // to it, but a plane through one of these points has.
     const ElementCrack crack = edges.continued(1, all_real, Vector3d::UnitX());
     CHECK_THAT(crack.normal, IsClose(Vector3d::UnitX().eval(), Rounding(8)));
     CHECK(edges.has_similar(0, Vector3d(0, -1, 0)));
@@ -122,7 +122,7 @@ TEST_CASE("crack edges: no crack goes on along a corner: what it cuts off would 
         Random random(seed);
         Deformable solid = two_elements(random);
         const auto& x = solid.rest.vertices;
-        solid.cracks.push_back({0, x[1], random.unit_vector()}); // through a corner of both
+        solid.cracks.push_back({0, x[1], random.unit_vector()}); // through a shared corner
         const CrackEdges edges(solid);
         met += edges.meets(1, all_real);
         const ElementCrack crack = edges.continued(1, all_real, random.unit_vector());

@@ -41,7 +41,7 @@ void require_same_sums(const Deformable& before, const Deformable& after)
     REQUIRE_THAT(b.center_of_mass, IsClose(a.center_of_mass, Rounding(500, 1)));
     REQUIRE_THAT(b.angular_momentum, IsClose(a.angular_momentum, Rounding(2000, 5 * a.mass)));
     REQUIRE_THAT(b.elastic_energy, IsClose(a.elastic_energy, Rounding(2000)));
-    REQUIRE(b.kinetic_energy < a.kinetic_energy * 1.05); // the restored spin adds some
+    REQUIRE(b.kinetic_energy < a.kinetic_energy * 1.05); // restoring the spin adds some
 }
 
 int count_pieces(const Deformable& solid)

@@ -34,7 +34,7 @@ int inverted(const Deformable& solid)
     return count;
 }
 
-// A block with randomly moved nodes, with plastic flow in this shape.
+// A block whose nodes are moved so far at random that elements are inverted and flow plastically.
 Deformable crumpled_block(unsigned seed, double strength)
 {
     Random random(seed);
@@ -48,8 +48,8 @@ Deformable crumpled_block(unsigned seed, double strength)
     return solid;
 }
 
-// The same block in motion, with some cracks, and with elements that have been inverted for too
-// long.
+// The same block in motion, with some cracks, and with a record that all its elements have been
+// inverted for longer than they may be.
 Deformable inverted_block(unsigned seed, FractureMethod method)
 {
     Deformable solid = crumpled_block(seed, no_pull_breaks_it);
@@ -167,7 +167,8 @@ TEST_CASE("inverted elements: what a handle holds inside out waits", "[deformabl
     }
 }
 
-// A tetrahedron with a corner pushed through its base turns back well before it counts as failed.
+// A tetrahedron with a corner pushed through its base turns back long before it would be separated,
+// which is after 1.8 s here.
 TEST_CASE("inverted elements: an element that can turn back does", "[deformable]")
 {
     SolidMaterial material = soft_material();

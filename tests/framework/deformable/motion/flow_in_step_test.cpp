@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The flow within a step: on the yield surface at its end, as good as a shorter step, without
-// energy of its own, and without a cost where nothing flows.
+// Plastic flow within a step: at the end of the step, the stress is not beyond the yield surface.
+// The result is better than with flow after the step, no energy is added, and where nothing flows,
+// the step costs no more.
 #include "deformable/elasticity/element.hpp"
 #include "deformable/elasticity/elements.hpp"
 #include "formulas/plasticity.hpp"
@@ -92,7 +93,7 @@ TEST_CASE("flow: solids under any load end each step within the yield surface", 
     CHECK(flowed > 12);
 }
 
-// Newton's method converges: an elastic solve, and a few that correct it.
+// Newton's method converges: it takes an elastic solve, and a few more that correct the result.
 TEST_CASE("flow: a step takes a few solves", "[deformable]")
 {
     std::uint64_t most = 0, solves = 0, steps = 0;
@@ -140,7 +141,7 @@ TEST_CASE("flow: within the step it converges as the step falls and after it far
     check_order(within, 1);
     for (std::size_t i = 0; i < 3; ++i)
         CHECK(within[i] < 0.5 * after[i]);
-    // in 10 steps, of as many substeps as are stable
+    // There are 10 steps, each with as many substeps as stability needs.
     const double coarse = stretch(FlowTime::in_step, NodeIntegrator::explicit_step, 10);
     CHECK_THAT(coarse, IsClose(exact, Order(0.03 * exact)));
 }

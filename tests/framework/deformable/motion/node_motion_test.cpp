@@ -30,7 +30,7 @@ double energy(const Deformable& solid)
     return sum.kinetic_energy + sum.elastic_energy;
 }
 
-// A bar along x, held at its lower end.
+// A bar along x, held at the end with the lower x.
 Deformable held_bar(int cells, double poisson_ratio, int length = 4)
 {
     SolidMaterial material = soft_material();
@@ -79,8 +79,8 @@ TEST_CASE("motion: implicit steps keep the momentum to rounding and add no energ
         const double E = energy(world.solids[0]);
         run(world, time_step, 20);
         const DeformableTotals after = totals(world.solids[0]);
-        // Forces between nodes sum to zero within rounding, in units of E times an area times the
-        // step.
+        // Forces between nodes add up to zero except for rounding. Its scale is an impulse: Young's
+        // modulus times an area times the step.
         CHECK_THAT(after.momentum, IsClose(before.momentum, Rounding(200, 1e5 + time_step * 1e6)));
         if (time_step < 0.05) check_at_most(energy(world.solids[0]), E, "energy");
         for (const Vector3d& v : world.solids[0].velocities)
@@ -206,6 +206,7 @@ TEST_CASE("motion: a tetrahedron that is inside out turns back", "[deformable]")
             DeformableWorld world = world_of(solid);
             run(world, 0.02, 500);
             CHECK(least_volume(world.solids[0]) > 0.15);
+            // A little elastic energy may be left, since a spin stretches the tetrahedron.
             check_at_most(totals(world.solids[0]).elastic_energy,
                           0.01 * totals(solid).elastic_energy, "elastic energy"); // it may spin
         }

@@ -11,7 +11,7 @@ using namespace rigor::testing;
 
 namespace {
 
-// A block, with vertices of no element before, between and after its own.
+// A block with vertices that no element uses, before, between and after the others.
 TetrahedralMesh with_unused_vertices()
 {
     TetrahedralMesh mesh = block_tetrahedra({1, 1, 1}, {1, 1, 1});
@@ -39,7 +39,7 @@ TEST_CASE("block matrix: a node of no element has a block of its own", "[deforma
     std::vector<double> masses(nodes);
     for (int i = 0; i < nodes; ++i)
         masses[i] = i + 1;
-    matrix.assemble(elements, strains, masses, solid.material, 0.0); // K has no part
+    matrix.assemble(elements, strains, masses, solid.material, 0.0); // step 0: only masses are left
     for (int i = 0; i < nodes; ++i)
         REQUIRE_THAT(matrix.diagonal(i),
                      IsClose(Matrix3d((i + 1) * Matrix3d::Identity()), Exactly()));

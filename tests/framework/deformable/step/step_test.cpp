@@ -31,7 +31,8 @@ int inverted(const TetrahedralMesh& mesh, const std::vector<Vector3d>& x)
         }));
 }
 
-// A block of stiff splinters, each of one element, that rotates as it falls on a rough floor.
+// A block of stiff splinters, each of one element, that falls on a rough floor. Each node has in
+// addition the velocity of a rotation about a random axis of its own.
 DeformableWorld falling_splinters(unsigned seed)
 {
     Random random(seed);
@@ -86,8 +87,8 @@ DeformableWorld bent_bar(FractureMethod method)
 
 } // namespace
 
-// A step that turns an element by ω h stretches it by ½ (ω h)². These steps are short enough for
-// tumbling splinters.
+// A step that turns an element by ω h stretches it by the fraction ½ (ω h)². These steps are short
+// enough for tumbling splinters.
 TEST_CASE("conservation: splinters on a floor gain no energy", "[deformable]")
 {
     for (const double time_step : {0.0025, 0.005, 0.01})

@@ -14,7 +14,7 @@ using namespace rigor::testing;
 
 namespace {
 
-// The drawn triangles of some elements, at rest.
+// The drawn triangles of an element at rest. @param element  negative for all elements
 TriangleMesh drawn(const Deformable& solid, const EmbeddedSurface& surface, int element)
 {
     TriangleMesh mesh;
@@ -112,7 +112,8 @@ TEST_CASE("surface: the parts of a cracked element close around their share of i
 
 namespace {
 
-// A block of 2 x 1 x 1. Its elements that cross x = 0.1 between y = lowest and the top are cracked.
+// A block of 2 × 1 × 1 m. Its elements that cross the plane x = 0.1 and lie above y = lowest are
+// cracked.
 Deformable cracked_block(double lowest)
 {
     Deformable solid = solid_of(block_tetrahedra({2, 1, 1}, {4, 4, 2}), soft_material());

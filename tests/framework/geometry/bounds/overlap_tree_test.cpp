@@ -12,8 +12,8 @@ using namespace rigor::testing;
 
 TEST_CASE("overlap tree: it finds what comparing all pairs finds", "[geometry]")
 {
-    // The boxes have the largest and smallest sizes of doubles. Some touch, or are one rounding
-    // apart far from the origin.
+    // The sizes of the boxes reach from nearly the smallest to nearly the largest double. Some
+    // boxes touch, or are apart by one rounding error far from the origin.
     const double scale = GENERATE(1.0, 1e-300, 1e-40, 1e30, 1e300);
     const double far = GENERATE(0.0, 1e6);
     CAPTURE(scale, far);
@@ -23,7 +23,7 @@ TEST_CASE("overlap tree: it finds what comparing all pairs finds", "[geometry]")
     for (int i = 0; i < 300; ++i) {
         const Vector3d low = Vector3d::Constant(far) + 5 * random.vector();
         boxes.push_back({scale * low, scale * (low + Vector3d::Constant(random.uniform(0, 1.5)))});
-        if (i % 5 > 2) { // beside the box before
+        if (i % 5 > 2) { // this box begins where the previous one ends
             Bounds& box = boxes.back();
             box.high.x() -= box.low.x();
             box.low.x() = boxes[i - 1].high.x();

@@ -10,7 +10,7 @@ using namespace rigor::testing;
 
 namespace {
 
-// Distance of two shapes along a direction from 2 to 1, from their support functions.
+// Distance of two shapes along a direction n from b to a, computed by their support functions [m].
 double along(const Shape& a, const Pose& pose, const Shape& b, const Vector3d& n)
 {
     const Vector3d low = pose * support(a, -(pose.R.transpose() * n));
@@ -80,12 +80,12 @@ TEST_CASE("separation: shapes that overlap a little are parted the shortest way"
                 const double depth = random.uniform(0, 0.15);
                 pose.X -= (before.distance + depth) * before.normal; // from a touch to an overlap
                 const Separation found = separation(a, pose, b, 1e9);
-                if (found.distance >= 0) continue; // past a corner
+                if (found.distance >= 0) continue; // it moved past a corner
                 ++overlapping;
                 REQUIRE_THAT(along(a, pose, b, found.normal),
                              IsClose(found.distance, Rounding(64, 4)));
-                // No direction is shorter, within the error of the polytope's last face. A shallow
-                // overlap of facets may end at a facet next to the best one.
+                // No direction is shorter by more than 1 %, the error of the polytope's last face.
+                // A shallow overlap of facets may end at a facet next to the best one.
                 const double shortest = std::max(-depth, brute_force(a, pose, b));
                 REQUIRE(found.distance >= shortest * 1.01 - 1e-7);
             }

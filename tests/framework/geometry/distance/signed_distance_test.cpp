@@ -104,7 +104,7 @@ TEST_CASE("signed distance: outside it grows along the normal as far as one goes
             const Vector3d p = 2 * random.vector();
             const SurfaceDistance at = signed_distance(shapes[k], p);
             if (at.distance < 1e-3) continue;
-            if (std::holds_alternative<Torus>(shapes[k])) continue; // it has a far side
+            if (std::holds_alternative<Torus>(shapes[k])) continue; // it has another side
             const double far = random.uniform(0, 100);
             REQUIRE_THAT(distance(shapes[k], p + far * at.normal),
                          IsClose(at.distance + far, Rounding(64, 200)));
@@ -122,8 +122,8 @@ TEST_CASE("signed distance: centers are as deep as they can be", "[geometry]")
     CHECK_THAT(distance(Cylinder{0.4, 1}, o), IsClose(-0.4, Rounding(4)));
     CHECK_THAT(distance(Ellipsoid{{1, 2, 3}}, o), IsClose(-1.0, Rounding(8)));
     CHECK_THAT(distance(Ellipsoid{{3, 2, 0.5}}, o), IsClose(-0.5, Rounding(8)));
-    // In a cone with half angle 45 degrees, the center of mass is at a quarter of the height, and
-    // the base is nearer than the slope.
+    // In a cone with a half angle of 45 degrees, the center of mass is at a quarter of the height,
+    // and the base is nearer than the side.
     CHECK_THAT(distance(Cone{1, 1}, o), IsClose(-0.25, Rounding(8)));
     for (const Shape& shape : shapes) {
         CHECK(signed_distance(shape, o).normal.allFinite());

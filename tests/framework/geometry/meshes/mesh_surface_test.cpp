@@ -45,8 +45,8 @@ TEST_CASE("surface: a point is touched along its own normals only", "[geometry]"
             Random random(seed);
             const Vector3d d = random.unit_vector();
             const Vector3d n = surface.nearest_normal(p.cone, d);
-            // Expected for a box: the components of d that point out of the faces at this point. On
-            // a single face it is the normal.
+            // For a box, the direction is that of the components of d that point out of the faces
+            // at this point. On a single face, the direction is the normal of the face.
             Vector3d expected = Vector3d::Zero();
             int faces = 0, last = 0;
             for (int i = 0; i < 3; ++i) {

@@ -93,7 +93,7 @@ TEST_CASE("object symbols: a formula counts in the file of its topic", "[build]"
         {"contact", symbols(normalized + " T 0 1\n")},
         {"inertia", symbols(normalized + " T 0 1\n")},
     });
-    REQUIRE(elsewhere.size() == 1); // one of them has to
+    REQUIRE(elsewhere.size() == 1); // one of the two is hidden
 }
 
 } // namespace rigor

@@ -85,7 +85,7 @@ TEST_CASE("class folder: results that no control has confirmed are dropped whate
                          R"( "status": "graded", "fingerprint": ")" + fingerprint +
                          R"(", "score": 1, "max_score": 1, "tests": [{"tag": "A4.1", "name": "",)" +
                          R"( "status": "passed", "score": 1, "max_score": 1}]})");
-        // a clock that was set back by a day, or forth
+        // The clock of the file is a day ahead or a day behind.
         const auto day = std::chrono::hours(name == "alice" ? 24 : -24);
         std::filesystem::last_write_time(opened.result_of(name),
                                          std::filesystem::file_time_type::clock::now() + day);
@@ -100,7 +100,7 @@ TEST_CASE("class folder: results that no control has confirmed are dropped whate
     opened.drop_unconfirmed();
     CHECK(std::filesystem::exists(opened.result_of("alice")));
     CHECK(!std::filesystem::exists(opened.result_of("bob")));
-    CHECK(std::filesystem::exists(opened.result_of("carol"))); // that of a run before
+    CHECK(std::filesystem::exists(opened.result_of("carol"))); // from an earlier run
     opened.confirm();
     CHECK(!opened.has_unconfirmed());
 }

@@ -141,7 +141,7 @@ TEST_CASE("submissions: single files with the names of Canvas or Moodle", "[inta
     folder.write("doejane_11_501_collision.cpp", "");
     folder.write("roejim_LATE_12_502_collision-2.cpp", "");
     folder.write("eve_13_503_homework.pdf", "");
-    folder.write("eve_13_504_homework2.pdf", ""); // one row is enough
+    folder.write("eve_13_504_homework2.pdf", ""); // eve gets one row only
     folder.write("bob_14_505_collision.cpp", "");
     folder.write("bob_14_506_report.pdf", ""); // beside his submission
     folder.write("Jane Doe_15_assignsubmission_file_collision.cpp", "");
@@ -215,7 +215,8 @@ TEST_CASE("submissions: names of people stay as they are", "[intake]")
     for (const std::string& name : names)
         folder.write(name + "/collision.cpp", "");
     REQUIRE(names_of(found_in({folder.path()})) == names);
-    // a mark that turns the direction of all that follows is refused, as is a name too long to show
+    // A mark that changes the direction of the text after it is refused, and so is a name that is
+    // too long to show.
     folder.write("eve\u202Egpj/collision.cpp", "");
     folder.write(std::string(250, '\xff') + "/collision.cpp", "");
     std::size_t refused = 0, longest = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tests of what the program `unpack` prints and of a reader that believes nothing of it.
+// Tests of what the program `unpack` prints, and of the reader, which checks all of it.
 #include "grading/intake/unpacked.hpp"
 
 #include "grading/intake/refused.hpp"

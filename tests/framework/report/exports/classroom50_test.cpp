@@ -80,7 +80,7 @@ void require_valid(const json& result)
 TEST_CASE("classroom 50: a result keeps the published rules", "[report]")
 {
     Result result = some_result();
-    result.tasks[1].score = 0.5; // a part: the contract knows whole points only
+    result.tasks[1].score = 0.5; // a part of a point: Classroom 50 knows whole points only
     const json written = json::parse(exported(result));
     require_valid(written);
     CHECK(written["classroom"] == "animation");

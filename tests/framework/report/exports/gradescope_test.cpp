@@ -64,7 +64,7 @@ TEST_CASE("gradescope: a result keeps the published rules", "[report]")
     require_valid(results);
     REQUIRE(results["leaderboard"].size() == 3);
     REQUIRE(results["leaderboard"][0]["value"] == 2);
-    REQUIRE(results["leaderboard"][1]["value"] == 1); // a test failed
+    REQUIRE(results["leaderboard"][1]["value"] == 1); // largest error: 1 if a test failed
     REQUIRE(results["tests"].size() == 4);
     REQUIRE(results["tests"][0]["status"] == "passed");
     REQUIRE(results["tests"][1]["number"] == "A2.2");

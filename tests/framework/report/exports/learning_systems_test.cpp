@@ -32,7 +32,7 @@ TEST_CASE("moodle: only submissions that it named itself are in its worksheet", 
     std::vector<Row> rows = {row_of("Jane Doe_12345_assignsubmission_file_", "graded", 2, 0)};
     const std::string line = "Participant 12345,Jane Doe,2,5,,A2.2 not implemented 0/3\r\n";
     REQUIRE(moodle_grades(rows).csv.ends_with(line));
-    // without folders Moodle adds the name of the file that was handed in
+    // If submissions are downloaded without folders, Moodle adds the name of the file.
     rows[0].submission = "Jane Doe_12345_assignsubmission_file_my_inertia";
     REQUIRE(moodle_grades(rows).csv.ends_with(line));
 }

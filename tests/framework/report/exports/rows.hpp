@@ -19,7 +19,8 @@ inline Row row_of(const std::string& name, const std::string& status, double fir
     return row;
 }
 
-/// Submissions that got all points, some, and none, and two that have no grade by tests.
+/// A submission with all points, one with some, and three that no test has judged: a fault of the
+/// framework, a rejected submission, and one that does not compile.
 inline std::vector<Row> some_class()
 {
     std::vector<Row> rows = {row_of("Doe, Jane_17_assignsubmission_file", "graded", 2, 3),

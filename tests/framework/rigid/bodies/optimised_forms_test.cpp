@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The engine's faster forms give the same results as the reference's formulas.
+// The engine's faster forms give the same results as the reference's formulas, up to rounding.
 #include "rigid/bodies/optimised_forms.hpp"
 
 #include "formulas/collision.hpp"
@@ -16,7 +16,7 @@ TEST_CASE("optimised forms: velocities impulse matrices and impulses are the for
         const Vector3d x = random.vector(), j = random.vector();
         CHECK_THAT(optimised::relative_velocity(a, b, x),
                    IsClose(relative_velocity(a, b, x), Rounding(32, 8)));
-        // The terms of K, and of the motion after the impulse.
+        // A bound on the terms of K and on the changes of V and ω by the impulse.
         const double terms =
             a.inverse_mass + a.inverse_inertia.norm() * (1 + (x - a.position).squaredNorm());
         CHECK_THAT(optimised::impulse_matrix(a, x),

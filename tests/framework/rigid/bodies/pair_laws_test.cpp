@@ -66,8 +66,8 @@ TEST_CASE("pair laws: a part of a world keeps the laws of its bodies", "[rigid]"
     CHECK(among[0].restitution == 0.25);
 }
 
-// By their own materials two balls would bounce as the less elastic one does, and slide as the
-// geometric mean says.
+// Without a law for the pair, the smaller restitution of the two bodies and the geometric mean of
+// their frictions would count.
 TEST_CASE("pair laws: bodies bounce and slide by the law of their pair", "[rigid]")
 {
     for (const double restitution : {0., 0.5, 1.}) {

@@ -14,7 +14,7 @@ using namespace rigor::testing;
 
 namespace {
 
-// A layer of cubes that lie on the ground and touch each other, with more cubes on top of them.
+// Three layers of cubes on the ground. The cubes of a layer touch each other.
 World large_pile()
 {
     Random random(5);

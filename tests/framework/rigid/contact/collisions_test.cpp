@@ -61,7 +61,7 @@ TEST_CASE(
     CHECK_THAT(angular_velocity(sticks), IsClose(Vector3d(0, 0, -150. / 7), Rounding(32)));
     CHECK_THAT(slides.state.velocity, IsClose(Vector3d(2.7, 1, 0), Rounding(32)));
     CHECK_THAT(angular_velocity(slides), IsClose(Vector3d(0, 0, -7.5), Rounding(32)));
-    CHECK(after(2. / 7 * 0.999999).state.velocity.x() > 15. / 7); // is just still sliding
+    CHECK(after(2. / 7 * 0.999999).state.velocity.x() > 15. / 7); // it still slides
 }
 
 TEST_CASE("collision: between two walls every bounce costs the factor of restitution", "[rigid]")

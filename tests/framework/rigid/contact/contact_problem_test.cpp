@@ -49,8 +49,9 @@ TEST_CASE("contact problem: K and its eigenvalue belong to the bodies that can m
             CHECK_THAT(between.K, IsClose(Matrix3d(K_a + K_b), Rounding(64)));
             CHECK_THAT(between.normal_K, IsClose(n.dot(between.K * n), Rounding(16)));
 
-            // One eigenvalue of P K P is 0, the other two are those of the tangent plane. The
-            // larger one is computed from their difference, a root of squares.
+            // One eigenvalue of P K P is 0; the other two are those of K in the tangent plane. The
+            // engine computes the larger one from their difference, which is a root of squares: if
+            // the difference is small, its rounding error is large.
             const Matrix3d P = Matrix3d::Identity() - n * n.transpose();
             const Eigen::SelfAdjointEigenSolver<Matrix3d> solver(P * between.K * P);
             const Vector3d values = solver.eigenvalues();
@@ -162,7 +163,7 @@ TEST_CASE("contact problem: a stack is no pile and bodies that touch many others
           "[rigid]")
 {
     CHECK_FALSE(is_pile(island_with(0, 0)));
-    CHECK_FALSE(is_pile(island_with(8, 28)));    // few bodies, although each touches each
+    CHECK_FALSE(is_pile(island_with(8, 28)));    // few bodies, although each touches all others
     CHECK_FALSE(is_pile(island_with(100, 100))); // a stack on the ground
     CHECK_FALSE(is_pile(island_with(256, 256)));
     CHECK(is_pile(island_with(257, 257)));   // too many to be solved like a stack

@@ -18,7 +18,8 @@ ContactConstraint contact(int body1, int body2, double height, double gap)
     return c;
 }
 
-// On the ground (body 0) lie a stack of the bodies 1 and 2, and body 3 with a small gap.
+// A stack of the bodies 1 and 2 on the ground (body 0), and beside it body 3 with the given gap to
+// the ground [m].
 struct Case {
     World world = world_of({fixed(Plane{}, {}), body_of(Sphere{0.5}, {0, 0.5, 0}),
                             body_of(Sphere{0.5}, {0, 1.5, 0}), body_of(Sphere{0.5}, {5, 0.6, 0})});

@@ -10,8 +10,8 @@ using namespace rigor::testing;
 
 namespace {
 
-// Bodies 1 … 5, of which 3 is static. Contact 0, of 1 on 4, belongs to another island than contacts
-// 1 and 2, of 5 on 2 and 2 on 3.
+// Bodies 1 … 5, of which body 3 is static. Contact 0 is between the bodies 1 and 4. It belongs to
+// another island than contact 1, between 5 and 2, and contact 2, between 2 and 3.
 struct Bodies : HandMade {
     const std::vector<int> active = {1, 2};
 

@@ -48,7 +48,7 @@ TEST_CASE("one at a time: balls that meet move on together with their momentum",
     problem.touch(1, 2, {0, 0, 0}, {-1, 0, 0});
     const std::vector<int> active = {0};
     resolve_one_at_a_time(problem, active, false);
-    // Momentum 1·2 - 3·1 along the normal, shared by 4 kg; across it nothing changes.
+    // The momentum along x, 1·2 - 3·1 = -1 kg m/s, is shared by 4 kg. Across x nothing changes.
     CHECK_THAT(problem.bodies[1].velocity, IsClose(Vector3d(-0.25, 0, 0), Rounding(32, 2)));
     CHECK_THAT(problem.bodies[2].velocity, IsClose(Vector3d(-0.25, 1, 0), Rounding(32, 2)));
     CHECK_THAT(problem.contacts[0].contact_impulse, IsClose(Vector3d(-2.25, 0, 0), Rounding(32)));
@@ -89,7 +89,7 @@ TEST_CASE("one at a time: shock propagation follows with the levels of what rest
     const ContactResult expected =
         shock_propagation(first.bodies, local.contacts, {0, 1, 2, 3, 1}, 10);
     resolve_one_at_a_time(tower, tower.active, true);
-    // Ten iterations left too much, forty were enough, and ten of shock propagation followed.
+    // Ten iterations were not enough, forty were, and ten iterations of shock propagation followed.
     REQUIRE(tower.counted.contact_sweeps == 10 + 40 + 10);
     for (int i = 0; i < 5; ++i)
         CHECK(moves_alike(tower.bodies[i], expected.bodies[i]));
@@ -109,7 +109,7 @@ TEST_CASE("one at a time: shock propagation holds a thousand times its mass on a
             continue;
         }
         CHECK_THAT(tower.fastest(), IsClose(0.0, Rounding(64, speed_of_fall)));
-        CHECK(tower.counted.contact_sweeps > 20); // nor were ten enough before it
+        CHECK(tower.counted.contact_sweeps > 20); // ten before it were not enough
     }
 }
 

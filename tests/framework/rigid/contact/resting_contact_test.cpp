@@ -77,9 +77,9 @@ TEST_CASE("contact: what swings on a smooth ground keeps its energy", "[rigid]")
     Spring spring;
     spring.body1 = 1;
     spring.point2 = {0, 0.1, 0};
-    spring.stiffness = 30 * block.mass; // ω² [1/s²]
+    spring.stiffness = 30 * block.mass; // [N/m], so that ω² = 30 s⁻²
     world.springs = {spring};
-    double fastest = 0; // highest speed of the last swings
+    double fastest = 0; // highest speed of the last swings [m/s]
     for (int n = 0; n < 6000; ++n) {
         step(world, 1.0 / 120);
         if (n >= 5700) fastest = std::max(fastest, world.bodies[1].state.velocity.norm());
@@ -91,7 +91,7 @@ TEST_CASE("contact: what rocks on a smooth ground gains no energy", "[rigid]")
 {
     RigidBody lens = body_of(Ellipsoid{{0.6, 0.2, 0.6}}, {0, 0.3, 0}, {0, 0}, turn({0, 0, 1}, 0.3));
     World world = world_of({fixed(Plane{}, {0, 0}), lens});
-    double first = 0, last = 0; // highest speeds of the early and of the late steps
+    double first = 0, last = 0; // highest |ω| of early and of late steps [rad/s]
     for (int n = 0; n < 6000; ++n) {
         step(world, 1.0 / 120);
         const double speed = angular_velocity(world.bodies[1]).norm();

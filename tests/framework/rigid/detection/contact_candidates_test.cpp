@@ -100,7 +100,7 @@ TEST_CASE("contact candidates: where nothing can meet in the step there are none
     World near = row_of_balls({0.3}, 0.5), far = row_of_balls({50}, 0.5);
     CHECK(candidates_of(near).contacts.empty());
     CHECK(candidates_of(far).contacts.empty());
-    // Another ball that does meet one makes the contacts of the first pair matter.
+    // If another ball does meet one of the pair, the contacts of the pair matter too.
     RigidBody third = body_of(Sphere{0.5}, {0, 1.1, 0});
     third.state.velocity = {0, -2, 0};
     near.bodies.push_back(third);
@@ -153,7 +153,7 @@ TEST_CASE("contact candidates: a light body gets at most the whole speed of a he
     set_mass(world.bodies[2], 3 * m1, 0.3 * m1 * Matrix3d::Identity());
     const ContactCandidates found = candidates_of(world);
     CHECK_THAT(found.margins[1], IsClose(0.2, Rounding(16)));
-    // 2 m₁ / (m₁ + 3 m₁) of it goes on.
+    // The third ball gets the fraction 2 m₁ / (m₁ + 3 m₁) of this speed.
     CHECK_THAT(found.margins[2], IsClose(0.1, Rounding(16)));
 }
 

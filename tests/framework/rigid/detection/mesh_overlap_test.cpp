@@ -126,7 +126,7 @@ void check_pairs(unsigned first, unsigned last)
         Random random(seed);
         const auto [a, b] = random_pair(random);
         CAPTURE(seed, a.mesh.name, b.mesh.name);
-        double distance = 1e300; // at most this
+        double distance = 1e300; // an upper bound
         for (const Vector3d& p : a.points)
             distance = std::min(distance, b.distance(p));
         for (const Vector3d& p : b.points)
@@ -143,8 +143,9 @@ void check_pairs(unsigned first, unsigned last)
             REQUIRE(t.point.allFinite());
             REQUIRE(std::isfinite(t.gap));
             REQUIRE_THAT(t.normal.norm(), IsClose(1.0, Rounding(256)));
-            // Of the two points of a contact one is of a surface, and no farther from the other
-            // solid than the gap says; that of an overlap is in it.
+            // A contact has two points, half the gap to each side of it. One of them lies on the
+            // surface of one solid and is no farther from the other solid than the gap. If the
+            // solids overlap, it lies in the other solid.
             double outside = 1e300;
             for (const double half : {-t.gap / 2, t.gap / 2}) {
                 const Vector3d x = t.point + half * t.normal;

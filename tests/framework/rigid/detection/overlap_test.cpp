@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Contacts of random pairs of shapes against their distance by brute force: points of one surface
-// in the exact distance of the other shape, from the nearest samples downhill. Sizes differ by up
-// to a hundred times, and shapes may be ten times as long as wide.
+// Contacts of random pairs of shapes against their distance by brute force: the least exact
+// distance from one shape to points of the other's surface, searched downhill from the nearest
+// samples. One shape may be a hundred times as large as the other, and ten times as long as wide.
 #include "framework/rigid/contact_shapes.hpp"
 
 #include "geometry/meshes/triangle.hpp"
@@ -169,7 +169,7 @@ void check_pairs(unsigned first, unsigned last)
             REQUIRE_THAT(t.normal.norm(), IsClose(1.0, Rounding(256)));
         }
         if (distance < -tolerance) REQUIRE(deepest(touches) < 0);
-        if (a.drawn.is_mesh()) continue; // its points alone give no upper bound of the distance
+        if (a.drawn.is_mesh()) continue; // its sampled points alone give no exact distance
         if (distance > tolerance) REQUIRE(deepest(touches) > 0.98 * distance - tolerance);
         if (distance > 0 && distance < reach - tolerance)
             REQUIRE(deepest(touches) < distance + tolerance);

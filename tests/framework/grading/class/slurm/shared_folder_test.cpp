@@ -43,7 +43,7 @@ TEST_CASE("slurm: what is no plan is one clear error", "[class][slurm]")
     for (const char* text : {"", "{}", "[1, 2]", "{\"round\": 1"})
         CHECK_THROWS_AS(slurm::read_plan(folder.write("plan", text)), InputError);
     CHECK_THROWS_AS(slurm::read_plan(folder.path() / "none"), InputError);
-    // a chunk with a submission that the plan lacks
+    // A chunk has a submission that the plan lacks.
     CHECK_THROWS_AS(
         slurm::read_plan(folder.write(
             "plan", R"({"round": 1, "assignment": "a0", "out": "/", "seed": 0, "secret_file": "",

@@ -25,7 +25,8 @@ Body askew_rod()
 
 } // namespace
 
-// With K̃ the impulse of a single contact is that of the formula of topic `contact`.
+// The sweeps use the matrix K̃ instead of K (collision_law_sweeps.hpp). With K̃, the formula
+// `collision_impulse` gives the same impulse at a contact as a visit by `resolve_simultaneously`.
 TEST_CASE("collision law sweeps: n of them are n sweeps of resolve_simultaneously", "[rigid]")
 {
     check_sweeps_are_those_of_the_formula(pile_by_collision_law);

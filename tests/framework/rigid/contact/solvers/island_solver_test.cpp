@@ -10,7 +10,8 @@ using namespace rigor::testing;
 
 namespace {
 
-// The ways to sweep, by the formulas of either topic and by the optimised forms.
+// The ways to sweep: by a formula of topic `collision`, by one of topic `contact`, and by the
+// engine's faster forms.
 enum class Way { collision_law, simultaneous, optimised };
 constexpr Way ways[] = {Way::collision_law, Way::simultaneous, Way::optimised};
 
@@ -55,7 +56,8 @@ struct Field : HandMade {
         Random random(6);
         for (int i = 0; i < side * side; ++i)
             add(ball_at({1.0 * (i % side), 0.5, 1.0 * (i / side)}, random.mass(), random.vector()));
-        // The tolerance follows from the fastest approach, which no other contact feels.
+        // The tolerance of the sweeps is in proportion to the fastest approach. With this one the
+        // sweeps converge early, and it affects no other contact.
         bodies.back().velocity.y() = -1e4;
         const auto connect = [&](int body1, int body2, const Vector3d& point,
                                  const Vector3d& normal) {
@@ -99,7 +101,7 @@ TEST_CASE("island solver: Newton's method is asked where sweeps do not converge"
     solve(light);
     solve(heavy);
     CHECK(light.counted.newton_solves == 0);
-    CHECK(light.counted.contact_sweeps == 2); // the second one finds nothing to do
+    CHECK(light.counted.contact_sweeps == 2); // the second sweep changes nothing
     CHECK(light.counted.early_exits == 1);
     CHECK(heavy.counted.newton_solves == 1);
 }
@@ -155,7 +157,8 @@ TEST_CASE("island solver: impulses are in their cones and are all that changes t
 
 TEST_CASE("island solver: a row of balls that is hit moves on as one to rounding", "[rigid]")
 {
-    // Plain sweeps would take 60 to get there, and Newton's method is not for bodies that move.
+    // Plain sweeps would need 60 iterations for that, and Newton's method is not used for bodies
+    // that move.
     for (const Way way : ways) {
         CAPTURE(static_cast<int>(way));
         HandMade row;
@@ -170,7 +173,7 @@ TEST_CASE("island solver: a row of balls that is hit moves on as one to rounding
         CHECK(row.counted.early_exits == 1);
         for (int i = 1; i <= 5; ++i)
             CHECK_THAT(row.bodies[i].velocity, IsClose(Vector3d(1, 0, 0), Rounding(1000, 5)));
-        for (int i = 1; i < 5; ++i) // what the balls behind it need
+        for (int i = 1; i < 5; ++i) // what the balls beyond this contact need
             CHECK_THAT(row.contacts[i - 1].contact_impulse,
                        IsClose(Vector3d(-2.0 * (5 - i), 0, 0), Rounding(1000, 10)));
     }

@@ -9,7 +9,7 @@ using namespace rigor::testing;
 
 namespace {
 
-constexpr double h = 1.0 / 60;
+constexpr double h = 1.0 / 60; // [s]
 const Material smooth{0, 0};
 
 // The distance between two boxes along an axis, by projection of all corners.
@@ -212,7 +212,8 @@ TEST_CASE("box contact: a box that lands at a joint keeps its speed along it", "
         World world = joint(box);
         run(world, 5, h);
         CAPTURE(x);
-        // The corners do not land at the same time, and the tilt that this causes is of class I.
+        // The corners do not land at the same time. The tilt that this causes changes the speed a
+        // little.
         CHECK(std::abs(world.bodies[2].state.velocity.x() - 3) <= 0.01);
     }
 }

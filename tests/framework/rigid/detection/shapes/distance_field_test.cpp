@@ -26,11 +26,11 @@ TEST_CASE("level set: a ball sampled on a grid of spacing h is off by h²/4 at m
             worst = std::max(worst, std::abs(sample_level_set(grid, p) - (p.norm() - 1)));
         }
         CAPTURE(cells, worst);
-        // The curvature of |p| is 1/|p| perpendicular to p: three axes with h²/8 · 2/(3·0.9) each,
-        // and a margin.
+        // Along an axis, linear interpolation is off by at most h²/8 times the second derivative.
+        // Those of |p| along the three axes add up to 2/|p|, and |p| is at least 0.9.
         CHECK(worst <= h * h / 4 / 0.9);
-        CHECK(worst > h * h / 8);                  // and somewhere it is that large
-        const TriangleMesh ball = icosphere(1, 5); // its error is 1 - cos(angle of half an edge)
+        CHECK(worst > h * h / 8);                  // somewhere it is about half of that
+        const TriangleMesh ball = icosphere(1, 5); // its faces are less than 5e-4 inside
         const LevelSet by_mesh = make_level_set(ball, cells);
         for (int n = 0; n < 1000; ++n) {
             const Vector3d p = random.uniform(0.9, 1.1) * random.unit_vector();

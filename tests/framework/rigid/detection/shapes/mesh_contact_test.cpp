@@ -8,7 +8,7 @@ using namespace rigor::testing;
 TEST_CASE("mesh contact: bars that cross flat touch at the corners of their crossing", "[rigid]")
 {
     const Shape cross =
-        mesh(cross_mesh(2, 0.3)); // an arm along x of one on an arm along z of the other
+        mesh(cross_mesh(2, 0.3)); // the bar lies across its arm along x, turned by 30°
     const Pose lower{}, upper = turned({0, 1, 0}, 30, {0.5, 0.3 - 1e-4, 0});
     const auto touches = touches_of(Box{{0.3, 0.3, 0.7}}, upper, cross, lower, 0.001);
     REQUIRE(touches.size() >= 4);
