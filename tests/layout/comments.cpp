@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Finds the comments of C++ files. A scanner goes through each line and skips strings and
-// characters. It remembers a raw string that goes on in the next line.
+// Finds the comments of C++ files. A scanner goes through each line and skips strings and character
+// literals. It remembers a raw string that goes on in the next line.
 #include "layout/comments.hpp"
 
 #include <algorithm>
@@ -40,7 +40,7 @@ public:
     }
 
 private:
-    // The place after a string, a character, or any single letter of code.
+    // The place after a string, a character literal, or any single letter of code.
     std::size_t after_token(const std::string& line, std::size_t i)
     {
         const bool follows_word = i > 0 && is_word(line[i - 1]);
@@ -51,7 +51,7 @@ private:
             return open + 1;
         }
         if (line[i] == '"') return after_quote(line, i);
-        // a quote inside 1'000 starts no character
+        // A quote inside a number, such as 1'000, begins no character literal.
         if (line[i] == '\'' && !follows_word) return after_quote(line, i);
         return i + 1;
     }

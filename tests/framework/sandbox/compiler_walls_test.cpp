@@ -97,7 +97,7 @@ TEST_CASE("sandbox: a compiler finds no other file")
             const Compiler compiler(tier);
             const ConfinedRun run = compiler.compile(text);
             CAPTURE(run.output);
-            REQUIRE(run.ok() == (tier == Tier::c)); // so the file is there
+            REQUIRE(run.ok() == (tier == Tier::c)); // in tier C it is found: it exists
             REQUIRE(compiler.has("object.o") == run.ok());
         }
     }
@@ -152,7 +152,7 @@ TEST_CASE("sandbox: what a compiler may call does not reach beyond the walls")
         for (const auto& [attempt, about] : cases) {
             CAPTURE(description(tier), attempt, about);
             const bool is_root = geteuid() == 0 && !walls_of(tier).another_user;
-            if (attempt == "own user" && is_root) continue; // but without any capability
+            if (attempt == "own user" && is_root) continue; // root without capabilities
             const ConfinedRun run = Compiler(tier).attempt(attempt, about);
             CAPTURE(run.output, blocked(run));
             REQUIRE(run.output.starts_with("failed: "));

@@ -19,7 +19,7 @@ using namespace testing;
 
 namespace {
 
-/// RIGOR_TIER for the time of a test.
+/// Sets RIGOR_TIER as long as this object lives.
 class WantedTier {
 public:
     explicit WantedTier(const char* name) { setenv("RIGOR_TIER", name, 1); }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Tests of the walls around a worker: what is blocked is named, in each tier that is possible here,
-// and the same program can do it in tier C, so it does try.
+// Tests of the walls around a worker: what is blocked is named, in each tier with walls that is
+// possible here. In tier C, without walls, the same attempts succeed, so the program does try.
 #include "confine.hpp"
 #include "support/catch.hpp"
 #include "support/temporary_folder.hpp"
@@ -70,7 +70,7 @@ TEST_CASE("sandbox: without walls the same attempts succeed")
 {
     const TemporaryFolder folder;
     for (const Blocked& attempt : blocked_attempts(folder.path())) {
-        // Undumpable processes and those that must not be traced are not for everybody.
+        // Whether a process's memory can be read in these ways depends on the user and the machine.
         if (attempt.attempt == "read memory" || attempt.about.ends_with("/mem")) continue;
         CAPTURE(attempt.attempt, attempt.about);
         const ConfinedRun run =
@@ -169,7 +169,8 @@ TEST_CASE("sandbox: limits on resources hold in every tier")
     const ConfinedRun loop =
         run_confined(short_of_time, {program("attempt"), "loop"}, ample_time());
     REQUIRE((loop.signal == SIGKILL || loop.signal == SIGXCPU));
-    // The kernel counts whole ticks for the limit and measures what it reports here.
+    // For the limit, the kernel counts whole ticks of its clock; the time that it reports here is
+    // measured. So the two differ.
     REQUIRE(loop.processor_seconds > 0.3);
     REQUIRE(loop.processor_seconds < 3);
 

@@ -82,7 +82,7 @@ TEST_CASE("mass_by: each method approximates the same cube")
         }
     const RigidBody box = body_of(cube + R"(, "mass_by": "bounding_box")");
     CHECK((box.inertia - exact.inertia).norm() < 1e-13);
-    // five standard deviations of 10 000 samples
+    // The limit is five standard deviations of the mean of 10 000 samples.
     const RigidBody random = body_of(cube + R"(, "mass_by": "samples")");
     CHECK(std::abs(random.inertia(0, 0) - 2) < 5 * 0.1054 * 12 / 100);
 }
@@ -138,7 +138,7 @@ TEST_CASE("velocity_modes: a solid falls and turns as a rigid body does")
         mass += solid.masses[i];
     }
     CHECK((center / mass - Vector3d(1, 5 - 10.0 / 2, 0)).norm() < 1e-12);
-    // |x| grows by √(1 + ¼ |ω|⁴ h⁴) in each step
+    // |x| grows at most by the factor √(1 + ¼ |ω|⁴ h⁴) in each step.
     const double rest = std::sqrt(1 + 4 + 0.25);
     CHECK(length_of(solid) >= rest);
     CHECK(length_of(solid) < rest * (1 + 100.0 / 8 * 81 * 1e-8));

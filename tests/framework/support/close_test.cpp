@@ -67,7 +67,7 @@ TEST_CASE("close: the largest error that held is kept as a part of its tolerance
 
 TEST_CASE("close: the bound comes from the expected value alone", "[support]")
 {
-    // a bound that grew with the answer would accept any answer that is large enough
+    // A bound that grew with the answer would accept any answer that is large enough.
     for (int power = 0; power <= 1000; power += 100) {
         const double answer = std::ldexp(1, power);
         CHECK_FALSE(close(answer, 0.0, Rounding(1e6)));
@@ -88,7 +88,7 @@ TEST_CASE("close: a sign is not lost", "[support]")
 
 TEST_CASE("close: a wrong component hides behind no other", "[support]")
 {
-    // neither behind a NaN, which every comparison lets through, nor behind a larger error
+    // Each component is compared by itself. A NaN is refused although it exceeds no bound.
     const Vector3d expected(1, 2, 3);
     for (int i = 0; i < 3; ++i) {
         Vector3d actual = expected;

@@ -74,7 +74,7 @@ TEST_CASE("worker: advancing each state of a run leads to the next one bit by bi
     const Run run;
     REQUIRE(run.complete);
     std::vector<Worker::Start> starts;
-    // Enough of them for several requests.
+    // There are so many starts that they need several requests.
     for (int repeat = 0; repeat < 60; ++repeat)
         for (std::size_t n = 0; n + 3 < run.frames.size(); ++n)
             starts.emplace_back(run.frames[n].time, run.frames[n].bodies);

@@ -80,7 +80,8 @@ TEST_CASE("worker: a slow call may take a multiple of what the oracle takes")
 
 namespace {
 
-/// Threads that compute on one processor and leave little of it to a process of the lowest class.
+/// Threads that compute on one processor and leave little of its time to a process of the lowest
+/// scheduling class.
 class BusyProcessor {
 public:
     explicit BusyProcessor(int process)
@@ -128,7 +129,8 @@ TEST_CASE("worker: a process that gets no processor is not late")
         try {
             attacked();
         } catch (const WorkerFailure& failure) {
-            // A tenth of the time counts, so only a wait of ten times the limit is late.
+            // Of the time that a process waits for a processor, a tenth counts. So only a wait of
+            // ten times the limit is late.
             CAPTURE(failure.what());
             REQUIRE(Seconds(Clock::now() - start) > 9 * limits.call);
             return;

@@ -70,7 +70,7 @@ Run honest()
     return run_with(solved);
 }
 
-/// A run where the reference answers all formulas but these.
+/// A run where the reference answers all formulas except those in `own`.
 Run followed(const std::string& worker_file, const std::vector<FormulaIndex>& own,
              const Scene& scene = ball())
 {
@@ -185,7 +185,7 @@ TEST_CASE("scene answers: with answers that are given the bits are the same")
         REQUIRE(mixed.frames == right.frames);
         REQUIRE(next_call_is_answered());
     }
-    // Where all are given, a worker without formulas does as well.
+    // If the reference gives all answers, a worker without formulas does as well.
     REQUIRE(followed(RIGOR_BINARY_DIR "/bin/worker_nothing", {}).frames == right.frames);
 }
 

@@ -55,7 +55,7 @@ TEST_CASE("time budget: a crash is asked again unless it takes as long as an end
         budget.failed(one, Seconds(0.001), false);
     REQUIRE_FALSE(budget.is_given_up(one));
     for (int i = 0; i < 3; ++i)
-        budget.failed(other, Seconds(1.5), false); // such as a hoard of memory
+        budget.failed(other, Seconds(1.5), false); // as by hoarding memory
     REQUIRE(budget.is_given_up(other));
 }
 
@@ -88,7 +88,7 @@ TEST_CASE("time budget: a formula that was given up has two short chances in sce
         budget.scene_failed(one);
     REQUIRE(budget.ends_scenes(one));
     for (int i = 0; i < 2; ++i)
-        budget.scene_failed(other); // which answers elsewhere
+        budget.scene_failed(other); // it answers outside of scenes
     REQUIRE_FALSE(budget.ends_scenes(other));
 }
 

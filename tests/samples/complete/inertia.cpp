@@ -11,7 +11,7 @@ namespace {
 
 const double pi = std::acos(-1.0);
 
-// Parallel-axis theorem: the inertia that a mass adds at the distance d.
+// Parallel-axis theorem: the inertia that a mass adds if its center is displaced by d.
 Matrix3d shifted(double mass, const Vector3d& d)
 {
     Matrix3d result;
@@ -184,7 +184,8 @@ MassProperties combine(const MassProperties& a, const MassProperties& b)
     both.center_of_mass =
         a.center_of_mass + b.mass / both.mass * (b.center_of_mass - a.center_of_mass);
 
-    // both shifts to the common center add up to the shift of the reduced mass by their distance
+    // The shifts of both bodies to the common center add up to that of the reduced mass by the
+    // distance of their centers.
     const double reduced = a.mass * b.mass / both.mass;
     both.inertia = a.inertia + b.inertia + shifted(reduced, b.center_of_mass - a.center_of_mass);
     return both;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A sample submission: one function crashes, one never returns; the rest is judged on its own.
+// A sample submission: one function crashes, one never returns, and one is a stub. The others are
+// right and get their points.
 #include "formulas/inertia.hpp"
 
 #include <cmath>

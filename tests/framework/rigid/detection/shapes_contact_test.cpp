@@ -24,7 +24,7 @@ TEST_CASE("contact: seen from the other side every pair has the same touches", "
                 }
                 const bool are_meshes = std::holds_alternative<Mesh>(first.shape) &&
                                         std::holds_alternative<Mesh>(second.shape);
-                // The order of the two may matter.
+                // For two meshes, or two shapes of one kind, it may matter which comes first.
                 if (are_meshes || first.name == second.name) continue;
                 REQUIRE(there.size() == back.size());
                 for (std::size_t i = 0; i < there.size(); ++i) {
@@ -36,8 +36,8 @@ TEST_CASE("contact: seen from the other side every pair has the same touches", "
 
 TEST_CASE("contact: shapes that approach touch where they meet", "[rigid]")
 {
-    // The second shape is placed where the finest sampling of both shapes just meets along a random
-    // direction; there the gap must be zero.
+    // The second shape comes from outside along a random direction, and is placed where the fine
+    // meshes of both shapes just touch. There the gap must be zero.
     for (const NamedShape& first : all_shapes())
         for (const NamedShape& second : all_shapes())
             for (unsigned seed = 0; seed < 3; ++seed) {

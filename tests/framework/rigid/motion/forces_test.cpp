@@ -166,7 +166,7 @@ TEST_CASE("pulled: a spring too stiff for the step is refused in words", "[rigid
 {
     World world = oscillator(12e12);
     CHECK_THROWS_WITH(step(world, 0.01), Catch::Contains("spring or damper is too stiff"));
-    // the limit and what was found are the same quantity: √(k/M) h = 2000 · 0.3 at the second body
+    // The message compares √(k/M) h, which is 2000 · 0.3 at the second body, with its limit.
     world = oscillator(12);
     world.bodies.push_back(free_box());
     world.bodies[1].name = "fast";

@@ -102,7 +102,7 @@ TEST_CASE("flight: what is symmetric about an axis flies exactly in one step of 
         REQUIRE(coarse.bodies[0].is_body_of_revolution());
         World fine = coarse;
         fine.bodies[0].symmetry_axis.setZero();
-        fine.settings.integrator = Integrator::runge_kutta; // use the method of fourth order
+        fine.settings.integrator = Integrator::runge_kutta; // it is of fourth order
         step(coarse, 2);
         run(fine, 20000, 1e-4);
         CHECK(coarse.counters.substeps == 0);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The closed solution against a Taylor series of order 22 in extended precision, over strata of
-// moments, angular velocities and times. The bound is the effect of rounding the arguments, found
-// by moving them: near the unstable axis a small change grows with each flip.
+// Compares the closed solution of free rotation with a Taylor series of order 22 in extended
+// precision, over strata (classes) of moments, angular velocities and times. The allowed error is
+// the effect of rounding the arguments, found by changing them a little: near the unstable axis a
+// small change grows with each flip.
 #include "rigid/motion/free_rotation.hpp"
 
 #include "framework/rigid/worlds.hpp"
@@ -20,6 +21,7 @@ namespace {
 using Extended = long double;
 constexpr int order = 22;
 
+// Angular momentum in the frame of the body, and orientation, scalar part first.
 struct Rotor {
     std::array<Extended, 3> M;
     std::array<Extended, 4> q;

@@ -27,7 +27,7 @@ double error_after(Integrator integrator, int steps)
 
 TEST_CASE("flight: a matrix that Gram-Schmidt repairs falls behind", "[rigid]")
 {
-    // both columns in the plane turn by atan(ω Δt)
+    // Both columns in the plane of the rotation turn by atan(ω Δt) instead of ω Δt.
     const Quaternion q = turned_by_gram_schmidt({}, {0, 0, 1}, 0.5);
     CHECK(std::abs(2 * std::atan2(q.v.z(), q.s) - std::atan(0.5)) < 1e-15);
 }
@@ -38,7 +38,7 @@ TEST_CASE("flight: Euler angles do not turn a body at gimbal lock", "[rigid]")
     const Quaternion up = {std::cos(half), {0, std::sin(half), 0}}; // a pitch of 90°
     const Quaternion q = turned_by_euler_angles(up, {1, 0, 0}, 0.1);
     CHECK(std::abs(q.s - up.s) + (q.v - up.v).norm() < 1e-12);
-    // elsewhere they do
+    // Elsewhere they turn it.
     const Quaternion level = turned_by_euler_angles({}, {1, 0, 0}, 0.1);
     CHECK(std::abs(2 * std::atan2(level.v.x(), level.s) - 0.1) < 1e-15);
 }

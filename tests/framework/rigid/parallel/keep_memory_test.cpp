@@ -32,14 +32,14 @@ TEST_CASE("keep memory: megabytes that are freed stay with the process", "[rigid
     REQUIRE(block);
     std::memset(block, 1, size);
     const struct mallinfo2 used = mallinfo2();
-    CHECK(used.hblks == before.hblks); // it is not a mapping, which would end when it is freed
+    CHECK(used.hblks == before.hblks); // no mapping (mmap), which free would end
     CHECK(used.uordblks >= before.uordblks + size);
     std::free(block);
     const struct mallinfo2 after = mallinfo2();
     CHECK(after.arena == used.arena); // nothing went back to the system
     CHECK(after.fordblks >= size);
 
-    // So the next step finds the memory again.
+    // So a later allocation gets this memory again.
     block = std::malloc(size);
     CHECK(mallinfo2().arena == after.arena);
     std::free(block);

@@ -11,7 +11,7 @@ using namespace rigor::testing;
 
 namespace {
 
-constexpr double h = 1.0 / 60;
+constexpr double h = 1.0 / 60; // [s]
 const Material plastic{0, 0.5};
 
 // The depth of body 1 in body 0 [m].
@@ -42,7 +42,7 @@ TEST_CASE("adaptive substeps: a corner that hits a wall turns the cube, but not 
                 impulse -= c.impulse;
             }
             const Totals now = totals(world);
-            CHECK(overlap(world) <= 0.01 * 0.1); // 0.005 is tolerated; class I
+            CHECK(overlap(world) <= 0.01 * 0.1); // 1 % of the cube's edge
             CHECK_THAT(now.momentum - before, IsClose(impulse, Rounding(1024, before.norm())));
             CHECK(now.kinetic_energy <= energy * (1 + 1e-12)); // up to rounding
             energy = now.kinetic_energy;
@@ -64,7 +64,7 @@ TEST_CASE("adaptive substeps: thin plates that slap on each other keep their ord
     double below = -5e-4;
     for (int i = 1; i <= 3; ++i) {
         const double y = world.bodies[i].state.position.y();
-        CHECK(y - below >= 0.9e-3); // within a tenth of the thickness; class I
+        CHECK(y - below >= 0.9e-3); // within a tenth of the thickness
         below = y;
     }
 }

@@ -65,7 +65,8 @@ TEST_CASE("mean velocity: the impulse over a curve is that of its middle", "[rig
     REQUIRE(solved.by_mean == std::vector<char>{true});
     const Body &first = solved.after_collisions[1], &last = solved.problem.bodies[1];
     const ContactConstraint& c = solved.problem.contacts[0];
-    // In the middle of the step the ball has gone on by h v/2 = (R + r) sin θ.
+    // In the middle of the step the ball has gone on by h v/2 = (R + r) tan θ, with the angle θ of
+    // the contact's normal.
     const Vector3d up = -c.normal; // from the fixed ball, which is body 1, to the one that slides
     CHECK_THAT(up.x(), IsClose(h * speed / 2 / std::hypot(1.1, h * speed / 2), Order(1e-9)));
     CHECK_THAT((first.velocity + last.velocity).dot(c.normal), IsClose(0.0, Rounding(256, speed)));

@@ -17,7 +17,7 @@ constexpr double radius = 0.02; // the radius of the ball, and half the edge of 
 constexpr double room = 0.06;   // how far the center can move [m]
 constexpr Material elastic{1, 0};
 
-// A place between -room/2 and room/2, as a point gets there that is reflected at both ends.
+// The place of a point that is reflected at -room/2 and at room/2, and would be at x otherwise [m].
 double reflected(double x)
 {
     const double phase = std::fmod(x / room + 0.5, 2.0), place = phase < 0 ? phase + 2 : phase;
@@ -29,8 +29,8 @@ World weightless(std::vector<RigidBody> bodies)
     return world_of(std::move(bodies), {0, 0, 0});
 }
 
-// Two walls of a thickness, perpendicular to d = R e_x. The space between them is as wide as the
-// room and a body of half width `radius`.
+// Two walls of the given thickness, perpendicular to d = R e_x. The space between them has the
+// width `room` + 2 `radius`.
 std::vector<RigidBody> two_walls(double thickness, const Quaternion& q, const Vector3d& d)
 {
     const double x = room / 2 + radius + thickness / 2;
@@ -38,7 +38,7 @@ std::vector<RigidBody> two_walls(double thickness, const Quaternion& q, const Ve
     return {fixed(wall, elastic, x * d, q), fixed(wall, elastic, -x * d, q)};
 }
 
-// A box of six walls of a thickness, as parts of one body.
+// A box of six walls of the given thickness, as parts of one body.
 RigidBody box_of_walls(double thickness)
 {
     RigidBody walls = fixed(Plane{}, elastic);
@@ -103,7 +103,8 @@ TEST_CASE("missed contacts: where a body ends beyond its margin and in another o
 
 TEST_CASE("missed contacts: where a body that turns far ends behind a contact", "[rigid]")
 {
-    // In free flight too, since its contact may have no impulse.
+    // This counts although the body ends where it is after free flight: its contact may have got no
+    // impulse.
     std::vector<RigidBody> bodies = two_walls(0.01, {}, {1, 0, 0});
     bodies.push_back(moving(Box{Vector3d::Constant(2 * radius)}, {0.02, 0, 0}, {10, 0, 0}));
     spin(bodies[2], {0, 0, 200});
@@ -168,7 +169,7 @@ TEST_CASE("missed contacts: tumbling bodies stay in a box of walls and win no en
     const auto [count, fastest] =
         GENERATE(table<int, double>({{1, 20}, {1, 50}, {2, 50}, {40, 20}}));
     const int first_shape = GENERATE(range(0, 5));
-    if (count == 40 && first_shape > 0) return; // one of these is enough
+    if (count == 40 && first_shape > 0) return; // one case of 40 bodies is enough
     CAPTURE(is_one_body, thickness, time_step, count, first_shape, fastest);
     Random random(5);
     const RigidBody walls = box_of_walls(thickness);

@@ -21,7 +21,7 @@ struct Balls {
     std::vector<bool> pulled;
     std::vector<Body> after_collisions;
     std::vector<Displacement> displacements;
-    std::vector<RigidState> states; // after free flight; NaN, so that nothing else is taken for it
+    std::vector<RigidState> states; // after free flight; NaN, so that any use shows
 
     explicit Balls(int count = 1, int threads = 1) : problem(threads)
     {
@@ -80,7 +80,7 @@ TEST_CASE("position update: a body that only bounced flies on under gravity", "[
     Balls balls;
     balls.problem.contacts[0].collision_impulse = push;
     balls.after_collisions[1].velocity = {2, 3, 0};
-    balls.problem.bodies[1].velocity = {7, 7, 7}; // would be right if a contact held it
+    balls.problem.bodies[1].velocity = {7, 7, 7}; // right only if a contact held it
     const RigidState& end = balls.update();
     CHECK_THAT(end.position,
                IsClose(Vector3d(2 * dt, 0.5 + 3 * dt - g * dt * dt / 2, 0), Rounding(4, 1)));

@@ -14,7 +14,7 @@ using namespace rigor::testing;
 
 namespace {
 
-constexpr double h = 1.0 / 60;
+constexpr double h = 1.0 / 60; // [s]
 
 } // namespace
 

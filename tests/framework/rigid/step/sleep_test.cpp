@@ -11,7 +11,7 @@ using namespace rigor::testing;
 
 namespace {
 
-constexpr double h = 1.0 / 60;
+constexpr double h = 1.0 / 60; // [s]
 
 // Randomly placed cubes that fall on each other in a room without a roof.
 World cubic_pile(int side, int seed)
@@ -39,7 +39,8 @@ World cubic_pile(int side, int seed)
 
 constexpr double at_rest = 1e-4 * std::numbers::sqrt3 / 2; // limit for a cube of 1 m at rest [m]
 
-// Sides and seeds. Of the piles with 64 cubes, some have several islands that sleep one by one.
+// Piles of side³ cubes, by side and seed. Some piles of 64 cubes have several islands, which fall
+// asleep one by one.
 constexpr std::pair<int, int> piles[] = {{2, 1},  {2, 6}, {3, 1}, {3, 9},
                                          {3, 12}, {4, 3}, {4, 4}, {4, 12}};
 
@@ -135,7 +136,7 @@ TEST_CASE("sleep: a pile comes to rest and sleeps where it would lie awake", "[r
 }
 
 // Without the impulses that it had before its sleep, a large pile would jump when it wakes: the
-// sweeps of the first step would not find them all.
+// sweeps of the first step would not find all impulses anew.
 TEST_CASE("sleep: a pile that wakes stays in its place", "[rigid]")
 {
     for (const auto& [side, seed] : piles) {
@@ -153,11 +154,11 @@ TEST_CASE("sleep: a pile that wakes stays in its place", "[rigid]")
 
 TEST_CASE("sleep: what moves slowly does not sleep", "[rigid]")
 {
-    // Almost upright on an edge, and so about to fall.
+    // This box stands almost upright on an edge and is about to fall.
     const Quaternion tilt = turn(Vector3d::UnitZ(), std::numbers::pi / 4 + 1e-3);
     RigidBody leaning = body_of(Box{{1, 1, 1}}, {0, std::sqrt(0.5), 0}, {0, 0.5}, tilt);
     RigidBody gliding = body_of(Box{{1, 1, 1}}, {5, 0.5, 0}, {0, 0});
-    gliding.state.velocity = {1e-3, 0, 0}; // moves 0.2 mm in the time that is needed for sleep
+    gliding.state.velocity = {1e-3, 0, 0}; // moves 0.5 mm in the 0.5 s of rest that sleep needs
     World world = world_of({fixed(Plane{}, {0, 0.5}), leaning, gliding});
     run(world, 60, h);
     CHECK(world.counters.bodies_asleep == 0);

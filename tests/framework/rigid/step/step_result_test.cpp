@@ -98,7 +98,7 @@ TEST_CASE("step result: contacts of refined islands are sorted in between the ot
     EndOfStep end;
     end.problem.contacts[0].contact_impulse = {0, 1, 0};
     end.problem.contacts[1].contact_impulse = {0, 1, 0};
-    end.result.records = {record_between(7, 0)}; // from a bounce at its impact
+    end.result.records = {record_between(7, 0)}; // a bounce inside the step
     end.refined.records = {record_between(1, 2)};
     end.refined.warm_contacts = {warm_between(1, 2, 5), warm_between(1, 2, 6), warm_between(0, 4)};
     end.collect();

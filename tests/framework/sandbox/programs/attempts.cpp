@@ -56,7 +56,8 @@ bool execute(const char* path)
     return false;
 }
 
-// By the call and the descriptor by which the launcher started this program.
+// Uses the system call by which the launcher starts a program, with each descriptor that the
+// launcher may have used.
 bool execute_like_the_launcher(const char* path)
 {
     char* const arguments[] = {const_cast<char*>(path), nullptr};
@@ -78,8 +79,8 @@ bool execute_from_memory(const char* path)
     return false;
 }
 
-// Twenty daemons, each in a session of its own, without parents that live. Each parent waits until
-// its daemon has told that it runs and ends it.
+// Twenty daemons, each in a session of its own and without a living parent. Each parent waits until
+// its daemon, which first prints a line, kills this parent.
 bool leave_daemons(const char*)
 {
     for (int i = 0; i < 20; ++i) {
@@ -115,7 +116,7 @@ bool read_memory_of(const char* about)
 {
     char byte = 0;
     iovec here = {&byte, 1}, there = {&byte, 1};
-    // The address need not exist there: it is the permission that counts.
+    // The address need not exist in that process: only the permission counts.
     return process_vm_readv(process(about), &here, 1, &there, 1, 0) == 1 || errno == EFAULT;
 }
 

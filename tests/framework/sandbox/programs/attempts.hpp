@@ -4,8 +4,8 @@
 
 namespace rigor::testing {
 
-/// Tries it and prints `done`, or `failed` with the reason. The second argument is a path or a
-/// process number, if one is needed.
+/// Tries what `name` says, and prints `done`, or `failed` with the reason.
+/// @param about  a path, a process or another word, if the attempt needs one
 void attempt(const char* name, const char* about);
 
 } // namespace rigor::testing

@@ -54,7 +54,7 @@ int compare(const void* a, const void* b)
     return (x > y) - (x < y);
 }
 
-// Large enough that the C library asks how much memory there is.
+// The list is so large that `qsort` asks the system how much memory there is.
 bool sorts()
 {
     std::vector<int> numbers(100000);

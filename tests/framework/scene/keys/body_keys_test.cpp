@@ -14,7 +14,7 @@ using namespace rigor;
 
 namespace {
 
-// A ball of 1 kg with these keys in line 2, far above a floor, without gravity; and further bodies.
+// A scene of 2 s with a ball of 1 kg, which has these keys in line 2, and with further bodies.
 std::string scene_with(const std::string& keys, const std::string& bodies = "",
                        const std::string& gravity = "[0, 0, 0]")
 {
@@ -102,7 +102,8 @@ TEST_CASE("turning: a body that may not turn does not, and one with an axis only
 
 TEST_CASE("turning: about its axis a body turns by its moment about it")
 {
-    // A beam, skew in space, pulled by a torque about the axis and by one across it.
+    // A beam that turns about an axis between its own axes. Only the part of the torque along this
+    // axis turns it.
     const std::string text = R"({"gravity": [0, 0, 0], "bodies": [
         {"name": "beam", "shape": {"box": {"size": [1, 2, 0.5]}}, "density": 12,
          "turns_about": [1, 1, 0]}],

@@ -19,7 +19,7 @@ namespace {
 
 const std::string tetrahedron_off = "OFF 4 4 6\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n"
                                     "3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n";
-// Two squares in a gentle valley along z, 8 m wide.
+// A gentle valley along z, made of two rectangles, 8 m wide.
 const std::string valley = "v -4 1 -4\nv -4 1 4\nv 0 0 -4\nv 0 0 4\nv 4 1 -4\nv 4 1 4\n"
                            "f 1 2 4 3\nf 3 4 6 5\n";
 
@@ -91,7 +91,7 @@ TEST_CASE("mesh: an open mesh with a depth is ground")
     World world = make_world(scene);
     for (int i = 0; i < 60; ++i)
         step(world, 0.01);
-    // On the slope at tan α = 1/4 the center is R/cos α above the surface, and it rolls down it.
+    // The ball rolls down the slope, tan α = 1/4, and its center is R/cos α above the surface.
     const Vector3d& X = world.bodies[1].state.position;
     CHECK(X.x() > -1.95);
     CHECK(X.x() < -1);

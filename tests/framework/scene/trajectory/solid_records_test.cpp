@@ -61,7 +61,7 @@ Frame frame_of(std::int64_t step, SolidFrame solid)
     return frame;
 }
 
-// Three frames; the mesh changes in the third.
+// Four frames; the mesh changes in the third.
 std::vector<Frame> frames()
 {
     const auto before = topology_of(2), after = topology_of(3);

@@ -26,7 +26,8 @@ template <class T> void fill(T& value, SplitMix& random)
     if constexpr (std::is_same_v<T, bool>) {
         value = random.next() % 2 == 1;
     } else if constexpr (std::is_same_v<T, double>) {
-        // Any sign and exponents from 2^-1022 to 2^1, so that all bits of the mantissa matter.
+        // Any sign and any size below 2. Larger exponents are left out, and with them infinity and
+        // NaN.
         const std::uint64_t bits = random.next() & 0xbfffffffffffffffu;
         std::memcpy(&value, &bits, sizeof value);
     } else if constexpr (std::is_arithmetic_v<T>) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Submissions that take the place of the worker know the protocol as it is. Otherwise their
-// greeting is refused and nothing else of them is tried.
+// The attacks in which a submission takes the place of the worker must know the protocol as it is.
+// Otherwise their greeting would be refused, and the rest of the attack would not be tested.
 #include "attacks/submissions/protocol/channel_words.hpp"
 #include "support/catch.hpp"
 #include "worker/protocol/channel.hpp"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a test program does whose engine computes without end, with the answers of a submission.
+// A test program whose engine computes without end, because of the answers of a submission, ends
+// itself or reports a failure of the submission.
 #include "support/catch.hpp"
 #include "worker/failure.hpp"
 #include "worker/process.hpp"
@@ -30,7 +31,8 @@ struct Child {
     int status = 0;
 };
 
-// Runs this in a process of its own, which is watched.
+// Runs `work` in a process of its own whose computing time is watched.
+// @param stall  longest computing time between two calls of formulas [s]
 template <class Work> Child watched(double stall, const Work& work)
 {
     int ends[2];

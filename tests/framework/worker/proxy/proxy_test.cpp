@@ -24,7 +24,7 @@ void check_round_trip(FormulaIndex formula, Result (*function)(Argument...), Spl
     try {
         wire::encode(received, std::apply(function, arguments));
     } catch (const std::out_of_range&) {
-        // lists that do not fit the arguments stay in the proxy, but arrive there
+        // The proxy refuses lists that do not fit the arguments; here they only have to arrive.
         received = worker().call(formula, sent, wire::encoded_size<Result>().most);
     }
     wire::encode(expected, echo_of<Result>(static_cast<unsigned>(formula), sent));
