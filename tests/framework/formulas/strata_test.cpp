@@ -10,8 +10,8 @@ namespace rigor::testing {
 
 namespace {
 
-// Counts which strata, the classes of special values, the numbers, vectors and matrices of an
-// argument have.
+// Counts the strata, which are classes of special values, that the numbers, vectors and matrices of
+// an argument can have.
 template <class T> void note_strata(T& value, const Quantity& q, StrataCounts& possible)
 {
     if constexpr (std::is_same_v<T, Quaternion>)

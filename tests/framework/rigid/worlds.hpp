@@ -82,7 +82,7 @@ inline void spin(RigidBody& body, const Vector3d& omega)
 
 inline const Vector3d free_moments(13, 10, 5); // [kg m²]
 
-/// A body of 12 kg without a shape.
+/// A body of 12 kg with the principal moments `free_moments` and without a shape.
 inline RigidBody free_box(const Vector3d& omega = {0, 0, 0})
 {
     RigidBody body;
@@ -117,7 +117,8 @@ inline Totals totals(const World& world)
     return sum;
 }
 
-/// Stacks of unit cubes beside each other, each cube up to 1 cm off the axis of its stack.
+/// Stacks of cubes with edges of 1 m, side by side. Along x and along z, each cube is up to 1 cm
+/// off the axis of its stack.
 inline World stacks(int count, int height)
 {
     std::vector<RigidBody> bodies = {fixed(Plane{}, {0, 0.5})};

@@ -97,7 +97,7 @@ TEST_CASE("sandbox: a compiler finds no other file")
             const Compiler compiler(tier);
             const ConfinedRun run = compiler.compile(text);
             CAPTURE(run.output);
-            REQUIRE(run.ok() == (tier == Tier::c)); // in tier C it is found: it exists
+            REQUIRE(run.ok() == (tier == Tier::c)); // readable in tier C: it exists
             REQUIRE(compiler.has("object.o") == run.ok());
         }
     }

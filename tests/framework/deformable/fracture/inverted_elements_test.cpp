@@ -200,7 +200,7 @@ TEST_CASE("inverted elements: an element that would gain energy by its shape is 
     const TetrahedralMesh mesh = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 1, 2, 3}}};
     Deformable slow = solid_of(mesh, soft_material());
     for (Vector3d& x : slow.positions)
-        x = -3 * x; // inverted, and far from its axis
+        x = -3 * x; // inverted, and far from the axis of its spin
     Deformable fast = slow;
     for (Deformable* solid : {&slow, &fast})
         for (std::size_t i = 0; i < 4; ++i)

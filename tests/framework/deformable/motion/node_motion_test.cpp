@@ -167,7 +167,7 @@ TEST_CASE("motion: explicit steps are stable up to their limit and not far beyon
 TEST_CASE("motion: a step that would take explicit substeps without end is refused", "[deformable]")
 {
     DeformableWorld world = world_of(tumbling(NodeIntegrator::explicit_step));
-    for (const double time_step : {1e6, 1e12}) { // some 10⁹ substeps, and more than an int holds
+    for (const double time_step : {1e6, 1e12}) { // too many substeps, and more than an int holds
         CAPTURE(time_step);
         REQUIRE_THROWS_AS(step(world, time_step), std::domain_error);
     }
@@ -208,7 +208,7 @@ TEST_CASE("motion: a tetrahedron that is inside out turns back", "[deformable]")
             CHECK(least_volume(world.solids[0]) > 0.15);
             // A little elastic energy may be left, since a spin stretches the tetrahedron.
             check_at_most(totals(world.solids[0]).elastic_energy,
-                          0.01 * totals(solid).elastic_energy, "elastic energy"); // it may spin
+                          0.01 * totals(solid).elastic_energy, "elastic energy");
         }
 }
 

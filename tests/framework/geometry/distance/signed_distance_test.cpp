@@ -104,7 +104,7 @@ TEST_CASE("signed distance: outside it grows along the normal as far as one goes
             const Vector3d p = 2 * random.vector();
             const SurfaceDistance at = signed_distance(shapes[k], p);
             if (at.distance < 1e-3) continue;
-            if (std::holds_alternative<Torus>(shapes[k])) continue; // it has another side
+            if (std::holds_alternative<Torus>(shapes[k])) continue; // its other side may be near
             const double far = random.uniform(0, 100);
             REQUIRE_THAT(distance(shapes[k], p + far * at.normal),
                          IsClose(at.distance + far, Rounding(64, 200)));

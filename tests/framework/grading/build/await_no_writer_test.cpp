@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A program can be started after its last writer has closed it.
+// A program can be started only after the last process that writes to it has closed it.
 #include "grading/build/await_no_writer.hpp"
 #include "support/catch.hpp"
 #include "support/temporary_folder.hpp"

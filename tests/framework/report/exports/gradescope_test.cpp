@@ -80,7 +80,7 @@ TEST_CASE("gradescope: a hidden task is not shown before grades are published", 
     const json results = json::parse(gradescope_json(result));
     REQUIRE(results["tests"][1]["visibility"] == "after_published");
     REQUIRE(results["tests"][2]["visibility"] == "visible");
-    REQUIRE(results["leaderboard"][0]["value"] == 0); // nor are its points
+    REQUIRE(results["leaderboard"][0]["value"] == 0); // its points are not shown either
 }
 
 TEST_CASE("gradescope: the leaderboard has the largest error of what everybody sees", "[report]")

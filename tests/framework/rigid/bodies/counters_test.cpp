@@ -18,5 +18,5 @@ TEST_CASE("counters: every count is added", "[rigid]")
     const Counts sums = std::bit_cast<Counts>(sum);
     for (std::size_t i = 0; i < sums.size(); ++i)
         CHECK(sums[i] == 1001 * (i + 1));
-    CHECK(sum.steps == 1001); // the first one
+    CHECK(sum.steps == 1001); // the first count
 }

@@ -109,7 +109,7 @@ TEST_CASE("constant wrench: an isotropic body turns exactly under a torque along
     RigidBody ball = body_of(Sphere{0.5}, {0, 0, 0});
     const Vector3d axis = Vector3d(1, 2, -2) / 3;
     spin(ball, 2 * axis);
-    const double I = ball.inertia(0, 0), h = 0.7, rate = 1.5; // [rad/s²]
+    const double I = ball.inertia(0, 0), h = 0.7, rate = 1.5; // [kg m²], [s], [rad/s²]
     const RigidState end = constant_wrench_step(ball, ball.state, {{0, 0, 0}, rate * I * axis}, h);
     const Eigen::Quaterniond exact(Eigen::AngleAxisd(2 * h + rate * h * h / 2, axis));
     CHECK(rotation_angle(eigen(end.orientation), exact) < 1e-14);

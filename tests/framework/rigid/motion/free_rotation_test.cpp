@@ -68,7 +68,7 @@ struct Case {
     Vector3d J, L; // inverse moments, angular momentum in the principal frame
     double time = 0;
 
-    // A bound on the rate of all that changes, times the time [rad].
+    // The time times a bound on the angular velocities of the body and of M [rad].
     double phase() const
     {
         return std::sqrt(L.dot(J.cwiseProduct(L)) * J.maxCoeff()) * std::abs(time);

@@ -305,7 +305,7 @@ TEST_CASE("missed contacts: a ball bounces into another one that free flight wou
 
 TEST_CASE("missed contacts: the tip of a driven blade meets what lies at its reach", "[rigid]")
 {
-    const double angle = GENERATE(0.3, 0.5, 1.0, 1.5), h = 0.01; // turned in a step [rad]
+    const double angle = GENERATE(0.3, 0.5, 1.0, 1.5), h = 0.01; // per step [rad], [s]
     CAPTURE(angle);
     Drive drive;
     drive.angular_velocity = {0, 0, angle / h};

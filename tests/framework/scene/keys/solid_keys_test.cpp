@@ -116,7 +116,7 @@ TEST_CASE("solids: handles and loads take the nodes of a box in the solid's fram
 
     const Scene scene = parse_scene(scene_with(keys), "s");
     const Vector3d moved = make_deformable_world(scene).solids.at(0).positions.at(handle.nodes[0]);
-    CHECK_THAT(moved.y(), IsClose(4.0, Rounding(8, 5))); // x = -1 in its frame
+    CHECK_THAT(moved.y(), IsClose(4.0, Rounding(8, 5))); // x = -1 in the solid's frame
 }
 
 TEST_CASE("solids: a solid starts as a rigid body would move")

@@ -43,7 +43,7 @@ template <class T> void fill(T& value, SplitMix& random)
     } else {
         if constexpr (wire::is_vector<T>) value.resize(random.next() % 6);
         for (auto&& element : value) {
-            typename T::value_type filled = element; // a copy: a bit has no reference
+            typename T::value_type filled = element; // a copy, for std::vector<bool>
             fill(filled, random);
             element = filled;
         }
