@@ -22,7 +22,7 @@ template <class T> using Matcher = Catch::MatcherBase<T>;
 #endif
 
 /// A captured number. It is printed with the digits that it needs, and with a power of ten where
-/// that is shorter. Catch2 has ten decimals only, and prints 1e-12 as 0.0.
+/// that is shorter. Catch2 itself prints only ten decimals, so 1e-12 as 0.0.
 struct CapturedNumber {
     double value;
 

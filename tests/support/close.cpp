@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Comparison of values with a tolerance, component by component. A component that is not finite
-// fails at once. Otherwise the component that exceeds its bound most is reported. The first failure
-// of a test case goes into its verdict.
+// fails at once. Otherwise one component beyond its bound is reported: a later one replaces an
+// earlier one if its error is larger, and not smaller as a multiple of its bound. The first failure
+// in a test case goes into its verdict.
 #include "support/close.hpp"
 
 #include "support/largest_error.hpp"

@@ -4,7 +4,9 @@
 //     REQUIRE_THAT(world_inertia(R, I), IsClose(expected, Rounding(16)));
 //
 // Values (support/values/components.hpp) are compared component by component, and the message names
-// the worst one.
+// one that is wrong. Every tolerance has a class, R, O, S or I, as described below. Comments also
+// speak of class B, a bracket, which has no tolerance: the test checks that an outcome is one thing
+// just below a limit and the other just above it.
 #pragma once
 
 #include "support/catch.hpp"
@@ -43,7 +45,7 @@ Tolerance Exactly();
 /// How two values differ.
 struct Difference {
     enum Kind { none, size, not_finite, number } kind = none;
-    std::size_t index = 0;       // the number that exceeds its bound most, or is not finite
+    std::size_t index = 0;       // a number that exceeds its bound, or is not finite
     double error = 0, bound = 0; // error and bound of that number
     std::string place;           // "inertia(0, 1)"
 };
@@ -144,11 +146,12 @@ inline RotationMatcher IsRotation()
 
 /// Class O: errors at the steps h, h/2, h/4 … fall by a factor of 2^order each. The measured order
 /// must lie within -0.2/+0.3 of `order` as long as the errors are above 1e3 eps. At least one pair
-/// must be.
+/// must be above this.
 void check_order(const std::vector<double>& errors, double order);
 
-/// Class I, an exact inequality: value ≤ limit, with eps of slack relative to `scale`.
-/// @param what  the value in words; another value that is its limit is named after ", by"
+/// Class I, an inequality: value ≤ limit, with a slack of 4 eps times `scale`.
+/// @param what  the value in words; if the limit is another value, its name follows after ", by":
+///              "|j_T|, by μ jₙ"
 void check_at_most(double value, double limit, const std::string& what, double scale = 1);
 
 /// The same for value ≥ limit.

@@ -23,7 +23,7 @@ inline SolidMaterial soft_material()
     return material;
 }
 
-/// A block whose nodes are moved by up to a fifth of a cell.
+/// A block of cells of 1 m whose nodes are moved by up to a fifth of a cell along each axis.
 inline TetrahedralMesh random_mesh(Random& random)
 {
     TetrahedralMesh mesh = block_tetrahedra({3, 2, 2}, {3, 2, 2});
@@ -50,7 +50,8 @@ inline std::vector<int> end_nodes(const Deformable& solid, int side)
     return nodes;
 }
 
-/// Pulls both ends of a solid apart, each by `distance` along x, at constant speed until `time`.
+/// Pulls both ends of a solid apart, each by `distance` [m] along x, at constant speed until
+/// `time` [s].
 inline void pull_apart(Deformable& solid, double distance, double time)
 {
     for (const int side : {-1, 1}) {

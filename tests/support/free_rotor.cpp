@@ -70,7 +70,8 @@ std::array<std::pair<double, double>, nodes> gauss_legendre()
 FreeRotor::FreeRotor(const Vector3d& moments, const Vector3d& w)
     : moments_(moments), L_(moments.cwiseProduct(w)), energy_twice_(w.dot(L_))
 {
-    // in ascending order, I₁ < I₂ < I₃; axes 1 and 3 are swapped if L circles about the smallest
+    // The moments ascend, I₁ < I₂ < I₃. Axes 1 and 3 are swapped if L circles about the axis of the
+    // smallest moment.
     int order[] = {0, 1, 2};
     std::sort(order, order + 3, [&](int i, int j) { return moments[i] < moments[j]; });
     axis1_ = order[0], axis2_ = order[1], axis3_ = order[2];

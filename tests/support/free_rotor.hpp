@@ -9,10 +9,11 @@ namespace rigor {
 /// A body with three different moments, whose principal axes are the axes of object space.
 ///
 /// The angular velocity is Jacobi's solution of Euler's equations (Landau and Lifshitz,
-/// "Mechanics", § 37). For the orientation, the axis that L never leaves precesses about L at the
-/// rate
+/// "Mechanics", § 37). For the orientation, the axis 3, about which L circles in object space,
+/// precesses about L in world space at the rate
 ///     φ̇ = |L| (2E - I₃ω₃²) / (|L|² - I₃²ω₃²),
-/// which is smooth and periodic, so that Gauss–Legendre quadrature is exact up to rounding.
+/// with the kinetic energy E. The rate is smooth and periodic, so that Gauss–Legendre quadrature is
+/// exact up to rounding.
 class FreeRotor {
 public:
     /// @param moments           principal moments, all different [kg m²]
@@ -34,7 +35,7 @@ private:
     double precession(double t) const;
 
     Eigen::Vector3d moments_, L_;
-    // axes 1, 2, 3 of Landau and Lifshitz; L circles about axis 3
+    // Axes 1, 2, 3 of Landau and Lifshitz; in object space L circles about axis 3.
     int axis1_ = 0, axis2_ = 1, axis3_ = 2;
     double amplitude1_ = 0, amplitude2_ = 0, amplitude3_ = 0;
     double rate_ = 0, phase_ = 0, modulus_squared_ = 0, period_ = 0, energy_twice_ = 0;

@@ -43,7 +43,7 @@ double longest_test_now()
 }
 
 std::optional<OwnTimeLimit> limit_of_test;
-bool is_about_formula = false; // the running test case, and not about scenes
+bool is_about_formula = false; // the running test case, not about scenes
 
 // The assignment of a task: "A2" of "A2.14".
 std::string_view assignment_of(std::string_view tag)
@@ -57,8 +57,8 @@ bool has_formula(std::string_view tag)
                        [&](const Formula& f) { return f.tag == tag; });
 }
 
-// The formulas that are not what a task is about. The task of a formula is about this one alone; a
-// task about scenes is about all formulas of its assignment.
+// The formulas that a task is not about. The task of a formula is about this formula alone; a task
+// about scenes is about all formulas of its assignment.
 FormulaSet others_of(std::string_view tag)
 {
     const bool is_one_formula = has_formula(tag);
@@ -69,7 +69,7 @@ FormulaSet others_of(std::string_view tag)
     return others;
 }
 
-// What `cost_so_far` of an earlier run says.
+// Reads the text that `cost_so_far` of an earlier run gave.
 Spent spent_in(const std::string& text)
 {
     std::istringstream words(text);
@@ -94,7 +94,7 @@ void prepare(const RunOptions& options)
     std::optional<std::filesystem::path> oracle;
     if (!options.oracle.empty()) oracle = options.oracle;
     Limits limits;
-    // A sanitizer needs calls and files that a worker must not have.
+    // A sanitizer needs system calls and files that a worker must not have.
     if (!is_sanitized) limits.trust = Trust::students;
     make_undumpable();
     use_worker(options.worker, oracle, limits);
@@ -118,9 +118,9 @@ CostSoFar cost_so_far()
 
 namespace {
 
-// Lets the reference answer what the task is not about. It has a time of its own in each test case,
-// so that a test case which uses it up, because the answers give the reference work without end,
-// costs the others nothing.
+// Lets the reference answer calls of the formulas that the task is not about. The reference has a
+// time limit of its own in each test case. So if wrong answers give the reference work without end,
+// only this test case suffers.
 void follow_through(const std::string& tag)
 {
     replace_by_reference(others_of(tag));
@@ -165,7 +165,7 @@ constexpr Decode decoders[] = {RIGOR_FORMULAS(RIGOR_ROW)};
 
 std::string last_call_text()
 {
-    constexpr std::size_t longest = 2000;
+    constexpr std::size_t longest = 2000; // [bytes]; a longer call would fill the report
     const auto& call = last_call();
     if (!is_about_formula || !call || call->arguments.size() > longest) return "";
     return decoders[static_cast<unsigned>(call->formula)](call->arguments);

@@ -12,8 +12,8 @@
 
 namespace rigor::testing {
 
-/// The text of line 2 of an implementation's source, which must be a comment. `what` says for the
-/// error message what the comment does.
+/// The text of line 2 of an implementation's source, which must be a comment.
+/// @param what  what the comment must do, for the error message: "says what is different"
 inline std::string second_line(const std::filesystem::path& file, const std::string& what)
 {
     std::ifstream in(file);

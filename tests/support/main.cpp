@@ -117,7 +117,7 @@ public:
     }
 
 private:
-    // The verdict of the test case that begins, if it computes without end.
+    // The verdict that is sent if the test case that begins now computes without end.
     StalledLine stalled() const
     {
         const char* formula = "FORMULA";
@@ -138,7 +138,7 @@ private:
         return {text.substr(0, at), text.substr(at + std::strlen(formula))};
     }
 
-    // Why the answers are wrong, if they are.
+    // Why the answers of the worker are wrong; empty if they are right or if the reason is unknown.
     std::string mistake() const
     {
         const std::string& status = verdict().status;

@@ -13,7 +13,7 @@ struct RunOptions {
     /// --others reference: formulas that a test case calls and that are not its task's own are
     /// answered by the reference.
     std::string others;
-    std::string spent; // --spent: what an earlier run of the same worker cost, as it said
+    std::string spent; // --spent: what an earlier run of this worker cost (CostSoFar)
     double stall = 8;  // --stall: longest time to compute between two calls of formulas [s]
     int verdicts = -1; // --verdicts: a file descriptor for JSON lines about the test cases
 };
@@ -22,8 +22,8 @@ struct RunOptions {
 /// @throws std::runtime_error if an option is missing or wrong
 void prepare(const RunOptions& options);
 
-/// A line that is written if a test case computes without end: a text, the formula that answered
-/// last, and another text.
+/// A line that is written if a test case computes without end: `before`, the name of the formula
+/// called last, and `after`.
 struct StalledLine {
     std::string before, after;
 };
@@ -37,10 +37,10 @@ std::string last_call_text();
 
 /// What the worker has cost so far, for a later run and for people.
 struct CostSoFar {
-    /// Seconds for calls and for scenes, and the tags of the formulas that are not asked any more,
-    /// with spaces between them.
+    /// Seconds for calls, for scenes and for starts of the worker, and the tags of the formulas
+    /// that are not called any more, with spaces between them.
     std::string spent;
-    std::string report; // empty while all is within the free time
+    std::string report; // for people; empty while all is within the free time
 };
 CostSoFar cost_so_far();
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Runs of scenes with the formulas of the worker under test, and their comparison with the oracle,
-// which is ours and runs its scenes itself. `check_every_step` lets the oracle take each step from
-// the recorded state before it, and compares the two results. If they differ, the oracle also
-// starts from neighbouring states, to see whether rounding alone decides the step.
+// a worker with the formulas of the reference, which runs scenes itself. `check_every_step` lets
+// the oracle take each step from the recorded state before it, and compares the two results. If
+// they differ, the oracle also starts from neighbouring states, to see whether rounding alone
+// decides the step.
 #include "support/scene_run.hpp"
 
 #include "scene/keys/scene_keys.hpp"
@@ -116,9 +117,10 @@ std::vector<Worker::Start> neighbours_of(const Trajectory& run, const Worker::St
 
 // Whether rounding alone decides a step: whether the reference gets another result from one of the
 // neighbouring states. Then no result of this step is the right one. An example is a scene where
-// points are equally deep, so that rounding decides which of them comes first. A decision may go
-// the other way in one of a hundred states only, so there are up to 400 of them. The worker under
-// test is not asked: a formula that is wrong in single states would be right in their neighbours.
+// points are equally deep, so that rounding decides which of them comes first. The other result may
+// come from only one in a hundred neighbouring states, so up to 400 of them are tried. The worker
+// under test is not asked: a formula that is wrong in single states would be right in their
+// neighbours.
 bool hangs_on_rounding(const Trajectory& run, const Worker::Start& start,
                        const std::vector<RigidState>& expected)
 {

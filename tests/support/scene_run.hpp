@@ -12,7 +12,7 @@
 namespace rigor::testing {
 
 /// The trajectory of a shipped scene, such as `a4-collision/rod_tip`, with every step of it.
-/// @param time_step  replaces the scene's own one, to measure orders of convergence [s]
+/// @param time_step  replaces that of the scene, to measure orders of convergence [s]
 /// @param changes    a JSON object of keys to replace, such as `{"contact": "simultaneous"}`
 /// @throws as run_scene_with_worker
 Trajectory run_scene(const std::string& name, std::optional<double> time_step = {},
@@ -52,8 +52,8 @@ inline double steps_of(const Frame& frame)
 void check_every_step(const std::string& scene_name, const std::string& changes = "{}");
 
 /// Checks a whole run with deformable solids: compares the nodes of the worker under test with
-/// those of the oracle, class R with `multiple` eps. It fits only motion that forgets small
-/// differences, as solids do that handles pull and that are damped.
+/// those of the oracle, class R with `multiple` eps. It fits only motion in which small differences
+/// die out, such as that of damped solids that handles pull.
 void check_solids(const std::string& scene_name, double multiple,
                   const std::string& changes = "{}");
 

@@ -50,7 +50,8 @@ private:
 /// The seeds of a property, n in a row from the run's first seed.
 Seeds seeds(unsigned n);
 
-/// The first seed of every property: 0, or the run's `--seed`, or the drawn one.
+/// The first seed of every property: 0, or the run's `--seed`, or the one that `draw_first_seed`
+/// draws.
 unsigned first_seed();
 void set_first_seed(unsigned seed);
 

@@ -11,9 +11,9 @@ struct Verdict {
     std::string status;              // a status of result.json; empty without a failure
     std::string expected, actual;    // as text
     double error = 0, tolerance = 0; // error and bound of the worst component
-    std::string tolerance_class;     // "R", "O", "I", "S", "B": rounding, order, invariant, …
+    std::string tolerance_class;     // "R", "O", "S" or "I", as in close.hpp
     std::string place;               // the field, "inertia(0, 1)"; empty for a single number
-    long seed = -1;                  // seed of the property's counterexample
+    long seed = -1;                  // seed of the case that failed; -1 if there is none
 };
 
 /// The verdict of the running test case.

@@ -15,8 +15,9 @@ constexpr std::string_view name_of(FormulaIndex f)
     return formulas[static_cast<unsigned>(f)].name;
 }
 
-/// A law has `words`, which follow the name of the formula in the name of the test, a constexpr
-/// `holds_for(f)`, and `check<f, formula>()`.
+/// Adds the tests of the law that the type `Law` describes. This type has `words`, which follow the
+/// name of the formula in the name of the test, a constexpr `holds_for(f)`, and
+/// `check<f, formula>()`.
 template <class Law> bool add_law()
 {
     const auto add = [](void (*check)(), const std::string& name, const char* tags) {

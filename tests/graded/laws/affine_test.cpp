@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The law of superposition: many results are affine in some arguments together, f((1-t) a + t b) =
 // (1-t) f(a) + t f(b), such as the energy in the mass and the inertia. The arguments a and b are
-// drawn from all strata and t = 2^-k may be tiny. So (1-t) a + t b is often nearly a special case:
-// nearly a rod, nearly at rest, nearly at the center. A formula that takes it for the special case,
-// or that ignores a small part beside a large one, breaks the law.
+// drawn from all strata (the classes of special values in strata.hpp), and t = 2^-k may be tiny. So
+// (1-t) a + t b is often nearly a special case: nearly a rod, nearly at rest, nearly at the center.
+// A formula that takes it for the special case, or that ignores a small part beside a large one,
+// breaks the law.
 #include "add_law.hpp"
 #include "strata.hpp"
 #include "support/seeds.hpp"
@@ -14,7 +15,7 @@ namespace rigor::testing {
 
 namespace {
 
-// "mass I_inverse" as a list for people: "mass and I_inverse".
+// Turns "mass I_inverse" into a list for people, "mass and I_inverse".
 std::string listed(std::string_view names)
 {
     std::string text(names);
@@ -23,13 +24,14 @@ std::string listed(std::string_view names)
     return text;
 }
 
-/// Arguments in which a formula is affine together.
+/// A formula, and those of its arguments in which it is affine together.
 struct Affine {
     std::string_view formula, arguments;
 };
 
-// One row for each set of arguments, by their names in the table of formulas. Of a struct only
-// those fields are meant that are not fixed, such as velocities, forces and masses of points.
+// One row for each set of arguments, by their names in the table of formulas. In a struct only
+// those fields vary that are not fixed (`is_fixed`), such as velocities, forces and masses of
+// points.
 constexpr Affine affine[] = {
     {"kinetic_energy", "mass inertia"},
     {"cross_matrix", "w"},
@@ -76,7 +78,7 @@ constexpr Affine affine[] = {
     {"smooth_stress", "stresses"},
 };
 
-// Every name above is that of a formula and of its arguments.
+// Whether every name above is that of a formula or of one of its arguments.
 constexpr bool names_are_known()
 {
     for (const Affine& row : affine) {
@@ -109,7 +111,7 @@ void blend_chosen(Arguments& a, const Arguments& b, const FormulaQuantities& of,
     (one(std::get<i>(a), std::get<i>(b), i), ...);
 }
 
-// Rounding of a few operations, magnified by the condition of K where a formula solves with it.
+// The rounding of a few operations, magnified by the condition of K where a formula divides by K.
 Tolerance of_superposition(double scale)
 {
     return Rounding(1 << 12, scale);
@@ -131,7 +133,7 @@ template <FormulaIndex f, auto& formula> void check_affine(const Affine& row)
     for (unsigned seed : seeds(150)) {
         Random random(seed + 9000);
         Arguments<formula> a = random_arguments<f, formula>(seed);
-        if (f != FormulaIndex::euler_rates && seed % 3 != 0) // at special angles it is locked
+        if (f != FormulaIndex::euler_rates && seed % 3 != 0) // its angles might be gimbal lock
             redraw_chosen(a, of, names, row.arguments, true, random);
         Arguments<formula> b = a;
         redraw_chosen(a, of, names, row.arguments, false, random);

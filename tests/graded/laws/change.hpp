@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Changes of the units and of the frame, applied to any value of the contract by the table of
-// quantities.
+// Changes of the units and of the frame, applied to any argument or result of a formula. What they
+// do to a value follows from the table of quantities.
 #pragma once
 
 #include "formulas/quantities.hpp"
@@ -14,7 +14,7 @@ namespace rigor::testing {
 
 /// A change of units, or a rotation and translation of the whole scene.
 struct Change {
-    Dimension units;                   // exponents: mass, length and time grow by 2^mass and so on
+    Dimension units;                   // numbers of masses are multiplied by 2^mass, and so on
     Matrix3d Q = Matrix3d::Identity(); // turns the scene
     Vector3d d = Vector3d::Zero();     // moves it afterwards [m]
 
@@ -82,7 +82,8 @@ template <class T> T changed(T value, const Quantity& q, const Change& c)
     return value;
 }
 
-/// Gives `value` what `model` has wherever the contract leaves a choice.
+/// Gives `value` what `model` has wherever several results are correct, such as the sign of an
+/// axis.
 template <class T> void choose_as(T& value, const T& model, const Quantity& q)
 {
     if constexpr (Plain<T>) {
@@ -104,9 +105,10 @@ template <class T> void choose_as(T& value, const T& model, const Quantity& q)
         if (q.kind == Kind::chosen) value = model;
 }
 
-/// What is unique in a changed mesh, whose vertices and tetrahedra are in any order: how many there
-/// are, and the volume and the moment of volume of the parts of each tetrahedron.
-/// @throws std::out_of_range if it has an index that is none: a mesh may come from a submission
+/// What is unique in a changed mesh, whose vertices and tetrahedra are in any order: the number of
+/// vertices, the number of tetrahedra, and for the parts of each old tetrahedron their volume and
+/// ∫ x dV.
+/// @throws std::out_of_range if an index is invalid, since a mesh may come from a submission
 inline std::vector<double> summary(const TetrahedralMesh& mesh, const std::vector<int>& parents)
 {
     std::map<int, Eigen::Vector4d> parts;
@@ -139,10 +141,10 @@ inline std::vector<double> comparable(const EmbeddedMesh& embedded)
     return summary(embedded.mesh, embedded.parents);
 }
 
-/// The bound of the universal laws. Inputs have numbers of about 1, and so have the terms of the
-/// results. Exact changes of unit leave even the bits of +, -, *, / and √ alone; other functions
-/// and other frames change the last bits, which a formula magnifies by its condition, here up to
-/// 2^20 times.
+/// The tolerance of the universal laws. Inputs have numbers of about 1, and so have the terms of
+/// the results. A change of units by powers of two does not change the digits that +, -, *, / and √
+/// compute. Other functions and other frames change the last bits, and a formula magnifies this by
+/// its condition, here up to 2^20 times.
 template <class T> Tolerance universal(const T& expected)
 {
     double largest = 1;

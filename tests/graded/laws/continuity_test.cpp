@@ -12,8 +12,9 @@ namespace rigor::testing {
 
 namespace {
 
-// The formulas that are continuous wherever the special inputs below may lie. The others jump by
-// their definition: where sliding begins, between cells, where eigenvalues change their order.
+// The formulas that are continuous at all special inputs that special_arguments.hpp draws. The
+// others jump or become infinite by their definition: where sliding begins, between cells, where
+// eigenvalues change their order, where ω is 0.
 constexpr std::string_view continuous =
     "kinetic_energy cross_matrix world_point object_point angular_velocity point_velocity "
     "velocity_modes generalized_mass net_wrench equations_of_motion velocity_mode_rates "

@@ -45,8 +45,9 @@ bool has_normal(const FormulaQuantities& of)
                        [](const Quantity& q) { return q.kind == Kind::unit; });
 }
 
-// Puts an argument along the axes. A vector stays beside a normal, since they could become
-// perpendicular, where a contact opens; so do the matrices of a contact.
+// Aligns the directions in an argument with the axes. If the formula has a normal, vectors stay as
+// they are: a velocity could become perpendicular to the normal, where a contact opens. The
+// matrices K of a contact also stay.
 template <class T> void align(T& value, const Quantity& q, bool has_normal, Random& random)
 {
     if constexpr (std::is_same_v<T, Vector3d>) {
@@ -75,7 +76,7 @@ std::pair<Arguments<formula>, Change> turned_scene(unsigned seed)
         return {arguments,
                 {{}, is_exact ? cube_rotation(seed / 4) : random.rotation(), random.vector()}};
     }
-    const int power = 8 + static_cast<int>(seed / 2 % 24); // from half a degree to 2^-31
+    const int power = 8 + static_cast<int>(seed / 2 % 24); // the angle is 2^-8 … 2^-31 rad
     const Eigen::AngleAxisd turn(std::ldexp(1, -power), random.unit_vector());
     std::size_t i = 0;
     std::apply(

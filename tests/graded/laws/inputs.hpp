@@ -17,7 +17,7 @@ std::tuple<std::remove_cvref_t<Argument>...> arguments_of(Result (*)(Argument...
 
 template <auto& formula> using Arguments = decltype(arguments_of(&formula));
 
-/// Fills in a value of the set that `q` names.
+/// Draws a value from the set that `q` names.
 template <class T> void draw(T& value, const Quantity& q, Random& random);
 
 inline Matrix3d draw_matrix(const Quantity& q, Random& random)
@@ -51,14 +51,14 @@ template <class T> void draw(T& value, const Quantity& q, Random& random)
         Fields<T>::each(value, [&](std::string_view, auto& field) { draw(field, *of++, random); });
     } else if constexpr (std::is_same_v<T, double>) {
         value = q.kind == Kind::any_number ? random.uniform(-1, 1) : random.uniform(0.1, 1);
-        if (q.dimension == quantities::duration.dimension) value /= 16; // less than a turn
+        if (q.dimension == quantities::duration.dimension) value /= 16; // small turns
     } else if constexpr (std::is_same_v<T, Vector3d>) {
         value = q.kind == Kind::unit ? random.unit_vector() : random.vector();
         if (q.kind == Kind::along_axes) value = value.cwiseAbs().array() + 0.1;
     } else if constexpr (std::is_same_v<T, Matrix3d>) {
         value = draw_matrix(q, random);
     } else if constexpr (std::is_same_v<T, std::vector<bool>>) {
-        return; // drawn with what it belongs to
+        return; // drawn later, together with the list that it belongs to
     } else if constexpr (requires { value.resize(1); }) {
         value.resize(1 + random.bits() % 5);
         for (auto& element : value)
@@ -69,7 +69,7 @@ template <class T> void draw(T& value, const Quantity& q, Random& random)
     }
 }
 
-/// Each tetrahedron of a small solid, cut by up to two planes through it.
+/// Cracks of a small solid: up to two planes through each of its tetrahedra.
 inline std::vector<ElementCrack> random_cracks(const TetrahedralMesh& mesh, Random& random)
 {
     std::vector<ElementCrack> cracks;

@@ -10,8 +10,8 @@
 
 namespace rigor::testing {
 
-constexpr int narrow = 0x100, wide = 0x10000; // how many indices 8 and 16 bits have
-constexpr int long_list = 1'000'100;          // more than any round number that seems enough
+constexpr int narrow = 0x100, wide = 0x10000; // the number of indices with 8 and 16 bits
+constexpr int long_list = 1'000'100;          // beyond a limit such as a million
 
 /// The lengths from `least` on, up to about `most`.
 inline std::vector<int> lengths(int least, int most)
@@ -26,7 +26,8 @@ inline std::vector<int> lengths(int least, int most)
     return result;
 }
 
-/// Masses on the x axis. The numbers are small integers, so that Σ m, Σ m x and Σ m x² are exact.
+/// Point masses on the x axis. Masses and places are small integers, so that Σ m, Σ m x and Σ m x²
+/// are exact.
 inline std::vector<Particle> beads(int n)
 {
     std::vector<Particle> result;

@@ -20,9 +20,10 @@ concept List = requires(T list)
     list.push_back(list[0]);
 };
 
-// What a list may get from a list of other arguments. Indices of bodies and neighbours belong to
-// their own arguments; all random meshes have the same tetrahedra. Where nothing fits, the list
-// changes an element itself: a flag, a level, the neighbours of one element.
+// What a list takes from the same list of another call: everything, or one element. All random
+// meshes have the same tetrahedra, so faces and cracks fit every mesh. Flags, levels and neighbours
+// refer to their own call, so such a list changes one element of its own instead. Contacts refer to
+// their bodies and take nothing.
 enum class Exchange { everything, element, own, nothing };
 
 template <class Element> constexpr Exchange exchange_of()
@@ -91,8 +92,8 @@ void mix(std::vector<Arguments>& calls, const Arguments& first, const Arguments&
     (exchange(std::integral_constant<std::size_t, i>()), ...);
 }
 
-// Checks a result against that of the same call after another one. They have the same bits, apart
-// from those of a sum over the tetrahedra of a mesh, whose order is free.
+// Compares the results of the same call after two different ones. They have the same bits, apart
+// from sums over the tetrahedra of a mesh, which may be in any order.
 template <class Result> void check_again(Result again, const Result& expected, const Quantity& q)
 {
     choose_as(again, expected, q);
@@ -101,7 +102,7 @@ template <class Result> void check_again(Result again, const Result& expected, c
     REQUIRE_THAT(comparable(again), IsClose(should, is_same ? Exactly() : universal(should)));
 }
 
-// Calls that differ in a single part, one after the other and back.
+// Makes two calls that differ in a single part, directly one after the other, in both orders.
 template <FormulaIndex f, auto& formula> void check_memory_of_parts()
 {
     const Quantity& result = formula_quantities[static_cast<unsigned>(f)].result;

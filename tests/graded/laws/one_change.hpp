@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Arguments that differ from others in a single part: one number, one component of a vector, one
 // pair of entries of a tensor, one element of a list, or the sign or the order of one such group.
-// Each change leaves the arguments within what the contract says of them.
+// Changed arguments that the contract does not allow are left out.
 #pragma once
 
 #include "preconditions.hpp"
@@ -10,12 +10,12 @@
 
 namespace rigor::testing {
 
-/// Numbers the changes that a value may have, and makes the one whose turn it is.
+/// Counts the possible changes of a value, and returns true for the one with the given number.
 class Turn {
 public:
     explicit Turn(int number) : left_(number), first_(number) {}
     bool operator()() { return left_-- == 0; }
-    int count() const { return first_ - left_; } // how many there were
+    int count() const { return first_ - left_; } // the number of possible changes so far
 
 private:
     int left_, first_;
@@ -81,7 +81,7 @@ inline void change_matrix(Matrix3d& A, const Quantity& q, Turn& turn)
     if (q.kind == Kind::rotation) return change_rotation(A, turn);
     if (q.kind == Kind::symmetric || q.kind == Kind::definite) return change_symmetric(A, turn);
     for (int i = 0; i < 9; ++i) {
-        if (q.kind == Kind::columns && turn()) A(i) += 0x1p-4; // they stay independent
+        if (q.kind == Kind::columns && turn()) A(i) += 0x1p-4; // the columns stay independent
         if (q.kind != Kind::columns) change_entry(A(i), true, turn);
     }
     if (turn()) A.transposeInPlace();
@@ -97,7 +97,7 @@ inline void change_quaternion(Quaternion& q, const Quantity& of, Turn& turn)
 
 template <class T> void change_part(T& value, const Quantity& q, Turn& turn);
 
-/// Changes elements of a list, their order, and its length where nothing refers to them.
+/// Changes elements of a list, their order, and its length if no index refers to its elements.
 template <class List> void change_list(List& list, const Quantity& q, Turn& turn)
 {
     using Element = std::remove_cvref_t<decltype(list[0])>;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What the contract says of an input: the set that the table of quantities names for it is a
-// predicate here. A rotation is orthonormal, a normal is unit, an inertia is symmetric and no
-// moment of it is negative, a mass is not negative.
+// Checks that inputs are as the contract says: each lies in the set that the table of quantities
+// names for it. A rotation is orthonormal, a normal is unit, an inertia is symmetric and no moment
+// in it is negative, a mass is not negative.
 #pragma once
 
 #include "strata.hpp"

@@ -35,9 +35,9 @@ auto result_at(double t, Arguments<formula> arguments, const FormulaQuantities& 
     return std::apply(formula, arguments);
 }
 
-// A distance T, and the share of the change of the arguments by which the result may be off. The
-// error is of the order of T², so the share may be smaller where T is; the worst of the random
-// matrices that a formula inverts needs an eighth of it.
+// A distance T, and the allowed error of the result as a share of the change t of the arguments.
+// The error is of the order of T², so a smaller T allows a smaller share. The random matrix with
+// the worst condition that a formula inverts needs an eighth of the share.
 struct Far {
     double T, share;
 };

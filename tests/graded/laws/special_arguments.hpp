@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Special inputs of a formula, and inputs near them. Special inputs have entries that are zero or
 // equal, turn about an axis of the frame or by quarters of a turn, have a point straight above
-// another one, repeat an argument, or coincide with entries of others. Random numbers almost never
-// do.
+// another one, repeat an argument, or coincide with entries of others. Ordinary random numbers
+// almost never do any of this.
 #pragma once
 
 #include "coincidences.hpp"
@@ -96,7 +96,7 @@ template <class T> void make_special(T& value, const Quantity& q, Random& random
             if (one_in(4, random)) diagonal[random_index(random, 3)] = 0;
             if (one_in(8, random)) diagonal.setZero();
             value = special_symmetric(diagonal, one_in(2, random) ? 0.1 : 1, random);
-        } else if (q.kind == Kind::columns) { // near a rotation, so they do not depend
+        } else if (q.kind == Kind::columns) { // near a rotation, so they stay independent
             Matrix3d change = 0.2 * value;
             make_entries_special(change, true, random);
             value = matrix_of(special_unit_quaternion(random)) + change;
@@ -143,7 +143,7 @@ template <class T> void make_unit(T& value, const Quantity& q)
 
 template <class T> void make_argument_special(T& value, const Quantity& q, Random& random)
 {
-    if constexpr (std::is_same_v<T, LevelSet>) return; // its point is special instead
+    if constexpr (std::is_same_v<T, LevelSet>) return; // the point p is special instead
     const T ordinary = value;
     each_pair(value, ordinary, q, false, [&](auto& leaf, const auto&, const Quantity& of) {
         if (of.kind != Kind::index && !one_in(3, random)) make_special(leaf, of, random);
@@ -166,7 +166,8 @@ template <class T> void nudge_argument(T& value, const Quantity& q, double t, Ra
     make_unit(value, q);
 }
 
-/// Gives two arguments that are points a difference of few entries.
+/// If the last two arguments are vectors, such as points, makes entries of their difference zero or
+/// equal, in half of the cases.
 template <class Arguments> void align_points(Arguments& arguments, Random& random)
 {
     if constexpr (std::tuple_size_v<Arguments> >= 2) {
@@ -182,7 +183,8 @@ template <class Arguments> void align_points(Arguments& arguments, Random& rando
     }
 }
 
-/// Gives a vector the direction of a quaternion's axis.
+/// If the first two arguments are a quaternion and a vector, may give the vector the direction of
+/// the quaternion's axis.
 template <class Arguments> void align_with_axis(Arguments& arguments, Random& random)
 {
     if constexpr (std::tuple_size_v<Arguments> >= 2) {
@@ -194,7 +196,8 @@ template <class Arguments> void align_with_axis(Arguments& arguments, Random& ra
     }
 }
 
-/// Turns by quarters: Euler angles away from gimbal lock, or a step.
+/// Makes Euler angles, or the angle of a step, multiples of a quarter turn. The angles of
+/// `euler_rates` stay away from gimbal lock.
 template <FormulaIndex f, class Arguments>
 void turn_by_quarters(Arguments& arguments, Random& random)
 {
@@ -225,7 +228,7 @@ template <FormulaIndex f, auto& formula> Arguments<formula> special_arguments(Ra
                arguments);
     if constexpr (f == F::sample_level_set) {
         auto& [grid, p] = arguments;
-        for (int i = 0; i < 3; ++i) // a node, the middle of an edge, or a place between them
+        for (int i = 0; i < 3; ++i) // a node, half-way between nodes, or elsewhere, also outside
             p[i] = grid.origin[i] + grid.cell_size / 2 * (random_index(random, 12) - 3) +
                    (one_in(3, random) ? grid.cell_size * random.uniform(-1, 1) : 0);
     } else if constexpr (is_impulse) {

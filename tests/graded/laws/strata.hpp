@@ -66,7 +66,7 @@ inline Quaternion special_turn(Stratum stratum, Random& random)
 /// Whether the quantity has special values of this stratum.
 template <class T> constexpr bool has_stratum(const Quantity& q, Stratum stratum)
 {
-    const bool is_inverse_mass = q.dimension == quantities::per_M; // also K
+    const bool is_inverse_mass = q.dimension == quantities::per_M; // K has this dimension too
     if (stratum == Stratum::ordinary) return true;
     if constexpr (std::is_same_v<T, double>)
         return stratum == Stratum::zero;
@@ -84,7 +84,7 @@ template <class T> constexpr bool has_stratum(const Quantity& q, Stratum stratum
         return false;
 }
 
-/// Replaces a value by one of the stratum. @return whether there is one
+/// Replaces a value by one from the stratum. @return whether the stratum has a value for it
 template <class T> bool draw_special(T& value, const Quantity& q, Stratum stratum, Random& random)
 {
     if (stratum == Stratum::ordinary || !has_stratum<T>(q, stratum)) return false;
@@ -105,7 +105,8 @@ template <class T> bool draw_special(T& value, const Quantity& q, Stratum stratu
     return true;
 }
 
-/// Whether a field belongs to the place and the make of a thing, and not to its motion or load.
+/// Whether a field describes the place or the build of a body, and not its motion or the forces on
+/// it.
 constexpr bool is_fixed(const Quantity& q)
 {
     switch (q.kind) {
@@ -163,7 +164,7 @@ constexpr bool has_word(std::string_view list, std::string_view word)
     return false;
 }
 
-/// Word n of such a list, empty if there is none.
+/// Word n of such a list, counted from 0; empty if there is none.
 constexpr std::string_view nth_word(std::string_view list, std::size_t n)
 {
     for (;; --n) {
@@ -182,7 +183,7 @@ template <class T>
 void redraw(T& value, const Quantity& q, Random& random, StrataCounts* counts = nullptr)
 {
     if constexpr (std::is_same_v<T, Quaternion>)
-        if (q.kind == Kind::orientation) { // its parts alone would not be unit
+        if (q.kind == Kind::orientation) { // drawn part by part it would not be unit
             draw(value, q, random);
             const std::size_t stratum = random.bits() % stratum_count;
             const bool is_special = draw_special(value, q, static_cast<Stratum>(stratum), random);
@@ -202,7 +203,8 @@ void redraw(T& value, const Quantity& q, Random& random, StrataCounts* counts = 
         draw_special(value, q, static_cast<Stratum>(random.bits() % stratum_count), random);
 }
 
-/// Gives argument k the value of the first one with the same type and quantity.
+/// Gives argument k the value of the last argument before it with the same type and dimension, if
+/// there is one. Fixed fields stay.
 template <class Arguments, std::size_t... i>
 void repeat(Arguments& arguments, std::size_t k, const FormulaQuantities& of,
             std::index_sequence<i...>)

@@ -11,7 +11,8 @@
 
 namespace rigor::testing {
 
-/// All of them: 64 diagonals, times 27 patterns of signs and zeros, times two sizes.
+/// All these tensors: 64 diagonals, times 27 patterns of signs and zeros, times two sizes of the
+/// entries beside the diagonal.
 inline std::vector<Matrix3d> tensor_patterns()
 {
     const Vector3d sizes[] = {{0.25, 4, 0.5}, {1, 1, 1}};
@@ -31,8 +32,8 @@ inline std::vector<Matrix3d> tensor_patterns()
     return result;
 }
 
-/// The smallest principal minor of a symmetric matrix that is divided by `size`. No eigenvalue is
-/// negative exactly if no principal minor is.
+/// The smallest principal minor of A/size, for a symmetric matrix A. No eigenvalue of A is negative
+/// exactly if no principal minor is.
 inline double smallest_minor(const Matrix3d& A, double size)
 {
     double smallest = A.determinant() / (size * size * size);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The law of the units, for every formula: if mass, length and time are measured in other units,
-// the result changes as its dimension says. The factors are powers of four, from a grain of sand to
-// a planet, so the change itself is exact.
+// the result changes as its dimension says. The factors are powers of four, up to 2^±60, so the
+// change itself is exact.
 #include "add_law.hpp"
 #include "change.hpp"
 #include "inputs.hpp"
@@ -13,10 +13,11 @@ namespace rigor::testing {
 
 namespace {
 
-// Masses up to 2^±50, lengths up to 2^±44 and times up to 2^±32, half of them the extremes: from
-// less than a grain of sand to a planet, and from less than a nanosecond to a century. The sixth
-// power of a pressure, which an eigenvalue solver may need, is still a number. In a quarter of the
-// cases one unit alone changes, by 2^±60, so that no product hides an absolute threshold.
+// Factors up to 2^±50 for masses (from far less than a grain of sand to a mountain), up to 2^±44
+// for lengths (from less than an atom to the solar system) and up to 2^±32 for times (from less
+// than a nanosecond to a century); half of the factors are these extremes. The sixth power of a
+// pressure, which an eigenvalue solver may need, still fits in a double. In a quarter of the cases
+// one unit alone changes, by 2^±60, so that no product hides an absolute threshold.
 Dimension random_units(unsigned seed, Random& random)
 {
     if (seed % 4 == 0) {
@@ -32,7 +33,7 @@ Dimension random_units(unsigned seed, Random& random)
     return {mass, length, exponent(32)};
 }
 
-// The factor by which a number grew, as a power of four where it is one.
+// What happens to a number that is multiplied by `ratio`, in words; powers of two as whole numbers.
 std::string growth(double ratio)
 {
     const double power = std::log2(std::abs(ratio));

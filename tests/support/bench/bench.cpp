@@ -74,7 +74,7 @@ Json json_of(const Bench::Row& row)
     return object;
 }
 
-// How many processes computed, or waited for a processor, at a time in the last minute.
+// The mean number of processes in the last minute that computed or waited for a processor.
 double load()
 {
     double minute = 0;

@@ -22,8 +22,8 @@ struct Reach {
 };
 
 /// Collects rows and promises, then prints them once: as a table, or as one JSON object
-/// `{bench, machine, load, rows, not_installed, reach}`; `load` is how many processes computed at a
-/// time in the last minute.
+/// `{bench, machine, load, rows, not_installed, reach}`; `load` is the mean number of processes in
+/// the last minute that computed or waited for a processor.
 class Bench {
 public:
     using Value = std::variant<double, std::string>;

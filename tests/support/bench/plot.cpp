@@ -21,7 +21,8 @@ namespace {
 constexpr double width = 860, height = 470;
 constexpr double left = 84, right = 620, top = 52, bottom = 404;
 
-// Colors that color-blind readers can tell apart (Okabe & Ito 2008), on white and on near black.
+// Colors that color-blind readers can tell apart (after Okabe & Ito 2008), on white and on near
+// black.
 struct Ink {
     const char *light, *dark;
 };
@@ -73,7 +74,7 @@ std::string number(double value)
 // An axis with whole decades or round steps around the data, and its place in the picture.
 struct Axis {
     bool is_linear = false;
-    double first = 0, last = 1, step = 1; // powers of ten, or values
+    double first = 0, last = 1, step = 1; // exponents of ten, or values if the axis is linear
     double begin = 0, end = 1;            // [px]
 
     double at(double value) const { return place(is_linear ? value : std::log10(value)); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Depth of the overlap of two bodies, measured independently of the engine's narrow phase.
+// Depth of the overlap of two shapes, measured independently of the engine's narrow phase.
 #pragma once
 
 #include "geometry/shapes/pose.hpp"

@@ -13,7 +13,8 @@
 
 namespace rigor::testing {
 
-/// Adds `value` to `text`. Structs and vectors are in braces, whose type the argument says.
+/// Adds `value` to `text`. Structs and vectors are in braces without a type, since the type follows
+/// from the parameter.
 template <class T> void write_cpp(const T& value, std::string& text)
 {
     [[maybe_unused]] auto separate = [&text, is_first = true]() mutable {

@@ -64,7 +64,7 @@ void ComponentName::block(const Place& place, const NumberBlock& block)
 
 void ComponentText::block(const Place& place, const NumberBlock& block)
 {
-    constexpr std::size_t longest = 600;
+    constexpr std::size_t longest = 600; // [bytes]; more would fill the report
     if (text.size() >= longest) return;
     if (place.outer) text += (text.empty() ? "" : "  ") + place.text() + " ";
     if (block.size() > 1) text += "(";
