@@ -36,7 +36,8 @@ void check_deepest(const Contacts& contacts, std::optional<int> expected)
 
 TEST_CASE("collision: a rod bounces off its tip and starts to spin", "[A4.10][collision]")
 {
-    // a rod with M = L = 1 at 45°, its tip at the origin, falls at 1 m/s and gets 0.6 N s upwards
+    // A rod of mass 1 and length 1 at 45°, its tip at the origin, falls at 1 m/s. The tip gets an
+    // impulse of 0.6 N s upwards.
     const Vector3d d = Vector3d(1, 1, 0) / std::sqrt(2.0);
     Body rod;
     rod.inverse_mass = 1;
@@ -178,10 +179,10 @@ TEST_CASE("collision: contacts that separate already are passed over", "[A4.11][
 
 TEST_CASE("collision: whether a contact approaches is seen along its normal", "[A4.11][collision]")
 {
-    ContactPoint wall = contact(0.2, Vector3d(-1, 3, 0)); // it runs into a wall on the left
+    ContactPoint wall = contact(0.2, Vector3d(-1, 3, 0)); // body 1 runs into a wall on the left
     wall.normal = Vector3d(1, 0, 0);
     check_deepest({contact(0.1, approaching), wall}, 1);
-    wall.normal = Vector3d(-1, 0, 0); // it moves away from a wall on the right
+    wall.normal = Vector3d(-1, 0, 0); // body 1 moves away from a wall on the right
     check_deepest({contact(0.1, approaching), wall}, 0);
 }
 

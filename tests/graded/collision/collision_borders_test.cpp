@@ -82,8 +82,8 @@ TEST_CASE("collision: a strongly coupled contact sticks or slides", "[A4.9][coll
 
 TEST_CASE("collision: just outside of the cone it slides to another impulse", "[A4.9][collision]")
 {
-    // K (3, 1, 4) is (19, 14, 15): with ε = 0 the sticking impulse of minus that velocity is
-    // (3, 1, 4), on the border of the cone for μ = 5
+    // K (3, 1, 4) is (19, 14, 15). So with ε = 0 the sticking impulse for v = -(19, 14, 15) is
+    // (3, 1, 4), which is on the border of the cone for μ = 5.
     const Vector3d v(-19, -14, -15), stick(3, 1, 4);
     const Vector3d T = tangential(v, up).normalized();
     for (int power = 2; power <= 40; ++power) {

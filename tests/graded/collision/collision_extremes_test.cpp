@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A4: inputs whose parts have very different sizes: levers much longer than a body, a K that is
-// stiff in one direction, bodies that hardly approach, heavy bodies that turn easily. And long
-// lists of contacts that are equally deep.
+// very small or very large in one direction, bodies that hardly approach, heavy bodies that turn
+// easily. Also long lists of contacts that are equally deep.
 #include "formulas/collision.hpp"
 #include "sliding_pair.hpp"
 #include "support/close.hpp"
@@ -19,7 +19,8 @@ namespace {
 
 constexpr double restitutions[] = {-0.5, 0, 0.5, 1};
 
-// The permutation that takes the axes x, y, z to others in the same order.
+// The permutation that moves the axes x, y, z on by `turns` places: by 1, x becomes y, y becomes z
+// and z becomes x.
 Matrix3d cyclic(int turns)
 {
     Matrix3d P = Matrix3d::Zero();
@@ -33,7 +34,7 @@ Matrix3d cyclic(int turns)
 TEST_CASE("collision: a lever along the normal makes a contact soft across it alone",
           "[A4.5][collision]")
 {
-    // nᵀ K n = 2, however large K is across n: no mass is that of the lever
+    // nᵀ K n = 2, however large K is perpendicular to n
     for (int axis = 0; axis < 3; ++axis)
         for (int power = 0; power <= 200; power += 4)
             for (const double restitution : restitutions) {
@@ -71,8 +72,8 @@ TEST_CASE("collision: a contact that is soft in one direction sticks", "[A4.6][c
 TEST_CASE("collision: bodies that hardly approach stick where K couples the directions",
           "[A4.9][collision]")
 {
-    // However small the approach is, the sticking impulse stops the sliding. Along the axes the
-    // approach is exact. The sticking impulse for v = (2, 0, 0) is (-2, 2, 0).
+    // However small the approach is, the sticking impulse stops the sliding. Since n is along an
+    // axis, v·n has no rounding error. The sticking impulse for v = (2, 0, 0) is (-2, 2, 0).
     Matrix3d K;
     K << 3, 2, 0, 2, 2, 0, 0, 0, 2;
     for (int turns = 0; turns < 3; ++turns)
@@ -88,7 +89,7 @@ TEST_CASE("collision: bodies that hardly approach stick where K couples the dire
 
 TEST_CASE("collision: a jam whose sticking impulse hardly pushes", "[A4.8][collision]")
 {
-    // jₙ is 2^-power of the impulse, and friction can be large enough for all of it
+    // jₙ is 2^-power, and |j_T| is 1.25. If the friction is large enough, j needs no shortening.
     const Matrix3d K = jamming_contact();
     for (int turns = 0; turns < 3; ++turns)
         for (int power = 1; power <= 36; ++power)
@@ -111,7 +112,7 @@ TEST_CASE("collision: a jam whose sticking impulse hardly pushes", "[A4.8][colli
 
 TEST_CASE("collision: a heavy body turns as easily as its inertia lets it", "[A4.10][collision]")
 {
-    // mass and inertia are far apart: 1/M from 2^-60 to 2^60, with I⁻¹ = 2
+    // 1/M goes from 2^-60 to 2^60 [1/kg], while I⁻¹ stays 2 [1/(kg m²)]
     const Vector3d j(1, 2, -1), r(1, -0.5, 0.25);
     for (int power = -60; power <= 60; ++power)
         for (const double speed : {0.0, 1.0}) {

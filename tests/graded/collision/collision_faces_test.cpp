@@ -16,8 +16,8 @@ using namespace rigor::testing;
 
 namespace {
 
-// φ = f(x) + g(y) + h(z), with other slopes in each cell along each axis. Slopes and values at the
-// nodes are small multiples of a power of two.
+// φ = f(x) + g(y) + h(z), where f, g and h have another slope in each cell. Slopes and values at
+// the nodes are small multiples of a power of two.
 struct Folded {
     LevelSet grid;
     std::array<std::vector<double>, 3> slopes;
@@ -44,7 +44,8 @@ struct Folded {
     {
         return grid.origin + grid.cell_size * Vector3d(place[0], place[1], place[2]);
     }
-    // the slope at a place that is `side` × a distance of less than a cell from node `place`
+    // the slope along an axis at a point less than a cell away from node `place`: below the node
+    // (side = -1), at it (0) or above it (1)
     double slope(int axis, int place, int side) const
     {
         const int last = grid.size[axis] - 2, cell = side < 0 ? place - 1 : place;
@@ -52,7 +53,7 @@ struct Folded {
     }
 };
 
-// A side of each of the three faces that meet at a node: below, on it or above.
+// Along each axis, the side of a node on which a point is: below (-1), at the node (0), above (1).
 std::array<int, 3> sides_of(int number)
 {
     return {number % 3 - 1, number / 3 % 3 - 1, number / 9 - 1};
@@ -78,7 +79,7 @@ TEST_CASE("collision: just beside a face the normal is that of the point's own c
                     gradient[axis] = phi.slope(axis, place[axis], sides[axis]);
                 }
                 CAPTURE(p, beside);
-                // the values of a cell are at most 64 of its size, and the slopes at least 1/8
+                // the values are at most 64 times the cell size, and the slopes at least 1/8
                 REQUIRE_THAT(level_set_normal(phi.grid, p),
                              IsClose(gradient.normalized(), Rounding(64, 64)));
             }

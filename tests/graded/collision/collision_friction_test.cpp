@@ -100,7 +100,8 @@ TEST_CASE("collision: no impulse leaves less energy than plastic sticking", "[A4
 
 TEST_CASE("collision: a bouncing rod that sticks may gain energy", "[A4.6][collision]")
 {
-    // a rod with M = L = 1 at 45° falls at 1 m/s and spins; its tip moves by (1.5, -2.5), ε = 1
+    // A rod of mass 1 and length 1 at 45° falls at 1 m/s and spins. The velocity of its tip is
+    // (1.5, -2.5) m/s, and ε = 1.
     Matrix3d K;
     K << 2.5, -1.5, 0, //
         -1.5, 2.5, 0,  //

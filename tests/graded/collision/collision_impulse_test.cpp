@@ -13,8 +13,8 @@ namespace rigor::testing {
 
 namespace {
 
-// Class B: the outcome, whether the body slides on, flips between the critical friction less and
-// more a share d of it.
+// Class B: whether the body slides on flips between critical · (1 - d) and critical · (1 + d),
+// where `critical` is its critical friction.
 void check_flip(const Matrix3d& K, const Skid& skid, double critical)
 {
     const double d = 1e-9;
@@ -33,7 +33,7 @@ void check_flip(const Matrix3d& K, const Skid& skid, double critical)
 //     slides:  jₙ = M kick / (a - μ b)           j_T = μ jₙ, against T
 //     sticks:  jₙ = M (c kick + b along) / 4     j_T = M (a along + b kick) / 4, against T
 //
-// At the critical friction a - μ b is above 0, since there the rod stops sliding.
+// At the critical friction both impulses are equal and the sticking one pushes, so a - μ b > 0.
 void check_rod(double t, const Skid& skid, double share)
 {
     const Matrix3d K = skidding_rod(t, skid);
@@ -102,8 +102,8 @@ TEST_CASE("collision: what skids slides below its critical friction and sticks a
         check_flip(skidding_sphere(skid), skid, limit);
     }
 
-    // A rod at 45° with the critical friction 1, where jₙ = |j_T| = 3. It slides with another jₙ
-    // than it sticks with: at half of that friction jₙ is 3/(5/2 - 1/2 · 3/2).
+    // A rod at 45° has the critical friction 1, where jₙ = |j_T| = 3. Where it slides, jₙ depends
+    // on μ: at half of that friction jₙ is 3/(5/2 - 1/2 · 3/2).
     const Skid rod = {1, 3, 2};
     REQUIRE_THAT(collision_impulse(skidding_rod(1, rod), rod.v(), up, 0.5, 0.5),
                  IsClose(Vector3d(-6.0 / 7, 12.0 / 7, 0), Rounding(64)));

@@ -99,7 +99,7 @@ TEST_CASE("collision: between its nodes a level set is trilinear", "[A4.1][colli
         const LevelSet grid = sampled(random.vector(), 0.3, some_size, phi);
         const Vector3d p = point_inside(random, grid);
 
-        // eight terms, each at most the cube of the largest coordinate
+        // eight terms; coordinates are at most 1.6, 1.9 and 2.2, so each term is less than 8
         REQUIRE_THAT(sample_level_set(grid, p), IsClose(phi(p), Rounding(64, 8 * 8)));
     }
 }
@@ -252,9 +252,9 @@ TEST_CASE("collision: a point on a face between cells belongs to the higher cell
 TEST_CASE("collision: a point on faces of several cells belongs to the highest of them",
           "[A4.2][collision]")
 {
-    // The point lies on a face of its cell across each axis of the mask, so on an edge across two
-    // axes and at a node across three, and inside the cell across the others. Slightly higher along
-    // all axes the same cell counts, and its gradient is nearly the same.
+    // Along each axis of the mask, the coordinate of the point is that of a face between cells: so
+    // the point lies on a face, on an edge (two axes) or at a node (three axes). A point slightly
+    // higher along all axes lies in the same cell, and the gradient there is nearly the same.
     for (int mask = 1; mask < 8; ++mask)
         for (Random random : seeds(8)) {
             const LevelSet grid = sampled(Vector3d::Zero(), 0.5, {4, 4, 4}, [&](const Vector3d& p) {
@@ -292,8 +292,8 @@ TEST_CASE("collision: outside the grid the normal is that of the nearest point",
 TEST_CASE("collision: beyond each face, edge and corner the normal is that of the nearest point",
           "[A4.2][collision]")
 {
-    // Across some axes p lies outside, near the grid or far away. Across the others it lies inside
-    // a cell or on the face of one, also there in the higher cell.
+    // Along some axes p lies outside of the grid, near it or far away. Along the others p lies in
+    // the middle of a cell or on a face, where it belongs to the higher cell.
     for (int region = 0; region < 27; ++region)
         for (Random random : seeds(12)) {
             const LevelSet grid = sampled(Vector3d::Zero(), 0.5, {4, 4, 4}, [&](const Vector3d& p) {

@@ -87,15 +87,15 @@ TEST_CASE("collision: the sticking impulse is the formula for bodies that separa
 
 TEST_CASE("collision: bodies that hardly approach still collide", "[A4.9][collision]")
 {
-    // A sphere of mass 1 slides at 3 m/s and approaches at only δ: static friction would be too
-    // large, so jₙ = (1 + ε) δ and j_T = -μ jₙ.
+    // A sphere of mass 1 slides at 3 m/s and approaches at only `delta` [m/s]. The sticking impulse
+    // is outside of the cone, so jₙ = (1 + ε) delta and |j_T| = μ jₙ.
     for (const double delta : {1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12}) {
         CAPTURE(delta);
         const double j_n = 1.5 * delta;
         const Vector3d j =
             collision_impulse(sphere_on_floor(), Vector3d(3, -delta, 0), up, 0.5, 0.2);
         REQUIRE_THAT(j, IsClose(Vector3d(-0.2 * j_n, j_n, 0), Rounding(32)));
-        // falling straight down at δ it sticks
+        // a sphere that falls straight down sticks
         const Vector3d slow =
             collision_impulse(sphere_on_floor(), Vector3d(0, -delta, 0), up, 0.5, 0.2);
         REQUIRE_THAT(slow, IsClose(Vector3d(0, j_n, 0), Rounding(32)));

@@ -57,7 +57,7 @@ void check_sticking(const CollidingPair& pair, const Vector3d& j)
     REQUIRE_THAT(Vector3d(pair.v + pair.K * j), IsClose(after, Rounding(64, impulse_scale(pair))));
 }
 
-// @param check  is called with pairs and coefficients of friction
+// Calls check(pair, friction) for special pairs and coefficients of friction.
 template <class Check> void check_special_pairs(const Check& check)
 {
     for (Random random : seeds(300)) {

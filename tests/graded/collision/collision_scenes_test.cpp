@@ -11,7 +11,7 @@ using namespace rigor::testing;
 
 namespace {
 
-// The height of a body above its place at rest, at the top of each flight [m].
+// The height of the lowest point of a ball above the floor, at the top of each flight [m].
 std::vector<double> apexes(const Trajectory& run, int body)
 {
     std::vector<double> result;
@@ -43,7 +43,8 @@ TEST_CASE("collision: a ball bounces to restitution squared times its height",
             // the first bounce from 2 m reaches e² 2 m
             errors.push_back(std::abs(heights[0] / (e * e * 2) - 1));
         }
-        // an impact is found to within a step: the error is at most the fall in one step, v h
+        // The time of an impact is known to within a step, so the height is off by about the fall
+        // in one step, v h. The bound is twice this, relative to the fall of 2 m.
         const double v = std::sqrt(2 * 9.81 * 2);
         check_at_most(errors[0], 2 * v * 0.004 / 2, "relative error of the height at h = 0.004");
         check_at_most(errors[1], 2 * v * 0.002 / 2, "relative error of the height at h = 0.002");
@@ -97,7 +98,7 @@ TEST_CASE("collision: a block slides down an incline at g times sine minus frict
         const double a = 9.81 * (std::sin(angle) - mu * std::cos(angle));
         for (const Frame& frame : run.frames) {
             const double n = steps_of(frame);
-            if (n > 150) break; // then the fastest reaches the edge of the incline
+            if (n > 150) break; // later the fastest block reaches the edge of the incline
             CAPTURE(name, n);
             INFO("the way down the incline after n steps [m], a t²/2");
             const double x = a * h * h * n * n / 2;

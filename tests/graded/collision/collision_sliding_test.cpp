@@ -14,8 +14,8 @@ namespace rigor::testing {
 
 namespace {
 
-// Checks that a rod jams from the critical friction on: M nᵀ K n = (4 + t²)/(1 + t²) and
-// M nᵀ K T = 3 t/(1 + t²).
+// Checks that a rod jams from the critical friction on, where nᵀ K (n - μ T) is 0. Here
+// M nᵀ K n = (4 + t²)/(1 + t²) and M nᵀ K T = 3 t/(1 + t²).
 void check_jam(double t, const Skid& skid)
 {
     const Matrix3d K = skidding_rod(t, skid);
@@ -23,13 +23,13 @@ void check_jam(double t, const Skid& skid)
     const double critical = (4 + t * t) / (3 * t), nKn = (4 + t * t) / (1 + t * t) / mass;
     const double d = 1e-3, after = restitution * down;
 
-    // below it nᵀ K (n - μ T) is small, and the impulse, which is divided by it, is large
+    // just below, nᵀ K (n - μ T) is small, and the impulse, which is divided by it, is large
     const Vector3d below =
         sliding_friction_impulse(K, skid.v(), n, restitution, critical * (1 - d));
     REQUIRE_THAT(below.dot(n),
                  IsClose(skid.kick() / (nKn * d), Rounding(64, mass * skid.kick() / (d * d))));
-    // above it the contact sticks, since in the plane the sticking impulse of a jammed contact is
-    // in the cone
+    // just above, the contact sticks, since for motion in a plane the sticking impulse of a jammed
+    // contact is in the cone
     const Vector3d above =
         sliding_friction_impulse(K, skid.v(), n, restitution, critical * (1 + d));
     REQUIRE_THAT(Vector3d(skid.v() + K * above),

@@ -77,7 +77,7 @@ TEST_CASE("collision: the border of a narrow or a wide friction cone", "[A4.7][c
         const Vector3d t = tangential(random.unit_vector(), n).normalized();
         const double mu = power_of_two(random, -40, 40),
                      size = random.uniform(1, 2) * power_of_two(random, -40, 40);
-        // further from the border than the rounding error of the part that is small
+        // farther from the border than the rounding error of the smaller part, jₙ n or j_T
         const double d = 1e-9 + 256 * eps * std::max(mu, 1 / mu);
         CAPTURE(n, mu, size);
         const auto is_inside = [&](double share) {
@@ -112,7 +112,7 @@ TEST_CASE("collision: a jammed contact is the same at any speed and in any direc
             Vector3d(0, 2, 0) + std::min(1.0, 2 * mu / 5) * Vector3d(-4, 0, 3);
         const Vector3d j = sliding_friction_impulse(R * jamming_contact() * R.transpose(),
                                                     speed * (R * v), R * up, 0.5, mu);
-        constexpr double condition = 30; // the largest eigenvalue of K over the smallest is 26
+        constexpr double condition = 30; // above 18, the largest eigenvalue of K over the smallest
         REQUIRE_THAT(Vector3d(R.transpose() * j / speed),
                      IsClose(expected, Rounding(64, condition * expected.norm())));
     }
@@ -142,8 +142,8 @@ TEST_CASE("collision: a small friction lets a contact slide, a large one holds i
 
 namespace {
 
-// Two free points that slide almost along each other, so that even a large friction does not stop
-// them: with K = 2 δ, v = t - a n, they stick from μ = 1/((1 + ε) a) on.
+// Two point masses that slide almost along each other, so that even a large friction does not stop
+// them: with K = 2 δ and v = t - a n, they stick from μ = 1/((1 + ε) a) on.
 struct Grazing {
     Matrix3d K = 2 * Matrix3d::Identity();
     Vector3d n, t;

@@ -14,7 +14,7 @@ using namespace rigor::testing;
 
 namespace {
 
-// A leaning rod, and the matrix that jams from μ = 2 on where the contact slides along x.
+// K of a leaning rod, and below it K of a contact that jams from μ = 2 on if it slides along x.
 Matrix3d leaning()
 {
     Matrix3d K;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A4: short levers, contacts that are soft in one direction, negative restitutions as topic
+// A4: short levers, contacts whose K is small in one direction, negative restitutions as topic
 // `contact` uses them, contacts without friction, and level sets far from the surface.
 #include "formulas/collision.hpp"
 #include "sliding_pair.hpp"
@@ -13,7 +13,7 @@ using namespace rigor::testing;
 
 namespace {
 
-// A symmetric matrix whose eigenvalue along n is `soft`, and 1 or 2 across it.
+// A symmetric matrix with the eigenvalue `soft` along n, and 1 and 2 perpendicular to n.
 Matrix3d soft_along(const Vector3d& n, double soft)
 {
     const Vector3d t = n.unitOrthogonal(), b = n.cross(t);
@@ -59,7 +59,7 @@ TEST_CASE("collision: an impulse with a short lever turns the body", "[A4.10][co
 
 TEST_CASE("collision: a frictionless impulse reverses any normal velocity", "[A4.5][collision]")
 {
-    // n·(v + K j) = -ε v·n, however soft the contact is along n and however much v grazes it
+    // n·(v + K j) = -ε v·n, however small nᵀ K n is and however nearly v is perpendicular to n
     for (Random random : seeds(5))
         for (int power = 0; power <= 40; ++power)
             for (const double restitution : restitutions) {
@@ -77,7 +77,7 @@ TEST_CASE("collision: a frictionless impulse reverses any normal velocity", "[A4
 
 TEST_CASE("collision: a sticking impulse stops any sliding", "[A4.6][collision]")
 {
-    // v + K j = -ε vₙ n, also where K is soft along one direction, or is nearly diagonal
+    // v + K j = -ε vₙ n, also where K is small along one direction, or is nearly diagonal
     for (Random random : seeds(5))
         for (int power = 1; power <= 32; ++power)
             for (const double restitution : restitutions) {
@@ -199,8 +199,8 @@ TEST_CASE("collision: a sliding impulse with any restitution", "[A4.8][collision
 
 TEST_CASE("collision: with any restitution friction acts in the cone", "[A4.9][collision]")
 {
-    // Also where ε = -1 takes nothing of the approach: K couples the normal and the tangents, so
-    // the impulse that stops the sliding may push.
+    // This includes ε = -1, which removes nothing of the approach: K couples normal and tangential
+    // motion, so the impulse that stops the sliding may push.
     int sticking = 0;
     for (unsigned seed : seeds(100))
         for (const double restitution : restitutions)
@@ -209,7 +209,7 @@ TEST_CASE("collision: with any restitution friction acts in the cone", "[A4.9][c
                 pair.restitution = restitution;
                 CAPTURE(restitution, friction);
                 const Vector3d j = collision_impulse(pair.K, pair.v, pair.n, restitution, friction);
-                const double inside = margin(pair, friction); // the sticking impulse is in the cone
+                const double inside = margin(pair, friction); // above 0: in the cone
                 if (inside > 1e-3) {
                     const Vector3d after = -restitution * pair.v.dot(pair.n) * pair.n;
                     sticking += restitution == -1;
@@ -239,7 +239,7 @@ TEST_CASE("collision: sliding just beside the speed that counts as none", "[A4.8
 
 TEST_CASE("collision: the normal of a level set far from its surface", "[A4.2][collision]")
 {
-    // φ = far + 0.6 x + 0.8 z, with slopes that are multiples of 2^-20, so that it is exact
+    // φ = far + 0.6 x + 0.8 z, with slopes rounded to multiples of 2^-20, so that φ is exact
     const double x = std::floor(0.6 * 0x1p20) / 0x1p20, z = std::floor(0.8 * 0x1p20) / 0x1p20;
     LevelSet grid = {{0, 0, 0}, 1, {2, 2, 2}, {}};
     for (const double far : {0x1p10, 0x1p20, 0x1p30, -0x1p30}) {

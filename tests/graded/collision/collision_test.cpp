@@ -26,8 +26,8 @@ Body moving(const Vector3d& X, const Vector3d& V, const Vector3d& omega)
     return body;
 }
 
-// A thin rod with M = L = 1 that leans at 45°, with its lower tip at the origin. No impulse can
-// turn it about its own axis d: I⁻¹ = 12 (δ - d dᵀ).
+// A thin rod of mass 1 and length 1 that leans at 45°, with its lower tip at the origin. No impulse
+// can turn it about its own axis d: I⁻¹ = 12 (δ - d dᵀ).
 struct Rod {
     Vector3d d = Vector3d(1, 1, 0) / std::sqrt(2.0);
     Vector3d X = d / 2;
@@ -45,8 +45,8 @@ double speed(const Body& body, const Vector3d& x)
 TEST_CASE("collision: the relative velocity is that of body 1 less that of body 2",
           "[A4.3][collision]")
 {
-    // a wheel of radius 2 turns by 3 rad/s about z and is looked at on its top; a cart moves along
-    // x
+    // The point is the top of a wheel of radius 2 m that turns at 3 rad/s about z. The cart moves
+    // at 1 m/s along x.
     const Body wheel = moving({0, 1, 0}, {0, 0, 0}, {0, 0, 3});
     const Body cart = moving({5, 5, 5}, {1, 0, 0}, {0, 0, 0});
     const Vector3d top(0, 3, 0);
@@ -165,7 +165,7 @@ TEST_CASE("collision: K is symmetric and at least the inverse mass", "[A4.4][col
 
 TEST_CASE("collision: a rod tip on a frictionless floor", "[A4.5][collision]")
 {
-    // a rod with M = L = 1 at 45° falls at 1 m/s: nᵀ K n = 2.5, j = 1.5/2.5
+    // a rod of mass 1 and length 1 at 45° falls at 1 m/s: nᵀ K n = 2.5, jₙ = 1.5/2.5
     Matrix3d K;
     K << 2.5, -1.5, 0, -1.5, 2.5, 0, 0, 0, 4;
     REQUIRE_THAT(frictionless_impulse(K, Vector3d(0, -1, 0), Vector3d(0, 1, 0), 0.5),

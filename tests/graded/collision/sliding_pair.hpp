@@ -46,6 +46,8 @@ inline bool slides_easily(const CollidingPair& pair, double friction)
     return ease(pair, friction) > 0.5;
 }
 
+/// The scale of the rounding of an impulse [N s]: solving with K magnifies rounding by at most the
+/// square of its condition.
 inline double impulse_scale(const CollidingPair& pair)
 {
     return pair.size * pair.condition * pair.condition;
@@ -88,7 +90,7 @@ struct Skid {
     Vector3d v() const { return along * T - down * n; }
     /// The change of the normal velocity by the impulse.
     double kick() const { return (1 + restitution) * down; }
-    /// That of an impulse. The condition of K is at most 4.
+    /// The tolerance of an impulse on this body. The condition of K is at most 4.
     Tolerance rounding() const { return Rounding(64, 4 * mass * v().norm()); }
 };
 
@@ -103,14 +105,14 @@ inline Skid random_skid(Random& random)
             R.col(1)};
 }
 
-/// K of a uniform sphere that skids: `sphere_on_floor`, seen from elsewhere.
+/// K of a uniform sphere that skids: `sphere_on_floor` for any normal and mass.
 inline Matrix3d skidding_sphere(const Skid& skid)
 {
     return (3.5 * Matrix3d::Identity() - 2.5 * skid.n * skid.n.transpose()) / skid.mass;
 }
 
-/// K of a thin rod with L = 1 whose tip skids. The rod trails behind its tip and leans at atan t:
-/// K = (4 δ - 3 d dᵀ)/M. So it couples n and T, and friction presses the tip down.
+/// K of a thin rod of length 1 whose tip skids. The rod trails behind its tip, at the angle atan t
+/// to the plane: K = (4 δ - 3 d dᵀ)/M. So K couples n and T, and friction presses the tip down.
 inline Matrix3d skidding_rod(double t, const Skid& skid)
 {
     const Vector3d d = (t * skid.n - skid.T).normalized();

@@ -37,8 +37,8 @@ inline Body ball(double mass, const Vector3d& V, const Vector3d& X = {0, 0.1, 0}
 }
 
 /// A thin rod along x about the origin, with M = 1 and its ends at x = ±1; I = 1/3 across it. An
-/// upward impulse j at one end changes the velocity of that end by 4 j, and of the other end by -2
-/// j.
+/// upward impulse j at one end changes the velocity of this end by 4 j, and that of the other end
+/// by -2 j.
 inline Body rod(const Vector3d& V)
 {
     Body body = block(1, V);
@@ -75,7 +75,7 @@ inline ContactCase stack(const std::vector<double>& masses)
 /// middle.
 ///
 /// No block leaves the plank, so all three turn as one about the ridge:
-/// ω = (m₁ - m₂) a / (I + (m₁ + m₂) a²) = 4/9.
+/// ω = (m₁ - m₂) a v / (I + (m₁ + m₂) a²) = 4/9, with v = 1 m/s and a = 1 m.
 inline ContactCase seesaw()
 {
     Body plank = block(2, -up);
@@ -162,16 +162,16 @@ inline ContactCase pile_of_balls(unsigned seed)
     return pile;
 }
 
-/// A rod that falls on its points at x = a and x = b, first on that at a. By default these are its
-/// ends.
+/// A rod that falls at 1 m/s and touches the ground at x = a and x = b, its ends by default. The
+/// contact at a is deeper, so it is visited first.
 inline ContactCase rod_on_both_ends(double a = -1, double b = 1)
 {
     return {{Body(), rod(-up)}, {touch(1, 0, 0.02, {a, 0, 0}), touch(1, 0, 0.01, {b, 0, 0})}};
 }
 
-/// The sums of its upward impulses after n iterations, whose restitution rises from -1 to 0. An
-/// impulse j at x changes the velocity at y by (1 + 3 x y) j: at an end by 4 j, and by -2 j at the
-/// other end.
+/// The sums of the upward impulses at a and b after n iterations of A5.2, whose restitution rises
+/// to 0. An impulse j at x changes the velocity at y by (1 + 3 x y) j: at an end by 4 j, and at the
+/// other end by -2 j.
 inline std::array<double, 2> impulses_on_both_ends(int n, double a = -1, double b = 1)
 {
     const double x[2] = {a, b};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A5.2, A5.4 and A5.5: what a contact does depends on its own bodies alone. Groups of bodies that
-// touch nothing in common are resolved together as they are alone, a sweep is its contacts one
-// after another, and a single contact gets all its iterations.
+// A5.2, A5.4 and A5.5: the impulse of a contact depends on its own bodies alone. Groups of bodies
+// that touch nothing in common are resolved together as they are alone, a sweep resolves its
+// contacts one after another, and a single contact gets all its iterations.
 #include "contact_laws.hpp"
 #include "support/seeds.hpp"
 
@@ -11,8 +11,9 @@ namespace rigor::testing::contact_company_test {
 
 namespace {
 
-// One to three random bodies on a static one. Their contacts couple normal and tangents; every
-// second one has the bodies and the normal of the one before it, but another point.
+// One to three random bodies on a static one. Their contacts couple normal and tangential motion.
+// About half of them are followed by a second contact with the same bodies and normal, at another
+// point.
 ContactCase small_group(Random& random)
 {
     ContactCase group{{static_body(random)}, {}};
@@ -33,7 +34,7 @@ ContactCase small_group(Random& random)
     return group;
 }
 
-// The groups as one case, which leaves each its own bodies and contacts.
+// The groups as one case, in which each keeps its own bodies and contacts.
 ContactCase together(const std::vector<ContactCase>& groups)
 {
     ContactCase all;
@@ -49,7 +50,7 @@ ContactCase together(const std::vector<ContactCase>& groups)
     return all;
 }
 
-// @param resolve  returns the ContactResult of a ContactCase and a number of iterations
+// @param resolve  computes the ContactResult from a ContactCase and a number of iterations
 template <class Resolve> void check_company(const Resolve& resolve)
 {
     for (Random random : seeds(30)) {
@@ -80,8 +81,8 @@ std::vector<int> heights(const Bodies& bodies)
     return levels;
 }
 
-// A rod with M = L = 1 leans along d, which is in the plane z = 0, and falls on its tip. There, K
-// is 4 δ - 3 d dᵀ, so that a push along the normal makes it slide to the left.
+// A rod of mass 1 and length 1 leans along the unit vector d in the plane z = 0, and falls on its
+// tip. There, K is 4 δ - 3 d dᵀ, so that a push along the normal makes the tip slide to the left.
 ContactCase falling_rod(const Vector3d& d, double friction)
 {
     Body leaning = block(1, -up, d / 2);
@@ -89,8 +90,8 @@ ContactCase falling_rod(const Vector3d& d, double friction)
     return {{Body(), leaning}, {touch(1, 0, 0.01, {0, 0, 0}, friction)}};
 }
 
-// The sum of the impulses that the rod gets in n iterations. The first one meets no sliding; in
-// the others it slides to the left, too fast for its friction to stop it.
+// The sum of the impulses that the rod gets in n iterations. In the first one the tip does not
+// slide yet; in the others it slides to the left, too fast for its friction to stop it.
 Vector3d falling_rod_impulse(const Vector3d& d, double friction, int n)
 {
     const double K_n = 4 - 3 * d.y() * d.y(), K_slide = K_n - 3 * friction * d.x() * d.y();
@@ -196,7 +197,7 @@ TEST_CASE("contact: a sweep is its contacts one after another", "[A5.5][contact]
         ContactResult expected = at_once(problem, 0);
         for (int sweep = 1; sweep <= 3; ++sweep) {
             for (std::size_t i = 0; i < problem.contacts.size(); ++i) {
-                // a contact alone, which takes what it has so far as its guess
+                // this contact alone, with its impulse so far as the warm start
                 BodyContact c = problem.contacts[i];
                 c.impulse = expected.impulses[i];
                 Bodies bodies = expected.bodies;

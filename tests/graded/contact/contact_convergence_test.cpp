@@ -7,7 +7,7 @@ namespace rigor::testing::contact_convergence_test {
 
 namespace {
 
-constexpr int few = 7;
+constexpr int few = 7; // sweeps, not enough to converge
 
 ContactResult resolved(const ContactCase& problem, int sweeps)
 {

@@ -25,7 +25,7 @@ struct SingleContact {
             x.z(), 0, -x.x(),    //
             -x.y(), x.x(), 0;
         return body.inverse_mass * Matrix3d::Identity() -
-               arm * body.inverse_inertia * arm; // arm is skew
+               arm * body.inverse_inertia * arm; // arm is skew-symmetric
     }
     Vector3d velocity() const { return body.velocity + body.angular_velocity.cross(x); }
 };
@@ -37,7 +37,7 @@ SingleContact random_contact(Random& random)
     return contact;
 }
 
-// The larger eigenvalue of K in the two tangents t and b.
+// The larger eigenvalue of K in the plane of the tangents t and b.
 double larger_eigenvalue(const Matrix3d& K, const Vector3d& t, const Vector3d& b)
 {
     const double a = t.dot(K * t), c = b.dot(K * b), mixed = t.dot(K * b);

@@ -32,7 +32,7 @@ ContactCase falling_blocks(int n)
     return problem;
 }
 
-// @param resolve  returns the ContactResult of a ContactCase and the levels of its bodies
+// @param resolve  computes the ContactResult from a ContactCase and the levels of its bodies
 template <class Resolve> void check_lengths(const Resolve& resolve)
 {
     for (const int n : contact_counts()) {
@@ -52,8 +52,8 @@ template <class Resolve> void check_lengths(const Resolve& resolve)
     }
 }
 
-// Pairs of blocks whose indices have the same last 8 or 16 bits. The first block of each runs into
-// the second one, and both move on at half its speed.
+// Pairs of blocks whose indices have the same last 8 or 16 bits. The first block of each pair runs
+// into the second one, and both move on at half the speed of the first.
 template <class Resolve> void check_indices(const Resolve& resolve)
 {
     constexpr int count = wide + 2 * narrow;
@@ -156,7 +156,7 @@ TEST_CASE("contact: the levels of bodies with indices of many bits", "[A5.3][con
     constexpr int count = wide + 2 * narrow, first = 7;
     std::vector<std::vector<int>> rests_on(count);
     std::vector<int> expected(count, 1);
-    // one on the other; their indices have the same last 8 bits, or 16
+    // a column of bodies; their indices have the same last 8 bits, some the same last 16
     const int column[] = {first, first + narrow, first + wide, first + wide + narrow};
     for (int i = 1; i < 4; ++i) {
         rests_on[column[i]] = {column[i - 1]};

@@ -40,8 +40,8 @@ std::vector<int> shuffled(int n, Random& random)
     return number;
 }
 
-// The bodies in another order, and what each rests on in another order too. Self-references and
-// repeated entries so come to any place of a list.
+// The bodies in another order, and the list of what each rests on in another order too. So
+// self-references and repeated entries may come at any place in a list.
 Pile renumbered(const Pile& pile, Random& random)
 {
     const std::size_t n = pile.levels.size();
@@ -57,7 +57,8 @@ Pile renumbered(const Pile& pile, Random& random)
     return result;
 }
 
-// Checks the levels as they are and with other numbers, which no table of answers has.
+// Checks the levels, also after the bodies are renumbered at random, so that a solution cannot look
+// the answers up in a table.
 void check_levels(const Edges& rests_on, const Levels& expected)
 {
     const Pile pile{rests_on, on_the_ground(rests_on.size()), expected};
@@ -68,7 +69,8 @@ void check_levels(const Edges& rests_on, const Levels& expected)
     }
 }
 
-// Puts bodies that lean on each other in a ring, or a single body, at this level of a pile.
+// Adds `size` bodies at this level of a pile: a single body, or a ring of bodies that lean on each
+// other.
 void add_group(Pile& pile, int size, int level, Random& random)
 {
     const int first = static_cast<int>(pile.levels.size());
@@ -120,7 +122,7 @@ TEST_CASE("contact: the level of a body is the longest way down", "[A5.3][contac
     check_levels({{}, {2}, {3}, {0}}, {0, 3, 2, 1});               // numbered from the top
     check_levels({{}, {0}, {0}, {1, 2}, {3, 0}}, {0, 1, 1, 2, 3}); // a table and a leaning board
     check_levels({{}, {0}, {1}, {2, 0}, {0, 3}},
-                 {0, 1, 2, 3, 4});                    // the ground is never the highest
+                 {0, 1, 2, 3, 4});                    // the ground beside others changes nothing
     check_levels({{}, {0}, {1, 1, 0, 1}}, {0, 1, 2}); // several points of one contact
 }
 
@@ -135,7 +137,7 @@ TEST_CASE("contact: static bodies have level 0 whatever they rest on", "[A5.3][c
 {
     // a shelf on brackets, and a box on it
     REQUIRE_THAT(contact_levels({{}, {0}, {1}}, {true, true, false}), IsExactly(Levels{0, 0, 1}));
-    // a box on the floor below the shelf, which touches it from above
+    // a box on the floor below the shelf; the shelf touches the box from above
     REQUIRE_THAT(contact_levels({{}, {0}, {1}, {2}}, {true, false, true, false}),
                  IsExactly(Levels{0, 1, 0, 1}));
 }
@@ -191,7 +193,8 @@ TEST_CASE("contact: levels do not depend on how bodies are numbered", "[A5.3][co
 
 TEST_CASE("contact: a large pile whose bodies rest on few others", "[A5.3][contact]")
 {
-    // Each body rests on some of the lower ones, most of all on a table, and is listed repeatedly.
+    // Each body rests on up to three bodies with lower indices, often on one of the first four; one
+    // them may be listed again.
     for (const int count : {70, 1000, 70'000})
         for (Random random : seeds(3)) {
             CAPTURE(count);
@@ -256,13 +259,13 @@ TEST_CASE("contact: a ring of a hundred thousand bodies is one cycle", "[A5.3][c
 
 namespace {
 
-// The levels by their definition: a body is one level above the highest of the bodies that it
-// reaches by resting on them, apart from those that reach it too. These share its level.
+// The levels by their definition. A body reaches the bodies that it rests on, directly or by
+// others. Those that reach it too share its level; it is one level above the highest of the rest.
 Levels levels_by_reach(const Edges& rests_on, const std::vector<bool>& is_static)
 {
     const std::size_t n = rests_on.size();
     std::vector<std::vector<bool>> reaches(n, std::vector<bool>(n, false));
-    std::vector<std::pair<std::size_t, std::size_t>> order; // how many a body reaches, the body
+    std::vector<std::pair<std::size_t, std::size_t>> order; // number of reached, body
     for (std::size_t b = 0; b < n; ++b) {
         std::vector<std::size_t> left = {b};
         std::size_t count = 1;
@@ -298,7 +301,7 @@ Levels levels_by_reach(const Edges& rests_on, const std::vector<bool>& is_static
 TEST_CASE("contact: bodies that rest on any others have the levels of the definition",
           "[A5.3][contact]")
 {
-    // few edges make trees and long cycles, more of them cycles that share bodies
+    // few edges make trees and long cycles; more edges make cycles that share bodies
     for (Random random : seeds(200))
         for (const std::size_t most : {std::size_t(10), std::size_t(150)}) {
             const int n = 1 + random_index(random, most), edges = 1 + random_index(random, 3);

@@ -13,7 +13,7 @@ namespace {
 
 // A block falls on the ground while it slides along x. It sticks if the friction is at least its
 // sliding speed over its speed of fall, and otherwise the impulse is on the border of the cone.
-// @param resolve  returns the ContactResult of a ContactCase
+// @param resolve  computes the ContactResult from a ContactCase
 template <class Resolve> void check_frictions(const Resolve& resolve)
 {
     for (int power = -30; power <= 30; ++power)

@@ -9,7 +9,7 @@ namespace rigor::testing::contact_one_at_a_time_test {
 
 namespace {
 
-constexpr int n = 5;
+constexpr int n = 5; // iterations
 
 ContactResult resolved(const ContactCase& problem)
 {
@@ -122,7 +122,7 @@ TEST_CASE("contact: one at a time starts from nothing and spares those who touch
         ContactCase guessed = problem;
         Random random(seed);
         for (BodyContact& c : guessed.contacts)
-            c.impulse = random.vector(); // a guess, used by another formula
+            c.impulse = random.vector(); // a warm start, which only A5.5 uses
         guessed.bodies.push_back(random.body());
 
         const ContactResult result = resolved(problem), again = resolved(guessed);

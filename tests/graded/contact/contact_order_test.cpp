@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A5: the number of iterations counts, however many there are, and neither the numbers of the
-// bodies nor a world that is static and at the origin change the result.
+// A5: many iterations, each of which has its own restitution; bodies that are numbered otherwise,
+// which changes no result; and a world of static bodies at the origin, which stays as it is.
 #include "contact_cases.hpp"
 #include "formulas/contact.hpp"
 #include "support/close.hpp"
@@ -18,7 +18,7 @@ namespace {
 
 const Vector3d zero = Vector3d::Zero();
 
-// A world of static bodies at the origin, whose numbers are all zero.
+// A world of static bodies at the origin: all their positions and velocities are zero.
 const ContactCase nothing_moves = {{Body(), Body()}, {touch(1, 0, 0.01)}};
 
 void check_unchanged(const ContactResult& result)
@@ -30,7 +30,7 @@ void check_unchanged(const ContactResult& result)
         REQUIRE_THAT(body, IsExactly(Body()));
 }
 
-// The same with the bodies in opposite order.
+// The same case with its bodies in opposite order.
 ContactCase renumbered(ContactCase problem)
 {
     const int last = static_cast<int>(problem.bodies.size()) - 1;
@@ -42,8 +42,8 @@ ContactCase renumbered(ContactCase problem)
     return problem;
 }
 
-// Two results, one of which has its bodies in opposite order. The sums of a contact may be formed
-// in another order; the balls of a pile magnify their rounding errors by much less than 2^20.
+// Compares two results, one of which has its bodies in opposite order. The sums of a contact may be
+// formed in another order; a pile of balls magnifies their rounding errors by much less than 2^20.
 void check_same(ContactResult result, const ContactResult& expected)
 {
     std::reverse(result.bodies.begin(), result.bodies.end());

@@ -9,7 +9,7 @@ namespace rigor::testing {
 
 namespace {
 
-// The stack of n blocks of 1 kg. With `is_reversed` the bodies have their numbers from above; the
+// The stack of n blocks of 1 kg. With `is_reversed` the bodies are numbered from above; the
 // contacts stay in their order, from below.
 ContactCase numbered_stack(int n, bool is_reversed)
 {
@@ -27,8 +27,8 @@ ContactCase numbered_stack(int n, bool is_reversed)
 
 TEST_CASE("contact: equal depths keep the order of a long list", "[A5.2][contact]")
 {
-    // The lowest block stops. Each block above shares the difference of its speed and that of the
-    // block below it, so the impulse of each contact is half of the impulse before it.
+    // The lowest block stops. Each further contact makes the speeds of its two blocks equal, so its
+    // impulse is half of the impulse before it.
     for (const bool is_reversed : {false, true}) {
         CAPTURE(is_reversed);
         const ContactCase problem = numbered_stack(50, is_reversed);
@@ -69,7 +69,7 @@ TEST_CASE("contact: a high tower is stopped in one pass", "[A5.4][contact]")
 
 TEST_CASE("contact: all bodies of lower levels are held", "[A5.4][contact]")
 {
-    // Body 3 has level 3, because it also rests on body 2; it falls on body 1, which has level 1.
+    // body 3, which has level 3, falls on a body of level 0, 1 or 2
     for (int lower = 0; lower < 3; ++lower) {
         CAPTURE(lower);
         ContactCase problem = {{Body(), block(1), block(2), block(3, -up)},
@@ -86,7 +86,7 @@ TEST_CASE("contact: within a level the deepest contact comes first", "[A5.4][con
     // Two blocks of one level fall together, and the lower one is to stop on the ground. If their
     // own contact comes first, it sees no approach yet, and the upper block falls on. Of equal
     // depths the first one in the list comes first.
-    for (const double depth : {0.005, 0.01, 0.02}) // that on the ground has 0.01
+    for (const double depth : {0.005, 0.01, 0.02}) // the contact on the ground has 0.01
         for (const bool is_pair_first : {true, false}) {
             CAPTURE(depth, is_pair_first);
             ContactCase problem = stack({1, 1});

@@ -20,7 +20,8 @@ bool is_called(const Trajectory& run, std::size_t body, const std::string& prefi
     return run.scene.bodies[body].name.starts_with(prefix);
 }
 
-// Largest distance from the start of the bodies called `prefix`, up to the time `until` [m].
+// The largest distance from its start [m] that any body has whose name begins with `prefix`, up to
+// the time `until` [s].
 double farthest(const Trajectory& run, const std::string& prefix, double until)
 {
     double distance = 0;
@@ -50,7 +51,7 @@ Trajectory with_gravity(const std::string& scene, const Vector3d& gravity)
                                  gravity.y(), gravity.z()));
 }
 
-// The way of the bodies that are not static from the start to the end, their mean [m].
+// The mean displacement of the bodies that are not static, from the start to the end [m].
 Vector3d mean_way(const Trajectory& run)
 {
     Vector3d sum = Vector3d::Zero();
@@ -129,14 +130,15 @@ TEST_CASE("contact: a stack of ten cubes stands", "[A5.6][contact][scene]")
     const Trajectory run = run_scene("a5-contact/stack");
     check_at_most(farthest(run, "cube", end_of(run)), 0.01, "way of a cube of 0.5 m [m]");
 
-    // It stands by its weight, and not because bodies that touch stop: where gravity points upwards
-    // it flies. In n steps a body falls by ½ g t² (1 - 1/n) at least, also by Euler's method.
+    // The stack stands by its weight, and not because bodies that touch stop: where gravity points
+    // upwards it flies. In n steps a body falls by ½ g t² (1 - 1/n) at least, also by Euler's
+    // method.
     const Trajectory flight = with_gravity("a5-contact/stack", {0, g, 0});
     const double t = end_of(flight), n = steps_of(flight.frames.back());
     check_at_least(mean_way(flight).y(), g * t * t / 2 * (1 - 1 / n),
                    "mean way of the cubes while gravity points upwards [m]", 64);
-    // Where gravity leans by 45° they slide, since μ = 0.6. Friction takes 0.6 of their weight as
-    // long as they do not rise. While they tumble it may take somewhat more, at most 0.8.
+    // Where gravity leans by 45° the cubes slide, since μ = 0.6. Friction takes 0.6 of their weight
+    // as long as they do not rise. While they tumble it may take somewhat more, at most 0.8.
     const double lean = g / std::sqrt(2.0);
     const Trajectory slide = with_gravity("a5-contact/stack", {lean, -lean, 0});
     check_at_least(mean_way(slide).x(), lean * t * t / 2 * (1 - 0.8),
@@ -229,7 +231,7 @@ TEST_CASE("contact: a seesaw tilts as its whole weight lets it", "[A5.6][contact
     };
     // there are few contacts, and the engine sweeps until only rounding changes
     REQUIRE_THAT(first_step("simultaneous"), IsClose(alpha, Rounding(4096)));
-    // one contact at a time the result is not exact, but the weight above must not be lost
+    // shock propagation is not exact, but the weight above must not be lost
     check_at_most(std::abs(first_step("shock_propagation") / alpha - 1), 0.2,
                   "relative error of the angular acceleration by shock propagation");
 }
@@ -241,7 +243,8 @@ TEST_CASE("contact: rings on a peg come to rest one upon the other", "[A5.6][con
     for (int k = 1; k <= 6; ++k) {
         const RigidState ring = last_state(run, "ring " + std::to_string(k));
         CAPTURE(k);
-        // the hole of the smallest ring is 0.58 m wide, the peg's half diagonal 0.11 m
+        // The hole of the largest ring is 1.08 m wide and the peg 0.16 m thick. So the center of a
+        // ring on the peg is less than 0.5 m from the axis.
         check_at_most(std::hypot(ring.position.x(), ring.position.z()), 0.5, "from the axis [m]");
         check_at_most(below + 0.05, ring.position.y(), "a ring's height [m]");
         check_at_most(ring.velocity.norm(), 0.01, "speed [m/s]");

@@ -12,7 +12,7 @@ namespace {
 
 using Levels = std::vector<int>;
 
-constexpr int n = 5;
+constexpr int n = 5; // iterations
 
 ContactResult propagated(const ContactCase& problem, const Levels& levels, int iterations = n)
 {
@@ -29,7 +29,7 @@ Levels random_levels(const ContactCase& problem, unsigned seed)
     return levels;
 }
 
-// Checks that a stack, whose bodies have their numbers from below, is stopped.
+// Checks that a stack whose bodies are numbered from below is stopped.
 void check_stopped(const ContactCase& problem, int iterations, const View& view = {})
 {
     Levels levels(problem.bodies.size());
@@ -107,7 +107,8 @@ TEST_CASE("contact: a seesaw that moves as its weight lets it is left as it is",
 
 TEST_CASE("contact: a body that is held keeps moving and drags what rests on it", "[A5.4][contact]")
 {
-    // A block falls on a cart on ice and is held by friction. The contact is named in both ways.
+    // A block falls on a cart on ice and is held by friction. The bodies of this contact are named
+    // in both orders.
     ContactCase problem{{Body(), block(2, {0.5, 0, 0}), block(1, {0, -1, 0}, up)},
                         {touch(1, 0, 0.01), touch(2, 1, 0.01, 0.5 * up, 1)}};
     ContactResult result = propagated(problem, {0, 1, 2});

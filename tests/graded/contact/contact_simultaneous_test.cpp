@@ -29,8 +29,8 @@ void check_impulses(const ContactResult& result, std::vector<Vector3d> expected,
     REQUIRE_THAT(result.impulses, IsClose(expected, Rounding(64, 4 * view.mass * view.speed)));
 }
 
-// A rod with M = L = 1 leans in the plane z = 0 along the unit vector d, its tip at the origin.
-// There, K is 4 δ - 3 d dᵀ.
+// A rod of mass 1 and length 1 leans in the plane z = 0 along the unit vector d, its tip at the
+// origin. There, K is 4 δ - 3 d dᵀ.
 ContactCase leaning_rod(const Vector3d& d)
 {
     Body leaning = block(1, -up, d / 2);
@@ -58,7 +58,8 @@ TEST_CASE("contact: one sweep stops a ball on the floor", "[A5.5][contact]")
         check_impulses(stuck, {{-6.0 / 7, 2, 0}});
         REQUIRE_THAT(stuck.bodies[1].velocity, IsClose(Vector3d(15.0 / 7, 0, 0), Rounding(64, 2)));
     }
-    // it slides by 3 along x and 4 along z, which needs friction of 5/3.5: μ = 0.5 is not enough
+    // The ball slides at 3 m/s along x and 4 m/s along z. To stop this takes a friction impulse of
+    // 5/3.5 N s, which is more than μ jₙ.
     check_impulses(resolved(ball_on_floor({3, -2, 4}, 0.5), 1), {{-0.6, 2, -0.8}});
     check_impulses(resolved(ball_on_floor({3, -2, 4}, 0.1), 1), {{-0.12, 2, -0.16}});
     check_impulses(resolved(ball_on_floor({3, -2, 4}, 0), 1), {{0, 2, 0}});
@@ -74,8 +75,9 @@ TEST_CASE("contact: a ball that leaves the floor gets no impulse", "[A5.5][conta
 
 TEST_CASE("contact: the ends of a rod in turn", "[A5.5][contact]")
 {
-    // 1/4 stops the first end and brings the other to 1.5 m/s; 1.5/4 stops that one and brings the
-    // first to 0.75 m/s; and so on. In each sweep the difference from 1/2 falls to a quarter.
+    // An impulse of 1/4 stops the first end and brings the other to 1.5 m/s; 1.5/4 stops the other
+    // end and brings the first to 0.75 m/s; and so on. In each sweep the difference from 1/2 falls
+    // to a quarter.
     ContactCase problem{{Body(), rod(-up)},
                         {touch(1, 0, 0.01, {-1, 0, 0}), touch(1, 0, 0.02, {1, 0, 0})}};
     check_impulses(resolved(problem, 1), {0.25 * up, 0.375 * up});

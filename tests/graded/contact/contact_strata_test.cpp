@@ -12,14 +12,14 @@ using namespace rigor::testing;
 
 namespace {
 
-// A ball that falls with 1 m/s and slides with 7 m/s along x, so that it takes a friction impulse
-// of 2 N s to stop the sliding of its lowest point.
+// A ball that falls with 1 m/s and slides with 7 m/s along x, so that it takes a friction
+// impulse of 2 N s to stop the sliding of its lowest point.
 ContactCase sliding_ball(double friction)
 {
     return {{Body(), ball(1, {7, -1, 0})}, {touch(1, 0, 0.01, {0, 0, 0}, friction)}};
 }
 
-// The same with a static body that moves or turns below it, so that it does not slide.
+// The same ball on a static body that moves or turns below it, so that the ball does not slide.
 ContactCase ball_on_turntable(bool turns, bool table_is_first)
 {
     ContactCase problem = sliding_ball(10);
@@ -37,7 +37,7 @@ ContactCase ball_on_turntable(bool turns, bool table_is_first)
     return problem;
 }
 
-// @param resolve  returns the ContactResult of a ContactCase
+// @param resolve  computes the ContactResult from a ContactCase
 template <class Resolve> void check_turntables(const Resolve& resolve)
 {
     for (const bool turns : {false, true})

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A5.1 and A5.2: contacts resolved one point at a time, at first gently.
+// A5.1 and A5.2: contacts resolved one at a time, by impulses that are weak in the first
+// iterations.
 #include "contact_laws.hpp"
 #include "support/seeds.hpp"
 
@@ -57,7 +58,7 @@ void check_two_blocks(double lower, double upper, const View& view = {})
                          rounding));
     REQUIRE_THAT(upwards.bodies[1].velocity, velocity(shared / lower));
     REQUIRE_THAT(upwards.bodies[2].velocity, velocity(shared / lower));
-    // with the upper contact first, nothing approaches there yet, and it is not visited again
+    // if the upper contact comes first, its blocks do not approach yet, and it is not visited again
     blocks.contacts[0].depth = 0.005;
     const ContactResult downwards = resolved(turned(blocks, view), 1);
     REQUIRE_THAT(downwards.impulses,
@@ -157,7 +158,7 @@ TEST_CASE("contact: ten gentle iterations on a rod", "[A5.2][contact]")
     const auto [first, second] = impulses_on_both_ends(10);
     const ContactResult result = resolved(falling_rod(0.01, 0.02), 10);
     check_ends(result, second, first);
-    // what is left of the 1 m/s of the end that was stopped first; after one iteration it is 0.75
+    // what is left of the 1 m/s of the end that is stopped first; with n = 1 it is 0.75 m/s
     REQUIRE_THAT(velocity_at(result.bodies[1], {1, 0, 0}),
                  IsClose(Vector3d(0, -0.0162932134258535, 0), Rounding(64, 1)));
 
@@ -214,8 +215,8 @@ TEST_CASE("contact: a contact ends with the separation speed it asks for", "[A5.
 
 TEST_CASE("contact: friction is bounded by the whole push", "[A5.2][contact]")
 {
-    // It takes a push of 2.5 to leave at 0.5 m/s. 0.4 times 2.5 is more than the 6/7 that the
-    // sliding needs, but 0.4 times the push of 2 that would stop the ball is less.
+    // It takes a push of 2.5 N s to leave at 0.5 m/s. 0.4 times 2.5 is more than the 6/7 that stop
+    // the sliding, but 0.4 times the push of 2 N s that would stop the fall alone is less.
     const ContactResult result = resolved(ball_on_floor({3, -2, 0}, 0.4, 0.5), 1);
     REQUIRE_THAT(result.impulses,
                  IsClose(std::vector{Vector3d(-6.0 / 7, 2.5, 0)}, Rounding(64, 3)));
